@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+
+namespace brash::plate {
+
+enum class Theory { kReissnerMindlin, kKirchhoff };
+
+/// A trapezoidal protrusion of the free edge of a wide floating plate; lengths over the characteristic length l_c.
+///
+/// Frame: origin at B, the middle of the tip edge; x along the centre line into the ice; y along the tip edge.
+struct WedgePlate {
+  double depth = 0.0;           ///< b / l_c [-], >= 0
+  double contact_length = 0.0;  ///< c / l_c [-], > 0
+  double angle = 0.0;           ///< theta, full opening angle [rad], in [0, pi)
+  double thickness = 0.1;       ///< h / l_c [-]
+  double poisson_ratio = 0.3;   ///< nu [-]
+  Theory theory = Theory::kReissnerMindlin;
+};
+
+/// How finely the plate is meshed.
+struct MeshOptions {
+  double tip_size = 0.0;   ///< element size at the tip over l_c; 0 takes the production value
+  double far_size = 0.0;   ///< element size far away over l_c; 0 takes the production value
+  double half_width = 0.0; ///< half width and depth of the sheet over l_c; 0 takes the production value
+};
+
+/// Symmetric plane tensor at one station.
+struct Tensor2 {
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+};
+
+/// The three unit fields along the centre line; shape=(n_stations,) each.
+///
+/// The stress on a surface is, with p = N/h the mean pressure on the tip edge,
+/// `sigma / p = +-6 mu1 (l_c/h) bending + normal + mu2 tangential`.
+struct UnitProfiles {
+  std::vector<double> station;       ///< |AB| / l_c
+  std::vector<Tensor2> bending;      ///< moments per unit P l_c, for the out-of-plane line load P = mu1 N
+  std::vector<Tensor2> normal;       ///< membrane stress over p, for the in-plane normal load N
+  std::vector<Tensor2> tangential;   ///< membrane stress over p, for the in-plane tangential load f = N
+  std::vector<double> deflection;    ///< w k l_c / P [-] along the stations
+  double root_bending = 0.0;         ///< largest principal moment outside a disc of radius h/2 at the re-entrant roots
+  double root_normal = 0.0;          ///< largest principal membrane stress there, under N
+  int n_elements = 0;
+};
+
+/// Why a plate could not be solved.
+struct PlateError {
+  std::string what;
+};
+
+/// Solves the floating plate for its three unit loads (one factorisation of each operator, three right-hand sides).
+/// @see docs/theory/failure.md
+tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const MeshOptions& options = {});
+
+/// What decides about failure, for one pair of load ratios.
+struct Response {
+  double sigma_over_p = 0.0;         ///< largest principal stress on the centre line, surface that P puts in tension
+  double lbreak_over_lc = 0.0;       ///< its place |AB| / l_c
+  double plateau_from = 0.0;         ///< where the stress first exceeds 99 % of its peak (the hump of the peak)
+  double plateau_to = 0.0;           ///< where it last does
+  double sigma_radial_over_p = 0.0;  ///< tensile stress along the edge at B, other surface: the radial crack
+  double sigma_root_over_p = 0.0;    ///< bound on the principal stress at the re-entrant roots
+};
+
+/// Superposes the unit fields: exact in mu1 = P/N, mu2 = f/N and l_c/h = 1/plate.thickness.
+Response respond(const UnitProfiles& profiles, double thickness_over_lc, double mu1, double mu2);
+
+}  // namespace brash::plate

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "brash/geometry/polygon.hpp"
+
+namespace brash::geometry {
+
+/// A straight crack inside the region that is cut.
+struct Crack {
+  Point from;
+  Point to;
+};
+
+/// What one cut did. Afterwards sheet, pieces and detached parts tile the old sheet:
+/// `area before = area after + pieces + detached + snap`, exactly.
+struct Cut {
+  /// The ice inside the region, split by the cracks: one simple polygon a piece.
+  std::vector<Polygon> pieces;
+  /// Area that the rounding of crossings to the grid moved out of (or into, negative) the ice; computed from the
+  /// re-routed edges, not as a remainder.
+  ExactArea snap;
+  /// How many crossings were rounded.
+  std::int64_t n_rounded = 0;
+};
+
+/// Why a sheet could not be made or cut.
+struct GeometryError {
+  std::string what;
+};
+
+/// One connected overlap of a structure's section with the ice.
+struct ContactRegion {
+  /// The overlap itself.
+  Polygon overlap;
+  /// Ends of the section's boundary inside the ice, counter-clockwise along the section [m].
+  Vec2 chord_from;
+  Vec2 chord_to;
+  /// |chord_to - chord_from| [m]: the contact length c.
+  double contact_length = 0.0;
+  /// Collision point B: the middle of the free edge within the section, on that edge [m].
+  Vec2 midpoint;
+  /// Unit normal of the chord, from the structure into the ice.
+  Vec2 normal;
+};
+
+/// The ice sheet: its free edges as an exact polygon set on the grid, with a spatial index.
+///
+/// Every cut is exact up to the rounding of new crossings to the grid (2^-30 m), which is counted. The cost of a cut
+/// or a query is that of the edges near it, whatever the size of the sheet.
+class IceSheet {
+ public:
+  /// @param polygons  the ice, any orientation; simple and disjoint.
+  /// @return the sheet, or which polygon is at fault and where.
+  static tl::expected<IceSheet, GeometryError> from_polygons(std::span<const Polygon> polygons);
+
+  IceSheet(IceSheet&&) noexcept;
+  IceSheet& operator=(IceSheet&&) noexcept;
+  ~IceSheet();
+
+  ExactArea area() const;
+  std::size_t n_vertices() const;
+  /// The connected parts, each with its holes; sorted by the smallest vertex of the outline.
+  std::vector<Polygon> polygons() const;
+  bool contains(Vec2 point) const;
+
+  /// Takes the ice inside `region` (simple, counter-clockwise) out of the sheet and splits it along `cracks`.
+  ///
+  /// Cuts that disconnect the sheet, touch it, run along its edges, swallow whole parts or meet no ice are defined
+  /// outcomes. Cracks that do not split a piece leave no trace.
+  Cut cut(std::span<const Point> region, std::span<const Crack> cracks = {});
+
+  /// Takes every part but the largest out of the sheet: ice that a cut has broken off.
+  std::vector<Polygon> release_detached();
+
+  /// The overlaps of the convex counter-clockwise `section` with the ice, sorted by the angle of their midpoint.
+  std::vector<ContactRegion> contacts(std::span<const Point> section) const;
+
+  /// The ice inside the simple counter-clockwise `window`, without taking it.
+  std::vector<Polygon> within(std::span<const Point> window) const;
+
+  /// The free edge near a point: the chain of ice boundary within `radius` of `at`, as polylines with ice on the
+  /// left, in metres.
+  std::vector<std::vector<Vec2>> free_edge(Vec2 at, double radius) const;
+
+ private:
+  struct Impl;
+  explicit IceSheet(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Cuts the ice within `radius` of `centre` free and divides it by radial cracks.
+///
+/// The circle becomes a polygon of `sides` chords; `n_wedges - 1` radial cracks run from the centre to the arc at equal
+/// angles over the span of ice that the centre sees.
+///
+/// @param centre    collision point B on the free edge, sheet frame [m].
+/// @param radius    breaking length l_break [m], > 0.
+/// @param n_wedges  number of wedges, 3 to 5 (Nevel), at least 1 [-].
+/// @param sides     chords of the full circle, at least 3.
+/// @see paper, Sec. 2.2.2, Fig. 2.
+Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides = 16);
+
+/// The same with radial cracks at the given `angles` [rad], counter-clockwise from x.
+Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, std::span<const double> angles, int sides = 16);
+
+/// Splits `floe` along the line through `from` and `to`.
+Cut split(const Polygon& floe, Point from, Point to);
+
+}  // namespace brash::geometry

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+
+namespace brash::io {
+
+/// [ice]; SI throughout.
+struct IceSection {
+  double thickness = 0.0;
+  double density = 900.0;
+  double youngs_modulus = 0.0;
+  double poisson_ratio = 0.3;
+  double flexural_strength = 0.0;
+  double compressive_strength = 1.0e6;
+  double crushing_factor = 0.5;
+  double friction_structure = 0.0;
+  double friction_ice = 0.3;
+};
+
+/// [water]
+struct WaterSection {
+  double density = 1025.0;
+  Vec2 current{};  ///< `current = [0, 0]`
+};
+
+/// [structure]
+struct StructureSection {
+  std::string kind = "cone";
+  double angle = 0.0;  ///< rad
+  double waterline_width = 0.0;
+  double height = 0.0;
+  double height_under_water = 0.0;
+  std::string breaking = "downward";  ///< downward | upward
+  double speed = 0.0;
+  double start_distance = 0.0;
+  int facets = 64;
+};
+
+/// [field]
+struct FieldSection {
+  std::string kind = "level-ice";
+  double length = 0.0;
+  double width = 0.0;
+  bool initial_crack = true;
+  double initial_crack_radius = 0.0;  ///< 0: the straight edge's breaking length from the failure model's scale, see schema
+};
+
+/// [failure]
+struct FailureSection {
+  std::string model = "network";  ///< network | superposition | plate | plate-outline | wedge
+  std::string file;               ///< model file; empty: the model that comes with the program
+  std::array<int, 2> wedges{3, 5};
+  int arc_sides = 16;        ///< chords of a full breaking circle
+  int max_substeps = 8;      ///< when an input exceeds the model's range
+};
+
+/// [contact]
+struct ContactSection {
+  double restitution = 0.0;
+  std::string area = "surface";  ///< surface | projected (physics: contact area A)
+  double margin = 0.005;
+  int iterations = 50;
+  int rebuild_interval = 50;
+  bool delete_crushed = true;
+};
+
+/// [hydrodynamics]
+struct HydrodynamicsSection {
+  double form_drag = 1.0;
+  double rotational_drag = 1.0;
+  double skin_friction = 0.005;
+  double added_mass = 0.5;
+};
+
+/// [time]
+struct TimeSection {
+  double step = 0.01;
+  double duration = 0.0;
+};
+
+/// [random]
+struct RandomSection {
+  std::uint64_t seed = 1;
+  std::uint64_t replicate = 0;
+};
+
+/// [output]
+struct OutputSection {
+  double frames_per_second = 15.0;
+};
+
+/// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
+struct Case {
+  std::string name;  ///< the file's stem
+  IceSection ice;
+  WaterSection water;
+  StructureSection structure;
+  FieldSection field;
+  FailureSection failure;
+  ContactSection contact;
+  HydrodynamicsSection hydrodynamics;
+  TimeSection time;
+  RandomSection random;
+  OutputSection output;
+};
+
+/// Reads, checks and resolves a case file.
+///
+/// @param overrides  `section.key=value` as on the command line, applied after the file.
+/// @throws InputError with file, line, column, key, value, what is allowed and the nearest known key.
+Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The resolved case as TOML in SI, every key written; reading it gives the same case.
+std::string to_toml(const Case& resolved);
+
+/// The JSON Schema of a case file, with unit, default, range and meaning of every key.
+std::string case_schema();
+
+/// A commented template of a case, every key with its default.
+std::string case_template();
+
+}  // namespace brash::io

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+#include "brash/io/case.hpp"
+
+namespace brash::io {
+
+/// Load on the structure at the end of a step, world axes, moments about the structure's origin.
+struct LoadRow {
+  double time = 0.0;        ///< [s]
+  Wrench total;             ///< [N], [N m]
+  Wrench crushing;          ///< crushing at the sheet's edge
+  Wrench floe_normal;       ///< normal contact forces of floes
+  Wrench floe_friction;     ///< friction of floes
+  double kinetic_energy = 0.0;    ///< of all floes [J]
+  double potential_energy = 0.0;  ///< of all floes in gravity and buoyancy, against floating at rest [J]
+  double work = 0.0;              ///< done by the structure since the start [J]
+  double birth_energy = 0.0;      ///< kinetic energy injected at births since the start [J]
+  /// The ledger in m2, as doubles of the exact areas.
+  double area_sheet = 0.0;
+  double area_floes = 0.0;
+  double area_crushed = 0.0;
+  double area_deleted = 0.0;
+  double area_brash = 0.0;
+  double area_snap = 0.0;
+  int n_floes = 0;
+  int n_contacts = 0;
+};
+
+/// One crack event; the columns of events.csv.
+struct CrackEvent {
+  double time = 0.0;
+  Vec2 at{};                ///< B [m]
+  double depth = 0.0;       ///< b [m]
+  double contact_length = 0.0;
+  double angle = 0.0;       ///< theta [rad]
+  double fit_error = 0.0;
+  double mu1 = 0.0;
+  double mu2 = 0.0;
+  double pressure = 0.0;
+  double sigma_max = 0.0;
+  double breaking_length = 0.0;
+  int wedges = 0;
+  int pieces = 0;
+  bool in_range = true;
+  int substeps = 1;
+  double area_before = 0.0;  ///< of the sheet [m2]
+  double area_after = 0.0;
+};
+
+enum class FloeEnd { kAlive, kCrushed, kOutside };
+
+/// A floe's life; its outline in its body frame is stored once.
+struct FloeRecord {
+  std::int64_t id = 0;
+  std::vector<std::vector<Vec2>> rings;  ///< outline and holes, body frame [m]
+  double area = 0.0;                     ///< exact area as double [m2]
+  double birth = 0.0;                    ///< [s]
+  double death = 0.0;                    ///< [s], duration when alive at the end
+  FloeEnd end = FloeEnd::kAlive;
+  double peak_stress = 0.0;              ///< largest of the deletion criterion's stress [Pa]
+};
+
+/// Pose of one floe in one frame.
+struct FloePose {
+  std::int64_t floe = 0;  ///< FloeRecord::id
+  Pose pose;
+};
+
+/// One frame of the replay.
+struct Frame {
+  double time = 0.0;
+  Pose structure;
+  std::vector<FloePose> floes;
+};
+
+/// Everything a run leaves, filled while it goes.
+struct RunResults {
+  std::vector<LoadRow> loads;
+  std::vector<CrackEvent> events;
+  std::vector<FloeRecord> floes;
+  std::vector<Frame> frames;
+  std::vector<std::vector<Vec2>> initial_sheet;  ///< rings [m]
+  std::vector<std::vector<Vec2>> final_sheet;    ///< rings [m]
+};
+
+/// Writes run.nc (netCDF-4, CF), history.csv and events.csv into `directory`, each by rename when whole.
+/// @throws RunError naming the file and the system's reason.
+void write_results(const std::string& directory, const Case& resolved, const RunResults& results);
+
+/// What can differ between two runs of one case without being a difference of the run.
+struct Volatile {
+  std::string started_at;      ///< ISO 8601, UTC
+  double wall_seconds = 0.0;
+  std::string host_cpu;
+};
+
+/// Writes manifest.json: resolved case, versions of the program, compiler and libraries, CPU and glibc, seeds, SHA-256 of
+/// every input and output; times and host under the key `volatile`.
+void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
+                    const std::vector<std::string>& outputs, const Volatile& context);
+
+/// Writes `text` to `path` by rename when whole.
+void write_file(const std::string& path, const std::string& text);
+
+}  // namespace brash::io

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brash/core/ids.hpp"
+#include "brash/core/prism.hpp"
+#include "brash/core/vec.hpp"
+
+namespace brash::rigid_body {
+
+/// How a pair of surfaces meets.
+struct ContactLaw {
+  double friction = 0.0;     ///< Coulomb coefficient of the pair [-], Eq. 6
+  double restitution = 0.0;  ///< Newton's e [-], Eq. 5
+  /// sigma_c R [Pa]: the normal force of a contact is at most this times the contact's own area (Eqs. 15, 16).
+  double crushing_pressure = std::numeric_limits<double>::infinity();
+};
+
+struct WorldSettings {
+  ContactLaw ice_structure;
+  ContactLaw ice_ice;
+  int iterations = 50;           ///< sequential impulses a step
+  double collision_margin = 0.005;  ///< [m]; shapes are inset by it, so that surfaces meet where they are
+  int rebuild_interval = 50;     ///< steps between rebuilds from canonical state (docs/decisions)
+};
+
+/// Inertia of a floe about its centre of mass in its principal axes.
+struct MassProperties {
+  double mass = 0.0;     ///< [kg]
+  Vec3 inertia{};        ///< principal moments [kg m2]
+};
+
+/// Mass properties of the prism at uniform density, times (1 + added_mass) as inertia of the floe (Eq. 12).
+MassProperties mass_properties(const Prism& prism, double density, double added_mass);
+
+/// A prism placed in the world.
+struct PlacedPrism {
+  Prism prism;
+  Pose pose;
+};
+
+/// Builds the body-frame prism of plan polygons given in the sheet frame, its mid-plane at height `mid_height` [m].
+///
+/// @param rings  outline counter-clockwise, holes clockwise [m].
+/// @param parts  convex rings that tile the plan [m].
+PlacedPrism place_prism(std::span<const std::vector<Vec2>> rings, std::span<const std::vector<Vec2>> parts,
+                        double thickness, double mid_height);
+
+/// One contact point's load, as the solver left it.
+struct ContactLoad {
+  BodyId body;              ///< the floe
+  BodyId other;             ///< structure, sheet or another floe
+  Vec3 point{};             ///< [m], world
+  Vec3 normal{};            ///< unit, from `other` into `body`
+  double normal_force = 0.0;  ///< impulse / dt [N], >= 0
+  Vec3 friction_force{};      ///< on `body` [N]
+  double area = 0.0;          ///< the contact's share of the overlap's area [m2]
+  double depth = 0.0;         ///< overlap along the normal [m]
+  bool at_bound = false;      ///< the crushing bound was reached
+};
+
+enum class BodyKind { kFloe, kStructure, kSheet };
+
+/// The rigid-body world: floes, one structure, the fixed sheet's collision shapes. Hides Bullet.
+///
+/// Velocities and positions follow Eqs. 1 to 10 (semi-implicit Euler). Bodies are handled in the order of their ids, so
+/// the order of insertion does not matter.
+class World {
+ public:
+  explicit World(const WorldSettings& settings);
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  BodyId add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist = {});
+  /// A fixed convex prism of the sheet, plan ring in the sheet frame [m], between two heights [m].
+  BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top);
+  /// A kinematic structure of convex hulls, vertices in the structure's frame [m].
+  BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose);
+  void remove(BodyId id);
+
+  /// Sets where the structure is at the end of the next step and its velocity during it.
+  void move_structure(BodyId id, const Pose& pose, const Twist& twist);
+  /// Adds a force and a moment about the centre of mass for the next step only.
+  void apply(BodyId id, const Wrench& wrench);
+
+  /// Advances all floes by `dt` [s].
+  void step(double dt);
+
+  /// Contacts of the last step, sorted by (body, other, point).
+  const std::vector<ContactLoad>& contacts() const;
+
+  BodyKind kind(BodyId id) const;
+  bool contains(BodyId id) const;
+  std::vector<BodyId> floes() const;  ///< sorted
+  Pose pose(BodyId id) const;
+  Twist twist(BodyId id) const;
+  void set_state(BodyId id, const Pose& pose, const Twist& twist);
+  /// Kinetic energy of all floes, added mass included [J].
+  double kinetic_energy() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brash::rigid_body

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace brash::statistics {
+
+/// A stream of random numbers keyed by what it is for: the same key gives the same numbers, in any order of creation.
+///
+/// Generator: GSL's `ranlxd2` seeded by a hash of the whole key.
+class RandomStream {
+ public:
+  /// @param seed       of the case.
+  /// @param case_name  which case of a campaign.
+  /// @param replicate  which repetition.
+  /// @param purpose    e.g. "wedges".
+  /// @param counter    which draw event, so that a stream can be reopened without replaying (restart).
+  RandomStream(std::uint64_t seed, std::string_view case_name, std::uint64_t replicate, std::string_view purpose,
+               std::uint64_t counter = 0);
+  RandomStream(RandomStream&&) noexcept;
+  RandomStream& operator=(RandomStream&&) noexcept;
+  ~RandomStream();
+
+  /// Uniform in [0, 1).
+  double uniform();
+  /// Uniform whole number in [from, to].
+  int uniform_int(int from, int to);
+  /// Normal with mean 0 and deviation 1.
+  double normal();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brash::statistics
