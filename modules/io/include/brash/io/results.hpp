@@ -14,11 +14,11 @@ namespace brash::io {
 
 /// Load on the structure at the end of a step, world axes, moments about the structure's origin.
 struct LoadRow {
-  double time = 0.0;        ///< [s]
-  Wrench total;             ///< [N], [N m]
-  Wrench crushing;          ///< crushing at the sheet's edge
-  Wrench floe_normal;       ///< normal contact forces of floes
-  Wrench floe_friction;     ///< friction of floes
+  double time = 0.0;              ///< [s]
+  Wrench total;                   ///< [N], [N m]
+  Wrench crushing;                ///< crushing at the sheet's edge
+  Wrench floe_normal;             ///< normal contact forces of floes
+  Wrench floe_friction;           ///< friction of floes
   double kinetic_energy = 0.0;    ///< of all floes [J]
   double potential_energy = 0.0;  ///< of all floes in gravity and buoyancy, against floating at rest [J]
   double work = 0.0;              ///< done by the structure since the start [J]
@@ -37,10 +37,10 @@ struct LoadRow {
 /// One crack event; the columns of events.csv.
 struct CrackEvent {
   double time = 0.0;
-  Vec2 at{};                ///< B [m]
-  double depth = 0.0;       ///< b [m]
+  Vec2 at{};           ///< B [m]
+  double depth = 0.0;  ///< b [m]
   double contact_length = 0.0;
-  double angle = 0.0;       ///< theta [rad]
+  double angle = 0.0;  ///< theta [rad]
   double fit_error = 0.0;
   double mu1 = 0.0;
   double mu2 = 0.0;
@@ -65,7 +65,7 @@ struct FloeRecord {
   double birth = 0.0;                    ///< [s]
   double death = 0.0;                    ///< [s], duration when alive at the end
   FloeEnd end = FloeEnd::kAlive;
-  double peak_stress = 0.0;              ///< largest of the deletion criterion's stress [Pa]
+  double peak_stress = 0.0;  ///< largest of the deletion criterion's stress [Pa]
 };
 
 /// Pose of one floe in one frame.
@@ -97,13 +97,13 @@ void write_results(const std::string& directory, const Case& resolved, const Run
 
 /// What can differ between two runs of one case without being a difference of the run.
 struct Volatile {
-  std::string started_at;      ///< ISO 8601, UTC
+  std::string started_at;  ///< ISO 8601, UTC
   double wall_seconds = 0.0;
   std::string host_cpu;
 };
 
-/// Writes manifest.json: resolved case, versions of the program, compiler and libraries, CPU and glibc, seeds, SHA-256 of
-/// every input and output; times and host under the key `volatile`.
+/// Writes manifest.json: resolved case, versions of the program, compiler and libraries, CPU and glibc, seeds, SHA-256
+/// of every input and output; times and host under the key `volatile`.
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context);
 
