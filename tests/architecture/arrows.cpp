@@ -33,6 +33,7 @@ const std::map<std::string, Room> kRooms{
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
     {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson", "openssl"}}},
+    {"report", {"modules/report", {"core", "io"}, {}}},
     {"simulation",
      {"modules/simulation",
       {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "io", "statistics"},
