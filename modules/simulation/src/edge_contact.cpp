@@ -15,7 +15,7 @@ geometry::Ring section_at(const structure::Cone& cone, double z, Vec2 centre) {
   return geometry::ring(vertices);
 }
 
-/// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical.
+/// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical; the structure moves along x.
 void load_contact(const EdgeModel& model, EdgeContact& contact) {
   const io::Case& c = model.resolved;
   const double plan_area = geometry::area(contact.region.overlap).square_metres();
@@ -23,6 +23,7 @@ void load_contact(const EdgeModel& model, EdgeContact& contact) {
   const double normal_force = failure::crushing_force(model.ice, area);
 
   const Vec2 normal = contact.region.normal;
+  if (normal.x <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
   const double heading = std::atan2(cross(Vec2{1.0, 0.0}, normal), normal.x);
   const failure::LoadRatios ratios =
       failure::load_ratios(c.structure.angle, c.ice.friction_structure, heading);

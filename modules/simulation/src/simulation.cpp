@@ -286,7 +286,7 @@ const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
 
 io::Frame Simulation::frame() const {
-  io::Frame frame{.time = time(), .structure = impl_->structure_pose()};
+  io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
   for (const auto& [body, floe] : impl_->floes.floes())
     frame.floes.push_back({floe.id, impl_->world.pose(body)});
   return frame;

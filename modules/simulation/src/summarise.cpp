@@ -13,14 +13,6 @@ namespace {
 
 constexpr std::array<double, 5> kQuantiles{0.05, 0.25, 0.5, 0.75, 0.95};
 
-std::vector<double> quantiles(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::ranges::sort(values);
-  std::vector<double> result;
-  for (const double q : kQuantiles) result.push_back(statistics::quantile_of_sorted(values, q));
-  return result;
-}
-
 /// Mean over the window of one component of the loads.
 template <typename Component>
 double mean(std::span<const io::LoadRow> rows, Component component) {
@@ -113,7 +105,7 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
   }
   const double window_length = resolved.time.duration - s.statistics_from;
   s.breaking_frequency = window_length > 0.0 ? n_in_window / window_length : 0.0;
-  s.breaking_length_quantiles = quantiles(std::move(lengths));
+  s.breaking_length_quantiles = statistics::quantiles(std::move(lengths), kQuantiles);
 
   std::vector<double> areas;
   for (const io::FloeRecord& floe : results.floes) {
@@ -122,7 +114,7 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
     s.n_floes_present += floe.end == io::FloeEnd::kAlive ? 1 : 0;
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
-  s.piece_area_quantiles = quantiles(std::move(areas));
+  s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);
   s.fastest_floe = fastest(results.frames);
   return s;
 }
