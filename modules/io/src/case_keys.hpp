@@ -43,11 +43,13 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "wedges", c.failure.wedges);
   visit("failure", "arc_sides", c.failure.arc_sides);
   visit("failure", "max_substeps", c.failure.max_substeps);
+  visit("failure", "smallest_floe", c.failure.smallest_floe);
   visit("contact", "restitution", c.contact.restitution);
   visit("contact", "area", c.contact.area);
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
   visit("contact", "rebuild_interval", c.contact.rebuild_interval);
+  visit("contact", "stiffness", c.contact.stiffness);
   visit("contact", "delete_crushed", c.contact.delete_crushed);
   visit("hydrodynamics", "form_drag", c.hydrodynamics.form_drag);
   visit("hydrodynamics", "rotational_drag", c.hydrodynamics.rotational_drag);
@@ -58,6 +60,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("random", "seed", c.random.seed);
   visit("random", "replicate", c.random.replicate);
   visit("output", "frames_per_second", c.output.frames_per_second);
+  visit("output", "statistics_from", c.output.statistics_from);
 }
 
 }  // namespace brash::io

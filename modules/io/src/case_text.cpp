@@ -26,6 +26,15 @@ std::string value_as_toml(std::uint64_t value) {
   return std::to_string(value);
 }
 
+/// `key = value` with its unit as a comment; nothing for an absent value.
+template <typename Value>
+std::string key_line(const std::string& key, const Value& value, const std::string& unit) {
+  return fmt::format("{} = {}{}\n", key, value_as_toml(value), unit == "1" ? "" : "  # " + unit);
+}
+std::string key_line(const std::string& key, const std::optional<double>& value, const std::string& unit) {
+  return value ? key_line(key, *value, unit) : "";
+}
+
 /// `text` as comment lines of at most 100 columns.
 std::string commented(const std::string& text) {
   constexpr std::size_t kColumns = 100;
@@ -50,8 +59,7 @@ std::string to_toml(const Case& resolved) {
   visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
     if (section != section_now) text += fmt::format("\n[{}]\n", section);
     section_now = section;
-    const std::string unit = key_schemas(section).at(key).value("x-unit", "1");
-    text += fmt::format("{} = {}{}\n", key, value_as_toml(value), unit == "1" ? "" : "  # " + unit);
+    text += key_line(key, value, key_schemas(section).at(key).value("x-unit", "1"));
   });
   return text;
 }
@@ -66,8 +74,9 @@ std::string case_template() {
       const bool required = is_required(section, key);
       text += commented(key_schema.at("description").get<std::string>());
       text += commented((required ? "Required: " : "Optional: ") + allowed_values(key_schema) + ".");
-      text += fmt::format("{} = {}\n", key,
-                          toml_text(required ? key_schema.at("examples").front() : key_schema.at("default")));
+      const bool has_default = key_schema.contains("default");
+      const std::string value = toml_text(has_default ? key_schema.at("default") : key_schema.at("examples").front());
+      text += fmt::format("{}{} = {}\n", required || has_default ? "" : "# ", key, value);
     }
   }
   return text;

@@ -93,6 +93,10 @@ void check_rest(const Case& c, Checks& checks) {
   checks.require(c.time.step <= c.time.duration, "time", "step", "the step is longer than the run",
                  fmt::format("at most time.duration = {} s", c.time.duration),
                  "lower time.step or raise time.duration");
+  checks.require(c.output.statistics_from.value_or(0.0) < c.time.duration, "output", "statistics_from",
+                 "the statistics would begin after the run",
+                 fmt::format("less than time.duration = {} s", c.time.duration),
+                 "lower output.statistics_from or raise time.duration");
   std::error_code ignored;
   checks.require(c.failure.file.empty() || std::filesystem::is_regular_file(c.failure.file, ignored), "failure", "file",
                  fmt::format("there is no file {}", c.failure.file), "a file, relative to the case file",

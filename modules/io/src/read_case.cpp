@@ -14,16 +14,21 @@ namespace {
 using Json = nlohmann::json;
 
 template <typename Value>
-void assign(Value& value, const Json& json) {
-  value = json.get<Value>();
+void assign(Value& value, const Json& section, const char* key) {
+  section.at(key).get_to(value);
 }
-void assign(Vec2& value, const Json& json) { value = {json.at(0).get<double>(), json.at(1).get<double>()}; }
+void assign(Vec2& value, const Json& section, const char* key) {
+  value = {section.at(key).at(0).get<double>(), section.at(key).at(1).get<double>()};
+}
+void assign(std::optional<double>& value, const Json& section, const char* key) {
+  if (section.contains(key)) value = section.at(key).get<double>();
+}
 
 Case case_from(const Json& document) {
   Case result;
   std::size_t n_read = 0;
   visit_keys(result, [&](const char* section, const char* key, auto& value) {
-    assign(value, document.at(section).at(key));
+    assign(value, document.at(section), key);
     ++n_read;
   });
   std::size_t n_known = 0;

@@ -229,7 +229,8 @@ class Reader {
   void add_defaults() {
     for (const std::string& section : names(section_schemas()))
       for (const auto& [key, key_schema] : key_schemas(section).items())
-        if (!document_[section].contains(key)) document_[section][key] = Json::parse(key_schema.at("default").dump());
+        if (!document_[section].contains(key) && key_schema.contains("default"))
+          document_[section][key] = Json::parse(key_schema.at("default").dump());
   }
 
   const CaseSource& source_;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,8 +56,7 @@ struct FieldSection {
   double length = 0.0;
   double width = 0.0;
   bool initial_crack = true;
-  double initial_crack_radius =
-      0.0;  ///< 0: the straight edge's breaking length from the failure model's scale, see schema
+  double initial_crack_radius = 0.0;  ///< 0: the breaking length of a straight edge
 
   friend bool operator==(const FieldSection&, const FieldSection&) = default;
 };
@@ -66,8 +66,9 @@ struct FailureSection {
   std::string model = "network";  ///< network | superposition | plate | plate-outline | wedge
   std::string file;               ///< model file, absolute; empty: the model that comes with the program
   std::array<int, 2> wedges{3, 5};
-  int arc_sides = 16;    ///< chords of a full breaking circle
-  int max_substeps = 8;  ///< when an input exceeds the model's range
+  int arc_sides = 16;           ///< chords of a full breaking circle
+  int max_substeps = 8;         ///< when an input exceeds the model's range
+  double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
 
   friend bool operator==(const FailureSection&, const FailureSection&) = default;
 };
@@ -79,6 +80,7 @@ struct ContactSection {
   double margin = 0.005;
   int iterations = 50;
   int rebuild_interval = 50;
+  double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
 
   friend bool operator==(const ContactSection&, const ContactSection&) = default;
@@ -113,6 +115,7 @@ struct RandomSection {
 /// [output]
 struct OutputSection {
   double frames_per_second = 15.0;
+  std::optional<double> statistics_from;  ///< [s]; absent: when the structure's centre passes the initial edge
 
   friend bool operator==(const OutputSection&, const OutputSection&) = default;
 };
@@ -142,7 +145,7 @@ struct Case {
 ///         allowed, the nearest known name and the remedy.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// The resolved case as TOML in SI, every key written; reading it gives the same case.
+/// The resolved case as TOML in SI, every key that has a value written; reading it gives the same case.
 std::string to_toml(const Case& resolved);
 
 /// The JSON Schema of a case file, with unit, default, range and meaning of every key.
