@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,7 @@ struct FailureSection {
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;        ///< chords of a full breaking circle
   int max_substeps = 8;      ///< when an input exceeds the model's range
+  double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
 };
 
 /// [contact]
@@ -67,6 +69,7 @@ struct ContactSection {
   double margin = 0.005;
   int iterations = 50;
   int rebuild_interval = 50;
+  double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
 };
 
@@ -93,6 +96,7 @@ struct RandomSection {
 /// [output]
 struct OutputSection {
   double frames_per_second = 15.0;
+  std::optional<double> statistics_from;  ///< [s]; absent: when the structure's centre passes the initial edge
 };
 
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.

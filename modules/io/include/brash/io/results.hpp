@@ -12,7 +12,8 @@
 
 namespace brash::io {
 
-/// Load on the structure at the end of a step, world axes, moments about the structure's origin.
+/// Load on the structure over a step, in load axes: x as the ice drifts against the structure (against its motion),
+/// y to starboard, z upwards; moments about the structure's origin on the waterplane.
 struct LoadRow {
   double time = 0.0;        ///< [s]
   Wrench total;             ///< [N], [N m]
