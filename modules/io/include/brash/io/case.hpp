@@ -120,6 +120,12 @@ struct OutputSection {
   friend bool operator==(const OutputSection&, const OutputSection&) = default;
 };
 
+/// [reference]: a measured load to print beside the simulated one; the simulation does not see it.
+struct ReferenceSection {
+  std::optional<double> mean_horizontal;  ///< [N]
+  std::string source = "reference";
+};
+
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
 struct Case {
   std::string name;  ///< the file's stem
@@ -133,6 +139,7 @@ struct Case {
   TimeSection time;
   RandomSection random;
   OutputSection output;
+  ReferenceSection reference;
 
   friend bool operator==(const Case&, const Case&) = default;
 };
