@@ -124,6 +124,8 @@ struct OutputSection {
 struct ReferenceSection {
   std::optional<double> mean_horizontal;  ///< [N]
   std::string source = "reference";
+
+  friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
 };
 
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
