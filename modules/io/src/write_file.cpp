@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "write_file.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,54 +11,43 @@
 #include "brash/io/results.hpp"
 
 namespace brash::io {
+namespace {
 
-void fail_to_write(const std::string& path, int reason) {
-  throw RunError(
-      fmt::format("{}: cannot be written: {}\n  remedy:  check that the folder exists, may be written and has space",
-                  path, std::generic_category().message(reason)));
-}
-
-WholeFile::WholeFile(std::string path)
-    : path_(std::move(path)), partial_(fmt::format("{}.{}.part", path_, ::getpid())) {
-  const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-  std::error_code reason;
-  if (!folder.empty()) std::filesystem::create_directories(folder, reason);
-  if (reason) fail_to_write(path_, reason.value());
-}
-
-WholeFile::~WholeFile() {
-  if (!published_) ::unlink(partial_.c_str());
-}
-
-void WholeFile::publish() {
+/// Creates `path` with `text` in it, on the disk and not only in the system's memory.
+/// @return 0, or the system's error number.
+int write_to_disk(const std::string& path, const std::string& text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int status = 0;
+  for (std::size_t written = 0; written < text.size() && status == 0;) {
+    const ssize_t n = ::write(file, text.data() + written, text.size() - written);
+    if (n > 0)
+      written += static_cast<std::size_t>(n);
+    else if (n == 0)
+      status = ENOSPC;
+    else if (errno != EINTR)
+      status = errno;
+  }
   // The bytes must be on the disk before the name is: a crash may not leave the name with half of them.
-  const int file = ::open(partial_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) fail_to_write(path_, errno);
-  const int synced = ::fsync(file);
-  const int reason = errno;
-  ::close(file);
-  if (synced != 0) fail_to_write(path_, reason);
-  if (::rename(partial_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
-  published_ = true;
+  if (status == 0 && ::fsync(file) != 0) status = errno;
+  if (::close(file) != 0 && status == 0) status = errno;
+  return status;
 }
+
+}  // namespace
 
 void write_file(const std::string& path, const std::string& text) {
-  WholeFile whole(path);
-  const int file = ::open(whole.partial().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) fail_to_write(path, errno);
-  std::size_t written = 0;
-  while (written < text.size()) {
-    const ssize_t n = ::write(file, text.data() + written, text.size() - written);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) {
-      const int reason = errno;
-      ::close(file);
-      fail_to_write(path, reason);
-    }
-    written += static_cast<std::size_t>(n);
-  }
-  if (::close(file) != 0) fail_to_write(path, errno);
-  whole.publish();
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const std::string partial = fmt::format("{}.{}.part", path, ::getpid());
+  std::error_code folder_status;
+  if (!folder.empty()) std::filesystem::create_directories(folder, folder_status);
+  int status = folder_status.value();
+  if (status == 0) status = write_to_disk(partial, text);
+  if (status == 0 && ::rename(partial.c_str(), path.c_str()) != 0) status = errno;
+  if (status == 0) return;
+  ::unlink(partial.c_str());
+  throw RunError(fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space",
+                             path, std::generic_category().message(status)));
 }
 
 }  // namespace brash::io
