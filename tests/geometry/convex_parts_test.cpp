@@ -42,15 +42,14 @@ BOOST_AUTO_TEST_CASE(an_l_has_two_parts) {
 }
 
 BOOST_AUTO_TEST_CASE(straight_on_vertices_make_no_empty_parts) {
-  check_parts({ring(std::vector<Vec2>{{0, 0}, {1, 0}, {2, 0}, {2, 0.5}, {2, 1}, {1.5, 1}, {1, 1}, {1, 1.5}, {1, 2},
-                                      {0.5, 2}, {0, 2}, {0, 1}}),
-               {}},
-              3);
+  check_parts(
+      {ring(std::vector<Vec2>{
+           {0, 0}, {1, 0}, {2, 0}, {2, 0.5}, {2, 1}, {1.5, 1}, {1, 1}, {1, 1.5}, {1, 2}, {0.5, 2}, {0, 2}, {0, 1}}),
+       {}},
+      3);
 }
 
-BOOST_AUTO_TEST_CASE(a_frame_is_cut_around_its_hole) {
-  check_parts({box(0, 0, 4, 4), {reversed(box(1, 1, 3, 3))}}, 4);
-}
+BOOST_AUTO_TEST_CASE(a_frame_is_cut_around_its_hole) { check_parts({box(0, 0, 4, 4), {reversed(box(1, 1, 3, 3))}}, 4); }
 
 BOOST_AUTO_TEST_CASE(many_holes_in_rows_are_bridged) {
   Polygon grate{box(0, 0, 9, 9), {}};
