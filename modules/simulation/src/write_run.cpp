@@ -18,8 +18,8 @@ void write_run(const std::string& directory, const std::string& case_file, const
   io::write_manifest(directory, resolved, inputs, outputs,
                      {.started_at = run.started_at,
                       .wall_seconds = run.wall_seconds,
-                      .stage_seconds = {{"ice", t.ice}, {"water", t.water}, {"world", t.world}, {"loads", t.loads}},
-                      .host_cpu = {}});
+                      .host_cpu = {},
+                      .stage_seconds = {{"ice", t.ice}, {"water", t.water}, {"world", t.world}, {"loads", t.loads}}});
 }
 
 }  // namespace brash::simulation
