@@ -76,8 +76,9 @@ BOOST_AUTO_TEST_CASE(the_resolved_text_reads_back_to_the_same_case) {
 
 BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
   const Scratch scratch;
-  Case c = read_case(scratch.write("cone.toml", case_template()));
-  const Case validation = read_case(kValidation);
+  const Case c = read_case(scratch.write("cone.toml", case_template()));
+  Case validation = read_case(kValidation);
+  validation.reference = {};  // a measured load belongs to one case
   BOOST_TEST((c == validation));
   // Every key of the resolved text is in the template too.
   const std::string text = case_template();
