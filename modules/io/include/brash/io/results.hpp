@@ -117,6 +117,7 @@ struct Volatile {
   std::string started_at;  ///< ISO 8601, UTC
   double wall_seconds = 0.0;
   std::string host_cpu;  ///< empty: the name in /proc/cpuinfo
+  std::map<std::string, double> stage_seconds{};  ///< wall time of each stage of the step [s]
 };
 
 /// Writes manifest.json: resolved case, versions of the program, compiler and libraries, CPU and glibc, seeds, SHA-256
