@@ -28,7 +28,7 @@ struct TrainingOptions {
   double test_share = 0.15;        ///< of the geometries
   std::uint64_t seed = 1;          ///< of split and starts
   double thickness_over_lc = 0.1;  ///< h / l_c of the samples
-  std::string data_sha256;         ///< of the database file, passed on to the model
+  std::string data_sha256{};       ///< of the database file, passed on to the model
 };
 
 /// Errors over a set of rows. The stress error of a row is predicted / computed - 1.
