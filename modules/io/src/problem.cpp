@@ -13,8 +13,8 @@
 namespace brash::io {
 
 std::string Place::text() const {
-  if (!override_text.empty()) return fmt::format("{}, --set {}", file, printable(override_text));
-  return fmt::format("{}:{}:{}", file, line, column);
+  if (!override_text.empty()) return fmt::format("{}, --set {}", escaped(file), printable(override_text));
+  return fmt::format("{}:{}:{}", escaped(file), line, column);
 }
 
 void refuse(std::vector<Problem> problems) {
@@ -31,10 +31,10 @@ void refuse(std::vector<Problem> problems) {
     if (!message.empty()) message += '\n';
     message += fmt::format("{}: {}", problem.place.text(), printable(problem.key));
     if (!problem.value.empty()) message += " = " + printable(problem.value);
-    message += ": " + problem.what;
-    message += "\n  allowed: " + problem.allowed;
-    if (!problem.nearest.empty()) message += "\n  nearest: " + problem.nearest;
-    message += "\n  remedy:  " + problem.remedy;
+    message += ": " + escaped(problem.what);
+    message += "\n  allowed: " + escaped(problem.allowed);
+    if (!problem.nearest.empty()) message += "\n  nearest: " + escaped(problem.nearest);
+    message += "\n  remedy:  " + escaped(problem.remedy);
   }
   if (problems.size() > kMostShown) message += fmt::format("\n... and {} more", problems.size() - kMostShown);
   throw InputError(message);
@@ -75,17 +75,24 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   return *nearest;
 }
 
-std::string printable(const std::string& text) {
-  constexpr std::size_t kLongest = 80;
+std::string escaped(const std::string& text) {
   std::string shown;
   for (const char c : text) {
-    if (shown.size() >= kLongest) return shown + "...";
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       shown += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
     else
       shown += c;
   }
   return shown;
+}
+
+std::string printable(const std::string& text) {
+  constexpr std::size_t kLongest = 80;
+  if (text.size() <= kLongest) return escaped(text);
+  // A character of several bytes is not cut: the bytes after its first begin with the bits 10.
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return escaped(text.substr(0, end)) + "...";
 }
 
 }  // namespace brash::io
