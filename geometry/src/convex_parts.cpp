@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "boundary.hpp"
 #include "brash/core/contract.hpp"
+#include "region_loops.hpp"
 
 namespace brash::geometry {
 namespace {
@@ -85,10 +85,10 @@ void bridge(const std::vector<Point>& points, Loop& outline, const std::vector<L
 }
 
 /// One loop without holes for each connected part of the region.
-std::vector<Loop> simply_connected(const Boundary& boundary) {
-  const std::vector<Point>& points = boundary.points;
+std::vector<Loop> simply_connected(const RegionLoops& region) {
+  const std::vector<Point>& points = region.points;
   std::vector<Loop> outlines, holes;
-  for (const Loop& loop : boundary.loops) (twice_area(points, loop) > 0 ? outlines : holes).push_back(loop);
+  for (const Loop& loop : region.loops) (twice_area(points, loop) > 0 ? outlines : holes).push_back(loop);
 
   // In this order each hole sees a vertex of its outline to its right, whatever holes are still to come.
   const auto rightmost = [](const Loop& loop) { return *std::max_element(loop.begin(), loop.end()); };
@@ -248,10 +248,10 @@ class Mesh {
 std::vector<Ring> convex_parts(const Polygon& polygon) {
   if (polygon.holes.empty() && is_convex(polygon.outline)) return {polygon.outline};
 
-  const Boundary boundary = boundary_of(polygon);
+  const RegionLoops region = region_loops(polygon);
   std::vector<Ring> parts;
-  for (const Loop& loop : simply_connected(boundary)) {
-    Mesh mesh(boundary.points, triangles_of(boundary.points, loop));
+  for (const Loop& loop : simply_connected(region)) {
+    Mesh mesh(region.points, triangles_of(region.points, loop));
     mesh.merge();
     mesh.append_parts(parts);
   }

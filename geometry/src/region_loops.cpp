@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "boundary.hpp"
+#include "region_loops.hpp"
 
 #include <algorithm>
 
@@ -74,28 +74,28 @@ std::size_t next_edge(const std::vector<Point>& points, const std::vector<Edge>&
 
 }  // namespace
 
-Boundary boundary_of(const Polygon& polygon) {
-  Boundary boundary{.points = vertices_of(polygon), .loops = {}};
+RegionLoops region_loops(const Polygon& polygon) {
+  RegionLoops region{.points = vertices_of(polygon), .loops = {}};
   std::vector<Edge> edges;
-  append_ring(boundary.points, polygon.outline, edges);
-  for (const Ring& hole : polygon.holes) append_ring(boundary.points, hole, edges);
+  append_ring(region.points, polygon.outline, edges);
+  for (const Ring& hole : polygon.holes) append_ring(region.points, hole, edges);
   std::sort(edges.begin(), edges.end());
   const auto twice = std::adjacent_find(edges.begin(), edges.end());
-  BRASH_EXPECTS(twice == edges.end(), "the boundary runs twice along an edge", boundary.points[twice->from].x,
-                boundary.points[twice->from].y);
+  BRASH_EXPECTS(twice == edges.end(), "the boundary runs twice along an edge", region.points[twice->from].x,
+                region.points[twice->from].y);
   edges = without_opposite_pairs(edges);
 
   std::vector<bool> is_done(edges.size(), false);
   for (std::size_t start = 0; start < edges.size(); ++start) {
     if (is_done[start]) continue;
     Loop loop;
-    for (std::size_t e = start; !is_done[e]; e = next_edge(boundary.points, edges, edges[e])) {
+    for (std::size_t e = start; !is_done[e]; e = next_edge(region.points, edges, edges[e])) {
       is_done[e] = true;
       loop.push_back(edges[e].from);
     }
-    boundary.loops.push_back(std::move(loop));
+    region.loops.push_back(std::move(loop));
   }
-  return boundary;
+  return region;
 }
 
 }  // namespace brash::geometry

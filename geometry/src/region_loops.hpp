@@ -12,7 +12,7 @@ namespace brash::geometry {
 using Loop = std::vector<int>;
 
 /// The boundary of a region whose outline and holes may touch themselves and each other.
-struct Boundary {
+struct RegionLoops {
   /// Every vertex once, sorted.
   std::vector<Point> points;
   /// One closed walk for each connected piece of the boundary of each connected piece of the region's inside.
@@ -24,7 +24,7 @@ struct Boundary {
 
 /// The boundary of `polygon`: vertices on edges are inserted there, edges that run back on each other are left out,
 /// and the loops are traced afresh. Nothing moves, so the area stays exactly the same.
-Boundary boundary_of(const Polygon& polygon);
+RegionLoops region_loops(const Polygon& polygon);
 
 /// True when `target` lies strictly inside the sector at `at` that runs counter-clockwise from `next` to `previous`:
 /// the inside of the region at a vertex of its boundary.
