@@ -126,6 +126,10 @@ NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
   check(nc_open(path.c_str(), NC_NOWRITE, &file_), "file");
 }
 
+NetcdfReader::NetcdfReader(const std::string& path, std::string bytes) : path_(path), bytes_(std::move(bytes)) {
+  check(nc_open_mem(path.c_str(), NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "file");
+}
+
 NetcdfReader::~NetcdfReader() {
   if (file_ >= 0) nc_close(file_);
 }
