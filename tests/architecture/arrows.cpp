@@ -30,7 +30,7 @@ const std::map<std::string, Room> kRooms{
     {"structure", {"modules/structure", {"core"}, {}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {"Eigen"}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
-    {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
+    {"statistics", {"modules/statistics", {"core"}, {"gsl", "openssl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
     {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson", "openssl"}}},
     {"report", {"modules/report", {"core", "io"}, {}}},

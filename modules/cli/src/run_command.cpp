@@ -5,6 +5,7 @@
 #include <chrono>
 #include <memory>
 
+#include "brash/report/plan_view.hpp"
 #include "brash/simulation/run.hpp"
 #include "commands.hpp"
 #include "table.hpp"
@@ -59,7 +60,8 @@ void run_case(const RunOptions& options) {
       progress.show(simulation.time(), report.loads.n_floes);
     });
   }
-  simulation::write_run(directory, options.case_file, resolved, run);
+  io::write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
+  simulation::write_run(directory, options.case_file, resolved, run, {"plan.svg"});
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
 }
 

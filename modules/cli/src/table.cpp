@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "closed_forms.hpp"
+
 namespace brash::cli {
 namespace {
 
@@ -22,6 +24,18 @@ std::string loads(const simulation::RunSummary& s) {
   text += load_row("vertical", s.vertical, s.vertical_split);
   text += fmt::format("  mean over the whole history: {:.1f} horizontal, {:.1f} vertical\n",
                       s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo);
+  return text;
+}
+
+/// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
+std::string comparison(const io::Case& resolved) {
+  std::string text = "for comparison, horizontal [kN]\n";
+  if (const auto load = croasdale_of(resolved))
+    text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
+  if (const auto load = ralston_of(resolved, standards::Yield::kTresca))
+    text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", load->horizontal / kKilo);
+  if (resolved.reference.mean_horizontal)
+    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *resolved.reference.mean_horizontal / kKilo);
   return text;
 }
 
@@ -66,7 +80,7 @@ std::string speed(const io::Case& resolved, const simulation::Run& run) {
 std::string run_table(const io::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
-         loads(run.summary) + ice(run.summary) + ledger(run.summary.ledger) + speed(resolved, run);
+         loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) + speed(resolved, run);
 }
 
 }  // namespace brash::cli

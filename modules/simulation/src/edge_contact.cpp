@@ -80,7 +80,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
                                                     .reach = reach});
     contact.region = std::move(region);
     load_contact(model, contact);
-    contact.assessment = model.criterion.assess(contact.load);
+    if (contact.load.pressure > 0.0) contact.assessment = model.criterion.assess(contact.load);
     contacts.push_back(std::move(contact));
   }
   return contacts;

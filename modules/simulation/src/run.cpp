@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/simulation/run.hpp"
 
+#include <fmt/chrono.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -60,6 +62,7 @@ class Recorder {
 }  // namespace
 
 Run run(const io::Case& resolved, const Observer& observer) {
+  const std::string started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   const auto start = std::chrono::steady_clock::now();
   Simulation simulation(resolved);
   Recorder recorder(resolved, simulation);
@@ -81,6 +84,7 @@ Run run(const io::Case& resolved, const Observer& observer) {
   finished.results = recorder.finish(simulation);
   counts.ledger = simulation.ledger();
   finished.summary = summarise(resolved, finished.results, counts);
+  finished.started_at = started_at;
   finished.stage_times = simulation.stage_times();
   finished.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return finished;

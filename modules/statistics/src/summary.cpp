@@ -11,16 +11,13 @@
 
 #include "brash/core/contract.hpp"
 #include "gsl_checked.hpp"
+#include "samples.hpp"
 
 namespace brash::statistics {
 namespace {
 
 constexpr double kWindowFactor = 5.0;  // Sokal's c: truncation bias e^-c, 0.7 %, for an exponential decay
 constexpr double kLongEnough = 50.0;   // history in autocorrelation times for tau to be known to about 30 %
-
-bool is_finite(std::span<const double> samples) {
-  return std::all_of(samples.begin(), samples.end(), [](double x) { return std::isfinite(x); });
-}
 
 /// Sums of products of the deviations at lags 0 to max_lag, by the fast Fourier transform, padded against wrapping.
 std::vector<double> autocovariance_sums(std::span<const double> samples, std::size_t max_lag) {
@@ -59,7 +56,7 @@ double central_skewness(std::span<const double> samples, double mean) {
 
 std::vector<double> autocorrelation(std::span<const double> samples, std::size_t max_lag) {
   BRASH_EXPECTS(samples.size() >= 2 && max_lag < samples.size(), samples.size(), max_lag);
-  BRASH_EXPECTS(is_finite(samples));
+  BRASH_EXPECTS(all_finite(samples));
   quiet_gsl();
   std::vector<double> rho(max_lag + 1, 0.0);
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());

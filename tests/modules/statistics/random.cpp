@@ -30,7 +30,8 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_a_key_never_change) {
   RandomStream stream(1, "cone", 0, "wedges", 0);
   BOOST_TEST(stream.uniform() == 0x1.e71823958da8p-3);
   BOOST_TEST(stream.uniform() == 0x1.172fe61b393p-4);
-  BOOST_TEST(stream.normal() == -0.32614317477151744, boost::test_tools::tolerance(1e-14));  // libm may differ in the last digits
+  BOOST_TEST(stream.normal() == -0.32614317477151744,
+             boost::test_tools::tolerance(1e-14));  // libm may differ in the last digits
   BOOST_TEST(stream.uniform_int(3, 5) == 4);
 }
 

@@ -47,6 +47,7 @@ struct Run {
   RunSummary summary;
   StageTimes stage_times;
   double wall_seconds = 0.0;
+  std::string started_at;  ///< ISO 8601, UTC
 };
 
 /// Called after every step.
@@ -56,9 +57,12 @@ using Observer = std::function<void(const Simulation&, const StepReport&)>;
 /// @throws RunError when the ledger does not close.
 Run run(const io::Case& resolved, const Observer& observer = {});
 
-/// Writes run.nc, history.csv, events.csv, summary.json and manifest.json into `directory`, which is made if missing.
-/// @param case_file  path of the case as given, hashed into the manifest.
-void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run);
+/// Writes run.nc, history.csv, events.csv, summary.json and, last, manifest.json into `directory`, made if missing.
+/// @param case_file  path of the case as given, hashed into the manifest like the failure model's file.
+/// @param pictures   names of files already in `directory` that belong to the run.
+/// @throws RunError naming the file and the system's reason.
+void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
+               const std::vector<std::string>& pictures = {});
 
 /// The summary as JSON, SI units.
 std::string to_json(const RunSummary& summary);
