@@ -25,9 +25,9 @@ struct WedgePlate {
 
 /// How finely the plate is meshed.
 struct MeshOptions {
-  double tip_size = 0.0;   ///< element size at the tip over l_c; 0 takes the production value
-  double far_size = 0.0;   ///< element size far away over l_c; 0 takes the production value
-  double half_width = 0.0; ///< half width and depth of the sheet over l_c; 0 takes the production value
+  double tip_size = 0.0;    ///< element size at the tip over l_c; 0 takes the production value
+  double far_size = 0.0;    ///< element size far away over l_c; 0 takes the production value
+  double half_width = 0.0;  ///< half width and depth of the sheet over l_c; 0 takes the production value
 };
 
 /// Symmetric plane tensor at one station.
@@ -42,13 +42,14 @@ struct Tensor2 {
 /// The stress on a surface is, with p = N/h the mean pressure on the tip edge,
 /// `sigma / p = +-6 mu1 (l_c/h) bending + normal + mu2 tangential`.
 struct UnitProfiles {
-  std::vector<double> station;       ///< |AB| / l_c
-  std::vector<Tensor2> bending;      ///< moments per unit P l_c, for the out-of-plane line load P = mu1 N
-  std::vector<Tensor2> normal;       ///< membrane stress over p, for the in-plane normal load N
-  std::vector<Tensor2> tangential;   ///< membrane stress over p, for the in-plane tangential load f = N
-  std::vector<double> deflection;    ///< w k l_c / P [-] along the stations
-  double root_bending = 0.0;         ///< largest principal moment outside a disc of radius h/2 at the re-entrant roots
-  double root_normal = 0.0;          ///< largest principal membrane stress there, under N
+  std::vector<double> station;      ///< |AB| / l_c
+  std::vector<Tensor2> bending;     ///< moments per unit P l_c, for the out-of-plane line load P = mu1 N
+  std::vector<Tensor2> normal;      ///< membrane stress over p, for the in-plane normal load N
+  std::vector<Tensor2> tangential;  ///< membrane stress over p, for the in-plane tangential load f = N
+  std::vector<double> deflection;   ///< w k l_c / P [-] along the stations
+  double root_bending = 0.0;        ///< largest principal moment outside a disc of radius h/2 at the re-entrant roots
+  double root_normal = 0.0;         ///< largest principal membrane stress there, under N
+  double root_tangential = 0.0;     ///< largest absolute principal membrane stress there, under f
   int n_elements = 0;
 };
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace brash::cli {
+
+// Each adds one command to `app`; the command's callback does the work and throws InputError or RunError.
+void add_run_command(CLI::App& app);
+void add_check_command(CLI::App& app);
+void add_schema_command(CLI::App& app);
+
+}  // namespace brash::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/hydrodynamics/water.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
+#include "wetted_faces.hpp"
+
+namespace brash::hydrodynamics {
+namespace {
+
+/// What the wetted surface says about the floe, body frame.
+struct WettedBody {
+  double volume = 0.0;
+  Vec3 volume_moment{};
+  double area = 0.0;
+};
+
+/// Adds the cone from the reference point on the waterplane to a wetted face. The waterplane's own cap has no cone.
+void add_cone(WettedBody& body, const WettedFace& face, Vec3 reference) {
+  const double signed_volume = (dot(face.normal, face.area_moment) - face.area * dot(face.normal, reference)) / 3.0;
+  body.volume += signed_volume;
+  // The centroid of a cone lies a quarter of the way from the base's centroid to the apex.
+  body.volume_moment += signed_volume * (0.75 / face.area * face.area_moment + 0.25 * reference);
+  body.area += face.area;
+}
+
+WettedBody wetted_body(const Prism& prism, const Waterplane& water) {
+  const Vec3 reference = -water.offset * water.up;
+  WettedBody body;
+  for_each_wetted_face(prism, water, [&](const WettedFace& face) { add_cone(body, face, reference); });
+  return body;
+}
+
+/// Mean of length, breadth (extents along the principal axes of the plan) and thickness [m].
+double average_length(const Prism& prism) {
+  Vec2 low = prism.rings.front().front();
+  Vec2 high = low;
+  for (const Vec2 vertex : prism.rings.front()) {
+    low = {std::min(low.x, vertex.x), std::min(low.y, vertex.y)};
+    high = {std::max(high.x, vertex.x), std::max(high.y, vertex.y)};
+  }
+  return (high.x - low.x + high.y - low.y + prism.thickness) / 3.0;
+}
+
+/// Form drag, Eq. 13: only faces that look along the velocity count; the force acts at the centre of buoyancy.
+Vec3 form_drag(const Prism& prism, const Waterplane& plane, Vec3 velocity_body, const Water& water) {
+  const double speed = norm(velocity_body);
+  if (speed == 0.0) return {};
+  double area_times_speed = 0.0;
+  for_each_wetted_face(prism, plane, [&](const WettedFace& face) {
+    area_times_speed += face.area * std::max(0.0, dot(face.normal, velocity_body));
+  });
+  return -0.5 * water.form_drag * water.density * area_times_speed * velocity_body;
+}
+
+/// Skin friction on each wetted face by the velocity along it at its centroid; body frame, moment about the origin.
+Wrench skin_friction(const Prism& prism, const Waterplane& plane, const Twist& relative, const Water& water) {
+  Wrench total;
+  for_each_wetted_face(prism, plane, [&](const WettedFace& face) {
+    const Vec3 centroid = face.area_moment / face.area;
+    const Vec3 velocity = velocity_at(relative, centroid);
+    const Vec3 along = velocity - dot(velocity, face.normal) * face.normal;
+    const Vec3 force = -0.5 * water.density * water.skin_friction * face.area * norm(along) * along;
+    total += {force, cross(centroid, force)};
+  });
+  return total;
+}
+
+void check(const Prism& prism) {
+  BRASH_EXPECTS(!prism.rings.empty() && prism.rings.front().size() >= 3, prism.rings.size());
+  BRASH_EXPECTS(prism.thickness > 0.0, prism.thickness);
+}
+
+}  // namespace
+
+Displacement displacement(const Prism& prism, const Pose& pose) {
+  check(prism);
+  const WettedBody body = wetted_body(prism, waterplane_in_body_frame(pose));
+  if (body.volume <= 0.0) return {};
+  return {body.volume, to_world(pose, body.volume_moment / body.volume)};
+}
+
+WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water) {
+  check(prism);
+  const Waterplane plane = waterplane_in_body_frame(pose);
+  const WettedBody body = wetted_body(prism, plane);
+  if (body.volume <= 0.0) return {};
+  const Vec3 centre_body = body.volume_moment / body.volume;
+  const Vec3 arm = rotate(pose.rotation, centre_body);
+
+  WaterLoad load;
+  load.buoyancy.force = {0.0, 0.0, water.density * kGravity * body.volume};
+  load.buoyancy.moment = cross(arm, load.buoyancy.force);
+
+  const Quaternion to_body_axes = conjugate(pose.rotation);
+  const Twist relative{rotate(to_body_axes, twist.linear - Vec3{water.current.x, water.current.y, 0.0}),
+                       rotate(to_body_axes, twist.angular)};
+  load.drag.force = rotate(pose.rotation, form_drag(prism, plane, velocity_at(relative, centre_body), water));
+  load.drag.moment = cross(arm, load.drag.force);
+  // Eq. 14
+  const double l_avg = average_length(prism);
+  load.drag.moment -= 0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * body.area *
+                      norm(twist.angular) * twist.angular;
+
+  const Wrench friction = skin_friction(prism, plane, relative, water);
+  load.skin_friction = {rotate(pose.rotation, friction.force), rotate(pose.rotation, friction.moment)};
+  return load;
+}
+
+}  // namespace brash::hydrodynamics
