@@ -7,6 +7,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
 #include "commands.hpp"
+#include "failure_commands.hpp"
 
 namespace {
 
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);
   brash::cli::add_schema_command(app);
+  brash::cli::add_failure_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
