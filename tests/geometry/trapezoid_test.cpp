@@ -104,6 +104,24 @@ BOOST_AUTO_TEST_CASE(an_overhang_is_seen_from_the_structure_and_flagged) {
   BOOST_TEST(degrees(fit.angle) < 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(seen_from_the_chord_the_crushed_tip_does_not_count) {
+  // A sharp tooth of 60 deg, 1 m deep. The structure has crushed its tip down to a chord of 0.3 m.
+  const double slope = std::tan(radians(30)), crushed = 0.15 / slope;
+  const Polyline tooth{{1.0, 8.0}, {1.0, slope}, {0.0, 0.0}, {1.0, -slope}, {1.0, -8.0}};
+  const Trapezoid fit = fit_trapezoid(std::vector<Polyline>{tooth}, FitRequest{{crushed, 0.0}, {1.0, 0.0}, 0.3, 3.0});
+  BOOST_TEST(std::abs(fit.depth - (1.0 - crushed)) < 0.003);
+  BOOST_TEST(std::abs(degrees(fit.angle) - 60.0) < 0.5);
+  BOOST_TEST(fit.error < 1e-4);
+  BOOST_TEST(!fit.reidentified);
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_that_ends_to_one_side_of_the_centre_line_is_held) {
+  const Trapezoid fit = fit_in_frame({{{0.5, 2.0}, {0.5, 0.2}}}, 0.5, 3.0);
+  // A step of 0.5 m all over the window but for the tip edge.
+  BOOST_TEST(std::abs(fit.depth - 0.5) < 0.003);
+  BOOST_TEST(degrees(fit.angle) < 0.5);
+}
+
 BOOST_AUTO_TEST_CASE(edges_behind_the_front_do_not_count) {
   const Polyline front = trapezoid_edge(0.8, 0.4, radians(60), 8.0);
   const Polyline hole{{2.0, -0.5}, {2.0, 0.5}, {2.5, 0.5}, {2.5, -0.5}, {2.0, -0.5}};
