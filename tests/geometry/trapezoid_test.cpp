@@ -4,18 +4,14 @@
 #include <boost/test/unit_test.hpp>
 
 #include "brash/core/contract.hpp"
+#include "fit_cases.hpp"
 #include "shapes.hpp"
 
 namespace brash::geometry {
 namespace {
 
-using Polyline = std::vector<Vec2>;
-
-/// The free edge of the paper's Fig. 2 in the frame of B, from +y to -y: ice on the left is ice at larger x.
-Polyline trapezoid_edge(double b, double c, double theta, double half_width) {
-  const double run = b * std::tan(0.5 * theta);
-  return {{b, half_width}, {b, 0.5 * c + run}, {0.0, 0.5 * c}, {0.0, -0.5 * c}, {b, -0.5 * c - run}, {b, -half_width}};
-}
+using fit_cases::Polyline;
+using fit_cases::trapezoid_edge;
 
 /// `edge` with B moved to `at` and x turned to `angle`.
 Polyline placed(const Polyline& edge, Vec2 at, double angle) {

@@ -61,6 +61,7 @@ View view_of(const io::Case& resolved, const io::RunResults& results) {
   view.include({structure.x - radius, -radius});
   for (const std::vector<Vec2>& ring : results.initial_sheet)
     for (const Vec2 vertex : ring) view.include(vertex);
+  for (const io::FloePose& floe : results.frames.back().floes) view.include(plan(floe.pose.position));
   view.grow(kBorder);
   return view;
 }

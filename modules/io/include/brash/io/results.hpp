@@ -116,7 +116,7 @@ RunResults read_results(const std::string& path);
 struct Volatile {
   std::string started_at;  ///< ISO 8601, UTC
   double wall_seconds = 0.0;
-  std::string host_cpu;  ///< empty: the name in /proc/cpuinfo
+  std::string host_cpu;                           ///< empty: the name in /proc/cpuinfo
   std::map<std::string, double> stage_seconds{};  ///< wall time of each stage of the step [s]
 };
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "brash/core/contract.hpp"
+#include "ice_sheet_impl.hpp"
+
+namespace brash::geometry {
+
+namespace {
+
+/// The middle by arc length of the polyline.
+Vec2 middle_of(const std::vector<Vec2>& line) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += norm(line[i] - line[i - 1]);
+  double left = 0.5 * length;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double edge = norm(line[i] - line[i - 1]);
+    if (left <= edge && edge > 0.0) return line[i - 1] + left / edge * (line[i] - line[i - 1]);
+    left -= edge;
+  }
+  return line.back();
+}
+
+double length_of(const std::vector<Vec2>& line) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += norm(line[i] - line[i - 1]);
+  return length;
+}
+
+/// The longest run of free edge on the outline `cycle` of an overlap, closed when there is nothing else on it.
+std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<int>& cycle) {
+  const auto is_free = [&](std::size_t i) { return graph[cycle[i % cycle.size()]].sheet != 0; };
+  const std::size_t n = cycle.size();
+  std::size_t first = 0;
+  while (first < n && is_free(first)) ++first;
+  std::vector<Vec2> longest;
+  std::vector<Vec2> run;
+  for (std::size_t i = first == n ? 0 : first; i <= first + n; ++i) {
+    if (i < first + n && is_free(i)) {
+      if (run.empty()) run.push_back(metres(graph.from(cycle[i % n])));
+      run.push_back(metres(graph.to(cycle[i % n])));
+      if (first == n && i + 1 == n) return run;
+      continue;
+    }
+    if (length_of(run) > length_of(longest)) longest = run;
+    run.clear();
+  }
+  return longest;
+}
+
+ContactRegion contact_of(const PlanarGraph& graph, const std::vector<int>& cycle, Polygon overlap) {
+  ContactRegion contact;
+  contact.overlap = std::move(overlap);
+  const std::vector<Vec2> free_edge = longest_free_edge(graph, cycle);
+  if (free_edge.empty()) {
+    contact.midpoint = centroid(contact.overlap);
+    contact.chord_from = contact.chord_to = metres(graph.from(cycle.front()));
+    return contact;
+  }
+  contact.midpoint = middle_of(free_edge);
+  // The section's boundary enters the ice where the free edge ends, and leaves it where the free edge starts.
+  contact.chord_from = free_edge.back();
+  contact.chord_to = free_edge.front();
+  const Vec2 chord = contact.chord_to - contact.chord_from;
+  contact.contact_length = norm(chord);
+  if (contact.contact_length > 0.0) contact.normal = -perpendicular(chord) / contact.contact_length;
+  return contact;
+}
+
+}  // namespace
+
+std::vector<ContactRegion> IceSheet::contacts(std::span<const Point> section) const {
+  expect_region(section);
+  BRASH_EXPECTS(is_convex(section), section.size(), section.front().x, section.front().y);
+  const Arrangement arrangement(impl_->boundary, section, {});
+  const PlanarGraph& graph = arrangement.graph();
+  const std::vector<std::vector<int>> cycles = trace_pieces(arrangement).cycles;
+  std::vector<Ring> rings;
+  for (const std::vector<int>& cycle : cycles) rings.push_back(graph.ring_of(cycle));
+
+  std::vector<ContactRegion> contacts;
+  for (Polygon& overlap : polygons_of(rings)) {
+    // The traced outline of this overlap: it has an edge that leaves the outline's first vertex as the outline does.
+    const auto outline = std::find_if(cycles.begin(), cycles.end(), [&](const std::vector<int>& cycle) {
+      return std::any_of(cycle.begin(), cycle.end(), [&](int h) {
+        return graph.from(h) == overlap.outline[0] && graph.to(h) == overlap.outline[1];
+      });
+    });
+    BRASH_EXPECTS(outline != cycles.end(), overlap.outline[0].x, overlap.outline[0].y);
+    contacts.push_back(contact_of(graph, *outline, std::move(overlap)));
+  }
+  Vec2 middle;
+  for (const Point p : section) middle += metres(p) / static_cast<double>(section.size());
+  std::stable_sort(contacts.begin(), contacts.end(), [&](const ContactRegion& a, const ContactRegion& b) {
+    const auto angle = [&](Vec2 p) { return std::atan2(p.y - middle.y, p.x - middle.x); };
+    return angle(a.midpoint) < angle(b.midpoint);
+  });
+  return contacts;
+}
+
+namespace {
+
+/// The part of the segment a b within `radius` of `at`, as parameters along it; nothing when it stays outside.
+std::optional<std::pair<double, double>> part_within(Vec2 a, Vec2 b, Vec2 at, double radius) {
+  const Vec2 d = b - a;
+  const double length2 = dot(d, d);
+  const double nearest = dot(at - a, d) / length2;
+  const Vec2 offset = a + nearest * d - at;
+  const double rest = radius * radius - dot(offset, offset);
+  if (rest <= 0.0) return std::nullopt;
+  const double half = std::sqrt(rest / length2);
+  const double from = std::max(0.0, nearest - half);
+  const double to = std::min(1.0, nearest + half);
+  if (from >= to) return std::nullopt;
+  return std::pair{from, to};
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> IceSheet::free_edge(Vec2 at, double radius) const {
+  BRASH_EXPECTS(radius > 0.0 && std::isfinite(radius), radius);
+  const FreeEdges& boundary = impl_->boundary;
+  const Vec2 reach{radius, radius};
+  const exact::Box box = exact::Box::of(snap(at - reach), snap(at + reach)).grown(1);
+  struct Piece {
+    Vec2 from;
+    Vec2 to;
+    bool starts_whole;
+    bool ends_whole;
+    bool is_used = false;
+  };
+  std::map<std::pair<Point, int>, Piece> pieces;  // In the order of the plan, not of the ids.
+  std::map<int, Piece*> by_id;
+  boundary.query(box, [&](int id) {
+    const Vec2 a = metres(boundary.edge(id).from);
+    const Vec2 b = metres(boundary.edge(id).to);
+    const auto part = part_within(a, b, at, radius);
+    if (!part) return;
+    const auto [from, to] = *part;
+    Piece piece{from > 0.0 ? a + from * (b - a) : a, to < 1.0 ? a + to * (b - a) : b, from <= 0.0, to >= 1.0};
+    by_id[id] = &pieces.emplace(std::pair{boundary.edge(id).from, id}, piece).first->second;
+  });
+  const auto goes_on = [&](int id) {
+    const auto next = by_id.find(boundary.edge(id).next);
+    return by_id.at(id)->ends_whole && next != by_id.end() && next->second->starts_whole;
+  };
+  const auto comes_from = [&](int id) {
+    const int previous = boundary.edge(id).previous;
+    return by_id.count(previous) != 0 && goes_on(previous);
+  };
+  std::vector<std::vector<Vec2>> chains;
+  const auto follow = [&](int id) {
+    std::vector<Vec2>& chain = chains.emplace_back(1, by_id.at(id)->from);
+    for (;; id = boundary.edge(id).next) {
+      by_id.at(id)->is_used = true;
+      chain.push_back(by_id.at(id)->to);
+      if (!goes_on(id) || by_id.at(boundary.edge(id).next)->is_used) return;
+    }
+  };
+  for (auto& [key, piece] : pieces) {
+    if (!comes_from(key.second)) follow(key.second);
+  }
+  for (auto& [key, piece] : pieces) {
+    if (!piece.is_used) follow(key.second);
+  }
+  const auto distance = [&](const std::vector<Vec2>& chain) {
+    double nearest = norm(chain.front() - at);
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      const Vec2 d = chain[i] - chain[i - 1];
+      const double t = std::clamp(dot(at - chain[i - 1], d) / dot(d, d), 0.0, 1.0);
+      nearest = std::min(nearest, norm(chain[i - 1] + t * d - at));
+    }
+    return nearest;
+  };
+  std::stable_sort(chains.begin(), chains.end(),
+                   [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  return chains;
+}
+
+}  // namespace brash::geometry
