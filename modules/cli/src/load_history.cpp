@@ -155,8 +155,9 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
     if (skipped > static_cast<double>(history.samples.size()) - 2.0) {
       throw InputError(fmt::format("{}: --from {}: fewer than two samples are left", path, choice.from));
     }
-    history.samples.erase(history.samples.begin(), history.samples.begin() + static_cast<std::ptrdiff_t>(skipped));
-    history.start += skipped * history.dt;
+    const auto first = static_cast<std::size_t>(skipped);
+    history.samples.erase(history.samples.begin(), history.samples.begin() + static_cast<std::ptrdiff_t>(first));
+    history.start = time ? table.columns[*time][first] : skipped * history.dt;
   }
   return history;
 }
