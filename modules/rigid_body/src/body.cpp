@@ -49,6 +49,7 @@ double Body::kinetic_energy() const {
 
 Pose advanced(const Pose& pose, const Twist& twist, double dt) {
   const double rate = norm(twist.angular);
+  if (rate == 0.0) return {pose.position + dt * twist.linear, pose.rotation};  // rest is rest, to the last bit
   const double half = 0.5 * rate * dt;
   // sin(half) / rate without the division by zero.
   const double s = half > 1e-4 ? std::sin(half) / rate : 0.5 * dt * (1.0 - half * half / 6.0);

@@ -101,6 +101,33 @@ BOOST_AUTO_TEST_CASE(Overlap_of_breakable_ice_is_not_pushed_apart) {
   BOOST_TEST(world.kinetic_energy() == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(A_corner_that_is_crushed_stops_the_floe_as_a_spring_would) {
+  // A square floe runs with its right-angled corner into a wall: at depth d the section is 2 d wide, h high, so the
+  // force p 2 h d is a spring's, and the peak is v sqrt(m p 2 h) after a quarter period. First order in dt.
+  const double h = 0.33;
+  const double v = 0.5;
+  const double r = std::sqrt(2.0) / 2;
+  const double exact = v * std::sqrt(kDensity * h * kPressure * 2 * h);
+  std::vector<double> errors;
+  for (const double dt : {0.008, 0.004, 0.002, 0.001, 0.0005}) {
+    World world(bounded());
+    add_structure(world, box({-1, -3, -1}, {0, 3, 1}));
+    const BodyId floe = add_floe(world, {{0, 0}, {r, -r}, {2 * r, 0}, {r, r}}, h, {{-v, 0, 0}, {}});
+    double peak = 0.0;
+    for (double t = 0.0; t < 0.2; t += dt) {
+      world.step(dt);
+      peak = std::max(peak, total_normal_force(world));
+    }
+    BOOST_TEST(std::abs(world.twist(floe).linear.x) < 1e-4 * v);  // what fifty iterations leave of the last approach
+    errors.push_back(std::abs(peak - exact) / exact);
+  }
+  BOOST_TEST_MESSAGE("relative errors of the peak: " << errors[0] << ' ' << errors[1] << ' ' << errors[2] << ' '
+                                                     << errors[3] << ' ' << errors[4]);
+  // The quarter period is 26 ms: 52 steps of 0.5 ms.
+  BOOST_TEST(errors.back() < 0.005);
+  BOOST_TEST(errors.back() < 0.25 * errors.front());
+}
+
 BOOST_AUTO_TEST_CASE(The_peak_force_of_a_cone_on_a_floe_converges_with_the_time_step) {
   std::vector<double> peaks;
   for (const double dt : {0.02, 0.01, 0.005, 0.002, 0.001, 0.0005}) peaks.push_back(hit_by_cone(bounded(), dt).peak);
