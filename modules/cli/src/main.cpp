@@ -8,6 +8,7 @@
 #include "brash/core/version.hpp"
 #include "commands.hpp"
 #include "failure_commands.hpp"
+#include "geometry_commands.hpp"
 #include "stats_commands.hpp"
 
 namespace {
@@ -26,6 +27,8 @@ int main(int argc, char** argv) {
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);
   brash::cli::add_schema_command(app);
+  brash::cli::add_crack_command(app);
+  brash::cli::add_fit_command(app);
   brash::cli::add_failure_command(app);
   brash::cli::add_loads_command(app);
   brash::cli::add_stats_command(app);
