@@ -14,6 +14,9 @@ inline constexpr double kThinPlate = 1e-3;
 /// The stations reach this far beyond the base line, over l_c.
 inline constexpr double kReach = 4.0;
 
+/// The stations are dense to this distance beyond the base line, over l_c.
+inline constexpr double kDense = 1.5;
+
 /// A place on the centre line around which stations cluster: their spacing falls with the distance from it, to where
 /// that is `scale`.
 struct Cluster {
