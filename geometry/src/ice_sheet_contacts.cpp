@@ -30,19 +30,18 @@ double length_of(const std::vector<Vec2>& line) {
   return length;
 }
 
-/// The longest run of free edge on the outline `cycle` of an overlap, closed when there is nothing else on it.
+/// The longest run of free edge on the outline `cycle` of an overlap; there must be something else on it.
 std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<int>& cycle) {
-  const auto is_free = [&](std::size_t i) { return graph[cycle[i % cycle.size()]].sheet != 0; };
   const std::size_t n = cycle.size();
+  const auto is_free = [&](std::size_t i) { return graph[cycle[i % n]].sheet != 0; };
   std::size_t first = 0;
-  while (first < n && is_free(first)) ++first;
+  while (is_free(first)) ++first;
   std::vector<Vec2> longest;
   std::vector<Vec2> run;
-  for (std::size_t i = first == n ? 0 : first; i <= first + n; ++i) {
-    if (i < first + n && is_free(i)) {
+  for (std::size_t i = first; i <= first + n; ++i) {
+    if (is_free(i)) {
       if (run.empty()) run.push_back(metres(graph.from(cycle[i % n])));
       run.push_back(metres(graph.to(cycle[i % n])));
-      if (first == n && i + 1 == n) return run;
       continue;
     }
     if (length_of(run) > length_of(longest)) longest = run;
@@ -53,13 +52,19 @@ std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<
 
 ContactRegion contact_of(const PlanarGraph& graph, const std::vector<int>& cycle, Polygon overlap) {
   ContactRegion contact;
+  const auto is_free = [&](int h) { return graph[h].sheet != 0; };
+  const bool has_front = std::any_of(cycle.begin(), cycle.end(), is_free);
+  const bool has_chord = !std::all_of(cycle.begin(), cycle.end(), is_free);
   contact.overlap = std::move(overlap);
-  const std::vector<Vec2> free_edge = longest_free_edge(graph, cycle);
-  if (free_edge.empty()) {
-    contact.midpoint = centroid(contact.overlap);
-    contact.chord_from = contact.chord_to = metres(graph.from(cycle.front()));
+  if (!has_front || !has_chord) {
+    std::vector<Vec2> around;
+    for (const Point p : contact.overlap.outline) around.push_back(metres(p));
+    around.push_back(around.front());
+    contact.midpoint = has_front ? middle_of(around) : centroid(contact.overlap);
+    contact.chord_from = contact.chord_to = around.front();
     return contact;
   }
+  const std::vector<Vec2> free_edge = longest_free_edge(graph, cycle);
   contact.midpoint = middle_of(free_edge);
   // The section's boundary enters the ice where the free edge ends, and leaves it where the free edge starts.
   contact.chord_from = free_edge.back();

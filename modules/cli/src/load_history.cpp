@@ -8,10 +8,14 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "brash/core/error.hpp"
+#include "brash/core/vec.hpp"
+#include "brash/io/results.hpp"
 
 namespace brash::cli {
 namespace {
@@ -19,7 +23,7 @@ namespace {
 struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
-  std::vector<int> lines;  ///< of the file, for each row
+  std::vector<int> lines;  ///< of the file, for each row; rows of a run.nc count from 1
 };
 
 /// Cells of a line: between commas, semicolons or tabs where there are any, else between blanks.
@@ -95,6 +99,35 @@ Table read_table(const std::string& path) {
   return table;
 }
 
+/// The load history of a run, its columns named as in history.csv.
+Table table_of_run(const std::string& path) {
+  const std::vector<io::LoadRow> rows = io::read_results(path).loads;
+  if (rows.size() < 2) throw InputError(fmt::format("{}: {} rows of loads; 2 are needed", path, rows.size()));
+  Table table;
+  const auto add = [&](const std::string& name, auto value) {
+    table.names.push_back(name);
+    std::vector<double>& column = table.columns.emplace_back();
+    for (const io::LoadRow& row : rows) column.push_back(value(row));
+  };
+  add("time", [](const io::LoadRow& row) { return row.time; });
+  const std::pair<const char*, Wrench io::LoadRow::*> causes[]{{"", &io::LoadRow::total},
+                                                               {"crushing_", &io::LoadRow::crushing},
+                                                               {"floe_normal_", &io::LoadRow::floe_normal},
+                                                               {"floe_friction_", &io::LoadRow::floe_friction}};
+  const std::pair<const char*, double Vec3::*> axes[]{{"x", &Vec3::x}, {"y", &Vec3::y}, {"z", &Vec3::z}};
+  for (const auto& [cause, wrench] : causes) {
+    for (const auto& [axis, member] : axes)
+      add(fmt::format("{}F{}", cause, axis),
+          [w = wrench, m = member](const io::LoadRow& r) { return (r.*w).force.*m; });
+    for (const auto& [axis, member] : axes)
+      add(fmt::format("{}M{}", cause, axis),
+          [w = wrench, m = member](const io::LoadRow& r) { return (r.*w).moment.*m; });
+  }
+  table.lines.resize(rows.size());
+  std::iota(table.lines.begin(), table.lines.end(), 1);
+  return table;
+}
+
 std::size_t time_column(const Table& table, const std::string& path) {
   for (const char* name : {"time", "t", "Time"}) {
     const auto found = std::ranges::find(table.names, name);
@@ -136,7 +169,7 @@ double even_step(const std::vector<double>& times, const std::vector<int>& lines
 }  // namespace
 
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
-  const Table table = read_table(path);
+  const Table table = path.ends_with(".nc") ? table_of_run(path) : read_table(path);
   LoadHistory history;
   std::optional<std::size_t> time;
   if (choice.dt > 0.0) {
@@ -155,8 +188,9 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
     if (skipped > static_cast<double>(history.samples.size()) - 2.0) {
       throw InputError(fmt::format("{}: --from {}: fewer than two samples are left", path, choice.from));
     }
-    history.samples.erase(history.samples.begin(), history.samples.begin() + static_cast<std::ptrdiff_t>(skipped));
-    history.start += skipped * history.dt;
+    const auto first = static_cast<std::size_t>(skipped);
+    history.samples.erase(history.samples.begin(), history.samples.begin() + static_cast<std::ptrdiff_t>(first));
+    history.start = time ? table.columns[*time][first] : skipped * history.dt;
   }
   return history;
 }

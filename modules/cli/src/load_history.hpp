@@ -22,7 +22,7 @@ struct HistoryChoice {
   bool has_from = false;
 };
 
-/// Reads a column of a CSV file: numbers separated by commas, semicolons, tabs or blanks; an optional first line of
+/// Reads a column of a run.nc, named as in history.csv, or of a CSV file: numbers separated by commas, semicolons, tabs or blanks; an optional first line of
 /// names; lines that begin with # are skipped. The times stand in the column `time`, `t` or `Time`, else in the first
 /// of several.
 ///

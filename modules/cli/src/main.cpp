@@ -8,6 +8,8 @@
 #include "brash/core/version.hpp"
 #include "commands.hpp"
 #include "failure_commands.hpp"
+#include "geometry_commands.hpp"
+#include "stats_commands.hpp"
 
 namespace {
 
@@ -25,7 +27,11 @@ int main(int argc, char** argv) {
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);
   brash::cli::add_schema_command(app);
+  brash::cli::add_crack_command(app);
+  brash::cli::add_fit_command(app);
   brash::cli::add_failure_command(app);
+  brash::cli::add_loads_command(app);
+  brash::cli::add_stats_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

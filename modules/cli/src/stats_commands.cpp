@@ -153,7 +153,7 @@ void add_stats_command(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("stats", "Statistics of a load history, simulated or measured");
-  command->add_option("file", options->file, "CSV file with a column of times")->required();
+  command->add_option("file", options->file, "CSV file with a column of times, or the run.nc of a run")->required();
   command->add_option("--column", options->choice.column, "which column [the first that is not the time]");
   CLI::Option* from = command->add_option("--from", options->choice.from, "leave out what is earlier [s]");
   command->add_option("--dt", options->choice.dt, "time step of a file without times [s]")->check(CLI::PositiveNumber);

@@ -27,10 +27,10 @@ void add_cone(WettedBody& body, const WettedFace& face, Vec3 reference) {
   body.area += face.area;
 }
 
-WettedBody wetted_body(const Prism& prism, const Waterplane& water) {
+WettedBody wetted_body(const WettedFaces& faces, const Waterplane& water) {
   const Vec3 reference = -water.offset * water.up;
   WettedBody body;
-  for_each_wetted_face(prism, water, [&](const WettedFace& face) { add_cone(body, face, reference); });
+  for (std::size_t i = 0; i < faces.size(); ++i) add_cone(body, faces[i], reference);
   return body;
 }
 
@@ -46,26 +46,27 @@ double average_length(const Prism& prism) {
 }
 
 /// Form drag, Eq. 13: only faces that look along the velocity count; the force acts at the centre of buoyancy.
-Vec3 form_drag(const Prism& prism, const Waterplane& plane, Vec3 velocity_body, const Water& water) {
+Vec3 form_drag(const WettedFaces& faces, Vec3 velocity_body, const Water& water) {
   const double speed = norm(velocity_body);
   if (speed == 0.0) return {};
   double area_times_speed = 0.0;
-  for_each_wetted_face(prism, plane, [&](const WettedFace& face) {
-    area_times_speed += face.area * std::max(0.0, dot(face.normal, velocity_body));
-  });
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    area_times_speed += faces[i].area * std::max(0.0, dot(faces[i].normal, velocity_body));
+  }
   return -0.5 * water.form_drag * water.density * area_times_speed * velocity_body;
 }
 
 /// Skin friction on each wetted face by the velocity along it at its centroid; body frame, moment about the origin.
-Wrench skin_friction(const Prism& prism, const Waterplane& plane, const Twist& relative, const Water& water) {
+Wrench skin_friction(const WettedFaces& faces, const Twist& relative, const Water& water) {
   Wrench total;
-  for_each_wetted_face(prism, plane, [&](const WettedFace& face) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const WettedFace& face = faces[i];
     const Vec3 centroid = face.area_moment / face.area;
     const Vec3 velocity = velocity_at(relative, centroid);
     const Vec3 along = velocity - dot(velocity, face.normal) * face.normal;
     const Vec3 force = -0.5 * water.density * water.skin_friction * face.area * norm(along) * along;
     total += {force, cross(centroid, force)};
-  });
+  }
   return total;
 }
 
@@ -78,7 +79,8 @@ void check(const Prism& prism) {
 
 Displacement displacement(const Prism& prism, const Pose& pose) {
   check(prism);
-  const WettedBody body = wetted_body(prism, waterplane_in_body_frame(pose));
+  const Waterplane plane = waterplane_in_body_frame(pose);
+  const WettedBody body = wetted_body(WettedFaces(prism, plane), plane);
   if (body.volume <= 0.0) return {};
   return {body.volume, to_world(pose, body.volume_moment / body.volume)};
 }
@@ -86,7 +88,8 @@ Displacement displacement(const Prism& prism, const Pose& pose) {
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water) {
   check(prism);
   const Waterplane plane = waterplane_in_body_frame(pose);
-  const WettedBody body = wetted_body(prism, plane);
+  const WettedFaces faces(prism, plane);
+  const WettedBody body = wetted_body(faces, plane);
   if (body.volume <= 0.0) return {};
   const Vec3 centre_body = body.volume_moment / body.volume;
   const Vec3 arm = rotate(pose.rotation, centre_body);
@@ -98,14 +101,14 @@ WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, c
   const Quaternion to_body_axes = conjugate(pose.rotation);
   const Twist relative{rotate(to_body_axes, twist.linear - Vec3{water.current.x, water.current.y, 0.0}),
                        rotate(to_body_axes, twist.angular)};
-  load.drag.force = rotate(pose.rotation, form_drag(prism, plane, velocity_at(relative, centre_body), water));
+  load.drag.force = rotate(pose.rotation, form_drag(faces, velocity_at(relative, centre_body), water));
   load.drag.moment = cross(arm, load.drag.force);
   // Eq. 14
   const double l_avg = average_length(prism);
   load.drag.moment -= 0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * body.area *
                       norm(twist.angular) * twist.angular;
 
-  const Wrench friction = skin_friction(prism, plane, relative, water);
+  const Wrench friction = skin_friction(faces, relative, water);
   load.skin_friction = {rotate(pose.rotation, friction.force), rotate(pose.rotation, friction.moment)};
   return load;
 }

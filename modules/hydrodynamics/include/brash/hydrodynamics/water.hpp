@@ -46,7 +46,7 @@ struct WaterLoad {
 /// A_sub   wetted area, without the waterplane [m2]
 /// u_t     velocity relative to the water along face f at the centroid of its wetted part [m/s]
 ///
-/// Costs two to four passes over the ring edges and allocates nothing.
+/// Linear in the ring edges; no heap memory for up to 32 of them.
 /// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md.
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water);
 
