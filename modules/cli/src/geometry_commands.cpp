@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
@@ -30,9 +30,14 @@ using geometry::Polygon;
 
 std::string read_text(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream || stream.bad()) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  return text;
+  std::ostringstream text;
+  // A folder opens, and is bad when it is read; an empty file inserts nothing, which `<<` would count as a failure.
+  if (stream && stream.peek() == std::ifstream::traits_type::eof()) {
+    if (!stream.bad()) return {};
+  } else if (stream && text << stream.rdbuf()) {
+    return text.str();
+  }
+  throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
 }
 
 /// The features of a GeoJSON text, or the polygons of a WKT text as sheet.

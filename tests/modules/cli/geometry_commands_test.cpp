@@ -138,6 +138,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_with_its_place) {
     BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& e) { return names(e, what); });
   };
   refused({"crack", "--sheet", (path / "none").string(), "--events", events}, "none: cannot be read");
+  refused({"crack", "--sheet", path.string(), "--events", events}, "cannot be read: Is a directory");
+  refused({"crack", "--sheet", write("empty", ""), "--events", events}, "line 1, column 1: there is no geometry");
   refused({"crack", "--sheet", bad, "--events", events}, "bad.wkt, line 2, column 3");
   refused({"crack", "--sheet", crossed, "--events", events}, "crossed.wkt: polygon 0 crosses itself");
   refused({"crack", "--sheet", sheet, "--cutters", crossed}, "cutter 1 is not simple");
