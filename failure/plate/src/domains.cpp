@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "production_sizes.hpp"
 #include "solve_at_order.hpp"
 
 namespace brash::plate {
@@ -12,18 +13,6 @@ namespace {
 
 /// A protrusion less deep than this is a straight edge.
 constexpr double kFlat = 1e-6;
-
-// Production sizes over l_c, chosen by the convergence study of docs/theory/failure.md.
-constexpr double kTipSize = 0.035;       ///< along the tip edge, or kTipShare of it where that is less
-constexpr double kTipShare = 0.105;      ///< of the contact length
-constexpr double kTipCornerShare = 0.1;  ///< of the size along the tip edge, where the load ends
-constexpr double kRootSize = 0.02;       ///< at the root, or kRootShare of its distance from the centre line
-constexpr double kRootShare = 0.07;
-constexpr double kCentreSize = 0.055;  ///< along the centre line where the plate breaks
-constexpr double kSideSize = 0.08;     ///< along the sides, where shear makes a boundary layer
-constexpr double kGradation = 0.3;     ///< growth of the size with distance
-constexpr double kBreakingZone = 1.5;  ///< length of the fine centre line beyond the base line
-constexpr double kHalfWidth = 2000.0;  ///< of the sheet: bending needs 8; clamping the membrane at R adds 0.4 p c / R
 
 }  // namespace
 

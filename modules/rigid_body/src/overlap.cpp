@@ -8,6 +8,11 @@
 namespace brash::rigid_body {
 namespace {
 
+/// Corners of a patch nearer to each other than this share of its diameter are one point. Measured on the validation
+/// case: a quarter fewer points, mean load 0.7 % and 99 % quantile 6 % off those of four points throughout, within
+/// the spread of replicates.
+constexpr double kMergeWithin = 0.1;
+
 double distance(const Plane& plane, Vec3 p) { return dot(plane.normal, p) - plane.offset; }
 
 void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result) {
@@ -118,7 +123,7 @@ void OverlapFinder::hull_2d() {
   hull_.pop_back();
 }
 
-/// Shares of the corners of hull_, then merges neighbours until at most four are left.
+/// Shares of the corners of hull_, then merges neighbours.
 void OverlapFinder::lump(double u0, double v0) {
   const std::size_t n = hull_.size();
   const Vec2 centre{u0, v0};
@@ -129,7 +134,8 @@ void OverlapFinder::lump(double u0, double v0) {
     shares_[i] += quarter;
     shares_[j] += quarter;
   }
-  while (hull_.size() > patch_.points.size()) {
+  const double near = kMergeWithin * diameter();
+  while (hull_.size() > 1) {
     std::size_t best = 0;
     double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < hull_.size(); ++i) {
@@ -138,6 +144,7 @@ void OverlapFinder::lump(double u0, double v0) {
       shortest = dot(edge, edge);
       best = i;
     }
+    if (hull_.size() <= patch_.points.size() && shortest >= near * near) return;
     const std::size_t next = (best + 1) % hull_.size();
     const double sum = shares_[best] + shares_[next];
     if (sum > 0.0) hull_[best] = hull_[best] + (shares_[next] / sum) * (hull_[next] - hull_[best]);
@@ -145,6 +152,14 @@ void OverlapFinder::lump(double u0, double v0) {
     hull_.erase(hull_.begin() + static_cast<std::ptrdiff_t>(next));
     shares_.erase(shares_.begin() + static_cast<std::ptrdiff_t>(next));
   }
+}
+
+/// Largest distance of two corners of hull_ [m].
+double OverlapFinder::diameter() const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < hull_.size(); ++i)
+    for (std::size_t j = i + 1; j < hull_.size(); ++j) largest = std::max(largest, norm(hull_[i] - hull_[j]));
+  return largest;
 }
 
 const Patch& OverlapFinder::project(Vec3 normal) {

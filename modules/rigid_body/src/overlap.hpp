@@ -53,10 +53,11 @@ class OverlapFinder {
 
   /// Projects the last overlap along `normal` (unit).
   ///
-  /// The points are the corners of the projection, at most four, at mid-depth. Corner i has the area of the two
-  /// triangles beside it in the fan from the centroid, halved: the shares add up to the area and have its centroid, so
-  /// that a contact that bears its bound everywhere is loaded as by a uniform pressure. Of more than four corners the
-  /// two nearest neighbours are merged (shares added, place weighted by them) until four are left, which keeps both.
+  /// The points are the corners of the projection at mid-depth. Corner i has the area of the two triangles beside it in
+  /// the fan from the centroid, halved: the shares add up to the area and have its centroid, so that a contact that
+  /// bears its bound everywhere is loaded as by a uniform pressure. Neighbours are merged (shares added, place weighted
+  /// by them, which keeps both) while more than four are left or two are near each other: a narrow strip has two
+  /// points.
   const Patch& project(Vec3 normal);
 
  private:
@@ -64,6 +65,7 @@ class OverlapFinder {
   void add_faces(const PlacedPart& a, std::span<const int> faces, const PlacedPart& b, std::span<const int> cutting);
   void hull_2d();
   void lump(double u0, double v0);
+  double diameter() const;
 
   Overlap overlap_;
   Patch patch_;

@@ -160,6 +160,20 @@ BOOST_AUTO_TEST_CASE(The_points_shares_add_up_to_the_area_and_have_its_centroid)
   BOOST_TEST(norm(first - moment) < kRoundOff);
 }
 
+BOOST_AUTO_TEST_CASE(A_narrow_strip_has_a_point_at_each_end) {
+  const ConvexPart box = cube();
+  const ConvexPart plane = ground();
+  OverlapFinder finder;
+  finder.find(placed(box, turned({0, 0, std::sqrt(2.0) - 0.01}, {1, 0, 0}, kPi / 4)), placed(plane, {}));
+  const Patch patch = finder.project({0, 0, 1});
+  BOOST_TEST(patch.n_points == 2);
+  for (int i = 0; i < patch.n_points; ++i) {
+    BOOST_TEST(std::abs(patch.points[i].position.x) == 1.0, boost::test_tools::tolerance(kRoundOff));
+    BOOST_TEST(std::abs(patch.points[i].position.y) < kRoundOff);
+    BOOST_TEST(patch.points[i].area == patch.area / 2, boost::test_tools::tolerance(kRoundOff));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(The_hull_of_a_frustum_has_a_face_for_each_facet_and_two_ends) {
   const ConvexPart frustum = convex_hull(cone(6.8, radians(61.4), 5.68, 3.4));
   BOOST_TEST(frustum.planes.size() == 66u);

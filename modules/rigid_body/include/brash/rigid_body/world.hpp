@@ -27,7 +27,7 @@ struct WorldSettings {
   int iterations = 50;              ///< sequential impulses a step, at most
   double collision_margin = 0.005;  ///< [m], > 0; Bullet's hulls are inset by it, so that surfaces meet where they are
   /// Steps between rebuilds of the broad phase (0: never). Results do not depend on it: everything else is found anew
-  /// from poses and velocities in every step (docs/decisions/0010).
+  /// from poses and velocities in every step (docs/decisions/0004).
   int rebuild_interval = 50;
 };
 
