@@ -54,7 +54,8 @@ double depth_along(const PlacedPart& a, const PlacedPart& b, Vec3 normal) {
 }
 
 /// Collects the faces of `solid` whose planes pass through `other`; false when one of them parts the two.
-bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, double side, std::vector<int>& cutting) {
+bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, bool solid_is_b, std::vector<int>& cutting) {
+  const double side = solid_is_b ? 1.0 : -1.0;
   cutting.clear();
   for (std::size_t f = 0; f < solid.planes.size(); ++f) {
     const Plane& plane = solid.planes[f];
@@ -67,10 +68,7 @@ bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, doubl
     }
     const double depth = plane.offset - nearest;
     if (depth <= kTouch) return false;
-    if (depth < overlap_.face_depth) {
-      overlap_.face_depth = depth;
-      overlap_.face_normal = side * plane.normal;
-    }
+    overlap_.ways.push_back({side * plane.normal, depth});
     if (farthest > plane.offset) cutting.push_back(static_cast<int>(f));
   }
   return true;
@@ -94,8 +92,8 @@ void OverlapFinder::add_faces(const PlacedPart& a, std::span<const int> faces, c
 
 const Overlap& OverlapFinder::find(const PlacedPart& a, const PlacedPart& b) {
   overlap_.vertices.clear();
-  overlap_.face_depth = std::numeric_limits<double>::infinity();
-  if (!cull(b, a, 1.0, cutting_b_) || !cull(a, b, -1.0, cutting_a_)) return overlap_;
+  overlap_.ways.clear();
+  if (!cull(b, a, true, cutting_b_) || !cull(a, b, false, cutting_a_)) return overlap_;
   if (cutting_b_.empty()) {
     overlap_.vertices = a.vertices;  // a lies inside b
   } else if (cutting_a_.empty()) {
