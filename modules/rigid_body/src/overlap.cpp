@@ -13,21 +13,6 @@ namespace {
 /// the spread of replicates.
 constexpr double kMergeWithin = 0.1;
 
-double distance(const Plane& plane, Vec3 p) { return dot(plane.normal, p) - plane.offset; }
-
-void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result) {
-  result.clear();
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 a = polygon[i];
-    const Vec3 b = polygon[i + 1 == n ? 0 : i + 1];
-    const double da = distance(plane, a);
-    const double db = distance(plane, b);
-    if (da <= 0.0) result.push_back(a);
-    if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0)) result.push_back(a + (da / (da - db)) * (b - a));
-  }
-}
-
 }  // namespace
 
 void update(PlacedPart& part, const Pose& pose) {
@@ -165,9 +150,7 @@ const Patch& OverlapFinder::project(Vec3 normal) {
   if (overlap_.vertices.size() < 4) return patch_;
 
   // A frame in the plane normal to the contact normal, its origin at a corner so that large coordinates cancel.
-  const Vec3 other = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 u = normalized(cross(other, normal));
-  const Vec3 v = cross(normal, u);
+  const auto [u, v] = plane_axes(normal);
   const Vec3 origin = overlap_.vertices[0];
   double lowest = 0.0;
   double highest = 0.0;
