@@ -131,7 +131,8 @@ void add_train_command(CLI::App& failure) {
   command->add_option("database", options->database, "database (netCDF)")->required();
   command->add_option("-o,--output", options->output, "model to write (JSON); the model card is written beside it")
       ->required();
-  command->add_option("--hidden", training.hidden, "hidden units")->capture_default_str()->check(CLI::Range(1, 200));
+  command->add_option("--hidden", training.hidden, "hidden units of a network")->capture_default_str()->check(CLI::Range(1, 200));
+  command->add_flag("!--one-network", training.separate, "one network for both outputs instead of one for each");
   command->add_option("--starts", training.starts, "random starts")->capture_default_str()->check(CLI::Range(1, 1000));
   command->add_option("--iterations", training.max_iterations, "most iterations of a start")
       ->capture_default_str()

@@ -35,14 +35,8 @@ LoadCase load() {
 
 /// sigma/p = 4 mu1 c/l_c approximately: one nearly linear hidden unit on the logarithms; l_break = 0.5 l_c.
 meta_model::Network simple_network() {
-  using meta_model::Scale;
   meta_model::NetworkParameters p;
-  p.inputs = {{{Scale::kLinear, 0, 1},
-               {Scale::kLogarithm, 0, 1},
-               {Scale::kLinear, 0, 1},
-               {Scale::kLogarithm, 0, 1},
-               {Scale::kSquare, 0, 1}}};
-  p.outputs = {{{Scale::kLogarithm, std::log(4.0), 1}, {Scale::kLinear, 0, 1}}};
+  p.targets = {{{std::log(4.0), 1.0}, {0.0, 1.0}}};
   p.hidden = 1;
   constexpr double kSmall = 1e-4;  // S(a) = 1/2 + a/4 for small a
   p.w1 = {0, kSmall, 0, kSmall, 0};
