@@ -23,11 +23,11 @@ struct WedgePlate {
   Theory theory = Theory::kReissnerMindlin;
 };
 
-/// How finely the plate is meshed.
+/// How finely the plate is meshed. Sizes are longest element edges.
 struct MeshOptions {
-  double tip_size = 0.0;    ///< element size at the tip over l_c; 0 takes the production value
-  double far_size = 0.0;    ///< element size far away over l_c; 0 takes the production value
-  double half_width = 0.0;  ///< half width and depth of the sheet over l_c; 0 takes the production value
+  double tip_size = 0.0;    ///< size along the tip over l_c, all other sizes follow in proportion; 0: production
+  double far_size = 0.0;    ///< largest size over l_c; 0: no limit but the growth with distance
+  double half_width = 0.0;  ///< sheet beyond the protrusion, sideways and inwards, over l_c; 0: production
 };
 
 /// Symmetric plane tensor at one station.
@@ -37,7 +37,8 @@ struct Tensor2 {
   double xy = 0.0;
 };
 
-/// The three unit fields along the centre line; shape=(n_stations,) each.
+/// The three unit fields along the centre line; shape=(n_stations,) each, n_stations >= 200, from B to 4 l_c beyond the
+/// base line, denser at the tip and the base line.
 ///
 /// The stress on a surface is, with p = N/h the mean pressure on the tip edge,
 /// `sigma / p = +-6 mu1 (l_c/h) bending + normal + mu2 tangential`.
@@ -73,6 +74,10 @@ struct Response {
 };
 
 /// Superposes the unit fields: exact in mu1 = P/N, mu2 = f/N and l_c/h = 1/plate.thickness.
+///
+/// @param thickness_over_lc  h / l_c [-], > 0; with shear-flexible profiles, that of the plate they were solved for.
+/// @param mu1  its sign says which surface P puts in tension and has no other effect.
+/// @param mu2  its sign has no effect on the centre line.
 Response respond(const UnitProfiles& profiles, double thickness_over_lc, double mu1, double mu2);
 
 }  // namespace brash::plate
