@@ -125,8 +125,8 @@ double loss(const WeightLayout& layout, const Vector& weights, const NormalisedR
   return residuals(layout, weights.data(), rows, s).squaredNorm() / static_cast<double>(rows.y.size());
 }
 
-StartResult fit_from_random_start(const WeightLayout& layout, const NormalisedRows& training, const NormalisedRows& validation,
-                                  const TrainingOptions& options, int number) {
+StartResult fit_from_random_start(const WeightLayout& layout, const NormalisedRows& training,
+                                  const NormalisedRows& validation, const TrainingOptions& options, int number) {
   gsl_set_error_handler_off();  // every code is checked below
   Problem problem{layout, &training};
   const auto n = static_cast<std::size_t>(training.y.size());

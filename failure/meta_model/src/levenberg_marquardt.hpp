@@ -34,7 +34,7 @@ struct StartResult {
 double loss(const WeightLayout& layout, const Eigen::VectorXd& weights, const NormalisedRows& rows);
 
 /// Minimises the loss of `training` from the random start `number`; returns the weights with the least validation loss.
-StartResult fit_from_random_start(const WeightLayout& layout, const NormalisedRows& training, const NormalisedRows& validation,
-                                  const TrainingOptions& options, int number);
+StartResult fit_from_random_start(const WeightLayout& layout, const NormalisedRows& training,
+                                  const NormalisedRows& validation, const TrainingOptions& options, int number);
 
 }  // namespace brash::meta_model

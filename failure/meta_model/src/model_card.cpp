@@ -8,10 +8,10 @@ namespace brash::meta_model {
 namespace {
 
 std::string row(const std::string& name, const Errors& e) {
-  return fmt::format("| {} | {} | {} | {:+.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.0f} |\n", name,
-                     e.n_rows, e.n_geometries, 100 * e.stress_bias, 100 * e.stress_rms, 100 * e.stress_median,
-                     100 * e.stress_95, 100 * e.stress_max,
-                     e.stress_absolute_95, e.length_median, e.length_95, 100 * e.length_on_plateau);
+  return fmt::format(
+      "| {} | {} | {} | {:+.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.0f} |\n", name,
+      e.n_rows, e.n_geometries, 100 * e.stress_bias, 100 * e.stress_rms, 100 * e.stress_median, 100 * e.stress_95,
+      100 * e.stress_max, e.stress_absolute_95, e.length_median, e.length_95, 100 * e.length_on_plateau);
 }
 
 std::string range_table(const Range& r) {
@@ -58,11 +58,13 @@ std::string model_card(const Network& network, const TrainingReport& report, con
   }
   text += "\n## Range\n\n" + range_table(network.range());
   text +=
-      "\n## Errors\n\nStress: predicted / computed - 1 [%], and predicted - computed sigma/p (absolute); length: predicted - computed l_break / l_c. `on plateau` is "
+      "\n## Errors\n\nStress: predicted / computed - 1 [%], and predicted - computed sigma/p (absolute); length: "
+      "predicted - computed l_break / l_c. `on plateau` is "
       "the share [%] of\nrows whose predicted place has at least 99 % of the peak stress. Geometries of the test part "
       "took no part in training\nor stopping.\n\n";
   text +=
-      "| rows of | rows | geometries | stress bias | rms | median | 95 % | max | absolute 95 % | length median | 95 % | on plateau |\n"
+      "| rows of | rows | geometries | stress bias | rms | median | 95 % | max | absolute 95 % | length median | 95 % "
+      "| on plateau |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   text += row("training", report.train) + row("validation", report.validation) + row("test", report.test);
   for (const Region& region : report.regions) text += row("test, " + region.name, region.errors);

@@ -87,9 +87,7 @@ class Place {
     if (!value_.is_object() || !value_.contains(key)) refuse(fmt::format("the key `{}` is missing", key));
     return {file_, value_.at(key), pointer_ + "/" + key};
   }
-  Place operator[](std::size_t index) const {
-    return {file_, value_.at(index), fmt::format("{}/{}", pointer_, index)};
-  }
+  Place operator[](std::size_t index) const { return {file_, value_.at(index), fmt::format("{}/{}", pointer_, index)}; }
   double number() const {
     if (!value_.is_number() || !std::isfinite(value_.get<double>())) refuse("must be a finite number");
     return value_.get<double>();

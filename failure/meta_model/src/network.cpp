@@ -73,7 +73,8 @@ Network::Network(NetworkParameters parameters) : parameters_(std::move(parameter
   BRASH_EXPECTS(p.w2.size() == hidden * kOutputs && p.b2.size() == kOutputs, p.w2.size(), p.b2.size());
   BRASH_EXPECTS(finite(p.w1) && finite(p.b1) && finite(p.w2) && finite(p.b2));
   BRASH_EXPECTS(p.thickness_over_lc > 0.0, p.thickness_over_lc);
-  for (const Normalisation& n : p.features) BRASH_EXPECTS(std::isfinite(n.offset) && n.factor > 0.0, n.offset, n.factor);
+  for (const Normalisation& n : p.features)
+    BRASH_EXPECTS(std::isfinite(n.offset) && n.factor > 0.0, n.offset, n.factor);
   for (const Normalisation& n : p.targets) BRASH_EXPECTS(std::isfinite(n.offset) && n.factor > 0.0, n.offset, n.factor);
   const auto lower = to_array(p.range.lower), upper = to_array(p.range.upper);
   for (int i = 0; i < kInputs; ++i) BRASH_EXPECTS(lower[i] <= upper[i], i, lower[i], upper[i]);

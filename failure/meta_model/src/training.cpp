@@ -103,9 +103,10 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
   std::vector<int> geometries(unique.begin(), unique.end());
   constexpr std::size_t kFewest = 10;  // below this a share of 15 % is no sample
   if (geometries.size() < kFewest) {
-    throw InputError(fmt::format("the database has {} solved geometries, training needs at least {}; raise "
-                                 "`geometries` in the plan",
-                                 geometries.size(), kFewest));
+    throw InputError(
+        fmt::format("the database has {} solved geometries, training needs at least {}; raise "
+                    "`geometries` in the plan",
+                    geometries.size(), kFewest));
   }
   gsl_rng* rng = gsl_rng_alloc(gsl_rng_ranlxd2);
   gsl_rng_set(rng, static_cast<unsigned long>(options.seed) + 1);
@@ -113,7 +114,8 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
   gsl_rng_free(rng);
 
   const auto share = [&](double fraction) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(fraction * static_cast<double>(unique.size()))));
+    return std::max<std::size_t>(1,
+                                 static_cast<std::size_t>(std::lround(fraction * static_cast<double>(unique.size()))));
   };
   const std::size_t n_test = share(options.test_share), n_validation = share(options.validation_share);
   const auto first = geometries.begin();
@@ -122,7 +124,9 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
                                  first + static_cast<std::ptrdiff_t>(n_test + n_validation));
   Split split;
   for (const Sample& s : samples) {
-    (test.contains(s.geometry) ? split.test : validation.contains(s.geometry) ? split.validation : split.train)
+    (test.contains(s.geometry)         ? split.test
+     : validation.contains(s.geometry) ? split.validation
+                                       : split.train)
         .push_back(s);
   }
   return split;
@@ -173,9 +177,10 @@ void train_group(const Group& group, const Split& split, const TrainingOptions& 
   const WeightLayout layout{options.hidden, static_cast<int>(group.size())};
   const NormalisedRows training = normalise(split.train, p, group), validation = normalise(split.validation, p, group);
   if (training.y.size() < layout.size()) {
-    throw InputError(fmt::format("{} training rows cannot fix {} weights; raise `geometries` in the plan or take fewer "
-                                 "hidden units",
-                                 split.train.size(), layout.size()));
+    throw InputError(
+        fmt::format("{} training rows cannot fix {} weights; raise `geometries` in the plan or take fewer "
+                    "hidden units",
+                    split.train.size(), layout.size()));
   }
   std::vector<StartResult> results;
   for (int number = 0; number < options.starts; ++number) {
@@ -194,9 +199,9 @@ void train_group(const Group& group, const Split& split, const TrainingOptions& 
 
 Trained train(std::span<const Sample> samples, const TrainingOptions& options) {
   BRASH_EXPECTS(options.hidden > 0 && options.starts > 0, options.hidden, options.starts);
-  BRASH_EXPECTS(options.validation_share > 0.0 && options.test_share > 0.0 &&
-                    options.validation_share + options.test_share < 0.9,
-                options.validation_share, options.test_share);
+  BRASH_EXPECTS(
+      options.validation_share > 0.0 && options.test_share > 0.0 && options.validation_share + options.test_share < 0.9,
+      options.validation_share, options.test_share);
   check_rows(samples);
   const Split split = split_by_geometry(samples, options);
   NetworkParameters p = without_weights(samples, split.train, options);

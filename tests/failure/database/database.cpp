@@ -79,7 +79,8 @@ BOOST_AUTO_TEST_CASE(a_plan_is_read_in_si) {
 
 BOOST_AUTO_TEST_CASE(a_plan_with_a_mistake_is_refused_with_its_place) {
   expect_refusal("geometries = 20", "geometrys = 20", "`design.geometries` is missing");
-  expect_refusal("rows_per_geometry = 3", "rows_per_geometry = 3\nrows = 4", "plan.toml:5:8: `design.rows`: is not known");
+  expect_refusal("rows_per_geometry = 3", "rows_per_geometry = 3\nrows = 4",
+                 "plan.toml:5:8: `design.rows`: is not known");
   expect_refusal("geometries = 20", "geometries = 2.5", "whole number");
   expect_refusal("from = 0.1, to = 1.0", "from = 2.0, to = 1.0", "must not be below");
   expect_refusal("from = 0.1, to = 1.0", "from = 0.1, too = 1.0", "`range.c_lc.to` is missing");

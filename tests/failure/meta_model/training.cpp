@@ -22,8 +22,8 @@ Sample sample(int geometry, int row) {
              .mu2 = 0.3 * std::sin(2.3 * geometry + 7.9 * row)};
   const Input& x = s.input;
   const double width_ratio = 1.0 + 2.0 * x.b_lc * std::tan(0.5 * x.theta) / x.c_lc;
-  s.output.sigma_over_p = 5.0 * (x.mu1 + 0.3) * x.c_lc / (x.c_lc + 0.2 * width_ratio / (1.0 + x.b_lc)) *
-                          (1.0 + 2.0 * x.mu2 * x.mu2);
+  s.output.sigma_over_p =
+      5.0 * (x.mu1 + 0.3) * x.c_lc / (x.c_lc + 0.2 * width_ratio / (1.0 + x.b_lc)) * (1.0 + 2.0 * x.mu2 * x.mu2);
   s.output.lbreak_over_lc = 0.3 + 0.2 * std::tanh(x.b_lc) + 0.1 * std::log1p(x.c_lc);
   s.plateau_from = s.output.lbreak_over_lc - 0.1;
   s.plateau_to = s.output.lbreak_over_lc + 0.1;

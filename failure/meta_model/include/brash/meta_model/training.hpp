@@ -20,11 +20,11 @@ struct Sample {
 };
 
 struct TrainingOptions {
-  int hidden = 10;        ///< hidden units of a network, as the paper
-  bool separate = true;   ///< a network for each output (W1 10x5, W2 10x1, as the paper prints), or one for both
-  int starts = 6;         ///< random starts of a network; the one with the smallest validation loss is kept
-  int max_iterations = 500;      ///< of Levenberg-Marquardt, each start
-  int patience = 40;             ///< iterations without a smaller validation loss before a start ends
+  int hidden = 10;           ///< hidden units of a network, as the paper
+  bool separate = true;      ///< a network for each output (W1 10x5, W2 10x1, as the paper prints), or one for both
+  int starts = 6;            ///< random starts of a network; the one with the smallest validation loss is kept
+  int max_iterations = 500;  ///< of Levenberg-Marquardt, each start
+  int patience = 40;         ///< iterations without a smaller validation loss before a start ends
   double validation_share = 0.15;  ///< of the geometries
   double test_share = 0.15;        ///< of the geometries
   std::uint64_t seed = 1;          ///< of split and starts
@@ -36,16 +36,16 @@ struct TrainingOptions {
 struct Errors {
   std::size_t n_rows = 0;
   std::size_t n_geometries = 0;
-  double stress_bias = 0.0;       ///< mean
-  double stress_rms = 0.0;        ///< root mean square
-  double stress_median = 0.0;     ///< median of the size
-  double stress_95 = 0.0;         ///< 95 % quantile of the size
-  double stress_max = 0.0;        ///< largest size
+  double stress_bias = 0.0;         ///< mean
+  double stress_rms = 0.0;          ///< root mean square
+  double stress_median = 0.0;       ///< median of the size
+  double stress_95 = 0.0;           ///< 95 % quantile of the size
+  double stress_max = 0.0;          ///< largest size
   double stress_absolute_95 = 0.0;  ///< 95 % quantile of the size of (predicted - computed) sigma/p
-  double length_rms = 0.0;        ///< of l_break / l_c
-  double length_median = 0.0;     ///< median of the size
-  double length_95 = 0.0;         ///< 95 % quantile of the size
-  double length_on_plateau = 0.0;  ///< share of rows whose predicted place has 99 % of the peak stress or more
+  double length_rms = 0.0;          ///< of l_break / l_c
+  double length_median = 0.0;       ///< median of the size
+  double length_95 = 0.0;           ///< 95 % quantile of the size
+  double length_on_plateau = 0.0;   ///< share of rows whose predicted place has 99 % of the peak stress or more
 };
 
 /// Errors of the test rows in a part of the range.
