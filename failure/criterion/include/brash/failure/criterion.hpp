@@ -27,14 +27,26 @@ double crushing_force(const IceProperties& ice, double area);
 struct LoadRatios {
   double horizontal = 0.0;  ///< in-plane normal N over the contact's normal force [-]
   double mu1 = 0.0;         ///< P / N [-]
-  double mu2 = 0.0;         ///< f / N, positive counter-clockwise along the structure's section [-]
+  double mu2 = 0.0;         ///< f / N on the ice, positive counter-clockwise along the structure's section [-]
 };
 
 /// Resolves a contact on a surface that slopes at `slope` from the horizontal and slides against the ice.
 ///
-/// The structure moves at an angle `heading` [rad] from the contact's plan normal (into the ice); friction acts along
-/// the sliding direction with the coefficient `friction`.
-/// @see docs/theory/failure.md; at heading 0, mu1 = (cos a - mu sin a)/(sin a + mu cos a).
+/// In the axes (plan normal into the ice, plan tangent counter-clockwise along the section, vertical as the ice is
+/// pushed: down or up, the same numbers) the surface normal is n = (sin a, 0, cos a). The structure moves with
+/// u = (cos H, sin H, 0), so it slips along s = u - (u n) n, and the ice gets n + mu s/|s| per unit normal force:
+///
+///     N = sin a + mu cos H cos^2 a / |s|,  P = cos a - mu cos H sin a cos a / |s|,  f = mu sin H / |s|,
+///     |s| = sqrt(cos^2 H cos^2 a + sin^2 H).
+///
+/// At heading 0: mu1 = (cos a - mu sin a)/(sin a + mu cos a). Without slip (a vertical wall met squarely) there is no
+/// friction.
+///
+/// @param slope     a [rad], in (0, pi/2].
+/// @param friction  mu [-], >= 0.
+/// @param heading   H [rad]: direction of motion, counter-clockwise from the contact's plan normal (into the ice).
+///                  On the port flank of a structure that moves along x (normal (0.6, 0.8)) it is negative.
+/// @see docs/theory/meta-model.md
 LoadRatios load_ratios(double slope, double friction, double heading);
 
 /// One contact, ready for the criterion.
@@ -60,12 +72,26 @@ struct Assessment {
 class BendingCriterion {
  public:
   virtual ~BendingCriterion() = default;
+  /// @param load  depth >= 0, contact_length > 0, angle in [0, pi), mu1 > 0, pressure >= 0.
   virtual Assessment assess(const LoadCase& load) const = 0;
 };
 
-/// The criterion named `model`: `network` (needs `file`), `plate` (direct solve) or `wedge` (Nevel).
+/// The criterion named `model`:
+/// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
+///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
+/// - `plate`: the floating plate solved for each load case (about a second each).
+/// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
+///   whatever the depth b. It needs no range.
+///
+/// @param file  of the network; empty: the model that comes with the program, see model_path().
 /// @throws InputError for an unknown name or an unreadable file.
 std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
                                                  const IceProperties& ice);
+
+/// The model file that `make_criterion(model, file, ...)` reads; empty when that model reads none.
+///
+/// With an empty `file` it is `cone_network.json` in the folder that the environment variable BRASH_MODEL_PATH names,
+/// else in the folder of the build.
+std::string model_path(const std::string& model, const std::string& file);
 
 }  // namespace brash::failure

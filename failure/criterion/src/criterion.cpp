@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/failure/criterion.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+#include "criteria.hpp"
+
+namespace brash::failure {
+namespace {
+
+constexpr const char* kDefaultNetwork = "cone_network.json";
+constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
+
+void expect_valid(const IceProperties& ice) {
+  BRASH_EXPECTS(ice.thickness > 0.0 && ice.youngs_modulus > 0.0, ice.thickness, ice.youngs_modulus);
+  BRASH_EXPECTS(ice.poisson_ratio >= 0.0 && ice.poisson_ratio < 0.5, ice.poisson_ratio);
+  BRASH_EXPECTS(ice.water_density > 0.0, ice.water_density);
+}
+
+}  // namespace
+
+void expect_valid(const LoadCase& load) {
+  BRASH_EXPECTS(load.depth >= 0.0 && load.contact_length > 0.0, load.depth, load.contact_length);
+  BRASH_EXPECTS(load.angle >= 0.0 && load.angle < kPi, load.angle);
+  BRASH_EXPECTS(load.mu1 > 0.0 && std::isfinite(load.mu2), load.mu1, load.mu2);
+  BRASH_EXPECTS(load.pressure >= 0.0 && std::isfinite(load.pressure), load.pressure);
+}
+
+double characteristic_length(const IceProperties& ice) {
+  expect_valid(ice);
+  const double E = ice.youngs_modulus, h = ice.thickness, nu = ice.poisson_ratio;
+  return std::pow(E * h * h * h / (12.0 * ice.water_density * kGravity * (1.0 - nu * nu)), 0.25);
+}
+
+double crushing_force(const IceProperties& ice, double area) {
+  BRASH_EXPECTS(area >= 0.0, area);
+  return ice.compressive_strength * area * ice.crushing_factor;
+}
+
+LoadRatios load_ratios(double slope, double friction, double heading) {
+  BRASH_EXPECTS(slope > 0.0 && slope <= kPi / 2, slope);
+  BRASH_EXPECTS(friction >= 0.0 && std::isfinite(heading), friction, heading);
+  const double sin_a = std::sin(slope), cos_a = std::cos(slope);
+  const double along = std::cos(heading), across = std::sin(heading);
+  const double slip = std::hypot(along * cos_a, across);
+  constexpr double kNoSlip = 1e-12;  // of the structure's speed; below it the direction of slip is round-off
+  const double mu = slip > kNoSlip ? friction / slip : 0.0;
+  const double N = sin_a + mu * along * cos_a * cos_a;
+  const double P = cos_a - mu * along * sin_a * cos_a;
+  return {.horizontal = N, .mu1 = P / N, .mu2 = mu * across / N};
+}
+
+std::string model_path(const std::string& model, const std::string& file) {
+  if (model != "network") return "";
+  if (!file.empty()) return file;
+  const char* folder = std::getenv(kModelPathVariable);
+  return (std::filesystem::path(folder != nullptr && *folder != '\0' ? folder : BRASH_MODEL_DIR) / kDefaultNetwork)
+      .string();
+}
+
+std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
+                                                 const IceProperties& ice) {
+  expect_valid(ice);
+  if (model == "network") return make_network_criterion(model_path(model, file), ice);
+  if (model == "plate") return make_plate_criterion(ice);
+  if (model == "wedge") return make_wedge_criterion(ice);
+  throw InputError(fmt::format("failure.model = \"{}\" is not known; allowed: network, plate, wedge", model));
+}
+
+}  // namespace brash::failure

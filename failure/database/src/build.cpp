@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "brash/core/error.hpp"
+#include "brash/database/database.hpp"
+#include "store.hpp"
+
+namespace brash::database {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Geometries in a chunk: what a killed build may lose.
+constexpr int kChunk = 16;
+
+Record solve(int geometry, const DesignPoint& point, const Plan& plan) {
+  Record record{.geometry = geometry, .plate = point.plate};
+  auto profiles = plate::solve(point.plate, plan.mesh);
+  if (!profiles) {
+    record.error = profiles.error().what;
+    return record;
+  }
+  record.solved = true;
+  record.profiles = std::move(*profiles);
+  for (const LoadPoint& load : point.loads) {
+    record.rows.push_back({load, plate::respond(record.profiles, point.plate.thickness, load.mu1, load.mu2)});
+  }
+  return record;
+}
+
+/// The database at `path` if it is there.
+/// @throws InputError when it was made for another plan.
+bool read_if_there(const std::string& path, const std::string& plan_sha256, Database& database) {
+  if (!fs::exists(path)) return false;
+  database = read_database(path);
+  if (database.plan_sha256 == plan_sha256) return true;
+  throw InputError(fmt::format("{}: was computed for another plan; remove it or give another output name", path));
+}
+
+void count(const std::vector<Record>& records, Progress& progress) {
+  for (const Record& r : records) {
+    ++progress.done;
+    if (!r.solved) ++progress.failed;
+  }
+}
+
+}  // namespace
+
+Progress build(const Plan& plan, const std::string& path, const std::function<bool(const Progress&)>& go_on) {
+  const std::vector<DesignPoint> points = design(plan);
+  Database whole{.plan = to_text(plan), .plan_sha256 = sha256(to_text(plan))};
+  Progress progress{.total = plan.geometries};
+  if (Database there; read_if_there(path, whole.plan_sha256, there)) {
+    count(there.records, progress);
+    return progress;
+  }
+
+  const fs::path chunks = path + ".chunks";
+  fs::create_directories(chunks);
+  for (int first = 0; first < plan.geometries; first += kChunk) {
+    const std::string file = chunks / fmt::format("{:06}.nc", first);
+    Database chunk{.plan = whole.plan, .plan_sha256 = whole.plan_sha256};
+    if (!read_if_there(file, whole.plan_sha256, chunk)) {
+      for (int g = first; g < std::min(first + kChunk, plan.geometries); ++g) {
+        chunk.records.push_back(solve(g, points[static_cast<std::size_t>(g)], plan));
+      }
+      write_database(file, chunk);
+    }
+    count(chunk.records, progress);
+    std::move(chunk.records.begin(), chunk.records.end(), std::back_inserter(whole.records));
+    if (go_on && !go_on(progress)) return progress;
+  }
+
+  write_database(path, whole);
+  fs::remove_all(chunks);
+  return progress;
+}
+
+}  // namespace brash::database

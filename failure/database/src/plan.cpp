@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/database/plan.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/error.hpp"
+
+namespace brash::database {
+namespace {
+
+constexpr std::array<const char*, 3> kSpacingNames{"linear", "logarithmic", "quadratic"};
+constexpr std::array<const char*, 2> kTheoryNames{"reissner-mindlin", "kirchhoff"};
+constexpr int kMostGeometries = 1'000'000;
+constexpr int kMostRows = 10'000;
+
+/// A table of the plan that knows its file and name; keys that nobody asked for are refused at the end.
+class Table {
+ public:
+  Table(const std::string& file, std::string name, const toml::table& table)
+      : file_(file), name_(std::move(name)), table_(table) {}
+
+  [[noreturn]] void refuse(const toml::node& node, const std::string& key, const std::string& what) const {
+    const auto at = node.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: `{}`: {}", file_, at.line, at.column, full(key), what));
+  }
+  const toml::node* find(const std::string& key) {
+    known_.insert(key);
+    return table_.get(key);
+  }
+  const toml::node& get(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+      throw InputError(
+          fmt::format("{}: the key `{}` is missing; see experiments/failure_database/plan.toml", file_, full(key)));
+    }
+    return *node;
+  }
+  double number(const std::string& key, double least, double most) {
+    const toml::node& node = get(key);
+    const auto value = node.value<double>();
+    if (!value || !std::isfinite(*value) || *value < least || *value > most) {
+      refuse(node, key, fmt::format("must be a number in [{}, {}]", least, most));
+    }
+    return *value;
+  }
+  double number_or(const std::string& key, double otherwise, double least, double most) {
+    return find(key) == nullptr ? otherwise : number(key, least, most);
+  }
+  int whole(const std::string& key, int least, int most) {
+    const toml::node& node = get(key);
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || *value < least || *value > most) {
+      refuse(node, key, fmt::format("must be a whole number in [{}, {}]", least, most));
+    }
+    return static_cast<int>(*value);
+  }
+  template <std::size_t N>
+  std::size_t choice_or(const std::string& key, const std::array<const char*, N>& names, std::size_t otherwise) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return otherwise;
+    const std::string value = node->value_or(std::string());
+    for (std::size_t i = 0; i < N; ++i) {
+      if (value == names[i]) return i;
+    }
+    refuse(*node, key, fmt::format("must be one of \"{}\"", fmt::join(names, "\", \"")));
+  }
+  Table table(const std::string& key) {
+    const toml::node& node = get(key);
+    if (!node.is_table()) refuse(node, key, "must be a table");
+    return {file_, full(key), *node.as_table()};
+  }
+  void refuse_unknown_keys() const {
+    for (const auto& [key, node] : table_) {
+      if (known_.contains(std::string(key.str()))) continue;
+      refuse(node, std::string(key.str()), fmt::format("is not known; allowed here: {}", fmt::join(known_, ", ")));
+    }
+  }
+
+ private:
+  std::string full(const std::string& key) const { return name_.empty() ? key : name_ + "." + key; }
+
+  const std::string& file_;
+  std::string name_;
+  const toml::table& table_;
+  std::set<std::string> known_;
+};
+
+/// `key = { from = .., to = .., spacing = ".." }`, or a number for a fixed value.
+Axis read_axis(Table& tables, const std::string& key, double least, double most, double unit = 1.0) {
+  if (tables.get(key).is_number()) {
+    const double value = tables.number(key, least, most) * unit;
+    return {value, value, Spacing::kLinear};
+  }
+  Table table = tables.table(key);
+  Axis axis{table.number("from", least, most) * unit, table.number("to", least, most) * unit};
+  axis.spacing = static_cast<Spacing>(table.choice_or("spacing", kSpacingNames, 0));
+  if (axis.to < axis.from) table.refuse(table.get("to"), "to", "must not be below `from`");
+  if (axis.spacing == Spacing::kLogarithmic && !(axis.from > 0.0)) {
+    table.refuse(table.get("from"), "from", "must be > 0 with logarithmic spacing");
+  }
+  table.refuse_unknown_keys();
+  return axis;
+}
+
+toml::table parse(const std::string& path) {
+  try {
+    return toml::parse_file(path);
+  } catch (const toml::parse_error& error) {
+    const auto at = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: {}; write it as experiments/failure_database/plan.toml is written", path,
+                                 at.line, at.column, error.description()));
+  }
+}
+
+std::string axis_text(const char* name, const Axis& axis) {
+  return fmt::format("{} = {{ from = {}, to = {}, spacing = \"{}\" }}\n", name, axis.from, axis.to,
+                     kSpacingNames[static_cast<std::size_t>(axis.spacing)]);
+}
+
+}  // namespace
+
+Plan read_plan(const std::string& path) {
+  const toml::table root = parse(path);
+  Table file(path, "", root);
+  Plan plan;
+
+  Table points = file.table("design");
+  plan.geometries = points.whole("geometries", 1, kMostGeometries);
+  plan.rows_per_geometry = points.whole("rows_per_geometry", 1, kMostRows);
+  plan.edge_share = points.number_or("edge_share", plan.edge_share, 0.0, 0.5);
+  points.refuse_unknown_keys();
+
+  // Limits of the plate solver, not of the cases that may be of interest.
+  Table range = file.table("range");
+  plan.b_lc = read_axis(range, "b_lc", 0.0, 5.0);
+  plan.c_lc = read_axis(range, "c_lc", 1e-3, 10.0);
+  plan.theta = read_axis(range, "theta_deg", 0.0, 170.0, radians(1.0));
+  plan.thickness_over_lc = read_axis(range, "thickness_over_lc", 1e-3, 1.0);
+  plan.mu1 = read_axis(range, "mu1", 1e-3, 100.0);
+  plan.mu2 = read_axis(range, "mu2", -10.0, 10.0);
+  range.refuse_unknown_keys();
+
+  Table solver = file.table("plate");
+  plan.poisson_ratio = solver.number("poisson_ratio", 0.0, 0.49);
+  plan.theory = static_cast<plate::Theory>(solver.choice_or("theory", kTheoryNames, 0));
+  plan.mesh.tip_size = solver.number_or("tip_size", 0.0, 0.0, 1.0);
+  plan.mesh.far_size = solver.number_or("far_size", 0.0, 0.0, 10.0);
+  plan.mesh.half_width = solver.number_or("half_width", 0.0, 0.0, 100.0);
+  solver.refuse_unknown_keys();
+  file.refuse_unknown_keys();
+  return plan;
+}
+
+std::string to_text(const Plan& plan) {
+  return fmt::format("[design]\ngeometries = {}\nrows_per_geometry = {}\nedge_share = {}\n[range]\n", plan.geometries,
+                     plan.rows_per_geometry, plan.edge_share) +
+         axis_text("b_lc", plan.b_lc) + axis_text("c_lc", plan.c_lc) + axis_text("theta", plan.theta) +
+         axis_text("thickness_over_lc", plan.thickness_over_lc) + axis_text("mu1", plan.mu1) +
+         axis_text("mu2", plan.mu2) +
+         fmt::format("[plate]\npoisson_ratio = {}\ntheory = \"{}\"\ntip_size = {}\nfar_size = {}\nhalf_width = {}\n",
+                     plan.poisson_ratio, kTheoryNames[static_cast<std::size_t>(plan.theory)], plan.mesh.tip_size,
+                     plan.mesh.far_size, plan.mesh.half_width);
+}
+
+}  // namespace brash::database

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/database/database.hpp"
+
+namespace brash::database {
+
+/// Writes `database` as netCDF-4 to `path` by rename when whole.
+/// @throws RunError when it cannot be written.
+void write_database(const std::string& path, const Database& database);
+
+/// SHA-256 of `text`.
+std::string sha256(const std::string& text);
+
+}  // namespace brash::database

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brash/plate/plate.hpp"
+#include "mesh.hpp"
+
+namespace brash::plate {
+
+/// The half y >= 0 of the sheet with its trapezoidal protrusion.
+Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options);
+
+/// The re-entrant corner between side and base line, y > 0.
+Vec2 root_of(const WedgePlate& plate);
+
+}  // namespace brash::plate

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+#include "brash/plate/plate.hpp"
+#include "mesh.hpp"
+
+namespace brash::plate {
+
+/// Floating plate in units of k = 1, l_c = 1, hence D = 1.
+struct BendingProblem {
+  double poisson_ratio = 0.3;
+  double shear_stiffness = 0.0;                  ///< kappa G h l_c^2 / D
+  double tip_line_load = 0.0;                    ///< P on the edges tagged kTip
+  std::function<double(int triangle)> pressure;  ///< on the elements; empty for none
+};
+
+/// kappa G h l_c^2 / D = 5 (1 - nu) (l_c / h)^2 with Reissner's kappa = 5/6.
+double shear_stiffness(double poisson_ratio, double thickness_over_lc);
+
+/// Plane stress in units of E h / (1 - nu^2) = 1: stresses follow the loads whatever the unit.
+struct MembraneProblem {
+  double poisson_ratio = 0.3;
+  std::vector<Vec2> tip_tractions;  ///< on the edges tagged kTip, one load case each
+  bool antisymmetric = false;       ///< about the edges tagged kSymmetryY
+};
+
+/// A finite element solution: the unknowns of every element.
+class Field {
+ public:
+  Field(const Mesh& mesh, int order, double poisson_ratio, Eigen::MatrixXd local, int first_row, int n_functions);
+
+  const Mesh& mesh() const { return *mesh_; }
+  int order() const { return order_; }
+
+  /// (1 - nu) e + nu tr(e) 1 with e the symmetric gradient of the vector field: moments (positive where the surface
+  /// that a positive P puts in tension on a cantilever is in tension) or membrane stress.
+  Tensor2 tensor(int triangle, double xi, double eta) const;
+
+  /// The deflection; bending only.
+  double deflection(int triangle, double xi, double eta) const;
+
+  /// Position of a point of the reference triangle.
+  Vec2 place(int triangle, double xi, double eta) const;
+
+ private:
+  const Mesh* mesh_;
+  int order_;
+  double poisson_ratio_;
+  Eigen::MatrixXd local_;
+  int first_row_;    ///< of the vector field in `local_`
+  int n_functions_;  ///< of each of its components
+};
+
+/// Reissner-Mindlin bending on the elements of that order. Free on every edge that is not one of symmetry.
+tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, const BendingProblem& problem);
+
+/// Plane stress; clamped on the edges tagged kFar. One field for each load case.
+tl::expected<std::vector<Field>, std::string> solve_membrane(const Mesh& mesh, int order,
+                                                             const MembraneProblem& problem);
+
+}  // namespace brash::plate

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "failure_commands.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "brash/core/error.hpp"
+#include "brash/database/database.hpp"
+#include "brash/meta_model/training.hpp"
+#include "failure_rows.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kInterrupted = 3;
+
+volatile std::sig_atomic_t interrupted = 0;
+void note_interrupt(int) { interrupted = 1; }
+
+void refuse_missing_folder(const std::string& path) {
+  const fs::path folder = fs::absolute(path).parent_path();
+  if (!fs::is_directory(folder)) throw InputError(fmt::format("{}: the folder does not exist; make it first", path));
+}
+
+void compute_database(const std::string& plan_file, const std::string& output) {
+  const database::Plan plan = database::read_plan(plan_file);
+  refuse_missing_folder(output);
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  const database::Progress progress = database::build(plan, output, [terminal](const database::Progress& now) {
+    if (terminal) fmt::print(stderr, "\r{} of {} geometries, {} not solved", now.done, now.total, now.failed);
+    return interrupted == 0;
+  });
+  if (terminal) fmt::print(stderr, "\n");
+  if (progress.done < progress.total) {
+    fmt::print(stderr, "brash: stopped after {} of {} geometries; the same command goes on from here\n", progress.done,
+               progress.total);
+    throw CLI::RuntimeError(kInterrupted);
+  }
+  fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, database::file_sha256(output),
+             progress.total, progress.failed);
+}
+
+/// The rows of the solved geometries; all must have the same h / l_c.
+std::vector<meta_model::Sample> to_samples(const std::string& file, const database::Database& data,
+                                           double& thickness_over_lc) {
+  std::vector<meta_model::Sample> samples;
+  for (const database::Record& record : data.records) {
+    if (!record.solved) continue;
+    if (samples.empty()) thickness_over_lc = record.plate.thickness;
+    if (record.plate.thickness != thickness_over_lc) {
+      throw InputError(fmt::format(
+          "{}: geometry {} has h/l_c = {}, others {}: the five inputs of Eq. 17 leave h/l_c out; give the plan one "
+          "value of thickness_over_lc",
+          file, record.geometry, record.plate.thickness, thickness_over_lc));
+    }
+    for (const database::Row& row : record.rows) {
+      samples.push_back(
+          {.input = {record.plate.depth, record.plate.contact_length, record.plate.angle, row.load.mu1, row.load.mu2},
+           .output = {row.response.sigma_over_p, row.response.lbreak_over_lc},
+           .plateau_from = row.response.plateau_from,
+           .plateau_to = row.response.plateau_to,
+           .geometry = record.geometry});
+    }
+  }
+  return samples;
+}
+
+void print_errors(const char* name, const meta_model::Errors& e) {
+  fmt::print("{:<11} {:>6} {:>6} {:>10.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.4f} {:>11.1f}\n", name, e.n_geometries,
+             e.n_rows, 100 * e.stress_rms, 100 * e.stress_median, 100 * e.stress_95, e.length_median, e.length_95,
+             100 * e.length_on_plateau);
+}
+
+void train_network(const std::string& database_file, const std::string& output, meta_model::TrainingOptions options) {
+  refuse_missing_folder(output);
+  const database::Database data = database::read_database(database_file);
+  const auto samples = to_samples(database_file, data, options.thickness_over_lc);
+  options.data_sha256 = database::file_sha256(database_file);
+  const meta_model::Trained trained = meta_model::train(samples, options);
+  const std::string hash = trained.network.write(output);
+
+  const fs::path card = fs::path(output).replace_extension(".md");
+  const fs::path partial = card.string() + ".partial";
+  std::ofstream stream(partial);
+  stream << meta_model::model_card(
+      trained.network, trained.report, options,
+      {fs::path(output).filename().string(), hash, fs::path(database_file).filename().string()});
+  stream.close();
+  if (!stream) throw RunError(fmt::format("{}: cannot be written", partial.string()));
+  fs::rename(partial, card);
+
+  fmt::print("{:<11} {:>6} {:>6} {:>10} {:>10} {:>10} {:>12} {:>12} {:>11}\n", "part", "geom.", "rows", "stress rms",
+             "median [%]", "95 % [%]", "length med.", "95 % [l_c]", "plateau [%]");
+  print_errors("training", trained.report.train);
+  print_errors("validation", trained.report.validation);
+  print_errors("test", trained.report.test);
+  fmt::print("model       {}\nsha256      {}\ncard        {}\n", output, hash, card.string());
+}
+
+void add_database_command(CLI::App& failure) {
+  struct Options {
+    std::string plan, output;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = failure.add_subcommand("database", "Solve the plate problem over a design of experiments");
+  command->add_option("plan", options->plan, "plan (TOML)")->required();
+  command->add_option("-o,--output", options->output, "database to write (netCDF)")->required();
+  command->footer(
+      "A stopped or killed build goes on when the same command is given again.\n"
+      "Example: brash failure database experiments/failure_database/plan.toml -o cone.nc");
+  command->callback([options] { compute_database(options->plan, options->output); });
+}
+
+void add_train_command(CLI::App& failure) {
+  struct Options {
+    std::string database, output;
+    meta_model::TrainingOptions training;
+  };
+  auto options = std::make_shared<Options>();
+  meta_model::TrainingOptions& training = options->training;
+  CLI::App* command = failure.add_subcommand("train", "Train the network of Eq. 17 on a database");
+  command->add_option("database", options->database, "database (netCDF)")->required();
+  command->add_option("-o,--output", options->output, "model to write (JSON); the model card is written beside it")
+      ->required();
+  command->add_option("--hidden", training.hidden, "hidden units of a network")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 200));
+  command->add_flag("!--one-network", training.separate, "one network for both outputs instead of one for each");
+  command->add_option("--starts", training.starts, "random starts")->capture_default_str()->check(CLI::Range(1, 1000));
+  command->add_option("--iterations", training.max_iterations, "most iterations of a start")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", training.seed, "of split and starts")->capture_default_str();
+  command->footer("Example: brash failure train cone.nc -o cone_network.json");
+  command->callback([options] { train_network(options->database, options->output, options->training); });
+}
+
+void add_predict_command(CLI::App& failure) {
+  auto options = std::make_shared<PredictOptions>();
+  CLI::App* command = failure.add_subcommand("predict", "Predict stress and breaking length for rows of inputs");
+  command->add_option("--model", options->model, "model file, or fem: solve the plate")->required();
+  command->add_option("--in", options->rows,
+                      "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");
+  command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");
+  command->callback([options] { predict_rows(*options); });
+}
+
+}  // namespace
+
+void add_failure_command(CLI::App& app) {
+  CLI::App* failure = app.add_subcommand("failure", "Failure of the ice edge: database, training, prediction");
+  failure->require_subcommand(1);
+  failure->footer("Example: brash failure predict --model fem --in rows.csv");
+  add_database_command(*failure);
+  add_train_command(*failure);
+  add_predict_command(*failure);
+}
+
+}  // namespace brash::cli

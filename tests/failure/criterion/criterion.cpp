@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/failure/criterion.hpp"
+
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+#include "brash/core/vec.hpp"
+#include "brash/meta_model/network.hpp"
+#include "brash/plate/plate.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::failure;
+namespace fs = std::filesystem;
+
+/// Table 1 of the paper.
+IceProperties ice() {
+  return {.thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
+}
+
+LoadCase load() {
+  return {.depth = 1.0, .contact_length = 0.5, .angle = radians(60.0), .mu1 = 0.511, .mu2 = 0.01, .pressure = 3e5};
+}
+
+/// sigma/p = 4 mu1 c/l_c approximately: one nearly linear hidden unit on the logarithms; l_break = 0.5 l_c.
+meta_model::Network simple_network() {
+  meta_model::NetworkParameters p;
+  p.targets = {{{std::log(4.0), 1.0}, {0.0, 1.0}}};
+  p.hidden = 1;
+  constexpr double kSmall = 1e-4;  // S(a) = 1/2 + a/4 for small a
+  p.w1 = {0, kSmall, 0, kSmall, 0};
+  p.b1 = {0};
+  p.w2 = {4.0 / kSmall, 0};
+  p.b2 = {-2.0 / kSmall, 0.5};
+  p.range = {{0, 0.1, 0, 0.1, -0.3}, {2, 2, 2.6, 3, 0.3}};
+  p.thickness_over_lc = 0.1;
+  return meta_model::Network(p);
+}
+
+struct ModelFile {
+  fs::path folder = fs::temp_directory_path() / ("brash_criterion_" + std::to_string(::getpid()));
+  fs::path file = folder / "cone_network.json";
+  ModelFile() {
+    fs::create_directories(folder);
+    simple_network().write(file);
+  }
+  ~ModelFile() { fs::remove_all(folder); }
+};
+
+BOOST_AUTO_TEST_CASE(the_characteristic_length_of_table_1_is_3_27_m) {
+  // (0.35e9 0.33^3 / (12 1025 9.80665 0.91))^(1/4), worked by hand to five digits.
+  BOOST_TEST(characteristic_length(ice()) == 3.2719, boost::test_tools::tolerance(5e-5));
+}
+
+BOOST_AUTO_TEST_CASE(the_crushing_force_is_equation_15) {
+  BOOST_TEST(crushing_force(ice(), 0.2) == 1e5, boost::test_tools::tolerance(1e-14));  // 1 MPa x 0.2 m2 x 0.5
+}
+
+BOOST_AUTO_TEST_CASE(the_papers_cone_has_mu1_of_0_511) {
+  const LoadRatios r = load_ratios(radians(61.4), 0.027, 0.0);
+  BOOST_TEST(r.mu1 == 0.511, boost::test_tools::tolerance(1e-3));  // stated to three digits
+  BOOST_TEST(r.mu2 == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(load_ratios_are_the_force_of_a_sliding_contact_in_space) {
+  for (const double slope : {0.4, 1.0, 1.5}) {
+    for (const double heading : {-1.4, -0.5, 0.0, 0.3, 1.2, 2.0}) {
+      const double mu = 0.3;
+      const Vec3 n{std::sin(slope), 0.0, std::cos(slope)};
+      const Vec3 u{std::cos(heading), std::sin(heading), 0.0};
+      const Vec3 force = n + mu * normalized(u - dot(u, n) * n);
+      const LoadRatios r = load_ratios(slope, mu, heading);
+      // Round-off only.
+      BOOST_TEST(r.horizontal == force.x, boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(r.mu1 == force.z / force.x, boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(std::abs(r.mu2 - force.y / force.x) < 1e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_vertical_wall_met_squarely_has_no_friction) {
+  const LoadRatios r = load_ratios(kPi / 2, 0.3, 0.0);
+  BOOST_TEST(r.horizontal == 1.0);
+  BOOST_TEST(std::abs(r.mu1) < 1e-15);
+  BOOST_TEST(r.mu2 == 0.0);
+  // Met at an angle it slides along itself with the whole friction.
+  BOOST_TEST(load_ratios(kPi / 2, 0.3, 0.7).mu2 == 0.3, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(load_ratios(kPi / 2, 0.3, -0.7).mu2 == -0.3, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(the_network_criterion_scales_by_equation_19) {
+  const ModelFile model;
+  const auto criterion = make_criterion("network", model.file, ice());
+  const double l_c = characteristic_length(ice());
+  const Assessment a = criterion->assess(load());
+  const double expected = 4.0 * 0.511 * (0.5 / l_c) * 3e5 * 0.1 / (0.33 / l_c);
+  // The one sigmoid departs from its tangent by about 1e-8, and 4/kSmall magnifies round-off to about 1e-11.
+  BOOST_TEST(a.sigma_max == expected, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(a.breaking_length == 0.5 * l_c, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(!a.below_range);
+  BOOST_TEST(!a.above_range);
+  BOOST_TEST(a.fails == (expected > 539e3));
+}
+
+BOOST_AUTO_TEST_CASE(failure_is_the_stress_above_the_flexural_strength) {
+  const ModelFile model;
+  const auto criterion = make_criterion("network", model.file, ice());
+  LoadCase l = load();
+  const double at_failure = l.pressure * 539e3 / criterion->assess(l).sigma_max;
+  l.pressure = 0.999 * at_failure;
+  BOOST_TEST(!criterion->assess(l).fails);
+  l.pressure = 1.001 * at_failure;
+  BOOST_TEST(criterion->assess(l).fails);
+}
+
+BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_keeps_its_force) {
+  const ModelFile model;
+  const auto criterion = make_criterion("network", model.file, ice());
+  LoadCase l = load();
+  l.contact_length = 0.1 * characteristic_length(ice());
+  const double at_edge = criterion->assess(l).sigma_max;
+  l.contact_length /= 4.0;
+  const Assessment below = criterion->assess(l);
+  BOOST_TEST(below.below_range);
+  BOOST_TEST(!below.above_range);
+  BOOST_TEST(below.sigma_max == at_edge / 4.0, boost::test_tools::tolerance(1e-6));
+  l = load();
+  l.depth = 2.5 * characteristic_length(ice());
+  BOOST_TEST(criterion->assess(l).above_range);
+}
+
+BOOST_AUTO_TEST_CASE(an_empty_file_means_the_model_of_the_program_or_of_the_environment) {
+  BOOST_TEST(model_path("network", "mine.json") == "mine.json");
+  BOOST_TEST(model_path("plate", "") == "");
+  ::unsetenv("BRASH_MODEL_PATH");
+  BOOST_TEST(model_path("network", "") ==
+             std::string(BRASH_SOURCE_DIR) + "/experiments/failure_database/cone_network.json");
+  const ModelFile model;
+  ::setenv("BRASH_MODEL_PATH", model.folder.c_str(), 1);
+  BOOST_TEST(model_path("network", "") == model.file.string());
+  BOOST_TEST(make_criterion("network", "", ice())->assess(load()).sigma_max > 0.0);
+  ::unsetenv("BRASH_MODEL_PATH");
+}
+
+BOOST_AUTO_TEST_CASE(the_wedge_is_the_solved_tapered_beam) {
+  // alpha = a/l, F = 6 P/(b0 sigma h^2), (x_max - a)/l: the beam solved with SciPy's solve_bvp to 1e-9.
+  const double solved[][3] = {{0.002, 1.021436, 0.142445}, {0.02, 1.103970, 0.305157},   {0.1, 1.340142, 0.500775},
+                              {0.4, 2.058701, 0.716854},   {1.0, 3.405134, 0.857379},    {3.0, 7.808851, 0.987608},
+                              {12.0, 27.546300, 1.072527}, {200.0, 439.874885, 1.108233}};
+  const auto criterion = make_criterion("wedge", "", ice());
+  const double l = characteristic_length(ice()) * std::pow(1.0 - 0.3 * 0.3, 0.25);
+  for (const auto& [alpha, F, place] : solved) {
+    LoadCase wedge = load();
+    wedge.angle = radians(20.0);
+    const double b0 = 2.0 * std::tan(0.5 * wedge.angle);
+    wedge.contact_length = alpha * l * b0;
+    const Assessment a = criterion->assess(wedge);
+    const double total = wedge.mu1 * wedge.pressure * 0.33 * wedge.contact_length;
+    // The fits hold to 1.1e-4 and 3e-5, the solved values to about 1e-6.
+    BOOST_TEST(6.0 * total / (b0 * a.sigma_max * 0.33 * 0.33) == F, boost::test_tools::tolerance(1.2e-4));
+    BOOST_TEST(a.breaking_length / l == place, boost::test_tools::tolerance(1e-4));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_wedge_without_an_angle_is_hetenyis_strip) {
+  const auto criterion = make_criterion("wedge", "", ice());
+  LoadCase strip = load();
+  strip.angle = 0.0;
+  const Assessment a = criterion->assess(strip);
+  const double l = characteristic_length(ice()) * std::pow(1.0 - 0.3 * 0.3, 0.25);
+  BOOST_TEST(a.sigma_max == 6.0 * 0.455938 * strip.mu1 * strip.pressure * l / 0.33, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(a.breaking_length == 1.110721 * l, boost::test_tools::tolerance(1e-6));  // given to seven digits
+  // The fits join the strip: their error is 1.1e-4 and the wedge there differs from the strip by 1/alpha or so.
+  strip.angle = 2.0 * std::atan(0.5 * strip.contact_length / (299.0 * l));
+  BOOST_TEST(criterion->assess(strip).sigma_max == a.sigma_max, boost::test_tools::tolerance(4e-3));
+}
+
+BOOST_AUTO_TEST_CASE(the_plate_criterion_is_the_direct_solve) {
+  const double l_c = characteristic_length(ice());
+  const auto profiles =
+      plate::solve({.depth = 1.0 / l_c, .contact_length = 0.5 / l_c, .angle = radians(60.0), .thickness = 0.33 / l_c});
+  BOOST_REQUIRE(profiles);
+  const plate::Response r = plate::respond(*profiles, 0.33 / l_c, 0.511, 0.01);
+  const Assessment a = make_criterion("plate", "", ice())->assess(load());
+  BOOST_TEST(a.sigma_max == r.sigma_over_p * 3e5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(a.breaking_length == r.lbreak_over_lc * l_c, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_model_a_missing_file_and_a_broken_load_case_are_refused) {
+  BOOST_CHECK_THROW(make_criterion("guess", "", ice()), InputError);
+  BOOST_CHECK_THROW(make_criterion("network", "/nonexistent.json", ice()), InputError);
+  LoadCase l = load();
+  l.contact_length = 0.0;
+  BOOST_CHECK_THROW(make_criterion("wedge", "", ice())->assess(l), ContractViolation);
+}
+
+}  // namespace
