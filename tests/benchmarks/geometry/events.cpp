@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "brash/core/constants.hpp"
@@ -59,6 +60,36 @@ Workload make_workload(std::int64_t n_vertices, int sides, std::size_t n_events)
     workload.events.push_back(std::move(event));
   }
   return workload;
+}
+
+std::vector<Ring> sectors(const Event& event) {
+  std::vector<std::size_t> ends;
+  for (const Crack& crack : event.cracks) {
+    const auto at = std::find(event.region.begin(), event.region.end(), crack.to);
+    ends.push_back(static_cast<std::size_t>(at - event.region.begin()));
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<Ring> rings;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    Ring& ring = rings.emplace_back(1, event.cracks.front().from);
+    const std::size_t last = ends[(k + 1) % ends.size()];
+    for (std::size_t i = ends[k];; i = (i + 1) % event.region.size()) {
+      ring.push_back(event.region[i]);
+      if (i == last) break;
+    }
+  }
+  return rings;
+}
+
+std::size_t affordable(double microseconds, const Workload& workload) {
+  return std::clamp<std::size_t>(static_cast<std::size_t>(1e6 / microseconds), 3, workload.events.size());
+}
+
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace brash::benchmarks

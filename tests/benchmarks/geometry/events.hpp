@@ -23,4 +23,13 @@ struct Workload {
 /// Events are recorded by running them, so each one meets the edge that the ones before left.
 Workload make_workload(std::int64_t n_vertices, int sides, std::size_t n_events);
 
+/// The disc of an event divided by its cracks, for kernels that know polygons only; counter-clockwise.
+std::vector<geometry::Ring> sectors(const Event& event);
+
+/// How many events of a workload a peer of the given cost is asked for [us an event], about a second in all.
+std::size_t affordable(double microseconds, const Workload& workload);
+
+/// Processor time of this thread [s]: what other programs do does not count.
+double processor_time();
+
 }  // namespace brash::benchmarks

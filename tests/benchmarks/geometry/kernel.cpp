@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-
 #include "events.hpp"
 
 namespace {
@@ -12,13 +10,6 @@ using benchmarks::Workload;
 
 constexpr std::size_t kEvents = 500;
 
-/// Processor time of this thread [s]: what other programs do does not count.
-double spent() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Time of one event on a sheet of range(0) vertices with discs of range(1) sides.
 void kernel_event(benchmark::State& state) {
   const Workload workload = benchmarks::make_workload(state.range(0), static_cast<int>(state.range(1)), kEvents);
@@ -26,12 +17,12 @@ void kernel_event(benchmark::State& state) {
   std::size_t pieces = 0;
   for (auto _ : state) {
     geometry::IceSheet sheet = geometry::IceSheet::from_polygons(polygons).value();
-    const double start = spent();
+    const double start = benchmarks::processor_time();
     for (const benchmarks::Event& event : workload.events) {
       pieces += sheet.cut(event.region, event.cracks).pieces.size();
       pieces += sheet.release_detached().size();
     }
-    state.SetIterationTime((spent() - start) / kEvents);
+    state.SetIterationTime((benchmarks::processor_time() - start) / kEvents);
   }
   state.counters["pieces"] = static_cast<double>(pieces) / static_cast<double>(kEvents * state.iterations());
 }
