@@ -33,15 +33,16 @@ void Arrangement::gather(std::span<const Point> region, std::span<const Crack> c
   box_ = exact::box_of(region);
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Point next = region[i + 1 == region.size() ? 0 : i + 1];
-    if (region[i] != next) segments_.push_back({region[i], next, Source::kRegion, -1});
+    if (region[i] != next) segments_.push_back({region[i], next, Source::kRegion});
   }
   for (const Crack& crack : cracks) {
     box_.add(crack.from);
     box_.add(crack.to);
-    if (crack.from != crack.to) segments_.push_back({crack.from, crack.to, Source::kCrack, -1});
+    if (crack.from != crack.to) segments_.push_back({crack.from, crack.to, Source::kCrack});
   }
   safe_box_ = box_.grown(kSafeMargin);
   const std::size_t n_cutters = segments_.size();
+  segments_.reserve(4 * n_cutters);
   boundary_.query(box_.grown(kGatherMargin), [&](int id) {
     segments_.push_back({boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id});
   });
@@ -93,21 +94,35 @@ void Arrangement::add_crossings() {
 }
 
 void Arrangement::sort_nodes() {
-  for (const Segment& s : segments_) {
-    nodes_.push_back(s.from);
-    nodes_.push_back(s.to);
-  }
-  const auto make_unique = [](std::vector<Point>& points) {
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+  // Ends of segments, sorted with the place where their node's number goes; consecutive segments share one.
+  struct End {
+    Point at;
+    int* node;
   };
-  make_unique(nodes_);
-  make_unique(crossings_);
-  const std::size_t n_given = nodes_.size();
-  nodes_.insert(nodes_.end(), crossings_.begin(), crossings_.end());
-  make_unique(nodes_);
+  std::vector<End> ends;
+  ends.reserve(2 * segments_.size() + crossings_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    Segment& s = segments_[i];
+    if (i == 0 || s.from != segments_[i - 1].to) ends.push_back({s.from, &s.from_node});
+    ends.push_back({s.to, &s.to_node});
+  }
+  for (const Point p : crossings_) ends.push_back({p, nullptr});
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  nodes_.reserve(ends.size() + 8);
+  for (std::size_t i = 0; i < ends.size();) {
+    bool is_given = false;
+    nodes_.push_back(ends[i].at);
+    for (; i < ends.size() && ends[i].at == nodes_.back(); ++i) {
+      if (ends[i].node == nullptr) continue;
+      *ends[i].node = static_cast<int>(nodes_.size()) - 1;
+      is_given = true;
+    }
+    if (!is_given) ++n_rounded_;
+  }
+  for (std::size_t i = 1; i < segments_.size(); ++i) {
+    if (segments_[i].from_node < 0) segments_[i].from_node = segments_[i - 1].to_node;
+  }
   n_sorted_ = nodes_.size();
-  n_rounded_ = static_cast<std::int64_t>(n_sorted_ - n_given);
 }
 
 int Arrangement::node_at(Point p) const {
@@ -122,9 +137,13 @@ std::vector<int> Arrangement::nodes_met(int from, int to, bool is_moved) {
   const Point b = nodes_[to];
   const Box box = Box::of(a, b);
   std::vector<int> met;
-  const auto sorted_end = nodes_.begin() + static_cast<std::ptrdiff_t>(n_sorted_);
-  for (auto it = std::lower_bound(nodes_.begin(), sorted_end, box.low); it != sorted_end && it->x <= box.high.x; ++it) {
-    if (*it != a && *it != b && exact::meets_pixel(a, b, *it)) met.push_back(static_cast<int>(it - nodes_.begin()));
+  // Nodes are sorted by x: those of the box stand between the ends, give or take nodes straight above and below.
+  const int n = static_cast<int>(n_sorted_);
+  int first = std::min({from, to, n});
+  while (first > 0 && nodes_[first - 1].x >= box.low.x) --first;
+  for (int i = first; i < n && nodes_[i].x <= box.high.x; ++i) {
+    if (nodes_[i].y < box.low.y || nodes_[i].y > box.high.y || i == from || i == to) continue;
+    if (exact::meets_pixel(a, b, nodes_[i])) met.push_back(i);
   }
   if (is_moved && !(safe_box_.contains(a) && safe_box_.contains(b))) {
     // A moved edge may come to vertices of sheet edges that took no part so far.
@@ -139,6 +158,7 @@ std::vector<int> Arrangement::nodes_met(int from, int to, bool is_moved) {
       met.push_back(node);
     });
   }
+  if (met.size() < 2) return met;
   std::sort(met.begin(), met.end(), [&](int i, int j) {
     const Int128 di = exact::dot(a, b, nodes_[i]);
     const Int128 dj = exact::dot(a, b, nodes_[j]);
@@ -166,9 +186,11 @@ void Arrangement::route(int from, int to, bool is_moved, int depth, std::vector<
 void Arrangement::route_all() {
   std::vector<int> chain;
   std::vector<int> outside;
+  graph_.reserve(2 * segments_.size());
+  active_.reserve(segments_.size());
   for (const Segment& s : segments_) {
-    const int from = node_at(s.from);
-    const int to = node_at(s.to);
+    const int from = s.from_node;
+    const int to = s.to_node;
     chain.assign(1, from);
     route(from, to, false, 0, chain);
     for (std::size_t i = 1; i < chain.size(); ++i) graph_.add(chain[i - 1], chain[i], s.source);

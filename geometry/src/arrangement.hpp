@@ -46,7 +46,9 @@ class Arrangement {
     Point from;
     Point to;
     Source source;
-    int edge;  ///< Of the sheet, or -1.
+    int edge = -1;  ///< Of the sheet.
+    int from_node = -1;
+    int to_node = -1;
   };
 
   void gather(std::span<const Point> region, std::span<const Crack> cracks);

@@ -76,9 +76,11 @@ std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const 
   std::vector<Crack> inside;
   for (const Crack& crack : cracks) {
     Ring stops{crack.from, crack.to};
+    const exact::Box reach = exact::Box::of(crack.from, crack.to);
     for (std::size_t i = 0; i < region.size(); ++i) {
       const Point a = region[i];
       const Point b = region[i + 1 == region.size() ? 0 : i + 1];
+      if (!reach.overlaps(exact::Box::of(a, b))) continue;
       if (exact::meets_pixel(crack.from, crack.to, a)) stops.push_back(a);
       if (exact::cross_properly(crack.from, crack.to, a, b)) {
         stops.push_back(exact::rounded_crossing(crack.from, crack.to, a, b));

@@ -3,6 +3,7 @@
 // 1983). All tests are signs of exact integers, and every part's vertices are vertices of the polygon.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 #include "region_loops.hpp"
@@ -11,6 +12,9 @@ namespace brash::geometry {
 namespace {
 
 using Triangle = std::array<int, 3>;
+
+/// Starts that are tried times vertices squared: ten vertices from every start, 23 and more from one.
+constexpr std::size_t kStartEffort = 1024;
 
 Int128 twice_area(const std::vector<Point>& points, const Loop& loop) {
   Int128 sum = 0;
@@ -146,9 +150,11 @@ std::size_t clip(Loop& loop, std::size_t i) {
   return i;
 }
 
-std::vector<Triangle> triangles_of(const std::vector<Point>& points, Loop loop) {
+/// Clips ears in the order of the loop, from position `start` on.
+std::vector<Triangle> triangles_of(const std::vector<Point>& points, Loop loop, std::size_t start) {
   std::vector<Triangle> triangles;
-  std::size_t i = 0, misses = 0;
+  triangles.reserve(loop.size());
+  std::size_t i = start, misses = 0;
   while (loop.size() > 3) {
     BRASH_EXPECTS(misses < loop.size(), "a loop has no ear: the polygon is not valid", points[loop[0]].x,
                   points[loop[0]].y);
@@ -175,35 +181,31 @@ class Mesh {
     }
   }
 
-  /// Takes out every diagonal that no reflex vertex needs, the longest first.
+  /// Takes out every diagonal that no reflex vertex needs, in the order in which the ears were clipped.
   void merge() {
-    struct Diagonal {
-      Int128 length;
-      int left;
-      int right;
-    };
     const int n = static_cast<int>(edges_.size());
-    std::vector<int> order(n);
-    for (int i = 0; i < n; ++i) order[i] = i;
     const auto key = [&](int e) { return std::pair(edges_[e].from, to(e)); };
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
-    std::vector<Diagonal> diagonals;
+    std::vector<std::pair<std::pair<int, int>, int>> by_ends;
+    by_ends.reserve(edges_.size());
+    for (int e = 0; e < n; ++e) by_ends.push_back({key(e), e});
+    std::sort(by_ends.begin(), by_ends.end());
+
+    // Twins before anything is taken out: afterwards the ends of what is left stay the same, but not of what went.
+    std::vector<std::pair<int, int>> diagonals;
     for (int e = 0; e < n; ++e) {
       const std::pair opposite(to(e), edges_[e].from);
       if (opposite.first < opposite.second) continue;
-      const auto it =
-          std::lower_bound(order.begin(), order.end(), opposite, [&](int a, const auto& k) { return key(a) < k; });
-      if (it == order.end() || key(*it) != opposite) continue;
-      diagonals.push_back({squared_distance(points_[opposite.first], points_[opposite.second]), e, *it});
+      const auto it = std::lower_bound(by_ends.begin(), by_ends.end(), std::pair(opposite, 0));
+      if (it != by_ends.end() && it->first == opposite) diagonals.push_back({e, it->second});
     }
-    std::stable_sort(diagonals.begin(), diagonals.end(),
-                     [](const Diagonal& a, const Diagonal& b) { return a.length > b.length; });
-    for (const Diagonal& d : diagonals) {
-      if (!is_needed(d.left, d.right)) remove(d.left, d.right);
+    for (const auto& [e, twin] : diagonals) {
+      if (!is_needed(e, twin)) remove(e, twin);
     }
   }
 
-  void append_parts(std::vector<Ring>& parts) {
+  /// Takes the parts out of the mesh.
+  std::vector<Ring> parts() {
+    std::vector<Ring> parts;
     for (std::size_t start = 0; start < edges_.size(); ++start) {
       if (!edges_[start].is_alive) continue;
       Ring part;
@@ -213,6 +215,7 @@ class Mesh {
       }
       parts.push_back(std::move(part));
     }
+    return parts;
   }
 
  private:
@@ -243,6 +246,26 @@ class Mesh {
   std::vector<HalfEdge> edges_;
 };
 
+/// The fewest parts of a loop that a few starts of the clipping give.
+std::vector<Ring> parts_of(const std::vector<Point>& points, const Loop& loop) {
+  std::size_t n_reflex = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    n_reflex += turn(points[loop[before(loop, i)]], points[loop[i]], points[loop[after(loop, i)]]) < 0;
+  }
+  // A diagonal mends two reflex vertices at most.
+  const std::size_t at_least = (n_reflex + 1) / 2 + 1;
+  const std::size_t n_starts = std::clamp<std::size_t>(kStartEffort / (loop.size() * loop.size()), 1, loop.size());
+
+  std::vector<Ring> best;
+  for (std::size_t k = 0; k < n_starts && (best.empty() || best.size() > at_least); ++k) {
+    Mesh mesh(points, triangles_of(points, loop, k * loop.size() / n_starts));
+    mesh.merge();
+    std::vector<Ring> parts = mesh.parts();
+    if (best.empty() || parts.size() < best.size()) best = std::move(parts);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Ring> convex_parts(const Polygon& polygon) {
@@ -251,9 +274,7 @@ std::vector<Ring> convex_parts(const Polygon& polygon) {
   const RegionLoops region = region_loops(polygon);
   std::vector<Ring> parts;
   for (const Loop& loop : simply_connected(region)) {
-    Mesh mesh(region.points, triangles_of(region.points, loop));
-    mesh.merge();
-    mesh.append_parts(parts);
+    for (Ring& part : parts_of(region.points, loop)) parts.push_back(std::move(part));
   }
 
   ExactArea sum;

@@ -28,7 +28,7 @@ class EdgeIndex {
   void walk_right(Point p, Visit&& visit) const;
 
  private:
-  static constexpr int kBaseShift = 29;  ///< Finest cell: 2^29 grid units = 0.5 m.
+  static constexpr int kBaseShift = 30;  ///< Finest cell: 2^30 grid units = 1 m.
   static constexpr int kSkipShift = 4;   ///< A skip cell covers 16 x 16 cells of the layer below it.
   static constexpr int kSkips = 3;
 

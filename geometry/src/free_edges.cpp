@@ -133,7 +133,7 @@ int FreeEdges::outline_of(int loop) const {
   return loop;
 }
 
-void FreeEdges::check_all() const {
+void FreeEdges::check_loops() const {
   std::size_t n = 0;
   std::size_t outlines = 0;
   Int128 twice = 0;
@@ -157,6 +157,22 @@ void FreeEdges::check_all() const {
     if (loop_twice > 0) ++outlines;
   }
   BRASH_EXPECTS(n == n_edges_ && twice == twice_area_ && outlines == n_outlines_, n, n_edges_, outlines, n_outlines_);
+}
+
+void FreeEdges::check_nodes() const {
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& a = edges_[i];
+    if (a.loop < 0) continue;
+    query(Box::of(a.from, a.to), [&](int j) {
+      const Edge& b = edges_[j];
+      if (static_cast<int>(i) == j) return;
+      const bool coincide = (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
+      const bool met = b.from != a.from && b.from != a.to && exact::meets_pixel(a.from, a.to, b.from);
+      const bool cross = exact::cross_properly(a.from, a.to, b.from, b.to);
+      BRASH_EXPECTS(!coincide && !met && !cross, coincide, met, cross, a.from.x, a.from.y, a.to.x, a.to.y, b.from.x,
+                    b.from.y, b.to.x, b.to.y);
+    });
+  }
 }
 
 }  // namespace brash::geometry

@@ -78,7 +78,9 @@ class FreeEdges {
   int outline_of(int loop) const;
 
   /// Throws when any link, loop, count or area is not what the edges say. Reads everything.
-  void check_all() const;
+  void check_loops() const;
+  /// Throws when edges cross, coincide or come through the pixel of a vertex that is not theirs. Reads everything.
+  void check_nodes() const;
 
  private:
   struct Stretch;

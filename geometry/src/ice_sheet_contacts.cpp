@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "brash/core/contract.hpp"
@@ -30,19 +29,18 @@ double length_of(const std::vector<Vec2>& line) {
   return length;
 }
 
-/// The longest run of free edge on the outline `cycle` of an overlap, closed when there is nothing else on it.
+/// The longest run of free edge on the outline `cycle` of an overlap; there must be something else on it.
 std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<int>& cycle) {
-  const auto is_free = [&](std::size_t i) { return graph[cycle[i % cycle.size()]].sheet != 0; };
   const std::size_t n = cycle.size();
+  const auto is_free = [&](std::size_t i) { return graph[cycle[i % n]].sheet != 0; };
   std::size_t first = 0;
-  while (first < n && is_free(first)) ++first;
+  while (is_free(first)) ++first;
   std::vector<Vec2> longest;
   std::vector<Vec2> run;
-  for (std::size_t i = first == n ? 0 : first; i <= first + n; ++i) {
-    if (i < first + n && is_free(i)) {
+  for (std::size_t i = first; i <= first + n; ++i) {
+    if (is_free(i)) {
       if (run.empty()) run.push_back(metres(graph.from(cycle[i % n])));
       run.push_back(metres(graph.to(cycle[i % n])));
-      if (first == n && i + 1 == n) return run;
       continue;
     }
     if (length_of(run) > length_of(longest)) longest = run;
@@ -53,13 +51,19 @@ std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<
 
 ContactRegion contact_of(const PlanarGraph& graph, const std::vector<int>& cycle, Polygon overlap) {
   ContactRegion contact;
+  const auto is_free = [&](int h) { return graph[h].sheet != 0; };
+  const bool has_front = std::any_of(cycle.begin(), cycle.end(), is_free);
+  const bool has_chord = !std::all_of(cycle.begin(), cycle.end(), is_free);
   contact.overlap = std::move(overlap);
-  const std::vector<Vec2> free_edge = longest_free_edge(graph, cycle);
-  if (free_edge.empty()) {
-    contact.midpoint = centroid(contact.overlap);
-    contact.chord_from = contact.chord_to = metres(graph.from(cycle.front()));
+  if (!has_front || !has_chord) {
+    std::vector<Vec2> around;
+    for (const Point p : contact.overlap.outline) around.push_back(metres(p));
+    around.push_back(around.front());
+    contact.midpoint = has_front ? middle_of(around) : centroid(contact.overlap);
+    contact.chord_from = contact.chord_to = around.front();
     return contact;
   }
+  const std::vector<Vec2> free_edge = longest_free_edge(graph, cycle);
   contact.midpoint = middle_of(free_edge);
   // The section's boundary enters the ice where the free edge ends, and leaves it where the free edge starts.
   contact.chord_from = free_edge.back();
@@ -118,66 +122,88 @@ std::optional<std::pair<double, double>> part_within(Vec2 a, Vec2 b, Vec2 at, do
   return std::pair{from, to};
 }
 
+/// A free edge within the circle.
+struct ClippedEdge {
+  int id;
+  Vec2 from;
+  Vec2 to;
+  bool starts_whole;
+  bool ends_whole;
+  bool is_used = false;
+};
+
+/// The edges of `boundary` within `radius` of `at`, in the order of the plan, not of their ids.
+std::vector<ClippedEdge> edges_within(const FreeEdges& boundary, Vec2 at, double radius) {
+  const Vec2 reach{radius, radius};
+  std::vector<int> ids;
+  boundary.query(exact::Box::of(snap(at - reach), snap(at + reach)).grown(1), [&](int id) { ids.push_back(id); });
+  std::sort(ids.begin(), ids.end(), [&](int i, int j) {
+    const FreeEdges::Edge& a = boundary.edge(i);
+    const FreeEdges::Edge& b = boundary.edge(j);
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
+  std::vector<ClippedEdge> edges;
+  for (const int id : ids) {
+    const Vec2 a = metres(boundary.edge(id).from);
+    const Vec2 b = metres(boundary.edge(id).to);
+    const auto part = part_within(a, b, at, radius);
+    if (!part) continue;
+    const auto [from, to] = *part;
+    edges.push_back({id, from > 0.0 ? a + from * (b - a) : a, to < 1.0 ? a + to * (b - a) : b, from <= 0.0, to >= 1.0});
+  }
+  return edges;
+}
+
+double distance_to(const std::vector<Vec2>& chain, Vec2 at) {
+  double nearest = norm(chain.front() - at);
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const Vec2 d = chain[i] - chain[i - 1];
+    const double length2 = dot(d, d);
+    const double t = length2 > 0.0 ? std::clamp(dot(at - chain[i - 1], d) / length2, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, norm(chain[i - 1] + t * d - at));
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::vector<std::vector<Vec2>> IceSheet::free_edge(Vec2 at, double radius) const {
   BRASH_EXPECTS(radius > 0.0 && std::isfinite(radius), radius);
   const FreeEdges& boundary = impl_->boundary;
-  const Vec2 reach{radius, radius};
-  const exact::Box box = exact::Box::of(snap(at - reach), snap(at + reach)).grown(1);
-  struct Piece {
-    Vec2 from;
-    Vec2 to;
-    bool starts_whole;
-    bool ends_whole;
-    bool is_used = false;
+  std::vector<ClippedEdge> edges = edges_within(boundary, at, radius);
+  std::vector<std::pair<int, std::size_t>> places;
+  for (std::size_t i = 0; i < edges.size(); ++i) places.emplace_back(edges[i].id, i);
+  std::sort(places.begin(), places.end());
+  const auto find = [&](int id) -> ClippedEdge* {
+    const auto place = std::lower_bound(places.begin(), places.end(), std::pair<int, std::size_t>{id, 0});
+    return place != places.end() && place->first == id ? &edges[place->second] : nullptr;
   };
-  std::map<std::pair<Point, int>, Piece> pieces;  // In the order of the plan, not of the ids.
-  std::map<int, Piece*> by_id;
-  boundary.query(box, [&](int id) {
-    const Vec2 a = metres(boundary.edge(id).from);
-    const Vec2 b = metres(boundary.edge(id).to);
-    const auto part = part_within(a, b, at, radius);
-    if (!part) return;
-    const auto [from, to] = *part;
-    Piece piece{from > 0.0 ? a + from * (b - a) : a, to < 1.0 ? a + to * (b - a) : b, from <= 0.0, to >= 1.0};
-    by_id[id] = &pieces.emplace(std::pair{boundary.edge(id).from, id}, piece).first->second;
-  });
-  const auto goes_on = [&](int id) {
-    const auto next = by_id.find(boundary.edge(id).next);
-    return by_id.at(id)->ends_whole && next != by_id.end() && next->second->starts_whole;
-  };
-  const auto comes_from = [&](int id) {
-    const int previous = boundary.edge(id).previous;
-    return by_id.count(previous) != 0 && goes_on(previous);
+  /// The edge that goes on where `e` ends, when that is within the circle.
+  const auto next_of = [&](const ClippedEdge& e) -> ClippedEdge* {
+    ClippedEdge* next = e.ends_whole ? find(boundary.edge(e.id).next) : nullptr;
+    return next != nullptr && next->starts_whole ? next : nullptr;
   };
   std::vector<std::vector<Vec2>> chains;
-  const auto follow = [&](int id) {
-    std::vector<Vec2>& chain = chains.emplace_back(1, by_id.at(id)->from);
-    for (;; id = boundary.edge(id).next) {
-      by_id.at(id)->is_used = true;
-      chain.push_back(by_id.at(id)->to);
-      if (!goes_on(id) || by_id.at(boundary.edge(id).next)->is_used) return;
+  const auto follow = [&](ClippedEdge* e) {
+    std::vector<Vec2>& chain = chains.emplace_back(1, e->from);
+    for (; e != nullptr && !e->is_used; e = next_of(*e)) {
+      e->is_used = true;
+      chain.push_back(e->to);
     }
   };
-  for (auto& [key, piece] : pieces) {
-    if (!comes_from(key.second)) follow(key.second);
+  for (ClippedEdge& e : edges) {
+    const ClippedEdge* previous = e.starts_whole ? find(boundary.edge(e.id).previous) : nullptr;
+    if (previous == nullptr || !previous->ends_whole) follow(&e);
   }
-  for (auto& [key, piece] : pieces) {
-    if (!piece.is_used) follow(key.second);
+  for (ClippedEdge& e : edges) {
+    if (!e.is_used) follow(&e);
   }
-  const auto distance = [&](const std::vector<Vec2>& chain) {
-    double nearest = norm(chain.front() - at);
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-      const Vec2 d = chain[i] - chain[i - 1];
-      const double t = std::clamp(dot(at - chain[i - 1], d) / dot(d, d), 0.0, 1.0);
-      nearest = std::min(nearest, norm(chain[i - 1] + t * d - at));
-    }
-    return nearest;
-  };
-  std::stable_sort(chains.begin(), chains.end(),
-                   [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  return chains;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < chains.size(); ++i) order.emplace_back(distance_to(chains[i], at), i);
+  std::sort(order.begin(), order.end());
+  std::vector<std::vector<Vec2>> sorted;
+  for (const auto& [distance, i] : order) sorted.push_back(std::move(chains[i]));
+  return sorted;
 }
 
 }  // namespace brash::geometry

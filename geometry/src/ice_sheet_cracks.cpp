@@ -21,17 +21,22 @@ Point on_circle(Vec2 centre, double radius, double angle) {
   return snap(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
 }
 
-/// The disc with a vertex of its own where each crack ends.
+/// The disc with a vertex of its own where each crack ends. A crack takes the place of a vertex that is nearer than a
+/// hundredth of a chord, so that no chord is much shorter than the others because of rounding.
 Ring disc_with(Vec2 centre, double radius, std::span<const double> angles, int sides) {
-  std::vector<double> at;
-  for (int i = 0; i < sides; ++i) at.push_back(kTurn * i / sides);
-  for (const double angle : angles) at.push_back(turned(angle));
+  std::vector<double> at(angles.begin(), angles.end());
+  for (double& angle : at) angle = turned(angle);
+  for (int i = 0; i < sides; ++i) {
+    const double angle = kTurn * i / sides;
+    const auto is_near = [&](double crack) {
+      return std::abs(std::remainder(crack - angle, kTurn)) < 0.01 * kTurn / sides;
+    };
+    if (std::none_of(angles.begin(), angles.end(), is_near)) at.push_back(angle);
+  }
   std::sort(at.begin(), at.end());
   Ring ring;
-  for (const double angle : at) {
-    const Point p = on_circle(centre, radius, angle);
-    if (ring.empty() || ring.back() != p) ring.push_back(p);
-  }
+  for (const double angle : at) ring.push_back(on_circle(centre, radius, angle));
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
   return ring;
 }

@@ -185,4 +185,16 @@ tl::expected<IceSheet, GeometryError> IceSheet::from_polygons(std::span<const Po
   return IceSheet(std::move(impl));
 }
 
+void IceSheet::check() const {
+  const FreeEdges& edges = impl_->boundary;
+  edges.check_loops();
+  edges.check_nodes();
+  // Made anew from its polygons the sheet is the same; that judges the sides and the nesting of loops.
+  const std::vector<Polygon> before = polygons();
+  const auto again = from_polygons(before);
+  BRASH_EXPECTS(again.has_value(), again.error().what);
+  BRASH_EXPECTS(again->area() == area() && again->n_vertices() == n_vertices() && again->polygons() == before,
+                again->n_vertices(), n_vertices(), area().to_string());
+}
+
 }  // namespace brash::geometry

@@ -12,9 +12,21 @@ namespace brash::geometry {
 void PlanarGraph::join_coincident() {
   const auto low = [](const Raw& e) { return std::min(e.from, e.to); };
   const auto high = [](const Raw& e) { return std::max(e.from, e.to); };
-  std::sort(raw_.begin(), raw_.end(),
-            [&](const Raw& a, const Raw& b) { return low(a) != low(b) ? low(a) < low(b) : high(a) < high(b); });
+  // Sorted by the smaller node by counting, then the few at each node by the larger one.
+  std::vector<int> begin(nodes_->size() + 1, 0);
+  for (const Raw& e : raw_) ++begin[low(e) + 1];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  std::vector<int> filled(begin.begin(), begin.end() - 1);
+  std::vector<Raw> sorted(raw_.size());
+  for (const Raw& e : raw_) sorted[filled[low(e)]++] = e;
+  raw_.swap(sorted);
+  for (std::size_t node = 0; node + 1 < begin.size(); ++node) {
+    if (begin[node + 1] - begin[node] < 2) continue;
+    std::sort(raw_.begin() + begin[node], raw_.begin() + begin[node + 1],
+              [&](const Raw& a, const Raw& b) { return high(a) < high(b); });
+  }
   half_.clear();
+  half_.reserve(2 * raw_.size());
   for (std::size_t i = 0; i < raw_.size();) {
     HalfEdge along{low(raw_[i]), high(raw_[i]), -1, -1, 0, 0, false};
     for (; i < raw_.size() && low(raw_[i]) == along.from && high(raw_[i]) == along.to; ++i) {

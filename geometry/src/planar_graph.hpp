@@ -25,6 +25,7 @@ class PlanarGraph {
     bool crack = false;
   };
 
+  void reserve(std::size_t n_edges) { raw_.reserve(n_edges); }
   /// Adds the directed edge; coincident ones are joined by build(), opposite ones cancel.
   void add(int from, int to, Source source) { raw_.push_back({from, to, source}); }
   void build(const std::vector<Point>& nodes);

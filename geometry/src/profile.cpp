@@ -95,8 +95,11 @@ void Profile::append(int side, Vec2 from, Vec2 to) {
 }
 
 void Profile::close() {
-  for (std::vector<Piece>& side : sides_) {
-    const double end = side.empty() ? 0.0 : side.back().s1, depth = side.empty() ? 0.0 : side.back().x1;
+  for (const int which : {0, 1}) {
+    std::vector<Piece>& side = sides_[which];
+    const std::vector<Piece>& other = sides_[1 - which];
+    const double end = side.empty() ? 0.0 : side.back().s1;
+    const double depth = !side.empty() ? side.back().x1 : (other.empty() ? 0.0 : other.front().x0);
     if (end < reach_) side.push_back({end, depth, reach_, depth});
   }
 }
@@ -106,32 +109,56 @@ std::optional<Profile> Profile::of_chain(std::span<const std::vector<Vec2>> edge
   if (!std::isfinite(foot.distance)) return std::nullopt;
   const std::vector<Vec2>& chain = edges[foot.line];
 
-  // The foot is a grid unit or so from the centre line; the profile starts on it.
-  Profile profile(reach);
-  const Vec2 start{foot.point.x, 0.0};
-  const auto walk = [&](int side, auto next_vertex) {
-    const double sign = side == 0 ? 1.0 : -1.0;
-    Vec2 last = start;
-    while (sign * last.y < reach) {
+  // From the foot towards +y (against the chain's sense) and towards -y to the window's sides, never stepping back.
+  const auto walk = [&](double sign, auto next_vertex) {
+    std::vector<Vec2> points{foot.point};
+    while (sign * points.back().y < reach) {
       const Vec2* next = next_vertex();
-      if (next == nullptr) return edges.size() == 1;
-      if (sign * (next->y - last.y) < -kStepBack) return false;
-      if (sign * next->y <= sign * last.y) {
-        last.x = next->x;
-        continue;
-      }
-      profile.append(side, last, *next);
-      last = *next;
+      const double advance = next == nullptr ? -1.0 : sign * (next->y - points.back().y);
+      // A chain that ends in the window is whole only where no other edge could go on from there.
+      if (next == nullptr && edges.size() == 1) break;
+      if (advance < -kStepBack) return std::vector<Vec2>{};
+      points.push_back({next->x, advance > 0.0 ? next->y : points.back().y});
     }
-    return true;
+    return points;
   };
   std::size_t back = foot.segment + 1, on = foot.segment + 1;
-  const bool is_function = std::abs(foot.point.y) <= reach / 2 &&
-                           walk(0, [&]() -> const Vec2* { return back > 0 ? &chain[--back] : nullptr; }) &&
-                           walk(1, [&]() -> const Vec2* { return on < chain.size() ? &chain[on++] : nullptr; });
-  if (!is_function) return std::nullopt;
-  profile.close();
+  std::vector<Vec2> left = walk(1.0, [&] { return back > 0 ? &chain[--back] : nullptr; });
+  const std::vector<Vec2> right = walk(-1.0, [&] { return on < chain.size() ? &chain[on++] : nullptr; });
+  if (left.empty() || right.empty()) return std::nullopt;
+
+  Profile profile(reach);
+  std::reverse(left.begin(), left.end());
+  left.insert(left.end(), right.begin() + 1, right.end());
+  profile.read(left);
   return profile;
+}
+
+void Profile::read(std::span<const Vec2> points) {
+  // Where the line passes the centre line, both sides start.
+  std::vector<Vec2> line;
+  for (const Vec2 p : points) {
+    if (!line.empty() && line.back().y > 0.0 && p.y < 0.0) {
+      const Vec2 a = line.back();
+      line.push_back({a.x + a.y / (a.y - p.y) * (p.x - a.x), 0.0});
+    }
+    line.push_back(p);
+  }
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    if (line[i + 1].y < 0.0) add(1, line[i], line[i + 1]);
+  }
+  for (std::size_t i = line.size(); i-- > 1;) {
+    if (line[i - 1].y > 0.0) add(0, line[i], line[i - 1]);
+  }
+  close();
+}
+
+void Profile::add(int side, Vec2 from, Vec2 to) {
+  std::vector<Piece>& pieces = sides_[side];
+  const double end = pieces.empty() ? 0.0 : pieces.back().s1;
+  const double held = pieces.empty() ? std::clamp(from.x, 0.0, reach_) : pieces.back().x1;
+  if (const double s = std::min(std::abs(from.y), reach_); s > end) pieces.push_back({end, held, s, held});
+  append(side, from, to);
 }
 
 Profile Profile::of_envelope(std::span<const std::vector<Vec2>> edges, double reach) {
@@ -171,18 +198,11 @@ Profile Profile::of_envelope(std::span<const std::vector<Vec2>> edges, double re
 
   // From the centre line outwards; a strip without an edge holds the depth before it.
   Profile profile(reach);
-  const auto add = [&](int side, Vec2 from, Vec2 to) {
-    std::vector<Piece>& pieces = profile.sides_[side];
-    const double end = pieces.empty() ? 0.0 : pieces.back().s1;
-    const double held = pieces.empty() ? std::clamp(from.x, 0.0, reach) : pieces.back().x1;
-    if (std::abs(from.y) > end) pieces.push_back({end, held, std::abs(from.y), held});
-    profile.append(side, from, to);
-  };
   for (const Strip& s : strips) {
-    if (s.low >= 0.0) add(0, {s.at_low, s.low}, {s.at_high, s.high});
+    if (s.low >= 0.0) profile.add(0, {s.at_low, s.low}, {s.at_high, s.high});
   }
   for (auto s = strips.rbegin(); s != strips.rend(); ++s) {
-    if (s->high <= 0.0) add(1, {s->at_high, s->high}, {s->at_low, s->low});
+    if (s->high <= 0.0) profile.add(1, {s->at_high, s->high}, {s->at_low, s->low});
   }
   profile.close();
   return profile;

@@ -36,6 +36,10 @@ class Profile {
   explicit Profile(double reach) : reach_(reach) {}
   /// Appends pieces up to `to`, cut to the window in s and depth.
   void append(int side, Vec2 from, Vec2 to);
+  /// Appends pieces up to `to`; the side's last depth, or `from`'s, is held over what lies before `from`.
+  void add(int side, Vec2 from, Vec2 to);
+  /// Takes both sides from a line that runs from +y to -y without stepping back.
+  void read(std::span<const Vec2> line);
   /// Holds the last depth to the end of the window.
   void close();
 

@@ -4,18 +4,14 @@
 #include <boost/test/unit_test.hpp>
 
 #include "brash/core/contract.hpp"
+#include "fit_cases.hpp"
 #include "shapes.hpp"
 
 namespace brash::geometry {
 namespace {
 
-using Polyline = std::vector<Vec2>;
-
-/// The free edge of the paper's Fig. 2 in the frame of B, from +y to -y: ice on the left is ice at larger x.
-Polyline trapezoid_edge(double b, double c, double theta, double half_width) {
-  const double run = b * std::tan(0.5 * theta);
-  return {{b, half_width}, {b, 0.5 * c + run}, {0.0, 0.5 * c}, {0.0, -0.5 * c}, {b, -0.5 * c - run}, {b, -half_width}};
-}
+using fit_cases::Polyline;
+using fit_cases::trapezoid_edge;
 
 /// `edge` with B moved to `at` and x turned to `angle`.
 Polyline placed(const Polyline& edge, Vec2 at, double angle) {
@@ -105,6 +101,24 @@ BOOST_AUTO_TEST_CASE(an_overhang_is_seen_from_the_structure_and_flagged) {
   const Trapezoid fit = fit_in_frame({mushroom}, 2.0, 3.0);
   BOOST_TEST(fit.reidentified);
   BOOST_TEST(std::abs(fit.depth - 1.0) < 0.003);
+  BOOST_TEST(degrees(fit.angle) < 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(seen_from_the_chord_the_crushed_tip_does_not_count) {
+  // A sharp tooth of 60 deg, 1 m deep. The structure has crushed its tip down to a chord of 0.3 m.
+  const double slope = std::tan(radians(30)), crushed = 0.15 / slope;
+  const Polyline tooth{{1.0, 8.0}, {1.0, slope}, {0.0, 0.0}, {1.0, -slope}, {1.0, -8.0}};
+  const Trapezoid fit = fit_trapezoid(std::vector<Polyline>{tooth}, FitRequest{{crushed, 0.0}, {1.0, 0.0}, 0.3, 3.0});
+  BOOST_TEST(std::abs(fit.depth - (1.0 - crushed)) < 0.003);
+  BOOST_TEST(std::abs(degrees(fit.angle) - 60.0) < 0.5);
+  BOOST_TEST(fit.error < 1e-4);
+  BOOST_TEST(!fit.reidentified);
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_that_ends_to_one_side_of_the_centre_line_is_held) {
+  const Trapezoid fit = fit_in_frame({{{0.5, 2.0}, {0.5, 0.2}}}, 0.5, 3.0);
+  // A step of 0.5 m all over the window but for the tip edge.
+  BOOST_TEST(std::abs(fit.depth - 0.5) < 0.003);
   BOOST_TEST(degrees(fit.angle) < 0.5);
 }
 

@@ -13,30 +13,33 @@ namespace brash::plate {
 class CondensedSystem {
  public:
   /// @param n_unknowns  unknowns that elements share.
+  /// @param n_loads     right-hand sides.
   /// @param interior    local numbers of the unknowns inside each element; the rest, in order, are shared.
-  CondensedSystem(int n_unknowns, int n_elements, int n_local, std::vector<int> interior);
+  CondensedSystem(int n_unknowns, int n_loads, int n_elements, int n_local, std::vector<int> interior);
 
   /// Adds the next element.
   /// @param stiffness  shape=(n_local, n_local), symmetric.
-  /// @param load       shape=(n_local,).
+  /// @param load       shape=(n_local, n_loads).
   /// @param unknowns   global number of each shared local unknown, -1 where it is held at zero.
-  void add(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& load, const std::vector<int>& unknowns);
+  void add(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& load, const std::vector<int>& unknowns);
 
-  /// Adds to the right-hand side.
-  void add_load(int unknown, double value) {
-    if (unknown >= 0) load_(unknown) += value;
+  /// Adds to right-hand side number `which`.
+  void add_load(int unknown, int which, double value) {
+    if (unknown >= 0) load_(unknown, which) += value;
   }
 
-  /// Factorises and solves; the local unknowns of every element, shape=(n_local, n_elements).
-  tl::expected<Eigen::MatrixXd, std::string> solve() const;
+  /// Factorises once and solves; for each load the local unknowns of every element, shape=(n_local, n_elements).
+  tl::expected<std::vector<Eigen::MatrixXd>, std::string> solve() const;
 
  private:
+  Eigen::MatrixXd expand(const Eigen::VectorXd& solution, Eigen::Index which) const;
+
   std::vector<int> interior_;
   std::vector<int> shared_;
-  Eigen::VectorXd load_;
+  Eigen::MatrixXd load_;
   std::vector<Eigen::Triplet<double>> entries_;  ///< lower triangle
   std::vector<std::vector<int>> unknowns_;
-  std::vector<Eigen::MatrixXd> elimination_;  ///< K_ii^-1 K_ib and, in the last column, K_ii^-1 f_i
+  std::vector<Eigen::MatrixXd> elimination_;  ///< K_ii^-1 K_ib and, in the last columns, K_ii^-1 f_i
   int n_local_;
 };
 

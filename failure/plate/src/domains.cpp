@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "production_sizes.hpp"
+#include "solve_at_order.hpp"
+
 namespace brash::plate {
 
 namespace {
@@ -11,24 +14,18 @@ namespace {
 /// A protrusion less deep than this is a straight edge.
 constexpr double kFlat = 1e-6;
 
-// Production sizes over l_c, chosen by the convergence study of docs/theory/failure.md.
-constexpr double kTipSize =
-    0.05;  ///< near the tip and the roots, or a quarter of the contact length where that is less
-constexpr double kCentreSize = 0.15;  ///< along the centre line where the plate breaks
-constexpr double kFarSize = 1.6;
-constexpr double kHalfWidth = 8.0;   ///< of the sheet beyond the protrusion
-constexpr double kGradation = 0.35;  ///< growth of the size with distance
-
 }  // namespace
+
+double production_tip_size(const WedgePlate& plate) { return std::min(kTipSize, kTipShare * plate.contact_length); }
 
 Vec2 root_of(const WedgePlate& plate) {
   return {plate.depth, 0.5 * plate.contact_length + plate.depth * std::tan(0.5 * plate.angle)};
 }
 
 Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) {
-  const double tip_default = std::min(kTipSize, 0.25 * plate.contact_length);
-  const double tip = options.tip_size > 0.0 ? options.tip_size : tip_default;
-  const double finer = std::min(1.0, tip / tip_default);
+  const double tip = options.tip_size > 0.0 ? options.tip_size : production_tip_size(plate);
+  const double scale = tip / production_tip_size(plate);
+  const double gradation = scale * kGradation;
   const double reach = options.half_width > 0.0 ? options.half_width : kHalfWidth;
   const bool is_flat = plate.depth < kFlat;
   const Vec2 corner{0.0, 0.5 * plate.contact_length};
@@ -36,17 +33,20 @@ Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) 
   const Vec2 far{root.x + reach, root.y + reach};
 
   Domain domain;
-  domain.largest_size = options.far_size > 0.0 ? options.far_size : kFarSize;
+  domain.largest_size = options.far_size > 0.0 ? options.far_size : reach;
   domain.segments = {{{0.0, 0.0}, {far.x, 0.0}, Side::kSymmetryY},
                      {{far.x, 0.0}, far, Side::kFar},
                      {far, {root.x, far.y}, Side::kFar},
-                     {{root.x, far.y}, root, Side::kFree}};
-  if (!is_flat) domain.segments.push_back({root, corner, Side::kFree});
-  domain.segments.push_back({corner, {0.0, 0.0}, Side::kTip});
-
-  domain.sizes.push_back({{0.0, 0.0}, corner, tip, kGradation});
-  domain.sizes.push_back({{0.0, 0.0}, {root.x + 1.5, 0.0}, kCentreSize * finer, kGradation});
-  if (!is_flat) domain.sizes.push_back({root, root, std::min(kTipSize, plate.thickness) * finer, kGradation});
+                     {{root.x, far.y}, root, Side::kFree},
+                     {corner, {0.0, 0.0}, Side::kTip}};
+  domain.sizes = {{{0.0, 0.0}, corner, tip, gradation},
+                  {corner, corner, tip * kTipCornerShare, gradation},
+                  {{0.0, 0.0}, {root.x + kBreakingZone, 0.0}, kCentreSize * scale, gradation}};
+  if (!is_flat) {
+    domain.segments.push_back({root, corner, Side::kFree});
+    domain.sizes.push_back({corner, root, kSideSize * scale, gradation});
+    domain.sizes.push_back({root, root, std::min(kRootSize, kRootShare * root.y) * scale, gradation});
+  }
   return domain;
 }
 

@@ -213,7 +213,7 @@ tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, cons
   for (int i = element.n_boundary(); i < m; ++i) interior.push_back(n + i);
   for (int i = element.n_boundary(); i < m; ++i) interior.push_back(n + m + i);
 
-  CondensedSystem system(n_unknowns, static_cast<int>(mesh.triangles.size()), n + 2 * m, std::move(interior));
+  CondensedSystem system(n_unknowns, 1, static_cast<int>(mesh.triangles.size()), n + 2 * m, std::move(interior));
   for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
     const Eigen::Matrix2d jacobian = jacobian_of(mesh, triangle);
     Eigen::MatrixXd stiffness = problem.shear_stiffness * shear(element, jacobian);
@@ -226,13 +226,14 @@ tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, cons
     system.add(stiffness, load, unknowns_of(nodes.of_triangle(triangle), numbers, 3));
   }
   for_each_tip_node(mesh, nodes, element, [&, &map = numbers](int node, double weight) {
-    system.add_load(map[static_cast<std::size_t>(3 * node)], problem.tip_line_load * weight);
+    system.add_load(map[static_cast<std::size_t>(3 * node)], 0, problem.tip_line_load * weight);
   });
   return system.solve().map(
-      [&](Eigen::MatrixXd local) { return Field(mesh, order, problem.poisson_ratio, std::move(local), n, m); });
+      [&](const auto& locals) { return Field(mesh, order, problem.poisson_ratio, locals.front(), n, m); });
 }
 
-tl::expected<Field, std::string> solve_membrane(const Mesh& mesh, int order, const MembraneProblem& problem) {
+tl::expected<std::vector<Field>, std::string> solve_membrane(const Mesh& mesh, int order,
+                                                             const MembraneProblem& problem) {
   const auto& element = reference_element(order);
   const Nodes nodes(mesh, order);
   // Held: everything far away; across the centre line the displacement that is odd about it.
@@ -245,17 +246,24 @@ tl::expected<Field, std::string> solve_membrane(const Mesh& mesh, int order, con
   for (int i = element.n_boundary(); i < n; ++i) interior.push_back(i);
   for (int i = element.n_boundary(); i < n; ++i) interior.push_back(n + i);
 
-  CondensedSystem system(n_unknowns, static_cast<int>(mesh.triangles.size()), 2 * n, std::move(interior));
+  const int n_loads = static_cast<int>(problem.tip_tractions.size());
+  CondensedSystem system(n_unknowns, n_loads, static_cast<int>(mesh.triangles.size()), 2 * n, std::move(interior));
   for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
     const Eigen::MatrixXd stiffness = elasticity(element, jacobian_of(mesh, triangle), problem.poisson_ratio, n);
-    system.add(stiffness, Eigen::VectorXd::Zero(2 * n), unknowns_of(nodes.of_triangle(triangle), numbers, 2));
+    system.add(stiffness, Eigen::MatrixXd::Zero(2 * n, n_loads), unknowns_of(nodes.of_triangle(triangle), numbers, 2));
   }
   for_each_tip_node(mesh, nodes, element, [&, &map = numbers](int node, double weight) {
-    system.add_load(map[static_cast<std::size_t>(2 * node)], problem.tip_traction.x * weight);
-    system.add_load(map[static_cast<std::size_t>(2 * node + 1)], problem.tip_traction.y * weight);
+    for (int which = 0; which < n_loads; ++which) {
+      const Vec2 traction = problem.tip_tractions[static_cast<std::size_t>(which)];
+      system.add_load(map[static_cast<std::size_t>(2 * node)], which, traction.x * weight);
+      system.add_load(map[static_cast<std::size_t>(2 * node + 1)], which, traction.y * weight);
+    }
   });
-  return system.solve().map(
-      [&](Eigen::MatrixXd local) { return Field(mesh, order, problem.poisson_ratio, std::move(local), 0, n); });
+  return system.solve().map([&](const auto& locals) {
+    std::vector<Field> fields;
+    for (const auto& local : locals) fields.emplace_back(mesh, order, problem.poisson_ratio, local, 0, n);
+    return fields;
+  });
 }
 
 }  // namespace brash::plate

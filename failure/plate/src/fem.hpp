@@ -27,8 +27,8 @@ double shear_stiffness(double poisson_ratio, double thickness_over_lc);
 /// Plane stress in units of E h / (1 - nu^2) = 1: stresses follow the loads whatever the unit.
 struct MembraneProblem {
   double poisson_ratio = 0.3;
-  Vec2 tip_traction{};         ///< on the edges tagged kTip
-  bool antisymmetric = false;  ///< about the edges tagged kSymmetryY
+  std::vector<Vec2> tip_tractions;  ///< on the edges tagged kTip, one load case each
+  bool antisymmetric = false;       ///< about the edges tagged kSymmetryY
 };
 
 /// A finite element solution: the unknowns of every element.
@@ -61,7 +61,8 @@ class Field {
 /// Reissner-Mindlin bending on the elements of that order. Free on every edge that is not one of symmetry.
 tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, const BendingProblem& problem);
 
-/// Plane stress; clamped on the edges tagged kFar.
-tl::expected<Field, std::string> solve_membrane(const Mesh& mesh, int order, const MembraneProblem& problem);
+/// Plane stress; clamped on the edges tagged kFar. One field for each load case.
+tl::expected<std::vector<Field>, std::string> solve_membrane(const Mesh& mesh, int order,
+                                                             const MembraneProblem& problem);
 
 }  // namespace brash::plate

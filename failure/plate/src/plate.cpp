@@ -1,61 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/plate/plate.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "brash/core/contract.hpp"
 #include "domains.hpp"
 #include "fem.hpp"
+#include "profiles.hpp"
 #include "recovery.hpp"
+#include "solve_at_order.hpp"
 
 namespace brash::plate {
 
 namespace {
 
-/// Polynomial order of the elements.
-constexpr int kOrder = 3;
-constexpr int kStations = 301;
-/// The stations reach this far beyond the base line, over l_c.
-constexpr double kReach = 4.0;
-/// Ratio of the last to the first spacing of the stations.
-constexpr double kStretch = 20.0;
-/// h / l_c at which shear flexibility is negligible: Kirchhoff's limit to 1e-5 and well conditioned still.
-constexpr double kThinPlate = 1e-3;
-/// Points on the half disc around a root.
-constexpr int kRootPoints = 36;
+/// Stations cluster at the tip and the base line, to this share of the half width of the protrusion there.
+constexpr double kClusterShare = 0.2;
 
-std::vector<double> stations_to(double length) {
-  const double rate = std::log(kStretch);
-  std::vector<double> stations;
-  for (int i = 0; i < kStations; ++i) {
-    stations.push_back(length * std::expm1(rate * i / (kStations - 1)) / std::expm1(rate));
-  }
-  return stations;
-}
-
-/// Largest absolute principal value of `field` on the circle of radius `radius` around `root`, and the largest signed.
-struct RootExtremes {
-  double absolute = 0.0;
-  double tensile = 0.0;
-};
-
-RootExtremes at_root(const Field& field, Vec2 root, double radius) {
-  RootExtremes extremes;
-  for (int i = 0; i < kRootPoints; ++i) {
-    const double angle = 2.0 * std::numbers::pi * (i + 0.5) / kRootPoints;
-    const auto value = tensor_at(field, root + radius * Vec2{std::cos(angle), std::sin(angle)});
-    if (!value) continue;
-    extremes.tensile = std::max(extremes.tensile, largest_principal(*value));
-    extremes.absolute = std::max({extremes.absolute, largest_principal(*value), -smallest_principal(*value)});
-  }
-  return extremes;
+std::vector<double> stations_of(const WedgePlate& plate) {
+  const Vec2 root = root_of(plate);
+  return make_stations(plate.depth + kReach, plate.depth + kDense,
+                       {{0.0, kClusterShare * 0.5 * plate.contact_length}, {root.x, kClusterShare * root.y}});
 }
 
 }  // namespace
 
 tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const MeshOptions& options) {
+  return solve_at_order(plate, options, kOrder);
+}
+
+tl::expected<UnitProfiles, PlateError> solve_at_order(const WedgePlate& plate, const MeshOptions& options, int order) {
   BRASH_EXPECTS(plate.depth >= 0.0 && plate.contact_length > 0.0, plate.depth, plate.contact_length);
   BRASH_EXPECTS(plate.angle >= 0.0 && plate.angle < std::numbers::pi, plate.angle);
   BRASH_EXPECTS(plate.thickness > 0.0, plate.thickness);
@@ -65,27 +39,27 @@ tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const Mesh
   const auto mesh = mesh_domain(half_of_wedge_plate(plate, options));
   if (!mesh) return failed(mesh.error());
   const double nu = plate.poisson_ratio;
-  const double h = plate.theory == Theory::kKirchhoff ? kThinPlate : plate.thickness;
-  const auto bending = solve_bending(*mesh, kOrder, {nu, shear_stiffness(nu, h), 1.0, {}});
+  const double h = effective_thickness(plate.theory, plate.thickness);
+  const auto bending = solve_bending(*mesh, order, {nu, shear_stiffness(nu, h), 1.0, {}});
   if (!bending) return failed("bending: " + bending.error());
   // A traction of 1 on the tip edge is the pressure p = N / h.
-  const auto normal = solve_membrane(*mesh, kOrder, {nu, {1.0, 0.0}, false});
+  const auto normal = solve_membrane(*mesh, order, {nu, {{1.0, 0.0}}, false});
   if (!normal) return failed("membrane, normal load: " + normal.error());
-  const auto tangential = solve_membrane(*mesh, kOrder, {nu, {0.0, 1.0}, true});
+  const auto tangential = solve_membrane(*mesh, order, {nu, {{0.0, 1.0}}, true});
   if (!tangential) return failed("membrane, tangential load: " + tangential.error());
 
   UnitProfiles profiles;
   profiles.n_elements = static_cast<int>(mesh->triangles.size());
-  profiles.station = stations_to(plate.depth + kReach);
+  profiles.station = stations_of(plate);
   profiles.bending = recover_tensor(*bending, profiles.station, Parity::kEven);
   profiles.deflection = recover_deflection(*bending, profiles.station, Parity::kEven);
-  profiles.normal = recover_tensor(*normal, profiles.station, Parity::kEven);
-  profiles.tangential = recover_tensor(*tangential, profiles.station, Parity::kOdd);
+  profiles.normal = recover_tensor(normal->front(), profiles.station, Parity::kEven);
+  profiles.tangential = recover_tensor(tangential->front(), profiles.station, Parity::kOdd);
   if (plate.depth > 0.0) {
     const Vec2 root = root_of(plate);
     profiles.root_bending = at_root(*bending, root, 0.5 * plate.thickness).absolute;
-    profiles.root_normal = at_root(*normal, root, 0.5 * plate.thickness).tensile;
-    profiles.root_tangential = at_root(*tangential, root, 0.5 * plate.thickness).absolute;
+    profiles.root_normal = at_root(normal->front(), root, 0.5 * plate.thickness).tensile;
+    profiles.root_tangential = at_root(tangential->front(), root, 0.5 * plate.thickness).absolute;
   }
   return profiles;
 }

@@ -45,7 +45,8 @@ Response respond(const UnitProfiles& profiles, double thickness_over_lc, double 
   BRASH_EXPECTS(thickness_over_lc > 0.0, thickness_over_lc);
   BRASH_EXPECTS(!profiles.station.empty() && profiles.bending.size() == profiles.station.size(),
                 profiles.station.size(), profiles.bending.size());
-  const double factor = 6.0 * mu1 / thickness_over_lc;
+  // The surface that P puts in tension changes with the sign of P: only the size of mu1 matters.
+  const double factor = 6.0 * std::abs(mu1) / thickness_over_lc;
   const auto& x = profiles.station;
   std::vector<double> stress;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -67,10 +68,14 @@ Response respond(const UnitProfiles& profiles, double thickness_over_lc, double 
   response.plateau_from = from == 0 ? x[0] : crossing(x[from - 1], stress[from - 1], x[from], stress[from], level);
   response.plateau_to = to + 1 == x.size() ? x[to] : crossing(x[to], stress[to], x[to + 1], stress[to + 1], level);
 
+  // The refined peak is above every station: it belongs to its plateau all the same.
+  response.plateau_from = std::min(response.plateau_from, peak.place);
+  response.plateau_to = std::max(response.plateau_to, peak.place);
+
   response.sigma_radial_over_p =
       combine(-factor, profiles.bending[0], profiles.normal[0], mu2, profiles.tangential[0]).yy;
   response.sigma_root_over_p =
-      std::abs(factor) * profiles.root_bending + profiles.root_normal + std::abs(mu2) * profiles.root_tangential;
+      factor * profiles.root_bending + profiles.root_normal + std::abs(mu2) * profiles.root_tangential;
   return response;
 }
 

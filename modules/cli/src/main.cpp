@@ -7,15 +7,19 @@
 #include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
 #include "commands.hpp"
+#include "failure_commands.hpp"
+#include "geometry_commands.hpp"
+#include "stats_commands.hpp"
 
 namespace {
 
 constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
+constexpr int kInterrupted = 3;
 
 }  // namespace
 
-/// Exit codes: 0 done, 1 failed while running, 2 bad input.
+/// Exit codes: 0 done, 1 failed while running, 2 bad input, 3 interrupted and resumable.
 int main(int argc, char** argv) {
   CLI::App app{"brash: how a structure breaks level ice", "brash"};
   app.set_version_flag("--version", brash::kVersion);
@@ -24,6 +28,11 @@ int main(int argc, char** argv) {
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);
   brash::cli::add_schema_command(app);
+  brash::cli::add_crack_command(app);
+  brash::cli::add_fit_command(app);
+  brash::cli::add_failure_command(app);
+  brash::cli::add_loads_command(app);
+  brash::cli::add_stats_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -31,6 +40,9 @@ int main(int argc, char** argv) {
   } catch (const brash::InputError& error) {
     fmt::print(stderr, "brash: {}\n", error.what());
     return kBadInput;
+  } catch (const brash::cli::Interrupted& stop) {
+    fmt::print(stderr, "brash: {}\n", stop.what());
+    return kInterrupted;
   } catch (const std::exception& error) {
     fmt::print(stderr, "brash: {}\n", error.what());
     return kFailed;

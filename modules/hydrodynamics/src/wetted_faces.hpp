@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
+#include <vector>
 
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
@@ -90,6 +91,13 @@ inline WettedFace wetted_side_face(Vec2 from, Vec2 to, double half_thickness, co
                                     Vec3{to.x, to.y, half_thickness}, Vec3{from.x, from.y, half_thickness}};
   std::array<double, 4> height{};
   for (std::size_t i = 0; i < 4; ++i) height[i] = water.height(corners[i]);
+  const auto [lowest, highest] = std::minmax({height[0], height[1], height[2], height[3]});
+  if (lowest >= 0.0) return face;
+  if (highest <= 0.0) {
+    face.area = 2.0 * half_thickness * length;
+    face.area_moment = 0.5 * face.area * Vec3{from.x + to.x, from.y + to.y, 0.0};
+    return face;
+  }
 
   // A half-space cuts a quadrilateral to at most five corners.
   std::array<Vec3, 5> polygon{};
@@ -109,24 +117,42 @@ inline WettedFace wetted_side_face(Vec2 from, Vec2 to, double half_thickness, co
   return face;
 }
 
-/// Calls `visit(const WettedFace&)` for each outer face of the prism with a part below the waterplane: bottom, top,
-/// then the sides in the order of the rings. Allocates nothing.
-template <typename Visitor>
-void for_each_wetted_face(const Prism& prism, const Waterplane& water, Visitor&& visit) {
-  const double half_thickness = 0.5 * prism.thickness;
-  for (const double side : {-1.0, 1.0}) {
-    const WettedFace face = wetted_plan_face(prism, water, side * half_thickness, side);
-    if (face.area > 0.0) visit(face);
-  }
-  for (const auto& ring : prism.rings) {
-    if (ring.empty()) continue;
-    Vec2 from = ring.back();
-    for (const Vec2 to : ring) {
-      const WettedFace face = wetted_side_face(from, to, half_thickness, water);
-      if (face.area > 0.0) visit(face);
-      from = to;
+/// The outer faces of a prism with a part below the waterplane: bottom, top, then the sides in the order of the rings.
+/// Up to kInline of them take no memory from the heap.
+class WettedFaces {
+ public:
+  WettedFaces(const Prism& prism, const Waterplane& water) {
+    const double half_thickness = 0.5 * prism.thickness;
+    for (const double side : {-1.0, 1.0}) add(wetted_plan_face(prism, water, side * half_thickness, side));
+    for (const auto& ring : prism.rings) {
+      if (ring.empty()) continue;
+      Vec2 from = ring.back();
+      for (const Vec2 to : ring) {
+        add(wetted_side_face(from, to, half_thickness, water));
+        from = to;
+      }
     }
   }
-}
+
+  std::size_t size() const { return n_; }
+  const WettedFace& operator[](std::size_t i) const { return i < kInline ? inline_[i] : more_[i - kInline]; }
+
+ private:
+  static constexpr std::size_t kInline = 34;  // bottom, top and 32 sides: about twice the corners of a typical floe
+
+  void add(const WettedFace& face) {
+    if (face.area <= 0.0) return;
+    if (n_ < kInline) {
+      inline_[n_] = face;
+    } else {
+      more_.push_back(face);
+    }
+    ++n_;
+  }
+
+  std::array<WettedFace, kInline> inline_;
+  std::vector<WettedFace> more_;
+  std::size_t n_ = 0;
+};
 
 }  // namespace brash::hydrodynamics

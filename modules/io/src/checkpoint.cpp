@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/io/checkpoint.hpp"
 
+#include <fmt/format.h>
+
+#include <cerrno>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
 #include "result_tables.hpp"
+#include "sha256.hpp"
 #include "tables.hpp"
 
 namespace brash::io {
@@ -86,6 +94,36 @@ std::map<std::string, Value> read_map(const NetcdfReader& file, const std::strin
   }
 }
 
+[[noreturn]] void refuse_file(const std::string& path, const std::string& what) {
+  throw InputError(
+      fmt::format("{}: {}\n  allowed: a checkpoint that this version of the program wrote"
+                  "\n  remedy:  use an older checkpoint, or start the run again",
+                  path, what));
+}
+
+/// The end of a checkpoint: the digest of all before it. HDF5 ignores what follows its own data, and does not survive
+/// every damage to it.
+constexpr const char* kSealMark = "brash-sha256:";
+
+std::string seal_of(const std::string& bytes) {
+  Sha256 digest;
+  digest.add(bytes);
+  return kSealMark + digest.hexadecimal();
+}
+
+/// The bytes of the sealed file `path`, without the seal.
+std::string read_sealed(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse_file(path, "cannot be opened: " + std::generic_category().message(errno));
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t mark = bytes.rfind(kSealMark);
+  if (mark == std::string::npos) refuse_file(path, "is no checkpoint, or was cut short");
+  const std::string seal = bytes.substr(mark);
+  bytes.resize(mark);
+  if (seal != seal_of(bytes)) refuse_file(path, "is damaged: its bytes do not have the digest at its end");
+  return bytes;
+}
+
 void check_values(const Checkpoint& checkpoint) {
   for (const auto& [name, value] : checkpoint.ledger) BRASH_EXPECTS(is_whole_number(value), name, value);
   for (const auto& [name, value] : checkpoint.numbers) BRASH_EXPECTS(std::isfinite(value), name, value);
@@ -113,11 +151,12 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   for (const CheckpointFloe& floe : checkpoint.floes) outlines.push_back(floe.rings);
   write_polygons(file, "present_outline", "present", kGrid, outlines);
   write_tables(file, checkpoint.results);
-  write_file(path, file.finish());
+  const std::string bytes = file.finish();
+  write_file(path, bytes + seal_of(bytes));
 }
 
 Checkpoint read_checkpoint(const std::string& path) {
-  const NetcdfReader file(path);
+  const NetcdfReader file(path, read_sealed(path));
   if (file.attribute("format") != kFormat) file.refuse("it is not a checkpoint of this version");
   Checkpoint checkpoint;
   checkpoint.case_name = file.attribute("case_name");

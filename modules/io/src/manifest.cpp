@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
-#include <openssl/evp.h>
 
-#include <array>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
+#include "sha256.hpp"
 
 namespace brash::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct FreeDigest {
-  void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-};
 
 [[noreturn]] void fail_to_hash(const std::string& path, const std::string& reason) {
   throw RunError(
@@ -47,23 +42,14 @@ Json described(const std::filesystem::path& file, const std::string& name) {
 std::string sha256_of_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail_to_hash(path, std::generic_category().message(errno));
-  const std::unique_ptr<EVP_MD_CTX, FreeDigest> context(EVP_MD_CTX_new());
-  if (!context || EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) != 1)
-    fail_to_hash(path, "OpenSSL has no SHA-256");
+  Sha256 digest;
   std::vector<char> block(1 << 16);
   do {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-    if (EVP_DigestUpdate(context.get(), block.data(), static_cast<std::size_t>(stream.gcount())) != 1)
-      fail_to_hash(path, "OpenSSL failed");
+    digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});
   } while (stream);
   if (stream.bad()) fail_to_hash(path, "it cannot be read");
-
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int n_bytes = 0;
-  if (EVP_DigestFinal_ex(context.get(), digest.data(), &n_bytes) != 1) fail_to_hash(path, "OpenSSL failed");
-  std::string text;
-  for (unsigned int i = 0; i < n_bytes; ++i) text += fmt::format("{:02x}", digest[i]);
-  return text;
+  return digest.hexadecimal();
 }
 
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,

@@ -15,6 +15,8 @@ namespace brash::io {
 namespace {
 
 constexpr int kDeflateLevel = 4;
+/// Fewer bytes are written as they are: the index of a compressed variable takes more than it saves.
+constexpr std::size_t kLeastDeflated = 4096;
 /// Memory that a file begins with; it grows.
 constexpr std::size_t kFirstBytes = 1 << 20;
 
@@ -82,7 +84,8 @@ void NetcdfWriter::write(const std::string& name, const std::string& along, cons
   const int dim = dimension(along, values.size());
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), kType<T>, 1, &dim, &variable), name);
-  check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
+  if (values.size() * sizeof(T) >= kLeastDeflated)
+    check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
   describe(variable, name, meaning);
   const std::size_t start = 0;
   const std::size_t count = values.size();
@@ -124,6 +127,10 @@ std::string NetcdfWriter::finish() {
 
 NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
   check(nc_open(path.c_str(), NC_NOWRITE, &file_), "file");
+}
+
+NetcdfReader::NetcdfReader(const std::string& path, std::string bytes) : path_(path), bytes_(std::move(bytes)) {
+  check(nc_open_mem(path.c_str(), NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "file");
 }
 
 NetcdfReader::~NetcdfReader() {

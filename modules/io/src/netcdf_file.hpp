@@ -59,6 +59,8 @@ class NetcdfReader {
  public:
   /// @throws InputError here and from every member, naming file and variable.
   explicit NetcdfReader(const std::string& path);
+  /// Reads the file's `bytes`, which came from `path`.
+  NetcdfReader(const std::string& path, std::string bytes);
   ~NetcdfReader();
   NetcdfReader(const NetcdfReader&) = delete;
   NetcdfReader& operator=(const NetcdfReader&) = delete;
@@ -79,6 +81,7 @@ class NetcdfReader {
   void check(int status, const std::string& what) const;
 
   std::string path_;
+  std::string bytes_;
   int file_ = -1;
 };
 

@@ -74,8 +74,8 @@ BOOST_AUTO_TEST_CASE(the_corners_of_the_range_are_solved) {
         BOOST_TEST_CONTEXT("b " << depth << " c " << contact << " theta " << angle << " elements "
                                 << profiles.n_elements) {
           BOOST_TEST(response.sigma_over_p > 0.0);
-          BOOST_TEST(response.plateau_from < response.lbreak_over_lc);
-          BOOST_TEST(response.plateau_to > response.lbreak_over_lc);
+          BOOST_TEST(response.plateau_from <= response.lbreak_over_lc);
+          BOOST_TEST(response.plateau_to >= response.lbreak_over_lc);
           // A circumferential crack lies within the characteristic length of the base line.
           BOOST_TEST(response.lbreak_over_lc < depth + 1.3);
           BOOST_TEST(profiles.n_elements < 20000);

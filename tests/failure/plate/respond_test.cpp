@@ -60,3 +60,10 @@ BOOST_AUTO_TEST_CASE(friction_enters_the_principal_stress) {
   const auto response = plate::respond(profiles, 0.1, 0.0, -0.5);
   BOOST_TEST(response.sigma_over_p == 1.0, boost::test_tools::tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_CASE(a_cone_that_breaks_upwards_gives_the_same_stress_on_the_other_surface) {
+  const auto down = plate::respond(parabola(), 0.1, 0.5, 0.1);
+  const auto up = plate::respond(parabola(), 0.1, -0.5, 0.1);
+  BOOST_TEST(down.sigma_over_p == up.sigma_over_p);
+  BOOST_TEST(down.sigma_radial_over_p == up.sigma_radial_over_p);
+}

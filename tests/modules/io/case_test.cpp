@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
@@ -131,6 +132,40 @@ BOOST_AUTO_TEST_CASE(a_model_file_is_relative_to_the_case_file) {
 
 BOOST_AUTO_TEST_CASE(the_schema_is_what_the_program_carries) {
   BOOST_TEST(case_schema() == read_bytes(std::string(BRASH_SOURCE_DIR) + "/modules/io/case.schema.json"));
+}
+
+BOOST_AUTO_TEST_CASE(every_key_has_a_meaning_a_unit_and_limits_that_hold) {
+  const auto schema = nlohmann::json::parse(case_schema());
+  const auto refused = [](const std::string& key, const std::string& value) {
+    try {
+      read_case(kValidation, {key + "=" + value});
+    } catch (const InputError& error) {
+      return std::string(error.what()).find(key) != std::string::npos;
+    }
+    return false;
+  };
+  for (const auto& [section, content] : schema["properties"].items()) {
+    BOOST_TEST(!content["additionalProperties"].get<bool>(), section);
+    for (const auto& [name, key] : content["properties"].items()) {
+      const std::string full_name = section + "." + name;
+      BOOST_TEST(!key["description"].get<std::string>().empty(), full_name);
+      BOOST_TEST(refused(full_name, "2020-01-01"), full_name);
+      BOOST_TEST(refused(full_name, "nan"), full_name);
+      if (!key["type"].is_array()) continue;
+
+      // A quantity: it has a unit, both limits or a reason in its kind, and a value just outside is refused.
+      BOOST_TEST(key.contains("x-unit"), full_name);
+      BOOST_TEST((key.contains("minimum") || key.contains("exclusiveMinimum")), full_name);
+      BOOST_TEST((key.contains("maximum") || key.contains("exclusiveMaximum")), full_name);
+      BOOST_TEST(refused(full_name, "1 cd"), full_name);
+      if (key.contains("exclusiveMinimum")) BOOST_TEST(refused(full_name, key["exclusiveMinimum"].dump()), full_name);
+      if (key.contains("minimum"))
+        BOOST_TEST(refused(full_name, std::to_string(key["minimum"].get<double>() - 0.01)), full_name);
+      if (key.contains("exclusiveMaximum")) BOOST_TEST(refused(full_name, key["exclusiveMaximum"].dump()), full_name);
+      if (key.contains("maximum"))
+        BOOST_TEST(refused(full_name, std::to_string(key["maximum"].get<double>() * 1.01)), full_name);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

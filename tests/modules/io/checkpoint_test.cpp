@@ -2,6 +2,7 @@
 #include "brash/io/checkpoint.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cstdlib>
 #include <limits>
 
 #include "brash/core/contract.hpp"
@@ -82,9 +83,11 @@ BOOST_AUTO_TEST_CASE(values_that_the_format_cannot_hold_are_a_bug) {
 
 BOOST_AUTO_TEST_CASE(what_is_no_checkpoint_is_refused) {
   const Scratch scratch;
-  BOOST_CHECK_EXCEPTION(read_checkpoint(scratch.path("none.nc")), InputError, says("none.nc: file cannot be read"));
+  BOOST_CHECK_EXCEPTION(read_checkpoint(scratch.path("none.nc")), InputError,
+                        says("none.nc: cannot be opened: No such file"));
   write_results(scratch.folder().string(), {}, sample_results());
-  BOOST_CHECK_EXCEPTION(read_checkpoint(scratch.path("run.nc")), InputError, says("run.nc: format cannot be read"));
+  BOOST_CHECK_EXCEPTION(read_checkpoint(scratch.path("run.nc")), InputError,
+                        says("run.nc: is no checkpoint, or was cut short"));
 }
 
 BOOST_AUTO_TEST_CASE(a_cut_checkpoint_is_refused_wherever_it_is_cut) {
@@ -96,6 +99,27 @@ BOOST_AUTO_TEST_CASE(a_cut_checkpoint_is_refused_wherever_it_is_cut) {
         scratch.write("cut.nc", bytes.substr(0, bytes.size() * static_cast<std::size_t>(tenths) / 10));
     BOOST_CHECK_EXCEPTION(read_checkpoint(path), InputError, says("cut.nc: "));
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_checkpoint_with_one_changed_byte_is_refused) {
+  const Scratch scratch;
+  write_checkpoint(scratch.path("checkpoint.nc"), sample());
+  const std::string bytes = read_bytes(scratch.path("checkpoint.nc"));
+  for (std::size_t i = 0; i < 50; ++i) {
+    std::string changed = bytes;
+    changed[bytes.size() * i / 50] ^= 1;
+    const std::string path = scratch.write(std::to_string(i) + ".nc", changed);
+    BOOST_CHECK_EXCEPTION(read_checkpoint(path), InputError, says(".nc: is damaged"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_checkpoint_is_a_netcdf_file_for_others) {
+  const Scratch scratch;
+  write_checkpoint(scratch.path("checkpoint.nc"), sample());
+  const std::string command =
+      "/usr/bin/python3 -c \"import xarray; run = xarray.open_dataset('" + scratch.path("checkpoint.nc") +
+      "'); assert run.present_id.values.tolist() == [17, 0] and run.sheet_x.values[0] == -8192 * 2**30\"";
+  BOOST_TEST(std::system(command.c_str()) == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

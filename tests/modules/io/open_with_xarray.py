@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Opens the sample run with xarray and checks what the documentation of run.nc promises."""
+"""Opens the sample run with xarray and checks what docs/reference/outputs.md promises of run.nc."""
+import pathlib
 import sys
 
 import numpy as np
@@ -42,9 +43,22 @@ assert run["event_theta"].attrs["units"] == "rad"
 assert run["event_in_range"].values.tolist() == [1, 0]
 assert run["final_sheet_part_node_count"].values.tolist() == [4, 3]
 
-# Every variable has a unit and a meaning; every value is compressed.
+# Every variable has a unit and a meaning.
 for name, variable in run.variables.items():
     assert variable.attrs["long_name"], name
     if name != "floe_outline":
         assert variable.attrs["units"], name
-        assert variable.encoding["complevel"] == 4, name
+
+# The page names every variable; families of a vector's components are named by their first and last.
+page = (pathlib.Path(__file__).parents[3] / "docs/reference/outputs.md").read_text(encoding="utf-8")
+families = ("crushing_", "floe_normal_", "floe_friction_", "frame_structure_")
+for name in run.variables:
+    assert f"`{name}`" in page or name.startswith(families), name
+
+# The example of the page.
+first = np.concatenate([[0], np.cumsum(run.frame_pose_count)])
+poses = run.isel(pose=slice(first[2], first[3]))
+start = np.concatenate([[0], np.cumsum(run.floe_outline_node_count)])
+floe = int(np.flatnonzero(run.floe_id == poses.pose_floe[0])[0])
+outline = np.stack([run.floe_outline_x, run.floe_outline_y], axis=1)[start[floe]:start[floe + 1]]
+assert outline.shape == (7, 2) and outline[2].tolist() == [1, 1]

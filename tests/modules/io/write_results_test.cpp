@@ -73,6 +73,17 @@ BOOST_AUTO_TEST_CASE(a_run_in_which_nothing_happened_is_written_too) {
   BOOST_TEST(lines_of(scratch.path("events.csv")).size() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(a_long_history_is_compressed) {
+  const Scratch scratch;
+  RunResults results = sample_results();
+  constexpr std::size_t kSteps = 20000;
+  results.loads.resize(kSteps, results.loads[0]);
+  write_results(scratch.folder().string(), validation(), results);
+  // Rows that repeat: deflate makes much less than a tenth of them.
+  BOOST_TEST(std::filesystem::file_size(scratch.path("run.nc")) < kSteps * sizeof(LoadRow) / 10);
+  BOOST_TEST((read_results(scratch.path("run.nc")) == results));
+}
+
 BOOST_AUTO_TEST_CASE(two_writes_give_the_same_bytes) {
   const Scratch scratch;
   write_results(scratch.path("a"), validation(), sample_results());

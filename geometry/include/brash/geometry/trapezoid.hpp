@@ -24,7 +24,8 @@ struct Trapezoid {
 
 /// Where and how the free edge is fitted.
 struct FitRequest {
-  /// Collision point B on the free edge [m].
+  /// Collision point B on the free edge [m], or the middle of the overlap's chord: then the ice ahead of the chord
+  /// counts as crushed, and b is what still stands behind it.
   Vec2 at;
   /// Unit vector from B into the ice.
   Vec2 towards;

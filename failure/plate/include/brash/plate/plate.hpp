@@ -23,11 +23,11 @@ struct WedgePlate {
   Theory theory = Theory::kReissnerMindlin;
 };
 
-/// How finely the plate is meshed.
+/// How finely the plate is meshed. Sizes are longest element edges.
 struct MeshOptions {
-  double tip_size = 0.0;    ///< element size at the tip over l_c; 0 takes the production value
-  double far_size = 0.0;    ///< element size far away over l_c; 0 takes the production value
-  double half_width = 0.0;  ///< half width and depth of the sheet over l_c; 0 takes the production value
+  double tip_size = 0.0;    ///< size along the tip over l_c, all other sizes follow in proportion; 0: production
+  double far_size = 0.0;    ///< largest size over l_c; 0: no limit but the growth with distance
+  double half_width = 0.0;  ///< sheet beyond the protrusion, sideways and inwards, over l_c; 0: production
 };
 
 /// Symmetric plane tensor at one station.
@@ -37,7 +37,8 @@ struct Tensor2 {
   double xy = 0.0;
 };
 
-/// The three unit fields along the centre line; shape=(n_stations,) each.
+/// The three unit fields along the centre line; shape=(n_stations,) each, n_stations >= 200, from B to 4 l_c beyond the
+/// base line, denser at the tip and the base line.
 ///
 /// The stress on a surface is, with p = N/h the mean pressure on the tip edge,
 /// `sigma / p = +-6 mu1 (l_c/h) bending + normal + mu2 tangential`.
@@ -62,6 +63,25 @@ struct PlateError {
 /// @see docs/theory/failure.md
 tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const MeshOptions& options = {});
 
+/// A wide floating plate with a free edge of any shape around B; lengths over l_c, the frame of WedgePlate.
+struct OutlinePlate {
+  /// The free edge, from y < 0 to y > 0, through the origin (to within 1e-6), the ice on its right (+x). Beyond its
+  /// first and last point, which have the least and the largest y, the edge goes on along -y and +y.
+  std::vector<Vec2> outline;
+  double contact_length = 0.0;  ///< length of the loaded edge over l_c, half of it on each side of B along the edge
+  double thickness = 0.1;       ///< h / l_c [-]
+  double poisson_ratio = 0.3;   ///< nu [-]
+  Theory theory = Theory::kReissnerMindlin;
+};
+
+/// Solves the plate with the given edge for the same three unit loads (along x, y and out of the plane everywhere on
+/// the loaded edge, per unit of its length). The stations end where the centre line leaves the ice.
+///
+/// The plate need not be symmetric: every component is there under every load and the sign of mu2 matters. The roots
+/// are the re-entrant corners within 3 l_c of B.
+/// @return the fields, or why not: the edge crosses itself, misses B, or leaves no ice ahead of B.
+tl::expected<UnitProfiles, PlateError> solve_outline(const OutlinePlate& plate, const MeshOptions& options = {});
+
 /// What decides about failure, for one pair of load ratios.
 struct Response {
   double sigma_over_p = 0.0;         ///< largest principal stress on the centre line, surface that P puts in tension
@@ -73,6 +93,10 @@ struct Response {
 };
 
 /// Superposes the unit fields: exact in mu1 = P/N, mu2 = f/N and l_c/h = 1/plate.thickness.
+///
+/// @param thickness_over_lc  h / l_c [-], > 0; with shear-flexible profiles, that of the plate they were solved for.
+/// @param mu1  its sign says which surface P puts in tension and has no other effect.
+/// @param mu2  its sign has no effect on the centre line.
 Response respond(const UnitProfiles& profiles, double thickness_over_lc, double mu1, double mu2);
 
 }  // namespace brash::plate

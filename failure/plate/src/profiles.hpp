@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "fem.hpp"
+
+namespace brash::plate {
+
+/// Polynomial order of the elements in production.
+inline constexpr int kOrder = 3;
+/// h / l_c at which shear flexibility is negligible: Kirchhoff's limit to 1e-5 and well conditioned still.
+inline constexpr double kThinPlate = 1e-3;
+/// The stations reach this far beyond the base line, over l_c.
+inline constexpr double kReach = 4.0;
+
+/// The stations are dense to this distance beyond the base line, over l_c.
+inline constexpr double kDense = 1.5;
+
+/// A place on the centre line around which stations cluster: their spacing falls with the distance from it, to where
+/// that is `scale`.
+struct Cluster {
+  double place = 0.0;
+  double scale = 0.0;
+};
+
+/// Stations from 0 to `length`, evenly spaced up to `dense`, thinner beyond, and denser in the clusters.
+std::vector<double> make_stations(double length, double dense, const std::vector<Cluster>& clusters);
+
+/// Largest principal values on a circle around a corner.
+struct RootExtremes {
+  double absolute = 0.0;
+  double tensile = 0.0;
+};
+
+/// Those of `field` on the part of the circle that lies in the ice.
+RootExtremes at_root(const Field& field, Vec2 root, double radius);
+
+/// The profile is that of a plate with negligible shear flexibility in Kirchhoff's theory.
+double effective_thickness(Theory theory, double thickness);
+
+}  // namespace brash::plate

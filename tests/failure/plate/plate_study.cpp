@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors and times of the production mesh over the parameter range: the numbers of docs/theory/failure.md.
+//
+//   plate_study [cases] [scale] [order]
+//
+// Each case is solved on the given mesh and on a reference: elements half as large, of order 4, a sheet twice as wide.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <vector>
+
+#include "brash/plate/plate.hpp"
+#include "solve_at_order.hpp"
+
+namespace {
+
+namespace plate = brash::plate;
+
+/// Number i of Halton's sequence in that base.
+double halton(int i, int base) {
+  double result = 0.0;
+  double share = 1.0;
+  for (; i > 0; i /= base) {
+    share /= base;
+    result += share * (i % base);
+  }
+  return result;
+}
+
+plate::WedgePlate case_number(int i) {
+  plate::WedgePlate wedge;
+  wedge.depth = i % 8 == 0 ? 0.0 : 2.0 * halton(i, 2) * halton(i, 2);
+  wedge.contact_length = 0.02 * std::pow(100.0, halton(i, 3));
+  wedge.angle = halton(i, 5) * 150.0 * std::numbers::pi / 180.0;
+  wedge.thickness = 0.05 + 0.15 * halton(i, 7);
+  return wedge;
+}
+
+struct Errors {
+  std::vector<double> sigma, place, radial, root, seconds, elements;
+};
+
+void add_case(Errors& errors, int i, double scale, int order) {
+  const plate::WedgePlate wedge = case_number(i);
+  const double mu1 = 0.05 + 0.95 * halton(i, 11);
+  const double mu2 = 0.3 * (halton(i, 13) - 0.5);
+  const double tip = plate::production_tip_size(wedge);
+  const auto start = std::chrono::steady_clock::now();
+  const auto profiles = plate::solve_at_order(wedge, {scale * tip, 0.0, 0.0}, order);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto fine = plate::solve_at_order(wedge, {0.5 * tip, 0.0, 4000.0}, 4);
+  if (!profiles || !fine) {
+    std::printf("case %d failed: %s\n", i, (profiles ? fine : profiles).error().what.c_str());
+    return;
+  }
+  const auto a = plate::respond(*profiles, wedge.thickness, mu1, mu2);
+  const auto b = plate::respond(*fine, wedge.thickness, mu1, mu2);
+  errors.sigma.push_back(std::abs(a.sigma_over_p / b.sigma_over_p - 1.0));
+  errors.place.push_back(std::abs(a.lbreak_over_lc - b.lbreak_over_lc));
+  // The radial stress passes through zero: relative to p where it is less than that.
+  errors.radial.push_back(std::abs(a.sigma_radial_over_p - b.sigma_radial_over_p) /
+                          std::max(1.0, std::abs(b.sigma_radial_over_p)));
+  if (wedge.depth > 0.0) errors.root.push_back(std::abs(a.sigma_root_over_p / b.sigma_root_over_p - 1.0));
+  errors.elements.push_back(profiles->n_elements);
+  errors.seconds.push_back(seconds);
+  std::printf("b %.3f c %.3f theta %5.1f h %.3f mu1 %.2f mu2 %5.2f: sigma %8.4f error %.1e, place %.4f error %.1e, ",
+              wedge.depth, wedge.contact_length, wedge.angle * 180.0 / std::numbers::pi, wedge.thickness, mu1, mu2,
+              b.sigma_over_p, errors.sigma.back(), b.lbreak_over_lc, errors.place.back());
+  std::printf("radial %8.3f error %.1e, %d elements, %.2f s\n", b.sigma_radial_over_p, errors.radial.back(),
+              profiles->n_elements, seconds);
+}
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+void print(const char* name, const std::vector<double>& values) {
+  std::printf("%-28s median %.2e  90 %% %.2e  worst %.2e\n", name, quantile(values, 0.5), quantile(values, 0.9),
+              quantile(values, 1.0));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int n_cases = argc > 1 ? std::atoi(argv[1]) : 20;
+  const double scale = argc > 2 ? std::atof(argv[2]) : 1.0;
+  const int order = argc > 3 ? std::atoi(argv[3]) : 3;
+  Errors errors;
+  for (int i = 1; i <= n_cases; ++i) add_case(errors, i, scale, order);
+  print("error of sigma", errors.sigma);
+  print("error of place / l_c", errors.place);
+  print("error of radial", errors.radial);
+  print("error of root bound", errors.root);
+  print("elements", errors.elements);
+  print("seconds", errors.seconds);
+}
