@@ -27,9 +27,7 @@ class PlateCriterion final : public BendingCriterion {
     }
     const plate::Response r = plate::respond(*profiles, thickness_over_lc, load.mu1, load.mu2);
     const double sigma = r.sigma_over_p * load.pressure;
-    return {.fails = sigma > ice_.flexural_strength,
-            .sigma_max = sigma,
-            .breaking_length = r.lbreak_over_lc * l_c_};
+    return {.fails = sigma > ice_.flexural_strength, .sigma_max = sigma, .breaking_length = r.lbreak_over_lc * l_c_};
   }
 
  private:

@@ -30,9 +30,7 @@ class Sobol {
 };
 
 /// Stretches [0, 1] by `edge_share` and folds what sticks out onto the ends.
-double with_ends(double u, double edge_share) {
-  return std::clamp(0.5 + (u - 0.5) / (1.0 - edge_share), 0.0, 1.0);
-}
+double with_ends(double u, double edge_share) { return std::clamp(0.5 + (u - 0.5) / (1.0 - edge_share), 0.0, 1.0); }
 
 double value_at(const Axis& axis, double u) {
   if (u >= 1.0) return axis.to;

@@ -2,11 +2,11 @@
 #include "brash/database/plan.hpp"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <array>
 #include <cmath>
 #include <set>
-#include <toml++/toml.h>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
@@ -36,8 +36,8 @@ class Table {
   const toml::node& get(const std::string& key) {
     const toml::node* node = find(key);
     if (node == nullptr) {
-      throw InputError(fmt::format("{}: the key `{}` is missing; see experiments/failure_database/plan.toml", file_,
-                                   full(key)));
+      throw InputError(
+          fmt::format("{}: the key `{}` is missing; see experiments/failure_database/plan.toml", file_, full(key)));
     }
     return *node;
   }

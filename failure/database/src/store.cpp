@@ -285,7 +285,8 @@ Database read_database(const std::string& path) {
   const Reader file(path, NC_NOWRITE, false);
   Database database{.plan = file.text("plan"), .plan_sha256 = file.text("plan_sha256")};
   if (sha256(database.plan) != database.plan_sha256) {
-    throw InputError(fmt::format("{}: plan_sha256 does not fit the plan: the file was changed; compute it again", path));
+    throw InputError(
+        fmt::format("{}: plan_sha256 does not fit the plan: the file was changed; compute it again", path));
   }
   const std::size_t n = file.dimension("geometry");
   const std::size_t most_stations = file.dimension("centre_line"), most_rows = file.dimension("load");

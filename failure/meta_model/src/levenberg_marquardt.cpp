@@ -28,8 +28,8 @@ struct Problem {
 
 Eigen::Map<const RowMatrix> w1_of(const WeightLayout& l, const double* w) { return {w, l.hidden, kInputs}; }
 Eigen::Map<const Vector> b1_of(const WeightLayout& l, const double* w) { return {w + l.b1(), l.hidden}; }
-Eigen::Map<const RowMatrix> w2_of(const WeightLayout& l, const double* w) { return {w + l.w2(), kOutputs, l.hidden}; }
-Eigen::Map<const Vector> b2_of(const WeightLayout& l, const double* w) { return {w + l.b2(), kOutputs}; }
+Eigen::Map<const RowMatrix> w2_of(const WeightLayout& l, const double* w) { return {w + l.w2(), l.outputs, l.hidden}; }
+Eigen::Map<const Vector> b2_of(const WeightLayout& l, const double* w) { return {w + l.b2(), l.outputs}; }
 
 /// S(W1 X + b1), shape=(hidden, n).
 Matrix hidden_units(const WeightLayout& layout, const double* w, const Matrix& x) {
@@ -38,7 +38,7 @@ Matrix hidden_units(const WeightLayout& layout, const double* w, const Matrix& x
   return (1.0 / (1.0 + (-a.array()).exp())).matrix();
 }
 
-/// (y_predicted - y) / tolerance, shape=(kOutputs, n).
+/// (y_predicted - y) / tolerance, shape=(outputs, n).
 Matrix residuals(const WeightLayout& layout, const double* w, const NormalisedRows& rows, const Matrix& s) {
   Matrix y = w2_of(layout, w) * s;
   y.colwise() += b2_of(layout, w);
@@ -50,7 +50,7 @@ int evaluate(const gsl_vector* weights, void* context, gsl_vector* f) {
   const Matrix s = hidden_units(problem.layout, weights->data, problem.rows->x);
   const Matrix r = residuals(problem.layout, weights->data, *problem.rows, s);
   if (!r.allFinite()) return GSL_EDOM;
-  // Residual k of row i has the index kOutputs i + k: the column-major order of r.
+  // Residual k of row i has the index outputs i + k: the column-major order of r.
   Eigen::Map<Vector>(f->data, r.size()) = Eigen::Map<const Vector>(r.data(), r.size());
   return GSL_SUCCESS;
 }
@@ -63,8 +63,8 @@ int differentiate(const gsl_vector* weights, void* context, gsl_matrix* jacobian
   const auto w2 = w2_of(l, weights->data);
   gsl_matrix_set_zero(jacobian);
   for (Eigen::Index row = 0; row < rows.x.cols(); ++row) {
-    for (int k = 0; k < kOutputs; ++k) {
-      double* d = jacobian->data + static_cast<std::size_t>(kOutputs * row + k) * jacobian->tda;
+    for (int k = 0; k < l.outputs; ++k) {
+      double* d = jacobian->data + static_cast<std::size_t>(l.outputs * row + k) * jacobian->tda;
       const double scale = 1.0 / rows.tolerance(k, row);
       for (int j = 0; j < l.hidden; ++j) {
         const double unit = s(j, row);
@@ -125,12 +125,12 @@ double loss(const WeightLayout& layout, const Vector& weights, const NormalisedR
   return residuals(layout, weights.data(), rows, s).squaredNorm() / static_cast<double>(rows.y.size());
 }
 
-StartResult fit_from_random_start(const NormalisedRows& training, const NormalisedRows& validation,
-                                  const TrainingOptions& options, int number) {
+StartResult fit_from_random_start(const WeightLayout& layout, const NormalisedRows& training,
+                                  const NormalisedRows& validation, const TrainingOptions& options, int number) {
   gsl_set_error_handler_off();  // every code is checked below
-  Problem problem{{options.hidden}, &training};
+  Problem problem{layout, &training};
   const auto n = static_cast<std::size_t>(training.y.size());
-  const auto p = static_cast<std::size_t>(problem.layout.size());
+  const auto p = static_cast<std::size_t>(layout.size());
   BRASH_EXPECTS(n >= p, n, p);
 
   gsl_multifit_nlinear_fdf system{};
@@ -140,12 +140,12 @@ StartResult fit_from_random_start(const NormalisedRows& training, const Normalis
   system.p = p;
   system.params = &problem;
   const auto solver = make_solver(n, p);
-  const auto first = random_weights(problem.layout, options.seed, number);
+  const auto first = random_weights(layout, options.seed, number);
   int code = gsl_multifit_nlinear_init(first.get(), &system, solver.get());
   BRASH_EXPECTS(code == GSL_SUCCESS, gsl_strerror(code));
 
   StartResult best{position(solver.get()), {.ended = "iterations"}};
-  best.start.validation_loss = loss(problem.layout, best.weights, validation);
+  best.start.validation_loss = loss(layout, best.weights, validation);
   int last_gain = 0;
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     code = gsl_multifit_nlinear_iterate(solver.get());
@@ -155,7 +155,7 @@ StartResult fit_from_random_start(const NormalisedRows& training, const Normalis
       break;
     }
     const Vector weights = position(solver.get());
-    if (const double now = loss(problem.layout, weights, validation); now < best.start.validation_loss) {
+    if (const double now = loss(layout, weights, validation); now < best.start.validation_loss) {
       best.start.validation_loss = now;
       best.weights = weights;
       last_gain = iteration;
@@ -169,7 +169,7 @@ StartResult fit_from_random_start(const NormalisedRows& training, const Normalis
       break;
     }
   }
-  best.start.training_loss = loss(problem.layout, best.weights, training);
+  best.start.training_loss = loss(layout, best.weights, training);
   return best;
 }
 

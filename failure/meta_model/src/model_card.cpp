@@ -8,9 +8,10 @@ namespace brash::meta_model {
 namespace {
 
 std::string row(const std::string& name, const Errors& e) {
-  return fmt::format("| {} | {} | {} | {:+.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.0f} |\n", name,
-                     e.n_rows, e.n_geometries, 100 * e.stress_bias, 100 * e.stress_rms, 100 * e.stress_median,
-                     100 * e.stress_95, 100 * e.stress_max, e.length_median, e.length_95, 100 * e.length_on_plateau);
+  return fmt::format(
+      "| {} | {} | {} | {:+.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.0f} |\n", name,
+      e.n_rows, e.n_geometries, 100 * e.stress_bias, 100 * e.stress_rms, 100 * e.stress_median, 100 * e.stress_95,
+      100 * e.stress_max, e.stress_absolute_95, e.length_median, e.length_95, 100 * e.length_on_plateau);
 }
 
 std::string range_table(const Range& r) {
@@ -42,23 +43,29 @@ std::string model_card(const Network& network, const TrainingReport& report, con
                        const CardContext& context) {
   std::string text = fmt::format("# Model card: {}\n\n", context.model_file);
   text += fmt::format(
-      "Eq. 17 with {} logistic hidden units and two outputs: the largest principal stress on the centre line over the\n"
-      "contact pressure, sigma/p, and the place of it, l_break/l_c, of a trapezoidal protrusion of a floating plate.\n\n",
-      network.parameters().hidden);
+      "Eq. 17 with {} logistic hidden units{}: the largest principal stress on the centre line over\n"
+      "the contact pressure, sigma/p, and the place of it, l_break/l_c, of a trapezoidal protrusion of a floating "
+      "plate.\n\n",
+      options.hidden, options.separate ? " for each of the two outputs" : " and two outputs");
   text += fmt::format("- content hash of the model (SHA-256): `{}`\n", context.content_sha256);
   text += fmt::format("- training data: `{}`, SHA-256 `{}`\n", context.database_file, network.parameters().data_sha256);
   text += fmt::format("- h / l_c of the training data: {}\n", network.thickness_over_lc());
-  text += fmt::format("- random starts: {}, seed {}, best: number {}, {} iterations\n", report.starts.size(),
-                      options.seed, report.best_start,
-                      report.starts.at(static_cast<std::size_t>(report.best_start)).iterations);
+  for (const Start& start : report.starts) {
+    if (start.kept) {
+      text += fmt::format("- {}: best of {} random starts with seed {}, {} iterations of Levenberg-Marquardt ({})\n",
+                          start.serves, options.starts, options.seed, start.iterations, start.ended);
+    }
+  }
   text += "\n## Range\n\n" + range_table(network.range());
   text +=
-      "\n## Errors\n\nStress: predicted / computed - 1 [%]; length: predicted - computed l_break / l_c. `on plateau` is "
+      "\n## Errors\n\nStress: predicted / computed - 1 [%], and predicted - computed sigma/p (absolute); length: "
+      "predicted - computed l_break / l_c. `on plateau` is "
       "the share [%] of\nrows whose predicted place has at least 99 % of the peak stress. Geometries of the test part "
       "took no part in training\nor stopping.\n\n";
   text +=
-      "| rows of | rows | geometries | stress bias | rms | median | 95 % | max | length median | 95 % | on plateau |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "| rows of | rows | geometries | stress bias | rms | median | 95 % | max | absolute 95 % | length median | 95 % "
+      "| on plateau |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   text += row("training", report.train) + row("validation", report.validation) + row("test", report.test);
   for (const Region& region : report.regions) text += row("test, " + region.name, region.errors);
   return text + kMustNot;

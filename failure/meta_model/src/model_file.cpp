@@ -9,9 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
 #include "brash/meta_model/network.hpp"
+#include "features.hpp"
 #include "sha256.hpp"
 
 namespace brash::meta_model {
@@ -24,16 +26,19 @@ constexpr int kFormatVersion = 1;
 constexpr const char* kHashKey = "content_sha256";
 constexpr std::array<const char*, kInputs> kInputNames{"b_lc", "c_lc", "theta", "mu1", "mu2"};
 constexpr std::array<const char*, kInputs> kInputUnits{"1", "1", "rad", "1", "1"};
-constexpr std::array<const char*, kOutputs> kOutputNames{"sigma_over_p", "lbreak_over_lc"};
-constexpr std::array<const char*, 3> kScaleNames{"linear", "logarithm", "square"};
 
 std::string content_hash(Json model) {
   model.erase(kHashKey);
   return sha256(model.dump());
 }
 
-Json to_json(const Normalisation& n) {
-  return {{"scale", kScaleNames[static_cast<std::size_t>(n.scale)]}, {"offset", n.offset}, {"factor", n.factor}};
+template <std::size_t N>
+Json to_json(const std::array<const char*, N>& names, const std::array<Normalisation, N>& normalisations) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < N; ++i) {
+    list.push_back({{"value", names[i]}, {"offset", normalisations[i].offset}, {"factor", normalisations[i].factor}});
+  }
+  return list;
 }
 
 Json rows_of(const std::vector<double>& values, int n_columns) {
@@ -45,24 +50,18 @@ Json rows_of(const std::vector<double>& values, int n_columns) {
 }
 
 Json to_json(const NetworkParameters& p) {
-  Json inputs = Json::array(), outputs = Json::array();
+  Json inputs = Json::array();
   const auto lower = to_array(p.range.lower), upper = to_array(p.range.upper);
   for (int i = 0; i < kInputs; ++i) {
-    Json input = to_json(p.inputs[i]);
-    input.update({{"name", kInputNames[i]}, {"unit", kInputUnits[i]}, {"lower", lower[i]}, {"upper", upper[i]}});
-    inputs.push_back(input);
-  }
-  for (int k = 0; k < kOutputs; ++k) {
-    Json output = to_json(p.outputs[k]);
-    output.update({{"name", kOutputNames[k]}, {"unit", "1"}});
-    outputs.push_back(output);
+    inputs.push_back({{"name", kInputNames[i]}, {"unit", kInputUnits[i]}, {"lower", lower[i]}, {"upper", upper[i]}});
   }
   Json model{{"format", kFormat},
              {"format_version", kFormatVersion},
              {"program_version", kVersion},
-             {"equation", "y = W2 S(W1 X + b1) + b2; S(a) = 1/(1 + exp(-a)); X, y: (scale(value) - offset)/factor"},
+             {"equation", "y = W2 S(W1 X + b1) + b2; S(a) = 1/(1 + exp(-a)); X, y: (value - offset)/factor"},
              {"inputs", inputs},
-             {"outputs", outputs},
+             {"features", to_json(kFeatureNames, p.features)},
+             {"targets", to_json(kTargetNames, p.targets)},
              {"hidden", p.hidden},
              {"W1", rows_of(p.w1, kInputs)},
              {"b1", p.b1},
@@ -88,9 +87,7 @@ class Place {
     if (!value_.is_object() || !value_.contains(key)) refuse(fmt::format("the key `{}` is missing", key));
     return {file_, value_.at(key), pointer_ + "/" + key};
   }
-  Place operator[](std::size_t index) const {
-    return {file_, value_.at(index), fmt::format("{}/{}", pointer_, index)};
-  }
+  Place operator[](std::size_t index) const { return {file_, value_.at(index), fmt::format("{}/{}", pointer_, index)}; }
   double number() const {
     if (!value_.is_number() || !std::isfinite(value_.get<double>())) refuse("must be a finite number");
     return value_.get<double>();
@@ -131,48 +128,40 @@ class Place {
   std::string pointer_;
 };
 
-Normalisation read_normalisation(const Place& place) {
-  Normalisation n{.offset = place["offset"].number(), .factor = place["factor"].positive()};
-  const std::string name = place["scale"].text();
-  for (std::size_t i = 0; i < kScaleNames.size(); ++i) {
-    if (name == kScaleNames[i]) {
-      n.scale = static_cast<Scale>(i);
-      return n;
-    }
+template <std::size_t N>
+void read_normalisations(const Place& place, const std::array<const char*, N>& names,
+                         std::array<Normalisation, N>& normalisations) {
+  place.expect_size(N);
+  for (std::size_t i = 0; i < N; ++i) {
+    place[i]["value"].expect_text(names[i]);
+    normalisations[i] = {place[i]["offset"].number(), place[i]["factor"].positive()};
   }
-  place["scale"].refuse(fmt::format("is `{}`, must be linear, logarithm or square", name));
 }
 
-void read_inputs(const Place& place, NetworkParameters& p) {
+void read_range(const Place& place, Range& range) {
   place.expect_size(kInputs);
   std::array<double, kInputs> lower{}, upper{};
   for (int i = 0; i < kInputs; ++i) {
     const Place input = place[static_cast<std::size_t>(i)];
     input["name"].expect_text(kInputNames[i]);
     input["unit"].expect_text(kInputUnits[i]);
-    p.inputs[i] = read_normalisation(input);
     lower[i] = input["lower"].number();
     upper[i] = input["upper"].number();
     if (lower[i] > upper[i]) input["lower"].refuse("exceeds `upper`");
-    if (p.inputs[i].scale == Scale::kLogarithm) input["lower"].positive();
   }
-  p.range = {to_input(lower), to_input(upper)};
-}
-
-void read_outputs(const Place& place, NetworkParameters& p) {
-  place.expect_size(kOutputs);
-  for (int k = 0; k < kOutputs; ++k) {
-    const Place output = place[static_cast<std::size_t>(k)];
-    output["name"].expect_text(kOutputNames[k]);
-    p.outputs[k] = read_normalisation(output);
-    if (p.outputs[k].scale == Scale::kSquare) output["scale"].refuse("an output cannot be a square");
-  }
+  range = {to_input(lower), to_input(upper)};
+  if (range.lower.b_lc < 0.0) place[std::size_t{0}]["lower"].refuse("must be >= 0");
+  if (range.lower.c_lc <= 0.0) place[std::size_t{1}]["lower"].refuse("must be > 0");
+  if (range.lower.theta < 0.0) place[std::size_t{2}]["lower"].refuse("must be >= 0");
+  if (range.upper.theta >= kPi) place[std::size_t{2}]["upper"].refuse("must be below pi");
+  if (range.lower.mu1 <= 0.0) place[std::size_t{3}]["lower"].refuse("must be > 0");
 }
 
 NetworkParameters to_parameters(const Place& place) {
   NetworkParameters p;
-  read_inputs(place["inputs"], p);
-  read_outputs(place["outputs"], p);
+  read_range(place["inputs"], p.range);
+  read_normalisations(place["features"], kFeatureNames, p.features);
+  read_normalisations(place["targets"], kTargetNames, p.targets);
   const double hidden = place["hidden"].positive();
   constexpr double kMostHidden = 1e4;  // beyond any use; guards the conversion
   if (hidden != std::floor(hidden) || hidden > kMostHidden) place["hidden"].refuse("must be a whole number");

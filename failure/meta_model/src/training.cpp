@@ -12,6 +12,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "features.hpp"
 #include "levenberg_marquardt.hpp"
 #include "training_errors.hpp"
 
@@ -23,16 +24,11 @@ constexpr double kStressTolerance = 0.02;
 /// Smallest error of l_break / l_c that counts as one: half an ice thickness.
 constexpr double kLengthTolerance = 0.05;
 
-constexpr std::array<Scale, kInputs> kInputScales{Scale::kLinear, Scale::kLogarithm, Scale::kLinear, Scale::kLogarithm,
-                                                  Scale::kSquare};
-constexpr std::array<Scale, kOutputs> kOutputScales{Scale::kLogarithm, Scale::kLinear};
+/// Below this sigma/p ice of any strength is crushed before it bends (sigma_f / (R sigma_c) is about 1).
+constexpr double kStressThatMatters = 0.25;
 
-double scaled(double value, Scale scale) {
-  return scale == Scale::kLogarithm ? std::log(value) : scale == Scale::kSquare ? value * value : value;
-}
-
-std::array<double, kOutputs> to_array(const Output& y) { return {y.sigma_over_p, y.lbreak_over_lc}; }
-using meta_model::to_array;
+/// What the network learns of a row.
+std::array<double, kOutputs> targets_of(const Output& y) { return {std::log(y.sigma_over_p), y.lbreak_over_lc}; }
 
 void check_rows(std::span<const Sample> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -47,17 +43,17 @@ void check_rows(std::span<const Sample> samples) {
   }
 }
 
-/// Mean and deviation of the scaled values; a constant value gets the factor 1.
+/// Mean and deviation of value(row); a constant value gets the factor 1.
 template <typename Value>
-Normalisation z_score(std::span<const Sample> samples, Scale scale, Value value) {
+Normalisation z_score(std::span<const Sample> samples, Value value) {
   double sum = 0.0, sum_of_squares = 0.0;
   const auto n = static_cast<double>(samples.size());
-  for (const Sample& s : samples) sum += scaled(value(s), scale);
+  for (const Sample& s : samples) sum += value(s);
   const double mean = sum / n;
-  for (const Sample& s : samples) sum_of_squares += std::pow(scaled(value(s), scale) - mean, 2);
+  for (const Sample& s : samples) sum_of_squares += std::pow(value(s) - mean, 2);
   const double deviation = std::sqrt(sum_of_squares / n);
   const double floor = 1e-9 * std::max(1.0, std::abs(mean));  // round-off of a constant column
-  return {scale, mean, deviation > floor ? deviation : 1.0};
+  return {mean, deviation > floor ? deviation : 1.0};
 }
 
 Range range_of(std::span<const Sample> samples) {
@@ -72,22 +68,26 @@ Range range_of(std::span<const Sample> samples) {
   return {to_input(lower), to_input(upper)};
 }
 
-NormalisedRows normalise(std::span<const Sample> samples, const NetworkParameters& p) {
+/// The outputs that one network serves.
+using Group = std::vector<int>;
+
+NormalisedRows normalise(std::span<const Sample> samples, const NetworkParameters& p, const Group& group) {
   const auto n = static_cast<Eigen::Index>(samples.size());
-  NormalisedRows rows{Eigen::MatrixXd(kInputs, n), Eigen::MatrixXd(kOutputs, n), Eigen::MatrixXd(kOutputs, n)};
+  const auto n_outputs = static_cast<Eigen::Index>(group.size());
+  NormalisedRows rows{Eigen::MatrixXd(kInputs, n), Eigen::MatrixXd(n_outputs, n), Eigen::MatrixXd(n_outputs, n)};
   for (Eigen::Index r = 0; r < n; ++r) {
     const Sample& s = samples[static_cast<std::size_t>(r)];
-    const auto x = to_array(s.input);
-    const auto y = to_array(s.output);
-    for (int i = 0; i < kInputs; ++i) {
-      rows.x(i, r) = (scaled(x[i], p.inputs[i].scale) - p.inputs[i].offset) / p.inputs[i].factor;
+    const auto x = features_of(s.input);
+    const auto y = targets_of(s.output);
+    const std::array<double, kOutputs> tolerance{
+        kStressTolerance * std::max(1.0, kStressThatMatters / s.output.sigma_over_p),
+        std::max(0.5 * (s.plateau_to - s.plateau_from), kLengthTolerance)};
+    for (int i = 0; i < kInputs; ++i) rows.x(i, r) = (x[i] - p.features[i].offset) / p.features[i].factor;
+    for (Eigen::Index row = 0; row < n_outputs; ++row) {
+      const int k = group[static_cast<std::size_t>(row)];
+      rows.y(row, r) = (y[k] - p.targets[k].offset) / p.targets[k].factor;
+      rows.tolerance(row, r) = tolerance[k] / p.targets[k].factor;
     }
-    for (int k = 0; k < kOutputs; ++k) {
-      rows.y(k, r) = (scaled(y[k], p.outputs[k].scale) - p.outputs[k].offset) / p.outputs[k].factor;
-    }
-    const double half_width = 0.5 * (s.plateau_to - s.plateau_from);
-    rows.tolerance(0, r) = kStressTolerance / p.outputs[0].factor;
-    rows.tolerance(1, r) = std::max(half_width, kLengthTolerance) / p.outputs[1].factor;
   }
   return rows;
 }
@@ -103,9 +103,10 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
   std::vector<int> geometries(unique.begin(), unique.end());
   constexpr std::size_t kFewest = 10;  // below this a share of 15 % is no sample
   if (geometries.size() < kFewest) {
-    throw InputError(fmt::format("the database has {} solved geometries, training needs at least {}; raise "
-                                 "`geometries` in the plan",
-                                 geometries.size(), kFewest));
+    throw InputError(
+        fmt::format("the database has {} solved geometries, training needs at least {}; raise "
+                    "`geometries` in the plan",
+                    geometries.size(), kFewest));
   }
   gsl_rng* rng = gsl_rng_alloc(gsl_rng_ranlxd2);
   gsl_rng_set(rng, static_cast<unsigned long>(options.seed) + 1);
@@ -113,7 +114,8 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
   gsl_rng_free(rng);
 
   const auto share = [&](double fraction) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(fraction * static_cast<double>(unique.size()))));
+    return std::max<std::size_t>(1,
+                                 static_cast<std::size_t>(std::lround(fraction * static_cast<double>(unique.size()))));
   };
   const std::size_t n_test = share(options.test_share), n_validation = share(options.validation_share);
   const auto first = geometries.begin();
@@ -122,62 +124,93 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
                                  first + static_cast<std::ptrdiff_t>(n_test + n_validation));
   Split split;
   for (const Sample& s : samples) {
-    (test.contains(s.geometry) ? split.test : validation.contains(s.geometry) ? split.validation : split.train)
+    (test.contains(s.geometry)         ? split.test
+     : validation.contains(s.geometry) ? split.validation
+                                       : split.train)
         .push_back(s);
   }
   return split;
 }
 
-NetworkParameters with_weights(NetworkParameters p, const WeightLayout& l, const Eigen::VectorXd& w) {
-  p.hidden = l.hidden;
-  p.w1.assign(w.data(), w.data() + l.b1());
-  p.b1.assign(w.data() + l.b1(), w.data() + l.w2());
-  p.w2.assign(w.data() + l.w2(), w.data() + l.b2());
-  p.b2.assign(w.data() + l.b2(), w.data() + l.size());
+/// Puts the hidden units of one network after those that `p` has; W2 is still shape=(hidden, kOutputs) here.
+void append(NetworkParameters& p, const Group& group, const WeightLayout& l, const Eigen::VectorXd& w) {
+  p.hidden += l.hidden;
+  p.w1.insert(p.w1.end(), w.data(), w.data() + l.b1());
+  p.b1.insert(p.b1.end(), w.data() + l.b1(), w.data() + l.w2());
+  p.w2.resize(static_cast<std::size_t>(p.hidden * kOutputs), 0.0);
+  p.b2.resize(kOutputs, 0.0);
+  for (int row = 0; row < l.outputs; ++row) {
+    const int k = group[static_cast<std::size_t>(row)];
+    p.b2[k] = w[l.b2() + row];
+    for (int j = 0; j < l.hidden; ++j) {
+      p.w2[static_cast<std::size_t>((p.hidden - l.hidden + j) * kOutputs + k)] = w[l.w2() + row * l.hidden + j];
+    }
+  }
+}
+
+void transpose_w2(NetworkParameters& p) {
+  const std::vector<double> by_unit = p.w2;
+  for (int j = 0; j < p.hidden; ++j) {
+    for (int k = 0; k < kOutputs; ++k) p.w2[k * p.hidden + j] = by_unit[j * kOutputs + k];
+  }
+}
+
+/// Normalisation, range and provenance; no weights yet.
+NetworkParameters without_weights(std::span<const Sample> all, std::span<const Sample> training,
+                                  const TrainingOptions& options) {
+  NetworkParameters p;
+  for (int i = 0; i < kInputs; ++i) {
+    p.features[i] = z_score(training, [i](const Sample& s) { return features_of(s.input)[i]; });
+  }
+  for (int k = 0; k < kOutputs; ++k) {
+    p.targets[k] = z_score(training, [k](const Sample& s) { return targets_of(s.output)[k]; });
+  }
+  p.range = range_of(all);
+  p.thickness_over_lc = options.thickness_over_lc;
+  p.data_sha256 = options.data_sha256;
   return p;
+}
+
+/// Trains one network from its random starts, appends the best one's units to `p` and the starts to `report`.
+void train_group(const Group& group, const Split& split, const TrainingOptions& options, NetworkParameters& p,
+                 TrainingReport& report) {
+  const WeightLayout layout{options.hidden, static_cast<int>(group.size())};
+  const NormalisedRows training = normalise(split.train, p, group), validation = normalise(split.validation, p, group);
+  if (training.y.size() < layout.size()) {
+    throw InputError(
+        fmt::format("{} training rows cannot fix {} weights; raise `geometries` in the plan or take fewer "
+                    "hidden units",
+                    split.train.size(), layout.size()));
+  }
+  std::vector<StartResult> results;
+  for (int number = 0; number < options.starts; ++number) {
+    results.push_back(fit_from_random_start(layout, training, validation, options, number));
+    results.back().start.serves = group.size() > 1 ? "both" : kTargetNames[group.front()];
+  }
+  const auto best = std::min_element(results.begin(), results.end(), [](const auto& a, const auto& b) {
+    return a.start.validation_loss < b.start.validation_loss;
+  });
+  best->start.kept = true;
+  append(p, group, layout, best->weights);
+  for (const StartResult& result : results) report.starts.push_back(result.start);
 }
 
 }  // namespace
 
 Trained train(std::span<const Sample> samples, const TrainingOptions& options) {
   BRASH_EXPECTS(options.hidden > 0 && options.starts > 0, options.hidden, options.starts);
-  BRASH_EXPECTS(options.validation_share > 0.0 && options.test_share > 0.0 &&
-                    options.validation_share + options.test_share < 0.9,
-                options.validation_share, options.test_share);
+  BRASH_EXPECTS(
+      options.validation_share > 0.0 && options.test_share > 0.0 && options.validation_share + options.test_share < 0.9,
+      options.validation_share, options.test_share);
   check_rows(samples);
   const Split split = split_by_geometry(samples, options);
-  const WeightLayout layout{options.hidden};
-  if (split.train.size() * kOutputs < static_cast<std::size_t>(layout.size())) {
-    throw InputError(fmt::format("{} training rows cannot fix {} weights; raise `geometries` in the plan or take fewer "
-                                 "hidden units",
-                                 split.train.size(), layout.size()));
-  }
-
-  NetworkParameters p;
-  for (int i = 0; i < kInputs; ++i) {
-    p.inputs[i] = z_score(split.train, kInputScales[i], [i](const Sample& s) { return to_array(s.input)[i]; });
-  }
-  for (int k = 0; k < kOutputs; ++k) {
-    p.outputs[k] = z_score(split.train, kOutputScales[k], [k](const Sample& s) { return to_array(s.output)[k]; });
-  }
-  p.range = range_of(samples);
-  p.thickness_over_lc = options.thickness_over_lc;
-  p.data_sha256 = options.data_sha256;
-
-  const NormalisedRows training = normalise(split.train, p), validation = normalise(split.validation, p);
+  NetworkParameters p = without_weights(samples, split.train, options);
   TrainingReport report;
-  Eigen::VectorXd weights;
-  for (int number = 0; number < options.starts; ++number) {
-    const StartResult result = fit_from_random_start(training, validation, options, number);
-    report.starts.push_back(result.start);
-    const double least = report.starts[static_cast<std::size_t>(report.best_start)].validation_loss;
-    if (number == 0 || result.start.validation_loss < least) {
-      report.best_start = number;
-      weights = result.weights;
-    }
-  }
+  const std::vector<Group> groups = options.separate ? std::vector<Group>{{0}, {1}} : std::vector<Group>{{0, 1}};
+  for (const Group& group : groups) train_group(group, split, options, p, report);
+  transpose_w2(p);
 
-  Network network(with_weights(std::move(p), layout, weights));
+  Network network(std::move(p));
   report.train = errors(network, split.train);
   report.validation = errors(network, split.validation);
   report.test = errors(network, split.test);

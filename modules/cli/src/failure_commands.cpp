@@ -63,12 +63,12 @@ std::vector<meta_model::Sample> to_samples(const std::string& file, const databa
           file, record.geometry, record.plate.thickness, thickness_over_lc));
     }
     for (const database::Row& row : record.rows) {
-      samples.push_back({.input = {record.plate.depth, record.plate.contact_length, record.plate.angle, row.load.mu1,
-                                   row.load.mu2},
-                         .output = {row.response.sigma_over_p, row.response.lbreak_over_lc},
-                         .plateau_from = row.response.plateau_from,
-                         .plateau_to = row.response.plateau_to,
-                         .geometry = record.geometry});
+      samples.push_back(
+          {.input = {record.plate.depth, record.plate.contact_length, record.plate.angle, row.load.mu1, row.load.mu2},
+           .output = {row.response.sigma_over_p, row.response.lbreak_over_lc},
+           .plateau_from = row.response.plateau_from,
+           .plateau_to = row.response.plateau_to,
+           .geometry = record.geometry});
     }
   }
   return samples;
@@ -131,7 +131,10 @@ void add_train_command(CLI::App& failure) {
   command->add_option("database", options->database, "database (netCDF)")->required();
   command->add_option("-o,--output", options->output, "model to write (JSON); the model card is written beside it")
       ->required();
-  command->add_option("--hidden", training.hidden, "hidden units")->capture_default_str()->check(CLI::Range(1, 200));
+  command->add_option("--hidden", training.hidden, "hidden units of a network")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 200));
+  command->add_flag("!--one-network", training.separate, "one network for both outputs instead of one for each");
   command->add_option("--starts", training.starts, "random starts")->capture_default_str()->check(CLI::Range(1, 1000));
   command->add_option("--iterations", training.max_iterations, "most iterations of a start")
       ->capture_default_str()
@@ -145,7 +148,8 @@ void add_predict_command(CLI::App& failure) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = failure.add_subcommand("predict", "Predict stress and breaking length for rows of inputs");
   command->add_option("--model", options->model, "model file, or fem: solve the plate")->required();
-  command->add_option("--in", options->rows, "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");
+  command->add_option("--in", options->rows,
+                      "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");
   command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");
   command->callback([options] { predict_rows(*options); });
 }

@@ -78,7 +78,8 @@ PredictedRow parse_row(const std::string& line, const std::string& place, std::s
 
 std::vector<PredictedRow> read_rows(std::istream& stream, const std::string& name, std::string& header) {
   std::string line;
-  if (!std::getline(stream, line)) throw InputError(fmt::format("{}: is empty; first line: {}[{}]", name, kHeader, kThickness));
+  if (!std::getline(stream, line))
+    throw InputError(fmt::format("{}: is empty; first line: {}[{}]", name, kHeader, kThickness));
   header = without_line_end(line);
   if (header != kHeader && header != std::string(kHeader) + kThickness) {
     throw InputError(fmt::format("{}:1: the first line is `{}`, must be `{}` or `{}{}`", name, header, kHeader, kHeader,
@@ -98,10 +99,8 @@ std::vector<Answer> solve_rows(const std::vector<PredictedRow>& rows) {
   std::vector<Answer> answers;
   for (const PredictedRow& row : rows) {
     const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : kUsualThickness;
-    const auto profiles = plate::solve({.depth = row.input.b_lc,
-                                        .contact_length = row.input.c_lc,
-                                        .angle = row.input.theta,
-                                        .thickness = thickness});
+    const auto profiles = plate::solve(
+        {.depth = row.input.b_lc, .contact_length = row.input.c_lc, .angle = row.input.theta, .thickness = thickness});
     if (!profiles) throw RunError(fmt::format("row `{}`: {}", row.text, profiles.error().what));
     const plate::Response r = plate::respond(*profiles, thickness, row.input.mu1, row.input.mu2);
     answers.push_back({{r.sigma_over_p, r.lbreak_over_lc}, true});

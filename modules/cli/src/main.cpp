@@ -15,10 +15,11 @@ namespace {
 
 constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
+constexpr int kInterrupted = 3;
 
 }  // namespace
 
-/// Exit codes: 0 done, 1 failed while running, 2 bad input.
+/// Exit codes: 0 done, 1 failed while running, 2 bad input, 3 interrupted and resumable.
 int main(int argc, char** argv) {
   CLI::App app{"brash: how a structure breaks level ice", "brash"};
   app.set_version_flag("--version", brash::kVersion);
@@ -39,6 +40,9 @@ int main(int argc, char** argv) {
   } catch (const brash::InputError& error) {
     fmt::print(stderr, "brash: {}\n", error.what());
     return kBadInput;
+  } catch (const brash::cli::Interrupted& stop) {
+    fmt::print(stderr, "brash: {}\n", stop.what());
+    return kInterrupted;
   } catch (const std::exception& error) {
     fmt::print(stderr, "brash: {}\n", error.what());
     return kFailed;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <memory>
 
 #include "brash/report/plan_view.hpp"
@@ -19,7 +20,12 @@ struct RunOptions {
   std::vector<std::string> overrides;
   std::uint64_t seed = 0;
   bool has_seed = false;
+  bool resume = false;
 };
+
+/// Set by Ctrl-C or a request to end; the run then keeps a checkpoint after its step.
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
 
 /// A line on a terminal with time left, renewed a few times a second; silent elsewhere.
 class ProgressLine {
@@ -53,13 +59,22 @@ void run_case(const RunOptions& options) {
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const io::Case resolved = io::read_case(options.case_file, overrides);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
   simulation::Run run;
   {
     ProgressLine progress(resolved.time.duration);
-    run = simulation::run(resolved, [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
-      progress.show(simulation.time(), report.loads.n_floes);
-    });
+    run = simulation::run(
+        resolved,
+        {.observer = [&](const simulation::Simulation& simulation,
+                         const simulation::StepReport& report) { progress.show(simulation.time(), report.loads.n_floes); },
+         .checkpoint_file = directory + "/checkpoint.nc",
+         .resume = options.resume,
+         .interrupted = [] { return interrupted != 0; }});
   }
+  if (!run.complete)
+    throw Interrupted(fmt::format("interrupted at t = {} s; `brash run {} -o {} --resume` goes on from there",
+                                  run.results.loads.back().time, options.case_file, directory));
   io::write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
   simulation::write_run(directory, options.case_file, resolved, run, {"plan.svg"});
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
@@ -76,6 +91,7 @@ void add_run_command(CLI::App& app) {
   command->add_option("--set", options->overrides, "section.key=value, in place of the case file's")
       ->take_all()
       ->allow_extra_args(false);
+  command->add_flag("--resume", options->resume, "go on from the newest checkpoint in the folder of the results");
   command->footer("Example: brash run cone.toml -o results/cone --seed 2 --set \"ice.thickness='0.4 m'\"");
   command->callback([options, seed] {
     options->has_seed = seed->count() > 0;

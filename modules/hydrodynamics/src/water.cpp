@@ -45,15 +45,30 @@ double average_length(const Prism& prism) {
   return (high.x - low.x + high.y - low.y + prism.thickness) / 3.0;
 }
 
-/// Form drag, Eq. 13: only faces that look along the velocity count; the force acts at the centre of buoyancy.
-Vec3 form_drag(const WettedFaces& faces, Vec3 velocity_body, const Water& water) {
-  const double speed = norm(velocity_body);
+/// Form drag, Eq. 13: only faces that look along the velocity count. Body frame; the force acts at `centre`.
+Vec3 form_drag(const WettedFaces& faces, Vec3 centre, Vec3 velocity, const Water& water, const StepInertia& step) {
+  const double speed = norm(velocity);
   if (speed == 0.0) return {};
   double area_times_speed = 0.0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    area_times_speed += faces[i].area * std::max(0.0, dot(faces[i].normal, velocity_body));
+    area_times_speed += faces[i].area * std::max(0.0, dot(faces[i].normal, velocity));
   }
-  return -0.5 * water.form_drag * water.density * area_times_speed * velocity_body;
+  const double damping = 0.5 * water.form_drag * water.density * area_times_speed;
+  // A push at the centre of buoyancy also turns the floe, which makes it yield more.
+  const Vec3 lever = cross(centre, velocity / speed);
+  const double mobility = 1.0 / step.mass + lever.x * lever.x / step.inertia.x + lever.y * lever.y / step.inertia.y +
+                          lever.z * lever.z / step.inertia.z;
+  return -damping / (1.0 + damping * step.dt * mobility) * velocity;
+}
+
+/// Rotational drag, Eq. 14, body frame.
+Vec3 rotational_drag(const Prism& prism, double wetted_area, Vec3 spin, const Water& water, const StepInertia& step) {
+  const double l_avg = average_length(prism);
+  const double damping = 0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * wetted_area * norm(spin);
+  const auto about = [&](double component, double inertia) {
+    return -damping / (1.0 + damping * step.dt / inertia) * component;
+  };
+  return {about(spin.x, step.inertia.x), about(spin.y, step.inertia.y), about(spin.z, step.inertia.z)};
 }
 
 /// Skin friction on each wetted face by the velocity along it at its centroid; body frame, moment about the origin.
@@ -85,28 +100,27 @@ Displacement displacement(const Prism& prism, const Pose& pose) {
   return {body.volume, to_world(pose, body.volume_moment / body.volume)};
 }
 
-WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water) {
+WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
+                     const StepInertia& step) {
   check(prism);
+  BRASH_EXPECTS(step.dt >= 0.0 && step.mass > 0.0, step.dt, step.mass);
+  BRASH_EXPECTS(step.inertia.x > 0.0 && step.inertia.y > 0.0 && step.inertia.z > 0.0);
   const Waterplane plane = waterplane_in_body_frame(pose);
   const WettedFaces faces(prism, plane);
   const WettedBody body = wetted_body(faces, plane);
   if (body.volume <= 0.0) return {};
-  const Vec3 centre_body = body.volume_moment / body.volume;
-  const Vec3 arm = rotate(pose.rotation, centre_body);
+  const Vec3 centre = body.volume_moment / body.volume;
 
   WaterLoad load;
   load.buoyancy.force = {0.0, 0.0, water.density * kGravity * body.volume};
-  load.buoyancy.moment = cross(arm, load.buoyancy.force);
+  load.buoyancy.moment = cross(rotate(pose.rotation, centre), load.buoyancy.force);
 
   const Quaternion to_body_axes = conjugate(pose.rotation);
   const Twist relative{rotate(to_body_axes, twist.linear - Vec3{water.current.x, water.current.y, 0.0}),
                        rotate(to_body_axes, twist.angular)};
-  load.drag.force = rotate(pose.rotation, form_drag(faces, velocity_at(relative, centre_body), water));
-  load.drag.moment = cross(arm, load.drag.force);
-  // Eq. 14
-  const double l_avg = average_length(prism);
-  load.drag.moment -= 0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * body.area *
-                      norm(twist.angular) * twist.angular;
+  const Vec3 drag = form_drag(faces, centre, velocity_at(relative, centre), water, step);
+  const Vec3 braking = rotational_drag(prism, body.area, relative.angular, water, step);
+  load.drag = {rotate(pose.rotation, drag), rotate(pose.rotation, cross(centre, drag) + braking)};
 
   const Wrench friction = skin_friction(faces, relative, water);
   load.skin_friction = {rotate(pose.rotation, friction.force), rotate(pose.rotation, friction.moment)};

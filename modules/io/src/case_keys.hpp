@@ -60,6 +60,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("random", "seed", c.random.seed);
   visit("random", "replicate", c.random.replicate);
   visit("output", "frames_per_second", c.output.frames_per_second);
+  visit("output", "checkpoint_interval", c.output.checkpoint_interval);
   visit("output", "statistics_from", c.output.statistics_from);
   visit("reference", "mean_horizontal", c.reference.mean_horizontal);
   visit("reference", "source", c.reference.source);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <tuple>
 
 namespace brash::rigid_body {
 Part::Part(Body& owner, int which, ConvexPart shape, std::span<const Vec3> inset_corners, double margin)

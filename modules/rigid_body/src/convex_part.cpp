@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "brash/core/contract.hpp"
 
@@ -42,13 +43,6 @@ bool supports(Plane& plane, std::span<const Vec3> points, double tolerance) {
   return inside || outside;
 }
 
-/// Two unit vectors that make a right-handed frame with `normal`.
-std::array<Vec3, 2> plane_axes(Vec3 normal) {
-  const Vec3 other = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 u = normalized(cross(other, normal));
-  return {u, cross(normal, u)};
-}
-
 /// Indices of the points on `plane`, counter-clockwise seen from outside.
 std::vector<int> loop_on(const Plane& plane, std::span<const Vec3> points, double tolerance) {
   std::vector<int> on;
@@ -78,21 +72,26 @@ std::vector<Vec3> distinct(std::span<const Vec3> points, double tolerance) {
   return kept;
 }
 
-/// The part of the convex `polygon` inside `plane`.
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Plane& plane) {
-  std::vector<Vec3> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
+}  // namespace
+
+std::array<Vec3, 2> plane_axes(Vec3 normal) {
+  const Vec3 other = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  const Vec3 u = normalized(cross(other, normal));
+  return {u, cross(normal, u)};
+}
+
+void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result) {
+  result.clear();
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
     const Vec3 a = polygon[i];
-    const Vec3 b = polygon[(i + 1) % polygon.size()];
+    const Vec3 b = polygon[i + 1 == n ? 0 : i + 1];
     const double da = dot(plane.normal, a) - plane.offset;
     const double db = dot(plane.normal, b) - plane.offset;
     if (da <= 0.0) result.push_back(a);
     if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0)) result.push_back(a + (da / (da - db)) * (b - a));
   }
-  return result;
 }
-
-}  // namespace
 
 ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top) {
   BRASH_EXPECTS(ring.size() >= 3 && bottom < top, ring.size(), bottom, top);
@@ -146,14 +145,18 @@ ConvexPart convex_hull(std::span<const Vec3> points) {
 std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset) {
   const double size = extent(part.vertices);
   std::vector<Vec3> corners;
+  std::vector<Vec3> clipped;
   for (std::size_t f = 0; f < part.planes.size(); ++f) {
     const Plane& plane = part.planes[f];
     const auto [u, v] = plane_axes(plane.normal);
     const Vec3 middle = part.vertices[static_cast<std::size_t>(part.faces[f][0])] - inset * plane.normal;
     std::vector<Vec3> face{middle - 2 * size * (u + v), middle + 2 * size * (u - v), middle + 2 * size * (u + v),
                            middle - 2 * size * (u - v)};
-    for (std::size_t g = 0; g < part.planes.size() && !face.empty(); ++g)
-      if (g != f) face = clipped(face, {part.planes[g].normal, part.planes[g].offset - inset});
+    for (std::size_t g = 0; g < part.planes.size() && !face.empty(); ++g) {
+      if (g == f) continue;
+      clip(face, {part.planes[g].normal, part.planes[g].offset - inset}, clipped);
+      face.swap(clipped);
+    }
     corners.insert(corners.end(), face.begin(), face.end());
   }
   return distinct(corners, kOnPlane * size);

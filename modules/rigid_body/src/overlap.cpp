@@ -13,21 +13,6 @@ namespace {
 /// the spread of replicates.
 constexpr double kMergeWithin = 0.1;
 
-double distance(const Plane& plane, Vec3 p) { return dot(plane.normal, p) - plane.offset; }
-
-void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result) {
-  result.clear();
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 a = polygon[i];
-    const Vec3 b = polygon[i + 1 == n ? 0 : i + 1];
-    const double da = distance(plane, a);
-    const double db = distance(plane, b);
-    if (da <= 0.0) result.push_back(a);
-    if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0)) result.push_back(a + (da / (da - db)) * (b - a));
-  }
-}
-
 }  // namespace
 
 void update(PlacedPart& part, const Pose& pose) {
@@ -54,7 +39,8 @@ double depth_along(const PlacedPart& a, const PlacedPart& b, Vec3 normal) {
 }
 
 /// Collects the faces of `solid` whose planes pass through `other`; false when one of them parts the two.
-bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, double side, std::vector<int>& cutting) {
+bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, bool solid_is_b, std::vector<int>& cutting) {
+  const double side = solid_is_b ? 1.0 : -1.0;
   cutting.clear();
   for (std::size_t f = 0; f < solid.planes.size(); ++f) {
     const Plane& plane = solid.planes[f];
@@ -67,10 +53,7 @@ bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, doubl
     }
     const double depth = plane.offset - nearest;
     if (depth <= kTouch) return false;
-    if (depth < overlap_.face_depth) {
-      overlap_.face_depth = depth;
-      overlap_.face_normal = side * plane.normal;
-    }
+    overlap_.ways.push_back({side * plane.normal, depth});
     if (farthest > plane.offset) cutting.push_back(static_cast<int>(f));
   }
   return true;
@@ -94,8 +77,8 @@ void OverlapFinder::add_faces(const PlacedPart& a, std::span<const int> faces, c
 
 const Overlap& OverlapFinder::find(const PlacedPart& a, const PlacedPart& b) {
   overlap_.vertices.clear();
-  overlap_.face_depth = std::numeric_limits<double>::infinity();
-  if (!cull(b, a, 1.0, cutting_b_) || !cull(a, b, -1.0, cutting_a_)) return overlap_;
+  overlap_.ways.clear();
+  if (!cull(b, a, true, cutting_b_) || !cull(a, b, false, cutting_a_)) return overlap_;
   if (cutting_b_.empty()) {
     overlap_.vertices = a.vertices;  // a lies inside b
   } else if (cutting_a_.empty()) {
@@ -167,9 +150,7 @@ const Patch& OverlapFinder::project(Vec3 normal) {
   if (overlap_.vertices.size() < 4) return patch_;
 
   // A frame in the plane normal to the contact normal, its origin at a corner so that large coordinates cancel.
-  const Vec3 other = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 u = normalized(cross(other, normal));
-  const Vec3 v = cross(normal, u);
+  const auto [u, v] = plane_axes(normal);
   const Vec3 origin = overlap_.vertices[0];
   double lowest = 0.0;
   double highest = 0.0;

@@ -22,11 +22,16 @@ struct PlacedPart {
   Vec3 upper{};
 };
 
+/// A translation of a along the normal of a face of either that ends the overlap with b.
+struct WayOut {
+  Vec3 normal{};       ///< unit, from b into a
+  double depth = 0.0;  ///< length of the translation [m]
+};
+
 /// The common solid of two convex parts.
 struct Overlap {
   std::vector<Vec3> vertices;  ///< its corners, some more than once; empty: the parts do not overlap
-  Vec3 face_normal{};          ///< of all faces of both, the one along which the shortest way out leads; from b into a
-  double face_depth = 0.0;     ///< length of that way [m]
+  std::vector<WayOut> ways;    ///< one for each face of both, in no order of length
 };
 
 /// A point of a contact with its share of the contact's area.
@@ -61,7 +66,7 @@ class OverlapFinder {
   const Patch& project(Vec3 normal);
 
  private:
-  bool cull(const PlacedPart& solid, const PlacedPart& other, double side, std::vector<int>& cutting);
+  bool cull(const PlacedPart& solid, const PlacedPart& other, bool solid_is_b, std::vector<int>& cutting);
   void add_faces(const PlacedPart& a, std::span<const int> faces, const PlacedPart& b, std::span<const int> cutting);
   void hull_2d();
   void lump(double u0, double v0);

@@ -37,6 +37,13 @@ btContactSolverInfo solver_info(const WorldSettings& settings, double dt) {
   return info;
 }
 
+/// The other parts of the part's body.
+void collect_others(const Part& part, std::vector<const Part*>& others) {
+  others.clear();
+  for (const auto& other : part.body->parts)
+    if (other.get() != &part) others.push_back(other.get());
+}
+
 /// A contact of two parts on its way through the solver.
 struct Contact {
   Body* first = nullptr;
@@ -60,6 +67,9 @@ struct World::Impl {
   BoundedSolver solver;
   std::deque<Contact> contacts;
   std::vector<ContactLoad> loads;
+  std::vector<const Part*> near_sheet;     ///< scratch of find_contacts
+  std::vector<const Part*> beside_first;   ///< scratch of find_contacts
+  std::vector<const Part*> beside_second;  ///< scratch of find_contacts
 
   Body& get(BodyId id);
   BodyId insert(std::unique_ptr<Body> body);
@@ -121,8 +131,25 @@ void World::Impl::predict(const std::vector<Body*>& order, double dt) {
 void World::Impl::find_contacts(double dt) {
   contacts.clear();
   solver.bounds.clear();
-  for (const PartPair& pair : broad_phase.pairs())
-    if (narrow_phase.find(pair)) add_contact(pair, dt);
+  const std::vector<PartPair>& pairs = broad_phase.pairs();
+  for (std::size_t i = 0; i < pairs.size();) {
+    // Pairs of one floe's part come in a row; the parts of the sheet among them continue each other.
+    std::size_t end = i;
+    near_sheet.clear();
+    for (; end < pairs.size() && pairs[end].first == pairs[i].first; ++end)
+      if (pairs[end].second->body->kind == BodyKind::kSheet) near_sheet.push_back(pairs[end].second);
+    collect_others(*pairs[i].first, beside_first);
+    for (; i < end; ++i) {
+      const Part& second = *pairs[i].second;
+      if (second.body->kind == BodyKind::kSheet) {
+        beside_second = near_sheet;
+        std::erase(beside_second, &second);
+      } else {
+        collect_others(second, beside_second);
+      }
+      if (narrow_phase.find(pairs[i], beside_first, beside_second)) add_contact(pairs[i], dt);
+    }
+  }
 }
 
 /// Eq. 16: the normal impulse of each point is bounded by dt sigma_c R times its share of the overlap's area.

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
@@ -48,8 +49,7 @@ FloePopulation::FloePopulation(const io::Case& resolved)
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction} {}
 
-std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
-                                                  double time) {
+std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygon& polygon) const {
   const std::vector<geometry::Ring> parts = geometry::convex_parts(polygon);
   const bool has_shape = std::ranges::any_of(
       parts, [&](const geometry::Ring& part) { return !geometry::inset(part, case_->contact.margin).empty(); });
@@ -59,21 +59,41 @@ std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, cons
   for (const geometry::Ring& part : parts) parts_in_metres.push_back(to_metres(part));
   const double h = case_->ice.thickness;
   const double mid_height = h * (0.5 - case_->ice.density / case_->water.density);
-  const rigid_body::PlacedPrism placed =
-      rigid_body::place_prism(rings_in_metres(polygon), parts_in_metres, h, mid_height);
+  rigid_body::PlacedPrism placed = rigid_body::place_prism(rings_in_metres(polygon), parts_in_metres, h, mid_height);
 
-  Floe floe{.id = next_id_++, .prism = placed.prism, .area = geometry::area(polygon)};
+  Floe floe{.outline = polygon, .prism = std::move(placed.prism), .area = geometry::area(polygon)};
   const double mass = case_->ice.density * h * floe.area.square_metres();
   floe.weight = mass * kGravity;
   floe.rest_potential = potential(floe, placed.pose, water_.density);
   floe.collision_time = collision_time(*case_, mass);
-  const BodyId body = world.add_floe(
-      placed.prism, rigid_body::mass_properties(placed.prism, case_->ice.density, case_->hydrodynamics.added_mass),
-      placed.pose);
+  return std::pair(std::move(floe), placed.pose);
+}
 
-  io::FloeRecord record{.id = floe.id, .rings = placed.prism.rings, .area = floe.area.square_metres(), .birth = time};
+std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
+                                                  double time) {
+  auto made = make(polygon);
+  if (!made) return std::nullopt;
+  auto& [floe, pose] = *made;
+  floe.id = next_id_++;
+  io::FloeRecord record{.id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time};
+  const BodyId body = world.add_floe(floe.prism, mass_of(floe), pose);
   floes_.emplace(body, std::move(floe));
   return record;
+}
+
+void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state) {
+  auto made = make(polygon);
+  BRASH_EXPECTS(made.has_value(), state.id);
+  Floe& floe = made->first;
+  floe.id = state.id;
+  floe.stress = state.stress;
+  floe.peak_compression = state.peak_compression;
+  const BodyId body = world.add_floe(floe.prism, mass_of(floe), state.pose, state.twist);
+  floes_.emplace(body, std::move(floe));
+}
+
+rigid_body::MassProperties FloePopulation::mass_of(const Floe& floe) const {
+  return rigid_body::mass_properties(floe.prism, case_->ice.density, case_->hydrodynamics.added_mass);
 }
 
 void FloePopulation::apply_water(rigid_body::World& world) const {
@@ -90,7 +110,12 @@ void FloePopulation::apply_water(rigid_body::World& world) const {
 
 void FloePopulation::update_stress(const rigid_body::World& world, double dt) {
   std::map<BodyId, std::array<double, 6>> dipoles;
-  for (const rigid_body::ContactLoad& contact : world.contacts()) {
+  // In the order of their places, so that the sums do not depend on how the bodies came to their ids.
+  std::vector<rigid_body::ContactLoad> contacts = world.contacts();
+  std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad& c) {
+    return std::tuple(c.point.x, c.point.y, c.point.z, c.normal.x, c.normal.y, c.normal.z);
+  });
+  for (const rigid_body::ContactLoad& contact : contacts) {
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
     add_dipole(dipoles[contact.body], contact.point - world.pose(contact.body).position, force);
     if (world.kind(contact.other) == rigid_body::BodyKind::kFloe)

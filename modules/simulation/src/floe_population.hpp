@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "brash/core/prism.hpp"
@@ -19,6 +20,7 @@ namespace brash::simulation {
 /// A free piece of ice.
 struct Floe {
   std::int64_t id = 0;
+  geometry::Polygon outline;  ///< where it broke off, sheet frame
   Prism prism;
   geometry::ExactArea area;
   double weight = 0.0;          ///< m g, without added mass [N]
@@ -29,6 +31,15 @@ struct Floe {
   double peak_compression = 0.0;  ///< [Pa]
 };
 
+/// What changes of a floe after its birth.
+struct FloeState {
+  std::int64_t id = 0;
+  Pose pose;
+  Twist twist;
+  std::array<double, 6> stress{};
+  double peak_compression = 0.0;
+};
+
 /// All floes present: births, water, the stress that decides about crushing, deaths.
 class FloePopulation {
  public:
@@ -36,6 +47,9 @@ class FloePopulation {
 
   /// Gives `polygon` a body at rest in the level ice. @return its record, or nothing when it is too thin for a body.
   std::optional<io::FloeRecord> add(rigid_body::World& world, const geometry::Polygon& polygon, double time);
+
+  /// Gives a floe of an earlier run its body back; in the order of their bodies there.
+  void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
 
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
   void apply_water(rigid_body::World& world) const;
@@ -52,8 +66,14 @@ class FloePopulation {
   double potential_energy(const rigid_body::World& world) const;
 
   const std::map<BodyId, Floe>& floes() const { return floes_; }
+  std::int64_t next_id() const { return next_id_; }
+  void set_next_id(std::int64_t id) { next_id_ = id; }
 
  private:
+  /// The floe broken off as `polygon` and where its body then is; nothing when it is too thin for a body.
+  std::optional<std::pair<Floe, Pose>> make(const geometry::Polygon& polygon) const;
+  rigid_body::MassProperties mass_of(const Floe& floe) const;
+
   const io::Case* case_;
   hydrodynamics::Water water_;
   std::map<BodyId, Floe> floes_;

@@ -24,6 +24,7 @@ inline std::vector<std::vector<Vec2>> rings_in_metres(const geometry::Polygon& p
   return rings;
 }
 
+/// Axis-parallel; without ice `lower` exceeds `upper`.
 struct Box {
   Vec2 lower{};
   Vec2 upper{};

@@ -22,6 +22,7 @@ SheetTiles::SheetTiles(const geometry::IceSheet& sheet, rigid_body::World& world
 }
 
 void SheetTiles::renew(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper) {
+  if (lower.x > upper.x) return;  // an empty box
   const auto cell = [](double coordinate) { return static_cast<int>(std::floor(coordinate / kTileSide)); };
   for (int i = cell(lower.x); i <= cell(upper.x); ++i) {
     for (int j = cell(lower.y); j <= cell(upper.y); ++j) {

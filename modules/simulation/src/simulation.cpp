@@ -7,12 +7,9 @@
 
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
-#include "edge_contact.hpp"
-#include "floe_population.hpp"
-#include "ice_field.hpp"
 #include "initial_crack.hpp"
 #include "plan.hpp"
-#include "sheet_tiles.hpp"
+#include "simulation_impl.hpp"
 
 namespace brash::simulation {
 namespace {
@@ -55,52 +52,23 @@ class StageClock {
 
 }  // namespace
 
-struct Simulation::Impl {
-  io::Case resolved;
-  failure::IceProperties ice;
-  structure::Cone cone;
-  std::unique_ptr<failure::BendingCriterion> criterion;
-  IceField field;
-  rigid_body::World world;
-  SheetTiles tiles;
-  FloePopulation floes;
-  BodyId structure_body;
-  Vec2 centre;                 ///< of the structure [m]
-  std::int64_t n_steps = 0;
-  std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
-  double work = 0.0;           ///< done by the structure [J]
-  std::vector<io::FloeRecord> initial_births;
-  StageTimes times;
+Simulation::Impl::Impl(const io::Case& c, IceField laid)
+    : resolved(c),
+      ice(ice_properties(c)),
+      cone(make_cone(c.structure)),
+      criterion(failure::make_criterion(c.failure.model, c.failure.file, ice)),
+      field(std::move(laid)),
+      world(world_settings(c)),
+      tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
+      floes(resolved),
+      centre{-c.structure.start_distance, 0.0} {
+  const std::vector<Vec3> hull = structure::hull(cone);
+  structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
+}
 
-  explicit Impl(const io::Case& c)
-      : resolved(c),
-        ice(ice_properties(c)),
-        cone(make_cone(c.structure)),
-        criterion(failure::make_criterion(c.failure.model, c.failure.file, ice)),
-        field(c.field.length, c.field.width),
-        world(world_settings(c)),
-        tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
-        floes(resolved),
-        centre{-c.structure.start_distance, 0.0} {
-    const std::vector<Vec3> hull = structure::hull(cone);
-    structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
-    if (c.field.initial_crack) initial_crack();
-  }
-
-  double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
-  Pose structure_pose() const { return {{centre.x, centre.y, 0.0}, {}}; }
-  EdgeModel edge_model() const { return {cone, resolved, ice, *criterion}; }
-
-  int draw_wedges();
-  void initial_crack();
-  std::vector<io::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
-  void advance_through_ice(StepReport& report);
-  std::vector<EdgeContact> contacts_within_range(double& share, StepReport& report);
-  void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
-  void remove_crushed_floes(StepReport& report);
-  void collect_loads(StepReport& report);
-  StepReport step();
-};
+Simulation::Impl::Impl(const io::Case& c) : Impl(c, IceField(c.field.length, c.field.width)) {
+  if (c.field.initial_crack) initial_crack();
+}
 
 /// The paper takes 3 to 5 wedges at random (after Nevel); one stream a break, so that a resumed run draws the same.
 int Simulation::Impl::draw_wedges() {
@@ -116,10 +84,10 @@ void Simulation::Impl::initial_crack() {
 /// One circumferential crack with its radial cracks: sheet, floes and collision shapes follow.
 std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
   const geometry::Ring section = leading_section(edge_model(), centre);
-  const std::vector<geometry::Polygon> pieces =
+  const Broken broken =
       field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, section, resolved.failure.smallest_floe);
   std::vector<io::FloeRecord> births;
-  for (const geometry::Polygon& piece : pieces) {
+  for (const geometry::Polygon& piece : broken.floes) {
     std::optional<io::FloeRecord> record = floes.add(world, piece, time());
     if (!record) {
       field.floe_to_brash(geometry::area(piece));
@@ -129,8 +97,7 @@ std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, 
     if (collision_time(resolved, mass) < resolved.time.step) ++report.n_steps_too_long;
     births.push_back(std::move(*record));
   }
-  const Vec2 reach{radius, radius};
-  tiles.renew(field.sheet(), world, at - reach, at + reach);
+  tiles.renew(field.sheet(), world, broken.changed.lower, broken.changed.upper);
   return births;
 }
 
@@ -274,11 +241,14 @@ StepReport Simulation::Impl::step() {
 }
 
 Simulation::Simulation(const io::Case& resolved) : impl_(std::make_unique<Impl>(resolved)) {}
+Simulation::Simulation(const io::Case& resolved, const io::Checkpoint& checkpoint)
+    : impl_(std::make_unique<Impl>(resolved, checkpoint)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 StepReport Simulation::step() { return impl_->step(); }
+io::Checkpoint Simulation::checkpoint() const { return impl_->checkpoint(); }
 double Simulation::time() const { return impl_->time(); }
 const std::vector<io::FloeRecord>& Simulation::initial_births() const { return impl_->initial_births; }
 std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.sheet().polygons(); }

@@ -23,10 +23,7 @@ namespace fs = std::filesystem;
 
 /// Table 1 of the paper.
 IceProperties ice() {
-  return {.thickness = 0.33,
-          .youngs_modulus = 0.35e9,
-          .flexural_strength = 539e3,
-          .compressive_strength = 1e6};
+  return {.thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
 }
 
 LoadCase load() {
@@ -35,14 +32,8 @@ LoadCase load() {
 
 /// sigma/p = 4 mu1 c/l_c approximately: one nearly linear hidden unit on the logarithms; l_break = 0.5 l_c.
 meta_model::Network simple_network() {
-  using meta_model::Scale;
   meta_model::NetworkParameters p;
-  p.inputs = {{{Scale::kLinear, 0, 1},
-               {Scale::kLogarithm, 0, 1},
-               {Scale::kLinear, 0, 1},
-               {Scale::kLogarithm, 0, 1},
-               {Scale::kSquare, 0, 1}}};
-  p.outputs = {{{Scale::kLogarithm, std::log(4.0), 1}, {Scale::kLinear, 0, 1}}};
+  p.targets = {{{std::log(4.0), 1.0}, {0.0, 1.0}}};
   p.hidden = 1;
   constexpr double kSmall = 1e-4;  // S(a) = 1/2 + a/4 for small a
   p.w1 = {0, kSmall, 0, kSmall, 0};
@@ -150,7 +141,8 @@ BOOST_AUTO_TEST_CASE(an_empty_file_means_the_model_of_the_program_or_of_the_envi
   BOOST_TEST(model_path("network", "mine.json") == "mine.json");
   BOOST_TEST(model_path("plate", "") == "");
   ::unsetenv("BRASH_MODEL_PATH");
-  BOOST_TEST(model_path("network", "") == std::string(BRASH_SOURCE_DIR) + "/experiments/failure_database/cone_network.json");
+  BOOST_TEST(model_path("network", "") ==
+             std::string(BRASH_SOURCE_DIR) + "/experiments/failure_database/cone_network.json");
   const ModelFile model;
   ::setenv("BRASH_MODEL_PATH", model.folder.c_str(), 1);
   BOOST_TEST(model_path("network", "") == model.file.string());
@@ -160,8 +152,8 @@ BOOST_AUTO_TEST_CASE(an_empty_file_means_the_model_of_the_program_or_of_the_envi
 
 BOOST_AUTO_TEST_CASE(the_wedge_is_the_solved_tapered_beam) {
   // alpha = a/l, F = 6 P/(b0 sigma h^2), (x_max - a)/l: the beam solved with SciPy's solve_bvp to 1e-9.
-  const double solved[][3] = {{0.002, 1.021436, 0.142445}, {0.02, 1.103970, 0.305157}, {0.1, 1.340142, 0.500775},
-                              {0.4, 2.058701, 0.716854},   {1.0, 3.405134, 0.857379},  {3.0, 7.808851, 0.987608},
+  const double solved[][3] = {{0.002, 1.021436, 0.142445}, {0.02, 1.103970, 0.305157},   {0.1, 1.340142, 0.500775},
+                              {0.4, 2.058701, 0.716854},   {1.0, 3.405134, 0.857379},    {3.0, 7.808851, 0.987608},
                               {12.0, 27.546300, 1.072527}, {200.0, 439.874885, 1.108233}};
   const auto criterion = make_criterion("wedge", "", ice());
   const double l = characteristic_length(ice()) * std::pow(1.0 - 0.3 * 0.3, 0.25);
@@ -193,8 +185,8 @@ BOOST_AUTO_TEST_CASE(a_wedge_without_an_angle_is_hetenyis_strip) {
 
 BOOST_AUTO_TEST_CASE(the_plate_criterion_is_the_direct_solve) {
   const double l_c = characteristic_length(ice());
-  const auto profiles = plate::solve(
-      {.depth = 1.0 / l_c, .contact_length = 0.5 / l_c, .angle = radians(60.0), .thickness = 0.33 / l_c});
+  const auto profiles =
+      plate::solve({.depth = 1.0 / l_c, .contact_length = 0.5 / l_c, .angle = radians(60.0), .thickness = 0.33 / l_c});
   BOOST_REQUIRE(profiles);
   const plate::Response r = plate::respond(*profiles, 0.33 / l_c, 0.511, 0.01);
   const Assessment a = make_criterion("plate", "", ice())->assess(load());

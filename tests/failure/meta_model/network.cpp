@@ -20,12 +20,8 @@ namespace fs = std::filesystem;
 /// Three hidden units with weights of no meaning, all different.
 NetworkParameters parameters() {
   NetworkParameters p;
-  p.inputs = {{{Scale::kLinear, 0.9, 0.6},
-               {Scale::kLogarithm, -1.5, 1.3},
-               {Scale::kLinear, 1.3, 0.7},
-               {Scale::kLogarithm, -0.6, 1.0},
-               {Scale::kSquare, 0.03, 0.028}}};
-  p.outputs = {{{Scale::kLogarithm, 0.4, 1.2}, {Scale::kLinear, 0.5, 0.2}}};
+  p.features = {{{-0.6, 0.9}, {-1.5, 1.3}, {1.7, 1.2}, {-0.6, 1.0}, {0.03, 0.028}}};
+  p.targets = {{{0.4, 1.2}, {0.5, 0.2}}};
   p.hidden = 3;
   for (int i = 0; i < p.hidden * kInputs; ++i) p.w1.push_back(std::sin(1.0 + i));
   p.b1 = {0.1, -0.2, 0.3};
@@ -75,7 +71,8 @@ void expect_refusal(const std::string& from, const std::string& to, const std::v
 BOOST_AUTO_TEST_CASE(the_network_is_equation_17) {
   const NetworkParameters p = parameters();
   const Input x{0.7, 0.3, 1.1, 0.5, -0.2};
-  const double z[] = {(0.7 - 0.9) / 0.6, (std::log(0.3) + 1.5) / 1.3, (1.1 - 1.3) / 0.7, (std::log(0.5) + 0.6) / 1.0,
+  const double z[] = {(std::log(0.7 + 0.1) + 0.6) / 0.9, (std::log(0.3) + 1.5) / 1.3,
+                      (std::log(1.0 + 2.0 * 0.7 * std::tan(0.55) / 0.3) - 1.7) / 1.2, (std::log(0.5) + 0.6) / 1.0,
                       (0.04 - 0.03) / 0.028};
   double y[] = {p.b2[0], p.b2[1]};
   for (int j = 0; j < 3; ++j) {
@@ -118,11 +115,12 @@ BOOST_AUTO_TEST_CASE(a_written_network_reads_back_bit_by_bit) {
 }
 
 BOOST_AUTO_TEST_CASE(a_changed_model_file_is_refused_with_the_place_and_a_remedy) {
-  expect_refusal("\"offset\": 0.9", "\"offset\": 0.8", {"/content_sha256", "brash failure train"});
+  expect_refusal("\"offset\": 1.7", "\"offset\": 1.8", {"/content_sha256", "brash failure train"});
   expect_refusal("\"format\": \"brash-network\"", "\"format\": \"other\"", {"/format", "brash-network"});
   expect_refusal("\"format_version\": 1", "\"format_version\": 2", {"/format_version", "reads 1"});
   expect_refusal("\"content_sha256\"", "\"no_hash\"", {"content_sha256", "missing"});
-  expect_refusal("{", "", {"not JSON"});
+  expect_refusal("\"format_version\": 1,", "\"format_version\" 1,", {"not JSON", "byte"});
+  expect_refusal("mu2^2", "mu2^3", {"/content_sha256"});
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_model_file_is_refused) {
@@ -141,6 +139,20 @@ BOOST_AUTO_TEST_CASE(inputs_below_and_above_the_range_are_told_apart_and_clamped
   BOOST_TEST(clamped.theta == 1.0);
   BOOST_TEST(clamped.mu1 == 3.0);
   BOOST_TEST(clamped.mu2 == -0.3);
+}
+
+BOOST_AUTO_TEST_CASE(at_the_straight_edge_the_angle_has_no_effect_and_the_stress_is_even_in_mu2) {
+  const Network network(parameters());
+  const Output y = network.predict({0.0, 0.3, 0.2, 0.5, 0.2});
+  BOOST_TEST(network.predict({0.0, 0.3, 2.5, 0.5, 0.2}).sigma_over_p == y.sigma_over_p);
+  BOOST_TEST(network.predict({0.0, 0.3, 0.2, 0.5, -0.2}).sigma_over_p == y.sigma_over_p);
+}
+
+BOOST_AUTO_TEST_CASE(an_input_without_a_feature_breaks_the_contract) {
+  const Network network(parameters());
+  BOOST_CHECK_THROW(network.predict({0.5, 0.0, 1.0, 0.5, 0.0}), brash::ContractViolation);
+  BOOST_CHECK_THROW(network.predict({0.5, 0.3, 1.0, -0.5, 0.0}), brash::ContractViolation);
+  BOOST_CHECK_THROW(network.predict({0.5, 0.3, 3.2, 0.5, 0.0}), brash::ContractViolation);
 }
 
 BOOST_AUTO_TEST_CASE(parameters_of_the_wrong_shape_break_the_contract) {

@@ -21,8 +21,9 @@ Sample sample(int geometry, int row) {
              .mu1 = 0.1 * std::pow(30.0, wave(3.3 * geometry + 5.7 * row)),
              .mu2 = 0.3 * std::sin(2.3 * geometry + 7.9 * row)};
   const Input& x = s.input;
-  s.output.sigma_over_p = 5.0 * (x.mu1 + 0.3) * x.c_lc / (x.c_lc + 0.5 * (1.0 + std::tanh(x.theta - x.b_lc))) *
-                          (1.0 + 2.0 * x.mu2 * x.mu2);
+  const double width_ratio = 1.0 + 2.0 * x.b_lc * std::tan(0.5 * x.theta) / x.c_lc;
+  s.output.sigma_over_p =
+      5.0 * (x.mu1 + 0.3) * x.c_lc / (x.c_lc + 0.2 * width_ratio / (1.0 + x.b_lc)) * (1.0 + 2.0 * x.mu2 * x.mu2);
   s.output.lbreak_over_lc = 0.3 + 0.2 * std::tanh(x.b_lc) + 0.1 * std::log1p(x.c_lc);
   s.plateau_from = s.output.lbreak_over_lc - 0.1;
   s.plateau_to = s.output.lbreak_over_lc + 0.1;
@@ -79,9 +80,29 @@ BOOST_AUTO_TEST_CASE(the_range_is_the_box_of_all_rows_and_the_stress_is_even_in_
 BOOST_AUTO_TEST_CASE(the_start_with_the_smallest_validation_loss_is_kept) {
   const Trained trained = train(samples(60), quick());
   const auto& starts = trained.report.starts;
-  BOOST_REQUIRE(starts.size() == 2u);
-  const auto best = static_cast<std::size_t>(trained.report.best_start);
-  BOOST_TEST(starts[best].validation_loss <= starts[1 - best].validation_loss);
+  BOOST_REQUIRE(starts.size() == 4u);  // two of each network
+  for (const std::size_t first : {0u, 2u}) {
+    BOOST_REQUIRE(starts[first].kept != starts[first + 1].kept);
+    const std::size_t best = starts[first].kept ? first : first + 1, other = 2 * first + 1 - best;
+    BOOST_TEST(starts[best].validation_loss <= starts[other].validation_loss);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(separate_networks_share_no_hidden_unit_and_one_network_shares_all) {
+  TrainingOptions options = quick();
+  options.max_iterations = 20;
+  const NetworkParameters two = train(samples(40), options).network.parameters();
+  BOOST_REQUIRE(two.hidden == 20);
+  for (int j = 0; j < 10; ++j) {
+    BOOST_TEST(two.w2[j] != 0.0);
+    BOOST_TEST(two.w2[10 + j] == 0.0);
+    BOOST_TEST(two.w2[20 + j] == 0.0);
+    BOOST_TEST(two.w2[30 + j] != 0.0);
+  }
+  options.separate = false;
+  const NetworkParameters one = train(samples(40), options).network.parameters();
+  BOOST_TEST(one.hidden == 10);
+  for (const double weight : one.w2) BOOST_TEST(weight != 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(too_few_geometries_or_an_unusable_row_are_refused) {

@@ -148,4 +148,46 @@ BOOST_AUTO_TEST_CASE(a_sinking_plate_approaches_its_terminal_velocity_as_tanh) {
   BOOST_CHECK_CLOSE_FRACTION(-velocity, terminal, 1e-3);  // 1 - tanh(8) = 2e-7
 }
 
+BOOST_AUTO_TEST_CASE(a_step_s_drag_follows_the_exact_decay_where_the_instant_s_drag_overshoots) {
+  const Water water = without_skin_friction();
+  const double length = 3.0, breadth = 3.0, thickness = 0.33, mass = 1.5 * 900.0 * length * breadth * thickness;
+  const Prism floe = box(length, breadth, thickness);
+  const Vec3 inertia = mass / 12.0 *
+                       Vec3{breadth * breadth + thickness * thickness, length * length + thickness * thickness,
+                            length * length + breadth * breadth};
+  const double l_avg = (length + breadth + thickness) / 3.0;
+  const double wetted = 2.0 * (length * breadth + (length + breadth) * thickness);
+  const double rate = 0.5 * water.density * l_avg * l_avg * l_avg * wetted / inertia.x;  // Omega' = -rate Omega^2
+
+  const double dt = 0.01;
+  double instant = 8.0, step = 8.0;
+  for (int i = 1; i <= 100; ++i) {
+    const auto brake = [&](double spin, const hydrodynamics::StepInertia& how) {
+      // The floe is held level, so that nothing but the spin changes.
+      return spin + water_load(floe, kDeep, {{}, {spin, 0.0, 0.0}}, water, how).drag.moment.x / inertia.x * dt;
+    };
+    if (i == 1) instant = brake(instant, {});
+    step = brake(step, {dt, mass, inertia});
+    // Repeating the exact map of one step gives the exact decay.
+    BOOST_CHECK_CLOSE_FRACTION(step, 8.0 / (1.0 + rate * 8.0 * i * dt), 1e-12);
+  }
+  BOOST_TEST(instant < -8.0);  // turned round, and faster
+}
+
+BOOST_AUTO_TEST_CASE(a_step_s_drag_tends_to_the_instant_s_drag_as_the_step_vanishes) {
+  const Prism floe = notched_plate(0.6);
+  const Pose pose{{0.0, 0.0, -0.1}, turn({1.0, 0.4, 0.5}, 0.6)};
+  const Twist twist{{1.0, -2.0, 0.5}, {0.2, 0.1, -0.4}};
+  const WaterLoad instant = water_load(floe, pose, twist, Water{});
+  double last = 0.0;
+  for (const double dt : {1e-3, 1e-4, 1e-5}) {
+    const WaterLoad step = water_load(floe, pose, twist, Water{}, {dt, 7000.0, {9000.0, 12000.0, 20000.0}});
+    const double error = norm(step.drag.force - instant.drag.force) / norm(instant.drag.force);
+    BOOST_TEST(error > 0.0);
+    if (last > 0.0) BOOST_TEST(error < 0.11 * last);  // first order: a tenth, and a little for the second order
+    last = error;
+    BOOST_CHECK(step.buoyancy == instant.buoyancy);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

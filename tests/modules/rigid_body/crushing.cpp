@@ -101,6 +101,48 @@ BOOST_AUTO_TEST_CASE(Overlap_of_breakable_ice_is_not_pushed_apart) {
   BOOST_TEST(world.kinetic_energy() == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(The_faces_between_parts_of_one_sheet_or_floe_are_no_surfaces) {
+  // A floe of two parts pressed 3 cm into a free edge of three parts; the joints of both lie within the overlap or a
+  // centimetre from its end, where the shortest way out of a part alone would be along the edge.
+  using Rings = std::vector<std::vector<Vec2>>;
+  const Rings ring{rectangle({-2, -1}, {0.03, 1})};
+  const auto press = [&](const Rings& parts, const Rings& sheet, double& area) {
+    World world(bounded());
+    for (const auto& part : sheet) world.add_sheet_part(part, -0.165, 0.165);
+    const PlacedPrism placed = place_prism(ring, parts, 0.33, 0.0);
+    const BodyId floe =
+        world.add_floe(placed.prism, mass_properties(placed.prism, kDensity, 0.0), placed.pose, {{5, 0, 0}, {}});
+    world.step(0.001);
+    area = 0.0;
+    for (const ContactLoad& c : world.contacts()) {
+      BOOST_TEST(norm(c.normal - Vec3{-1, 0, 0}) < 1e-12);
+      area += c.area;
+    }
+    return world.twist(floe);
+  };
+  double area = 0.0;
+  const Twist whole = press(ring, {rectangle({0, -3}, {4, 3})}, area);
+  BOOST_TEST(area == 2 * 0.33, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(whole.linear.x == 5 - kPressure * 0.66 * 0.001 / (kDensity * 2.03 * 2 * 0.33),
+             boost::test_tools::tolerance(1e-9));
+
+  const Rings halves{rectangle({-2, -1}, {0.03, 0.2}), rectangle({-2, 0.2}, {0.03, 1})};
+  const Twist in_parts = press(
+      halves, {rectangle({0, -3}, {4, 0.19}), rectangle({0, 0.19}, {4, 0.99}), rectangle({0, 0.99}, {4, 3})}, area);
+  BOOST_TEST(area == 2 * 0.33, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(norm(whole.linear - in_parts.linear) < 1e-9);
+  BOOST_TEST(norm(whole.angular - in_parts.angular) < 1e-9);
+
+  // Behind a slanting joint the same area is seen twice: here 3 cm deep with a slope of 1 in 5.
+  press(halves,
+        {rectangle({0, -3}, {4, 0.19}),
+         {{0, 0.19}, {4, 0.99}, {0, 0.99}},
+         {{0, 0.19}, {4, 0.19}, {4, 0.99}},
+         rectangle({0, 0.99}, {4, 3})},
+        area);
+  BOOST_TEST(area == (2 + 0.03 / 5) * 0.33, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(A_corner_that_is_crushed_stops_the_floe_as_a_spring_would) {
   // A square floe runs with its right-angled corner into a wall: at depth d the section is 2 d wide, h high, so the
   // force p 2 h d is a spring's, and the peak is v sqrt(m p 2 h) after a quarter period. First order in dt.

@@ -2,8 +2,10 @@
 #include "brash/simulation/simulation.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
 #include <set>
 
+#include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/scales.hpp"
@@ -43,15 +45,16 @@ BOOST_AUTO_TEST_CASE(one_seed_gives_one_history_and_another_seed_another) {
 }
 
 BOOST_AUTO_TEST_CASE(the_ledger_closes_after_every_step) {
-  simulation::run(short_case(), [](const simulation::Simulation& simulation, const simulation::StepReport&) {
+  const auto closes = [](const simulation::Simulation& simulation, const simulation::StepReport&) {
     BOOST_REQUIRE(simulation.ledger().closes());
-  });
+  };
+  BOOST_TEST(simulation::run(short_case(), {.observer = closes}).complete);
 }
 
 BOOST_AUTO_TEST_CASE(a_step_reports_what_it_did) {
   int n_breaks = 0;
   std::set<std::int64_t> born;
-  simulation::run(short_case(), [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
+  const auto look = [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
     n_breaks += static_cast<int>(report.events.size());
     for (const io::FloeRecord& floe : report.births) BOOST_TEST(born.insert(floe.id).second);
     for (const io::CrackEvent& event : report.events) {
@@ -60,9 +63,30 @@ BOOST_AUTO_TEST_CASE(a_step_reports_what_it_did) {
       BOOST_TEST(event.breaking_length > 0.0);
     }
     BOOST_TEST(report.loads.time == simulation.time());
-  });
+  };
+  (void)simulation::run(short_case(), {.observer = look});
   BOOST_TEST(n_breaks > 5);
   BOOST_TEST(born.size() > 10u);
+}
+
+BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
+  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-checkpoint.nc").string();
+  std::filesystem::remove(file);
+  const simulation::Run whole = simulation::run(short_case());
+  double stop_at = 1.0;
+  double now = 0.0;
+  const simulation::RunOptions options{
+      .observer = [&](const simulation::Simulation& s, const simulation::StepReport&) { now = s.time(); },
+      .checkpoint_file = file,
+      .resume = true,
+      .interrupted = [&] { return now >= stop_at; }};
+  simulation::Run resumed = simulation::run(short_case(), options);
+  for (; !resumed.complete; resumed = simulation::run(short_case(), options)) stop_at += 1.1;
+  BOOST_TEST((bytes_of(resumed) == bytes_of(whole)));
+  BOOST_TEST((resumed.results == whole.results));
+  BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
+  BOOST_CHECK_THROW(simulation::run(short_case({"random.seed=2"}), {.checkpoint_file = file, .resume = true}), InputError);
+  std::filesystem::remove(file);
 }
 
 BOOST_AUTO_TEST_CASE(far_from_the_ice_nothing_loads_the_structure) {

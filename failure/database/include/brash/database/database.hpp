@@ -21,9 +21,9 @@ struct Record {
   int geometry = 0;  ///< index in the design
   plate::WedgePlate plate{};
   bool solved = false;
-  std::string error{};            ///< why it was not solved
-  plate::UnitProfiles profiles{}; ///< empty when not solved
-  std::vector<Row> rows{};        ///< empty when not solved
+  std::string error{};             ///< why it was not solved
+  plate::UnitProfiles profiles{};  ///< empty when not solved
+  std::vector<Row> rows{};         ///< empty when not solved
 };
 
 /// A database file in memory, records by geometry.

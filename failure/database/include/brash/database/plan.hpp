@@ -8,7 +8,8 @@
 
 namespace brash::database {
 
-/// How a coordinate u in [0, 1] of the design becomes a value: evenly, evenly in the logarithm, or as u^2 (dense below).
+/// How a coordinate u in [0, 1] of the design becomes a value: evenly, evenly in the logarithm, or as u^2 (dense
+/// below).
 enum class Spacing { kLinear, kLogarithmic, kQuadratic };
 
 /// Range of one input.

@@ -43,21 +43,17 @@ struct RangeCheck {
   bool inside() const { return !below && !above; }
 };
 
-/// What is normalised: the value itself, its natural logarithm (values > 0) or its square (even dependence).
-enum class Scale { kLinear, kLogarithm, kSquare };
-
-/// Normalisation of one input or output: z = (scale(x) - offset) / factor, a z-score over the training rows.
+/// Normalisation of a feature or target: z = (value - offset) / factor, a z-score over the training rows.
 struct Normalisation {
-  Scale scale = Scale::kLinear;
   double offset = 0.0;
   double factor = 1.0;
 };
 
 /// Everything that a model file holds besides its hash.
 struct NetworkParameters {
-  std::array<Normalisation, kInputs> inputs;    ///< makes X of Eq. 17
-  std::array<Normalisation, kOutputs> outputs;  ///< undone on y of Eq. 17; the square is not allowed here
-  int hidden = 0;                               ///< number of hidden units; 10 in the paper
+  std::array<Normalisation, kInputs> features;  ///< makes X of Eq. 17 from the features below
+  std::array<Normalisation, kOutputs> targets;  ///< undone on y of Eq. 17; the targets are ln(sigma/p) and l_break/l_c
+  int hidden = 0;                               ///< number of hidden units of all outputs together
   std::vector<double> w1;                       ///< shape=(hidden, kInputs), row by row
   std::vector<double> b1;                       ///< shape=(hidden,)
   std::vector<double> w2;                       ///< shape=(kOutputs, hidden), row by row
@@ -68,6 +64,16 @@ struct NetworkParameters {
 };
 
 /// The paper's network, Eq. 17: y = W2 S(W1 X + b1) + b2 with X, y normalised and S the logistic sigmoid.
+///
+/// X holds the five inputs as five features, each as a z-score:
+///
+///     ln(b/l_c + 0.1),  ln(c/l_c),  ln(1 + 2 b tan(theta/2) / c),  ln(mu1),  mu2^2.
+///
+/// The third is the base width over the tip width: it says what theta says, and nothing for b = 0, where theta has no
+/// meaning. The last is even, as the stress on the centre line is. y holds ln(sigma/p) and l_break/l_c as z-scores.
+///
+/// Two networks of the paper's size, one an output, are one network here: W2 has zeros where a hidden unit serves the
+/// other output.
 class Network {
  public:
   /// Takes trained parameters; their shapes are a contract.

@@ -20,10 +20,11 @@ struct Sample {
 };
 
 struct TrainingOptions {
-  int hidden = 10;               ///< hidden units, as the paper
-  int starts = 6;                ///< random starts; the one with the smallest validation loss is kept
-  int max_iterations = 500;      ///< of Levenberg-Marquardt, each start
-  int patience = 40;             ///< iterations without a smaller validation loss before a start ends
+  int hidden = 10;           ///< hidden units of a network, as the paper
+  bool separate = true;      ///< a network for each output (W1 10x5, W2 10x1, as the paper prints), or one for both
+  int starts = 6;            ///< random starts of a network; the one with the smallest validation loss is kept
+  int max_iterations = 500;  ///< of Levenberg-Marquardt, each start
+  int patience = 40;         ///< iterations without a smaller validation loss before a start ends
   double validation_share = 0.15;  ///< of the geometries
   double test_share = 0.15;        ///< of the geometries
   std::uint64_t seed = 1;          ///< of split and starts
@@ -35,15 +36,16 @@ struct TrainingOptions {
 struct Errors {
   std::size_t n_rows = 0;
   std::size_t n_geometries = 0;
-  double stress_bias = 0.0;       ///< mean
-  double stress_rms = 0.0;        ///< root mean square
-  double stress_median = 0.0;     ///< median of the size
-  double stress_95 = 0.0;         ///< 95 % quantile of the size
-  double stress_max = 0.0;        ///< largest size
-  double length_rms = 0.0;        ///< of l_break / l_c
-  double length_median = 0.0;     ///< median of the size
-  double length_95 = 0.0;         ///< 95 % quantile of the size
-  double length_on_plateau = 0.0;  ///< share of rows whose predicted place has 99 % of the peak stress or more
+  double stress_bias = 0.0;         ///< mean
+  double stress_rms = 0.0;          ///< root mean square
+  double stress_median = 0.0;       ///< median of the size
+  double stress_95 = 0.0;           ///< 95 % quantile of the size
+  double stress_max = 0.0;          ///< largest size
+  double stress_absolute_95 = 0.0;  ///< 95 % quantile of the size of (predicted - computed) sigma/p
+  double length_rms = 0.0;          ///< of l_break / l_c
+  double length_median = 0.0;       ///< median of the size
+  double length_95 = 0.0;           ///< 95 % quantile of the size
+  double length_on_plateau = 0.0;   ///< share of rows whose predicted place has 99 % of the peak stress or more
 };
 
 /// Errors of the test rows in a part of the range.
@@ -54,10 +56,12 @@ struct Region {
 
 /// How one random start went.
 struct Start {
+  std::string serves{};  ///< the output or "both"
+  bool kept = false;
   int iterations = 0;
   double training_loss = 0.0;
   double validation_loss = 0.0;  ///< smallest; its weights are the start's result
-  std::string ended;             ///< "patience", "converged", "iterations" or the solver's message
+  std::string ended{};           ///< "patience", "converged", "iterations" or the solver's message
 };
 
 struct TrainingReport {
@@ -66,7 +70,6 @@ struct TrainingReport {
   Errors test;
   std::vector<Region> regions;
   std::vector<Start> starts;
-  int best_start = 0;
 };
 
 struct Trained {
@@ -76,11 +79,11 @@ struct Trained {
 
 /// Trains the network of Eq. 17 by Levenberg-Marquardt (GSL multifit_nlinear) on the sum of squares of
 ///
-///   ln(sigma_predicted / sigma) / 0.02   and   (l_predicted - l) / max(half width of the 99 % plateau, 0.05),
+///   ln(sigma_predicted / sigma) / t_sigma,   t_sigma = 0.02 max(1, 0.25 / (sigma/p)),   and
+///   (l_predicted - l) / t_l,                 t_l = max(half width of the 99 % plateau, 0.05),
 ///
-/// so both residuals count in units of an error that would not matter. Features: b/l_c, ln(c/l_c), theta, ln(mu1) and
-/// mu2^2 (on the centre line the stress is even in mu2), each as a z-score over the training rows; targets ln(sigma/p)
-/// and l_break/l_c. The same samples and options give the same network.
+/// so both residuals count in units of an error that would not matter. Where sigma/p is small the ice is crushed before
+/// it bends and an absolute error counts. The same samples and options give the same network.
 ///
 /// Geometries, not rows, are divided into training, validation and test parts.
 /// @throws InputError when there are too few geometries to divide, or a row cannot be used (stress, c or mu1 <= 0).

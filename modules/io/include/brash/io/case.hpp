@@ -115,6 +115,7 @@ struct RandomSection {
 /// [output]
 struct OutputSection {
   double frames_per_second = 15.0;
+  double checkpoint_interval = 5.0;  ///< simulated time between checkpoints [s]; 0 keeps none
   std::optional<double> statistics_from;  ///< [s]; absent: when the structure's centre passes the initial edge
 
   friend bool operator==(const OutputSection&, const OutputSection&) = default;

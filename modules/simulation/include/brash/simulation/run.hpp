@@ -48,14 +48,24 @@ struct Run {
   StageTimes stage_times;
   double wall_seconds = 0.0;
   std::string started_at;  ///< ISO 8601, UTC
+  bool complete = false;   ///< false: interrupted; there are results so far, and no summary
 };
 
-/// Called after every step.
-using Observer = std::function<void(const Simulation&, const StepReport&)>;
+/// What surrounds the loop of a run.
+struct RunOptions {
+  /// Called after every step.
+  std::function<void(const Simulation&, const StepReport&)> observer{};
+  /// Where the newest checkpoint is kept, every `output.checkpoint_interval`; empty: nowhere.
+  std::string checkpoint_file{};
+  /// Goes on from `checkpoint_file` where it exists, instead of from the start.
+  bool resume = false;
+  /// Asked after every step; when true the run keeps a checkpoint and stops.
+  std::function<bool()> interrupted{};
+};
 
-/// Runs `resolved` to its end.
-/// @throws RunError when the ledger does not close.
-Run run(const io::Case& resolved, const Observer& observer = {});
+/// Runs `resolved` to its end, or to where it is interrupted.
+/// @throws InputError when the checkpoint is of another case. @throws RunError when the ledger does not close.
+Run run(const io::Case& resolved, const RunOptions& options = {});
 
 /// Writes run.nc, history.csv, events.csv, summary.json and, last, manifest.json into `directory`, made if missing.
 /// @param case_file  path of the case as given, hashed into the manifest like the failure model's file.

@@ -8,6 +8,7 @@
 #include "brash/geometry/ledger.hpp"
 #include "brash/geometry/polygon.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
 
 namespace brash::simulation {
@@ -45,12 +46,18 @@ class Simulation {
   /// Lays the sheet, cuts the initial crack and places the structure.
   /// @throws InputError when the failure model cannot be read.
   explicit Simulation(const io::Case& resolved);
+  /// Takes a run of the same case up where `checkpoint` left it; it goes on as if it had not been interrupted.
+  /// @throws InputError when the checkpoint is of another case.
+  Simulation(const io::Case& resolved, const io::Checkpoint& checkpoint);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
   /// Advances by one time step.
   [[nodiscard]] StepReport step();
+
+  /// All that the next step depends on; `results` is left to the caller.
+  io::Checkpoint checkpoint() const;
 
   double time() const;
   /// Floes made by the initial crack, before the first step.

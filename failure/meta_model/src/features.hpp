@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "brash/meta_model/network.hpp"
+
+namespace brash::meta_model {
+
+/// How the model file names the features and targets; a file with others is of another format.
+inline constexpr std::array<const char*, kInputs> kFeatureNames{
+    "ln(b_lc + 0.1)", "ln(c_lc)", "ln(1 + 2 b_lc tan(theta/2) / c_lc)", "ln(mu1)", "mu2^2"};
+inline constexpr std::array<const char*, kOutputs> kTargetNames{"ln(sigma_over_p)", "lbreak_over_lc"};
+
+/// The features of one input, not yet normalised.
+std::array<double, kInputs> features_of(const Input& input);
+
+}  // namespace brash::meta_model
