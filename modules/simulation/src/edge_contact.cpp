@@ -73,9 +73,10 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
   for (geometry::ContactRegion& region : sheet.contacts(leading_section(model, centre))) {
     if (!(region.contact_length > 0.0)) continue;
     EdgeContact contact;
+    // The wedge that is left stands behind the chord, which the crushed tip has become.
+    const Vec2 tip = 0.5 * (region.chord_from + region.chord_to);
     contact.wedge = geometry::fit_trapezoid(
-        sheet,
-        {.at = region.midpoint, .towards = region.normal, .contact_length = region.contact_length, .reach = reach});
+        sheet, {.at = tip, .towards = region.normal, .contact_length = region.contact_length, .reach = reach});
     contact.region = std::move(region);
     load_contact(model, contact);
     if (contact.load.pressure > 0.0) contact.assessment = model.criterion.assess(contact.load);
