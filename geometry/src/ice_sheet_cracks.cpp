@@ -123,7 +123,11 @@ Cut split(const Polygon& floe, Point from, Point to) {
   const Point after = moved(to, reach * along);
   const Crack cracks[] = {{before, from}, {from, to}, {to, after}};
   const Ring around{window.low, {window.high.x, window.low.y}, window.high, {window.low.x, window.high.y}};
-  return sheet->cut(around, cracks);
+  const ExactArea laid_down = sheet->area();
+  Cut cut = sheet->cut(around, cracks);
+  // A floe whose vertices come within a pixel of its own edges has been rounded on its way in.
+  cut.snap += area(floe) - laid_down;
+  return cut;
 }
 
 }  // namespace brash::geometry
