@@ -42,10 +42,10 @@ const std::map<std::string, Room> kRooms{
 
 /// How the include line of each third-party library begins.
 const std::map<std::string, std::regex> kLibraries{
-    {"CGAL", std::regex("^CGAL/")},       {"Eigen", std::regex("^Eigen/")},
-    {"gsl", std::regex("^gsl/")},         {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
-    {"netcdf", std::regex("^netcdf")},    {"toml", std::regex("^toml")},
-    {"udunits", std::regex("^udunits2")}, {"json", std::regex("^nlohmann/")},
+    {"CGAL", std::regex("^CGAL/")},        {"Eigen", std::regex("^Eigen/")},
+    {"gsl", std::regex("^gsl/")},          {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
+    {"netcdf", std::regex("^netcdf")},     {"toml", std::regex("^toml")},
+    {"udunits", std::regex("^udunits2")},  {"json", std::regex("^nlohmann/")},
     {"valijson", std::regex("^valijson")}, {"openssl", std::regex("^openssl/")},
 };
 

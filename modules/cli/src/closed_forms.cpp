@@ -23,7 +23,8 @@ tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(co
 
 tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const io::Case& c, standards::Yield yield) {
   const bool downward = c.structure.breaking == "downward";
-  const double slope_height = downward ? c.structure.height_under_water : c.structure.height - c.structure.height_under_water;
+  const double slope_height =
+      downward ? c.structure.height_under_water : c.structure.height - c.structure.height_under_water;
   standards::RalstonInput input;
   input.slope = c.structure.angle;
   input.waterline_width = c.structure.waterline_width;

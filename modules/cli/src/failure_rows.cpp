@@ -16,6 +16,7 @@
 #include "brash/core/error.hpp"
 #include "brash/meta_model/network.hpp"
 #include "brash/plate/plate.hpp"
+#include "failure_profiles.hpp"
 
 namespace brash::cli {
 namespace {
@@ -122,6 +123,27 @@ std::vector<Answer> infer_rows(const meta_model::Network& network, const std::ve
   return answers;
 }
 
+/// Interpolated unit profiles, superposed exactly; h / l_c as for the plate.
+std::vector<Answer> superpose_rows(const meta_model::ProfileModel& model, const std::vector<PredictedRow>& rows) {
+  std::vector<Answer> answers;
+  for (const PredictedRow& row : rows) {
+    const meta_model::Geometry wanted{row.input.b_lc, row.input.c_lc, row.input.theta};
+    const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : model.thickness_over_lc();
+    const plate::Response r =
+        plate::respond(to_unit_profiles(model.predict(model.clamp(wanted))), thickness, row.input.mu1, row.input.mu2);
+    answers.push_back({{r.sigma_over_p, r.lbreak_over_lc}, model.check(wanted).inside()});
+  }
+  return answers;
+}
+
+std::vector<Answer> answer(const std::string& model, const std::vector<PredictedRow>& rows) {
+  if (model == "fem") return solve_rows(rows);
+  if (meta_model::model_format(model) == meta_model::kProfileFormat) {
+    return superpose_rows(meta_model::ProfileModel::read(model), rows);
+  }
+  return infer_rows(meta_model::Network::read(model), rows);
+}
+
 }  // namespace
 
 void predict_rows(const PredictOptions& options) {
@@ -134,8 +156,7 @@ void predict_rows(const PredictOptions& options) {
     if (!file) throw InputError(fmt::format("{}: cannot be read; give a CSV file that exists", options.rows));
     rows = read_rows(file, options.rows, header);
   }
-  const std::vector<Answer> answers =
-      options.model == "fem" ? solve_rows(rows) : infer_rows(meta_model::Network::read(options.model), rows);
+  const std::vector<Answer> answers = answer(options.model, rows);
   fmt::print("{},sigma_over_p,lbreak_over_lc,in_range\n", header);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     fmt::print("{},{:.6g},{:.6g},{}\n", rows[i].text, answers[i].output.sigma_over_p, answers[i].output.lbreak_over_lc,

@@ -22,9 +22,9 @@ struct HistoryChoice {
   bool has_from = false;
 };
 
-/// Reads a column of a run.nc, named as in history.csv, or of a CSV file: numbers separated by commas, semicolons, tabs or blanks; an optional first line of
-/// names; lines that begin with # are skipped. The times stand in the column `time`, `t` or `Time`, else in the first
-/// of several.
+/// Reads a column of a run.nc, named as in history.csv, or of a CSV file: numbers separated by commas, semicolons, tabs
+/// or blanks; an optional first line of names; lines that begin with # are skipped. The times stand in the column
+/// `time`, `t` or `Time`, else in the first of several.
 ///
 /// @throws InputError naming file, line and what is wrong: no such column, not a number, times that do not rise evenly
 /// (no

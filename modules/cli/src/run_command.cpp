@@ -64,13 +64,14 @@ void run_case(const RunOptions& options) {
   simulation::Run run;
   {
     ProgressLine progress(resolved.time.duration);
-    run = simulation::run(
-        resolved,
-        {.observer = [&](const simulation::Simulation& simulation,
-                         const simulation::StepReport& report) { progress.show(simulation.time(), report.loads.n_floes); },
-         .checkpoint_file = directory + "/checkpoint.nc",
-         .resume = options.resume,
-         .interrupted = [] { return interrupted != 0; }});
+    run = simulation::run(resolved,
+                          {.observer =
+                               [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
+                                 progress.show(simulation.time(), report.loads.n_floes);
+                               },
+                           .checkpoint_file = directory + "/checkpoint.nc",
+                           .resume = options.resume,
+                           .interrupted = [] { return interrupted != 0; }});
   }
   if (!run.complete)
     throw Interrupted(fmt::format("interrupted at t = {} s; `brash run {} -o {} --resume` goes on from there",

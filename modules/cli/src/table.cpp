@@ -22,6 +22,8 @@ std::string loads(const simulation::RunSummary& s) {
   text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
   text += load_row("horizontal", s.horizontal, s.horizontal_split);
   text += load_row("vertical", s.vertical, s.vertical_split);
+  if (!s.horizontal.long_enough)
+    text += "  the history is shorter than 50 autocorrelation times: the intervals are themselves uncertain\n";
   text += fmt::format("  mean over the whole history: {:.1f} horizontal, {:.1f} vertical\n",
                       s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo);
   return text;
@@ -70,7 +72,8 @@ std::string speed(const io::Case& resolved, const simulation::Run& run) {
   const simulation::StageTimes& t = run.stage_times;
   const double share = 100.0 / run.wall_seconds;
   return fmt::format(
-      "speed\n  {:.2f} simulated s per wall s ({:.1f} s); ice {:.0f} %, water {:.0f} %, world {:.0f} %, loads {:.0f} %\n",
+      "speed\n  {:.2f} simulated s per wall s ({:.1f} s); ice {:.0f} %, water {:.0f} %, world {:.0f} %, loads {:.0f} "
+      "%\n",
       resolved.time.duration / run.wall_seconds, run.wall_seconds, share * t.ice, share * t.water, share * t.world,
       share * t.loads);
 }
@@ -80,7 +83,8 @@ std::string speed(const io::Case& resolved, const simulation::Run& run) {
 std::string run_table(const io::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
-         loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) + speed(resolved, run);
+         loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) +
+         speed(resolved, run);
 }
 
 }  // namespace brash::cli

@@ -25,9 +25,7 @@ struct View {
     upper = upper + Vec2{border, border};
   }
   /// y grows downwards on the page.
-  Vec2 on_page(Vec2 point) const {
-    return kPixelsPerMetre * Vec2{point.x - lower.x, upper.y - point.y};
-  }
+  Vec2 on_page(Vec2 point) const { return kPixelsPerMetre * Vec2{point.x - lower.x, upper.y - point.y}; }
 };
 
 std::string path_data(const View& view, const std::vector<Vec2>& ring) {

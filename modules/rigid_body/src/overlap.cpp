@@ -141,8 +141,9 @@ void OverlapFinder::lump(double u0, double v0) {
 double OverlapFinder::diameter() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < hull_.size(); ++i)
-    for (std::size_t j = i + 1; j < hull_.size(); ++j) largest = std::max(largest, norm(hull_[i] - hull_[j]));
-  return largest;
+    for (std::size_t j = i + 1; j < hull_.size(); ++j)
+      largest = std::max(largest, dot(hull_[i] - hull_[j], hull_[i] - hull_[j]));
+  return std::sqrt(largest);
 }
 
 const Patch& OverlapFinder::project(Vec3 normal) {

@@ -95,7 +95,10 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
   world.set_state(structure_body, structure_pose(), {});
   for (const io::CheckpointFloe& floe : checkpoint.floes)
     floes.restore(world, from_grid(floe.rings),
-                  {.id = floe.id, .pose = floe.pose, .twist = floe.twist, .stress = floe.stress,
+                  {.id = floe.id,
+                   .pose = floe.pose,
+                   .twist = floe.twist,
+                   .stress = floe.stress,
                    .peak_compression = floe.peak_stress});
   floes.set_next_id(checkpoint.counters.at("next_floe"));
 }

@@ -25,8 +25,7 @@ void load_contact(const EdgeModel& model, EdgeContact& contact) {
   const Vec2 normal = contact.region.normal;
   if (normal.x <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
   const double heading = std::atan2(cross(Vec2{1.0, 0.0}, normal), normal.x);
-  const failure::LoadRatios ratios =
-      failure::load_ratios(c.structure.angle, c.ice.friction_structure, heading);
+  const failure::LoadRatios ratios = failure::load_ratios(c.structure.angle, c.ice.friction_structure, heading);
   const double in_plane = normal_force * ratios.horizontal;
 
   contact.load = {.depth = contact.wedge.depth,
@@ -74,10 +73,10 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
   for (geometry::ContactRegion& region : sheet.contacts(leading_section(model, centre))) {
     if (!(region.contact_length > 0.0)) continue;
     EdgeContact contact;
-    contact.wedge = geometry::fit_trapezoid(sheet, {.at = region.midpoint,
-                                                    .towards = region.normal,
-                                                    .contact_length = region.contact_length,
-                                                    .reach = reach});
+    // The wedge that is left stands behind the chord, which the crushed tip has become.
+    const Vec2 tip = 0.5 * (region.chord_from + region.chord_to);
+    contact.wedge = geometry::fit_trapezoid(
+        sheet, {.at = tip, .towards = region.normal, .contact_length = region.contact_length, .reach = reach});
     contact.region = std::move(region);
     load_contact(model, contact);
     if (contact.load.pressure > 0.0) contact.assessment = model.criterion.assess(contact.load);

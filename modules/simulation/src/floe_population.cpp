@@ -65,6 +65,7 @@ std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygo
   const double mass = case_->ice.density * h * floe.area.square_metres();
   floe.weight = mass * kGravity;
   floe.rest_potential = potential(floe, placed.pose, water_.density);
+  floe.inertia = rigid_body::mass_properties(floe.prism, case_->ice.density, case_->hydrodynamics.added_mass);
   floe.collision_time = collision_time(*case_, mass);
   return std::pair(std::move(floe), placed.pose);
 }
@@ -76,7 +77,7 @@ std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, cons
   auto& [floe, pose] = *made;
   floe.id = next_id_++;
   io::FloeRecord record{.id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time};
-  const BodyId body = world.add_floe(floe.prism, mass_of(floe), pose);
+  const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
   floes_.emplace(body, std::move(floe));
   return record;
 }
@@ -88,18 +89,15 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   floe.id = state.id;
   floe.stress = state.stress;
   floe.peak_compression = state.peak_compression;
-  const BodyId body = world.add_floe(floe.prism, mass_of(floe), state.pose, state.twist);
+  const BodyId body = world.add_floe(floe.prism, floe.inertia, state.pose, state.twist);
   floes_.emplace(body, std::move(floe));
 }
 
-rigid_body::MassProperties FloePopulation::mass_of(const Floe& floe) const {
-  return rigid_body::mass_properties(floe.prism, case_->ice.density, case_->hydrodynamics.added_mass);
-}
-
-void FloePopulation::apply_water(rigid_body::World& world) const {
+void FloePopulation::apply_water(rigid_body::World& world, double dt) const {
   for (const auto& [body, floe] : floes_) {
     const hydrodynamics::WaterLoad load =
-        hydrodynamics::water_load(floe.prism, world.pose(body), world.twist(body), water_);
+        hydrodynamics::water_load(floe.prism, world.pose(body), world.twist(body), water_,
+                                  {.dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia});
     Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
     wrench += load.buoyancy;
     wrench += load.drag;

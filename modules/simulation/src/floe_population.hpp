@@ -23,9 +23,10 @@ struct Floe {
   geometry::Polygon outline;  ///< where it broke off, sheet frame
   Prism prism;
   geometry::ExactArea area;
-  double weight = 0.0;          ///< m g, without added mass [N]
-  double rest_potential = 0.0;  ///< potential energy floating at rest [J]
-  double collision_time = 0.0;  ///< T_col of Eqs. 11, 12 [s]
+  rigid_body::MassProperties inertia{};  ///< with added mass
+  double weight = 0.0;                 ///< m g, without added mass [N]
+  double rest_potential = 0.0;         ///< potential energy floating at rest [J]
+  double collision_time = 0.0;         ///< T_col of Eqs. 11, 12 [s]
   /// Mean stress (xx, yy, zz, xy, yz, zx) from contact forces, averaged over T_col; tension positive [Pa].
   std::array<double, 6> stress{};
   double peak_compression = 0.0;  ///< [Pa]
@@ -52,7 +53,7 @@ class FloePopulation {
   void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
 
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
-  void apply_water(rigid_body::World& world) const;
+  void apply_water(rigid_body::World& world, double dt) const;
 
   /// Mean stress of each floe from the last step's contacts (Love-Weber), averaged over its collision time T_col.
   void update_stress(const rigid_body::World& world, double dt);
@@ -72,7 +73,6 @@ class FloePopulation {
  private:
   /// The floe broken off as `polygon` and where its body then is; nothing when it is too thin for a body.
   std::optional<std::pair<Floe, Pose>> make(const geometry::Polygon& polygon) const;
-  rigid_body::MassProperties mass_of(const Floe& floe) const;
 
   const io::Case* case_;
   hydrodynamics::Water water_;

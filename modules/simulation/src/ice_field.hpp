@@ -34,8 +34,8 @@ class IceField {
   /// @param section        the structure's leading section: no floe is born inside the structure.
   /// @param smallest_floe  pieces below this area become brash [m2].
   /// @return the floes, parts of the sheet that lost their connection included.
-  Broken break_free(Vec2 centre, double radius, int n_wedges, int sides,
-                    std::span<const geometry::Point> section, double smallest_floe);
+  Broken break_free(Vec2 centre, double radius, int n_wedges, int sides, std::span<const geometry::Point> section,
+                    double smallest_floe);
 
   /// Books a floe without a body as brash.
   void floe_to_brash(geometry::ExactArea area);

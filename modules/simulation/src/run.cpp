@@ -18,7 +18,8 @@ namespace {
 
 std::vector<std::vector<Vec2>> rings_of(std::span<const geometry::Polygon> polygons) {
   std::vector<std::vector<Vec2>> rings;
-  for (const geometry::Polygon& polygon : polygons) std::ranges::move(rings_in_metres(polygon), std::back_inserter(rings));
+  for (const geometry::Polygon& polygon : polygons)
+    std::ranges::move(rings_in_metres(polygon), std::back_inserter(rings));
   return rings;
 }
 
@@ -59,7 +60,9 @@ class Recorder {
   }
 
  private:
-  void add_births(std::span<const io::FloeRecord> births) { std::ranges::copy(births, std::back_inserter(results_.floes)); }
+  void add_births(std::span<const io::FloeRecord> births) {
+    std::ranges::copy(births, std::back_inserter(results_.floes));
+  }
 
   double frame_interval_;
   io::RunResults results_;
@@ -136,7 +139,8 @@ Run run(const io::Case& resolved, const RunOptions& options) {
   Progress progress = begin(resolved, options);
   finished.complete = advance(resolved, options, progress);
   const geometry::Ledger& ledger = progress.simulation.ledger();
-  if (!ledger.closes()) throw RunError("the ledger does not close: " + ledger.missing().to_string() + " m2 are missing");
+  if (!ledger.closes())
+    throw RunError("the ledger does not close: " + ledger.missing().to_string() + " m2 are missing");
 
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.ledger = ledger;

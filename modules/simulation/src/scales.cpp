@@ -39,11 +39,12 @@ DerivedScales derived_scales(const io::Case& resolved) {
     scales.warnings.push_back(fmt::format(
         "time.step = {} s is longer than the collision time {:.3g} s of a piece of {:.2g} m2 (Eq. 11): shorten it",
         resolved.time.step, scales.collision_time, piece));
-  const failure::Assessment straight = criterion->assess(
-      {.contact_length = ice.thickness, .mu1 = scales.mu1, .mu2 = 0.0});
+  const failure::Assessment straight =
+      criterion->assess({.contact_length = ice.thickness, .mu1 = scales.mu1, .mu2 = 0.0});
   if (straight.above_range)
-    scales.warnings.push_back(fmt::format(
-        "mu1 = {:.3g} of structure.angle lies above the failure model's range: its inputs will be clamped", scales.mu1));
+    scales.warnings.push_back(
+        fmt::format("mu1 = {:.3g} of structure.angle lies above the failure model's range: its inputs will be clamped",
+                    scales.mu1));
   return scales;
 }
 

@@ -107,8 +107,7 @@ std::vector<EdgeContact> Simulation::Impl::contacts_within_range(double& share, 
   const double shortest = 1.0 / resolved.failure.max_substeps;
   const double advance = resolved.structure.speed * resolved.time.step;
   while (true) {
-    std::vector<EdgeContact> contacts =
-        edge_contacts(edge_model(), field.sheet(), centre + Vec2{share * advance, 0.0});
+    std::vector<EdgeContact> contacts = edge_contacts(edge_model(), field.sheet(), centre + Vec2{share * advance, 0.0});
     const auto above = std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
     if (above == 0 || 0.5 * share < shortest) {
       report.n_above_range += static_cast<int>(above);
@@ -228,7 +227,7 @@ StepReport Simulation::Impl::step() {
   advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
   {
     const StageClock clock(times.water);
-    floes.apply_water(world);  // weight, buoyancy, drag: Eqs. 13, 14
+    floes.apply_water(world, resolved.time.step);  // weight, buoyancy, drag: Eqs. 13, 14
   }
   {
     const StageClock clock(times.world);
@@ -257,8 +256,7 @@ const StageTimes& Simulation::stage_times() const { return impl_->times; }
 
 io::Frame Simulation::frame() const {
   io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
-  for (const auto& [body, floe] : impl_->floes.floes())
-    frame.floes.push_back({floe.id, impl_->world.pose(body)});
+  for (const auto& [body, floe] : impl_->floes.floes()) frame.floes.push_back({floe.id, impl_->world.pose(body)});
   return frame;
 }
 

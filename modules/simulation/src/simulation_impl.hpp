@@ -23,7 +23,7 @@ struct Simulation::Impl {
   SheetTiles tiles;
   FloePopulation floes;
   BodyId structure_body;
-  Vec2 centre;                 ///< of the structure [m]
+  Vec2 centre;  ///< of the structure [m]
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   double work = 0.0;           ///< done by the structure [J]

@@ -63,6 +63,7 @@ nlohmann::ordered_json json_of(const statistics::Summary& s, const LoadSplit& by
           {"quantile_99", s.quantile_99},
           {"autocorrelation_time", s.autocorrelation_time},
           {"effective_sample_size", s.effective_sample_size},
+          {"long_enough", s.long_enough},
           {"mean_by_cause",
            {{"crushing", by_cause.crushing},
             {"floe_normal", by_cause.floe_normal},
@@ -70,10 +71,14 @@ nlohmann::ordered_json json_of(const statistics::Summary& s, const LoadSplit& by
 }
 
 nlohmann::ordered_json json_of(const geometry::Ledger& ledger) {
-  return {{"initial", ledger.initial.to_string()}, {"sheet", ledger.sheet.to_string()},
-          {"floes", ledger.floes.to_string()},     {"crushed", ledger.crushed.to_string()},
-          {"deleted", ledger.deleted.to_string()}, {"brash", ledger.brash.to_string()},
-          {"snap", ledger.snap.to_string()},       {"n_rounded", ledger.n_rounded},
+  return {{"initial", ledger.initial.to_string()},
+          {"sheet", ledger.sheet.to_string()},
+          {"floes", ledger.floes.to_string()},
+          {"crushed", ledger.crushed.to_string()},
+          {"deleted", ledger.deleted.to_string()},
+          {"brash", ledger.brash.to_string()},
+          {"snap", ledger.snap.to_string()},
+          {"n_rounded", ledger.n_rounded},
           {"closes", ledger.closes()}};
 }
 
@@ -81,7 +86,8 @@ nlohmann::ordered_json json_of(const geometry::Ledger& ledger) {
 
 RunSummary summarise(const io::Case& resolved, const io::RunResults& results, RunSummary s) {
   s.statistics_from = statistics_from(resolved);
-  const auto first = std::ranges::find_if(results.loads, [&](const io::LoadRow& r) { return r.time > s.statistics_from; });
+  const auto first =
+      std::ranges::find_if(results.loads, [&](const io::LoadRow& r) { return r.time > s.statistics_from; });
   const std::span<const io::LoadRow> window(first, results.loads.end());
   const auto x = [](Vec3 v) { return v.x; };
   const auto z = [](Vec3 v) { return v.z; };

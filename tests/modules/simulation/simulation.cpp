@@ -33,7 +33,8 @@ Bytes bytes_of(const simulation::Run& run) {
       bytes.loads.push_back(value);
   for (const io::Frame& frame : run.results.frames)
     for (const io::FloePose& floe : frame.floes)
-      for (const double value : {floe.pose.position.x, floe.pose.position.y, floe.pose.position.z, floe.pose.rotation.w})
+      for (const double value :
+           {floe.pose.position.x, floe.pose.position.y, floe.pose.position.z, floe.pose.rotation.w})
         bytes.poses.push_back(value);
   return bytes;
 }
@@ -85,7 +86,8 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
   BOOST_TEST((bytes_of(resumed) == bytes_of(whole)));
   BOOST_TEST((resumed.results == whole.results));
   BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
-  BOOST_CHECK_THROW(simulation::run(short_case({"random.seed=2"}), {.checkpoint_file = file, .resume = true}), InputError);
+  BOOST_CHECK_THROW(simulation::run(short_case({"random.seed=2"}), {.checkpoint_file = file, .resume = true}),
+                    InputError);
   std::filesystem::remove(file);
 }
 

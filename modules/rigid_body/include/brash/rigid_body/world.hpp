@@ -94,8 +94,8 @@ class World {
   BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose);
   void remove(BodyId id);
 
-  /// Sets where the structure is at the end of the next step and its velocity during it. Without a call it stands
-  /// still.
+  /// Sets where the structure is at the end of the next step and its velocity during it (of its frame's origin, and
+  /// angular). Without a call it stands still.
   void move_structure(BodyId id, const Pose& pose, const Twist& twist);
   /// Adds a force and a moment about the centre of mass for the next step only.
   void apply(BodyId id, const Wrench& wrench);

@@ -19,25 +19,25 @@ struct LoadSplit {
 
 /// What a run amounts to; everything here follows from the case and its seed.
 struct RunSummary {
-  double statistics_from = 0.0;        ///< loads are summarised from here on [s]
-  statistics::Summary horizontal;      ///< resistance Fx [N]
-  statistics::Summary vertical;        ///< Fz, upwards on the structure [N]
+  double statistics_from = 0.0;    ///< loads are summarised from here on [s]
+  statistics::Summary horizontal;  ///< resistance Fx [N]
+  statistics::Summary vertical;    ///< Fz, upwards on the structure [N]
   LoadSplit horizontal_split;
   LoadSplit vertical_split;
   double mean_horizontal_whole = 0.0;  ///< over the whole history [N]
   double mean_vertical_whole = 0.0;
   int n_breaks = 0;
-  double breaking_frequency = 0.0;     ///< breaks per second from statistics_from on [Hz]
+  double breaking_frequency = 0.0;  ///< breaks per second from statistics_from on [Hz]
   int n_floes_born = 0;
   int n_floes_present = 0;
   int n_floes_crushed = 0;
   std::vector<double> piece_area_quantiles;       ///< 5, 25, 50, 75, 95 % [m2]
   std::vector<double> breaking_length_quantiles;  ///< 5, 25, 50, 75, 95 % [m]
-  int n_substepped = 0;                ///< steps that were cut into parts
+  int n_substepped = 0;                           ///< steps that were cut into parts
   int n_below_range = 0;
   int n_above_range = 0;
   int n_steps_too_long = 0;
-  double fastest_floe = 0.0;           ///< largest speed of any floe between two frames [m/s]
+  double fastest_floe = 0.0;  ///< largest speed of any floe between two frames [m/s]
   geometry::Ledger ledger;
 };
 
