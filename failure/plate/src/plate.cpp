@@ -16,8 +16,6 @@ namespace {
 
 /// Stations cluster at the tip and the base line, to this share of the half width of the protrusion there.
 constexpr double kClusterShare = 0.2;
-/// The stations are dense to this distance beyond the base line, over l_c.
-constexpr double kDense = 1.5;
 
 std::vector<double> stations_of(const WedgePlate& plate) {
   const Vec2 root = root_of(plate);

@@ -39,7 +39,8 @@ std::vector<Patch> patches_on_axis(const Mesh& mesh, double x_last, int smallest
   const auto around = triangles_of_vertices(mesh);
   std::vector<std::pair<double, int>> vertices;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (mesh.vertices[v].y == 0.0) vertices.emplace_back(mesh.vertices[v].x, static_cast<int>(v));
+    if (mesh.vertices[v].y == 0.0 && mesh.vertices[v].x >= 0.0)
+      vertices.emplace_back(mesh.vertices[v].x, static_cast<int>(v));
   }
   std::sort(vertices.begin(), vertices.end());
   std::vector<Patch> patches;

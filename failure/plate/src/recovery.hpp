@@ -15,7 +15,7 @@ enum class Parity { kEven, kOdd, kNone };
 /// of the elements that meet in it (in the least-squares sense), and neighbouring polynomials are blended linearly.
 ///
 /// An even field has even xx, yy and odd xy; an odd one the opposite. The fit knows it.
-/// @param stations  places on the x-axis, ascending, within the mesh.
+/// @param stations  places on the x-axis from 0, ascending, joined by edges of the mesh.
 std::vector<Tensor2> recover_tensor(const Field& field, const std::vector<double>& stations, Parity parity);
 std::vector<double> recover_deflection(const Field& field, const std::vector<double>& stations, Parity parity);
 

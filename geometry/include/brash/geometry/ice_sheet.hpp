@@ -26,7 +26,7 @@ struct Cut {
   /// Area that the rounding of crossings to the grid moved out of (or into, negative) the ice; computed from the
   /// re-routed edges, not as a remainder.
   ExactArea snap;
-  /// How many crossings were rounded.
+  /// How many crossings became new vertices, each rounded to the grid.
   std::int64_t n_rounded = 0;
 };
 
@@ -36,15 +36,21 @@ struct GeometryError {
 };
 
 /// One connected overlap of a structure's section with the ice.
+///
+/// The overlap's outline is made of free edge (ice ends there) and of the section's boundary (ice goes on there). Where
+/// the two alternate more than once, the longest run of free edge is the front and everything else counts as one chord.
+/// Two overlaps have no chord: a section wholly surrounded by ice (no free edge on the outline) and a part of the ice
+/// wholly inside the section (nothing else). Then contact_length = 0 and normal = 0: the ice pushes to no one side.
 struct ContactRegion {
   /// The overlap itself.
   Polygon overlap;
-  /// Ends of the section's boundary inside the ice, counter-clockwise along the section [m].
+  /// Where the section's boundary enters and leaves the ice, counter-clockwise along the section [m].
   Vec2 chord_from;
   Vec2 chord_to;
   /// |chord_to - chord_from| [m]: the contact length c.
   double contact_length = 0.0;
-  /// Collision point B: the middle of the free edge within the section, on that edge [m].
+  /// Collision point B: the middle by arc length of the free edge within the section, on that edge [m]; the centroid of
+  /// the overlap where there is no free edge.
   Vec2 midpoint;
   /// Unit normal of the chord, from the structure into the ice.
   Vec2 normal;
@@ -73,10 +79,14 @@ class IceSheet {
   /// Takes the ice inside `region` (simple, counter-clockwise) out of the sheet and splits it along `cracks`.
   ///
   /// Cuts that disconnect the sheet, touch it, run along its edges, swallow whole parts or meet no ice are defined
-  /// outcomes. Cracks that do not split a piece leave no trace.
+  /// outcomes. Cracks count inside the region only; those that do not split a piece leave no trace. Pieces are sorted
+  /// by the smallest vertex of their outline, with which it starts. Parts that touch in a vertex only are separate;
+  /// holes may touch their outline and each other in vertices.
+  /// @throws ContractViolation when the region is not such a ring or the areas do not close; the sheet is unchanged.
   Cut cut(std::span<const Point> region, std::span<const Crack> cracks = {});
 
-  /// Takes every part but the largest out of the sheet: ice that a cut has broken off.
+  /// Takes every part but the largest out of the sheet: ice that a cut has broken off. Costs nothing while the sheet
+  /// hangs together, and the number of loops when it does not.
   std::vector<Polygon> release_detached();
 
   /// The overlaps of the convex counter-clockwise `section` with the ice, sorted by the angle of their midpoint.
@@ -85,9 +95,14 @@ class IceSheet {
   /// The ice inside the simple counter-clockwise `window`, without taking it.
   std::vector<Polygon> within(std::span<const Point> window) const;
 
-  /// The free edge near a point: the chain of ice boundary within `radius` of `at`, as polylines with ice on the
-  /// left, in metres.
+  /// The free edge near a point: the chains of ice boundary within `radius` of `at`, ended on that circle, as polylines
+  /// with ice on the left [m], the one nearest to `at` first. A closed chain repeats its first point.
   std::vector<std::vector<Vec2>> free_edge(Vec2 at, double radius) const;
+
+  /// Reads everything and throws ContractViolation unless the whole sheet is what the cuts promise: loops are closed
+  /// and their sums right, edges meet in vertices only, none runs through the pixel of another vertex, ice is on the
+  /// left.
+  void check() const;
 
  private:
   struct Impl;
@@ -97,8 +112,9 @@ class IceSheet {
 
 /// Cuts the ice within `radius` of `centre` free and divides it by radial cracks.
 ///
-/// The circle becomes a polygon of `sides` chords; `n_wedges - 1` radial cracks run from the centre to the arc at equal
-/// angles over the span of ice that the centre sees.
+/// The circle becomes a polygon of `sides` chords with an additional vertex where each crack ends. `n_wedges - 1`
+/// radial cracks run from the centre to the arc at equal angles over the span of the arc that lies in ice; where the
+/// whole circle lies in ice, `n_wedges` cracks do.
 ///
 /// @param centre    collision point B on the free edge, sheet frame [m].
 /// @param radius    breaking length l_break [m], > 0.

@@ -24,7 +24,7 @@ struct Polygon {
 ExactArea signed_area(std::span<const Point> ring);
 /// Area of the outline less its holes. Exact.
 ExactArea area(const Polygon& polygon);
-/// Centroid [m], sheet frame.
+/// Centroid [m], sheet frame. The polygon's area must be positive.
 Vec2 centroid(const Polygon& polygon);
 /// True when no vertex of the counter-clockwise `ring` turns right. Exact.
 bool is_convex(std::span<const Point> ring);
@@ -35,7 +35,9 @@ bool is_convex(std::span<const Point> ring);
 /// the chord error is radius (1 - cos(pi/sides)), the area is short by the factor sin(2 pi/sides)/(2 pi/sides).
 Ring disc(Vec2 centre, double radius, int sides, double phase = 0.0);
 
-/// The counter-clockwise ring through `vertices` [m], rounded to the grid.
+/// The counter-clockwise ring through `vertices` [m], either way round, rounded to the grid.
+///
+/// Vertices that round to their predecessor are left out, so the ring may be shorter, even fewer than three points.
 Ring ring(std::span<const Vec2> vertices);
 
 /// `polygon` cut into convex rings by diagonals only, so that their exact areas sum to its exact area.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "brash/geometry/ice_sheet.hpp"
 
 namespace brash::geometry {
@@ -21,7 +24,8 @@ struct Trapezoid {
 
 /// Where and how the free edge is fitted.
 struct FitRequest {
-  /// Collision point B on the free edge [m].
+  /// Collision point B on the free edge [m], or the middle of the overlap's chord: then the ice ahead of the chord
+  /// counts as crushed, and b is what still stands behind it.
   Vec2 at;
   /// Unit vector from B into the ice.
   Vec2 towards;
@@ -31,8 +35,24 @@ struct FitRequest {
   double reach = 0.0;
 };
 
-/// Fits the trapezoid (b, c, theta) of the free edge at B.
-/// @see paper, Figs. 3 and 4; docs/theory/geometry.md.
+/// Fits the trapezoid (b, c, theta) to the free edge, given as polylines with the ice on their left [m].
+///
+/// In the frame of B (x along `towards`, y to its left) the edge is read as a depth over y and the trapezoid as 0 on
+/// the tip edge |y| <= c/2, rising along the sides to b. The fit has the least area between the two within the window
+/// |y| <= reach, 0 <= x <= reach, whose area is 2 reach^2: over b in [0, reach], theta in [0, 150 deg] and, where the
+/// request leaves it open, c in [0, reach]. A tie goes to b = 0; b = 0 has theta = 0.
+///
+/// - Ice ahead of the tip line counts as standing on it: an edge that is concave at B has b = 0.
+/// - A chain through B that is no function of y, ends in the window although there are other edges, or fits worse
+///   than 0.1 is replaced by what the structure sees of all edges: at each y the ice with the smallest x. The result
+///   is then `reidentified`.
+/// - Without any edge: b = 0 with error 1.
+///
+/// Always returns a trapezoid. The same input gives the same bits.
+/// @see paper, Figs. 3 and 4; docs/theory/trapezoid-fit.md.
+Trapezoid fit_trapezoid(std::span<const std::vector<Vec2>> edges, const FitRequest& request);
+
+/// The same to the free edge of `sheet` within the window.
 Trapezoid fit_trapezoid(const IceSheet& sheet, const FitRequest& request);
 
 }  // namespace brash::geometry

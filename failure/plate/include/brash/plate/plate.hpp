@@ -63,6 +63,25 @@ struct PlateError {
 /// @see docs/theory/failure.md
 tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const MeshOptions& options = {});
 
+/// A wide floating plate with a free edge of any shape around B; lengths over l_c, the frame of WedgePlate.
+struct OutlinePlate {
+  /// The free edge, from y < 0 to y > 0, through the origin (to within 1e-6), the ice on its right (+x). Beyond its
+  /// first and last point, which have the least and the largest y, the edge goes on along -y and +y.
+  std::vector<Vec2> outline;
+  double contact_length = 0.0;  ///< length of the loaded edge over l_c, half of it on each side of B along the edge
+  double thickness = 0.1;       ///< h / l_c [-]
+  double poisson_ratio = 0.3;   ///< nu [-]
+  Theory theory = Theory::kReissnerMindlin;
+};
+
+/// Solves the plate with the given edge for the same three unit loads (along x, y and out of the plane everywhere on
+/// the loaded edge, per unit of its length). The stations end where the centre line leaves the ice.
+///
+/// The plate need not be symmetric: every component is there under every load and the sign of mu2 matters. The roots
+/// are the re-entrant corners within 3 l_c of B.
+/// @return the fields, or why not: the edge crosses itself, misses B, or leaves no ice ahead of B.
+tl::expected<UnitProfiles, PlateError> solve_outline(const OutlinePlate& plate, const MeshOptions& options = {});
+
 /// What decides about failure, for one pair of load ratios.
 struct Response {
   double sigma_over_p = 0.0;         ///< largest principal stress on the centre line, surface that P puts in tension

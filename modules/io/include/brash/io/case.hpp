@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,8 @@
 
 namespace brash::io {
 
-/// [ice]; SI throughout.
+/// [ice]; SI throughout. Unit, range, default and source of every key are in case.schema.json; the defaults here are
+/// the same, and those without one are zero.
 struct IceSection {
   double thickness = 0.0;
   double density = 900.0;
@@ -19,14 +21,18 @@ struct IceSection {
   double flexural_strength = 0.0;
   double compressive_strength = 1.0e6;
   double crushing_factor = 0.5;
-  double friction_structure = 0.0;
+  double friction_structure = 0.027;
   double friction_ice = 0.3;
+
+  friend bool operator==(const IceSection&, const IceSection&) = default;
 };
 
 /// [water]
 struct WaterSection {
   double density = 1025.0;
   Vec2 current{};  ///< `current = [0, 0]`
+
+  friend bool operator==(const WaterSection&, const WaterSection&) = default;
 };
 
 /// [structure]
@@ -40,6 +46,8 @@ struct StructureSection {
   double speed = 0.0;
   double start_distance = 0.0;
   int facets = 64;
+
+  friend bool operator==(const StructureSection&, const StructureSection&) = default;
 };
 
 /// [field]
@@ -48,16 +56,21 @@ struct FieldSection {
   double length = 0.0;
   double width = 0.0;
   bool initial_crack = true;
-  double initial_crack_radius = 0.0;  ///< 0: the straight edge's breaking length from the failure model's scale, see schema
+  double initial_crack_radius = 0.0;  ///< 0: the breaking length of a straight edge
+
+  friend bool operator==(const FieldSection&, const FieldSection&) = default;
 };
 
 /// [failure]
 struct FailureSection {
   std::string model = "network";  ///< network | superposition | plate | plate-outline | wedge
-  std::string file;               ///< model file; empty: the model that comes with the program
+  std::string file;               ///< model file, absolute; empty: the model that comes with the program
   std::array<int, 2> wedges{3, 5};
-  int arc_sides = 16;        ///< chords of a full breaking circle
-  int max_substeps = 8;      ///< when an input exceeds the model's range
+  int arc_sides = 16;           ///< chords of a full breaking circle
+  int max_substeps = 8;         ///< when an input exceeds the model's range
+  double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
+
+  friend bool operator==(const FailureSection&, const FailureSection&) = default;
 };
 
 /// [contact]
@@ -67,7 +80,10 @@ struct ContactSection {
   double margin = 0.005;
   int iterations = 50;
   int rebuild_interval = 50;
+  double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
+
+  friend bool operator==(const ContactSection&, const ContactSection&) = default;
 };
 
 /// [hydrodynamics]
@@ -76,23 +92,41 @@ struct HydrodynamicsSection {
   double rotational_drag = 1.0;
   double skin_friction = 0.005;
   double added_mass = 0.5;
+
+  friend bool operator==(const HydrodynamicsSection&, const HydrodynamicsSection&) = default;
 };
 
 /// [time]
 struct TimeSection {
   double step = 0.01;
   double duration = 0.0;
+
+  friend bool operator==(const TimeSection&, const TimeSection&) = default;
 };
 
 /// [random]
 struct RandomSection {
   std::uint64_t seed = 1;
   std::uint64_t replicate = 0;
+
+  friend bool operator==(const RandomSection&, const RandomSection&) = default;
 };
 
 /// [output]
 struct OutputSection {
   double frames_per_second = 15.0;
+  double checkpoint_interval = 5.0;  ///< simulated time between checkpoints [s]; 0 keeps none
+  std::optional<double> statistics_from;  ///< [s]; absent: when the structure's centre passes the initial edge
+
+  friend bool operator==(const OutputSection&, const OutputSection&) = default;
+};
+
+/// [reference]: a measured load to print beside the simulated one; the simulation does not see it.
+struct ReferenceSection {
+  std::optional<double> mean_horizontal;  ///< [N]
+  std::string source = "reference";
+
+  friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
 };
 
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
@@ -108,21 +142,26 @@ struct Case {
   TimeSection time;
   RandomSection random;
   OutputSection output;
+  ReferenceSection reference;
+
+  friend bool operator==(const Case&, const Case&) = default;
 };
 
 /// Reads, checks and resolves a case file.
 ///
-/// @param overrides  `section.key=value` as on the command line, applied after the file.
-/// @throws InputError with file, line, column, key, value, what is allowed and the nearest known key.
+/// @param overrides  `section.key=value` as on the command line, applied after the file; the value is TOML, or else a
+///                   plain string, so that `ice.thickness=40 cm` needs no quotes.
+/// @throws InputError that lists everything wrong, each with file, line, column (or the override), key, value, what is
+///         allowed, the nearest known name and the remedy.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// The resolved case as TOML in SI, every key written; reading it gives the same case.
+/// The resolved case as TOML in SI, every key that has a value written; reading it gives the same case.
 std::string to_toml(const Case& resolved);
 
 /// The JSON Schema of a case file, with unit, default, range and meaning of every key.
 std::string case_schema();
 
-/// A commented template of a case, every key with its default.
+/// A commented template of a case: every key with its default, required keys with the validation case's values.
 std::string case_template();
 
 }  // namespace brash::io

@@ -12,13 +12,14 @@
 
 namespace brash::io {
 
-/// Load on the structure at the end of a step, world axes, moments about the structure's origin.
+/// Load on the structure over a step, in load axes: x as the ice drifts against the structure (against its motion),
+/// y to starboard, z upwards; moments about the structure's origin on the waterplane.
 struct LoadRow {
-  double time = 0.0;        ///< [s]
-  Wrench total;             ///< [N], [N m]
-  Wrench crushing;          ///< crushing at the sheet's edge
-  Wrench floe_normal;       ///< normal contact forces of floes
-  Wrench floe_friction;     ///< friction of floes
+  double time = 0.0;              ///< [s]
+  Wrench total;                   ///< [N], [N m]
+  Wrench crushing;                ///< crushing at the sheet's edge
+  Wrench floe_normal;             ///< normal contact forces of floes
+  Wrench floe_friction;           ///< friction of floes
   double kinetic_energy = 0.0;    ///< of all floes [J]
   double potential_energy = 0.0;  ///< of all floes in gravity and buoyancy, against floating at rest [J]
   double work = 0.0;              ///< done by the structure since the start [J]
@@ -32,15 +33,17 @@ struct LoadRow {
   double area_snap = 0.0;
   int n_floes = 0;
   int n_contacts = 0;
+
+  friend bool operator==(const LoadRow&, const LoadRow&) = default;
 };
 
 /// One crack event; the columns of events.csv.
 struct CrackEvent {
   double time = 0.0;
-  Vec2 at{};                ///< B [m]
-  double depth = 0.0;       ///< b [m]
+  Vec2 at{};           ///< B [m]
+  double depth = 0.0;  ///< b [m]
   double contact_length = 0.0;
-  double angle = 0.0;       ///< theta [rad]
+  double angle = 0.0;  ///< theta [rad]
   double fit_error = 0.0;
   double mu1 = 0.0;
   double mu2 = 0.0;
@@ -53,6 +56,8 @@ struct CrackEvent {
   int substeps = 1;
   double area_before = 0.0;  ///< of the sheet [m2]
   double area_after = 0.0;
+
+  friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };
 
 enum class FloeEnd { kAlive, kCrushed, kOutside };
@@ -65,13 +70,17 @@ struct FloeRecord {
   double birth = 0.0;                    ///< [s]
   double death = 0.0;                    ///< [s], duration when alive at the end
   FloeEnd end = FloeEnd::kAlive;
-  double peak_stress = 0.0;              ///< largest of the deletion criterion's stress [Pa]
+  double peak_stress = 0.0;  ///< largest of the deletion criterion's stress [Pa]
+
+  friend bool operator==(const FloeRecord&, const FloeRecord&) = default;
 };
 
 /// Pose of one floe in one frame.
 struct FloePose {
   std::int64_t floe = 0;  ///< FloeRecord::id
   Pose pose;
+
+  friend bool operator==(const FloePose&, const FloePose&) = default;
 };
 
 /// One frame of the replay.
@@ -79,6 +88,8 @@ struct Frame {
   double time = 0.0;
   Pose structure;
   std::vector<FloePose> floes;
+
+  friend bool operator==(const Frame&, const Frame&) = default;
 };
 
 /// Everything a run leaves, filled while it goes.
@@ -89,25 +100,41 @@ struct RunResults {
   std::vector<Frame> frames;
   std::vector<std::vector<Vec2>> initial_sheet;  ///< rings [m]
   std::vector<std::vector<Vec2>> final_sheet;    ///< rings [m]
+
+  friend bool operator==(const RunResults&, const RunResults&) = default;
 };
 
 /// Writes run.nc (netCDF-4, CF), history.csv and events.csv into `directory`, each by rename when whole.
 /// @throws RunError naming the file and the system's reason.
 void write_results(const std::string& directory, const Case& resolved, const RunResults& results);
 
+/// Reads what write_results wrote into run.nc.
+/// @throws InputError naming the file and what it lacks.
+RunResults read_results(const std::string& path);
+
 /// What can differ between two runs of one case without being a difference of the run.
 struct Volatile {
-  std::string started_at;      ///< ISO 8601, UTC
+  std::string started_at;  ///< ISO 8601, UTC
   double wall_seconds = 0.0;
-  std::string host_cpu;
+  std::string host_cpu;                           ///< empty: the name in /proc/cpuinfo
+  std::map<std::string, double> stage_seconds{};  ///< wall time of each stage of the step [s]
 };
 
-/// Writes manifest.json: resolved case, versions of the program, compiler and libraries, CPU and glibc, seeds, SHA-256 of
-/// every input and output; times and host under the key `volatile`.
+/// Writes manifest.json: resolved case, versions of the program, compiler and libraries, CPU and glibc, seeds, SHA-256
+/// of every input and output; times and host under the key `volatile`.
+///
+/// @param inputs   paths as given, kept as given.
+/// @param outputs  names of files in `directory`.
+/// @throws RunError when a file cannot be hashed or the manifest not written.
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context);
 
-/// Writes `text` to `path` by rename when whole.
+/// SHA-256 of a file's bytes, 64 hexadecimal digits.
+/// @throws RunError when the file cannot be read.
+std::string sha256_of_file(const std::string& path);
+
+/// Writes `text` to `path` by rename when whole; missing folders are made.
+/// @throws RunError naming the file and the system's reason.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace brash::io

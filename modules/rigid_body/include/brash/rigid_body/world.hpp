@@ -17,21 +17,24 @@ struct ContactLaw {
   double friction = 0.0;     ///< Coulomb coefficient of the pair [-], Eq. 6
   double restitution = 0.0;  ///< Newton's e [-], Eq. 5
   /// sigma_c R [Pa]: the normal force of a contact is at most this times the contact's own area (Eqs. 15, 16).
+  /// Infinite: ice that does not break, an ordinary rigid contact whose overlap is taken back by split impulse.
   double crushing_pressure = std::numeric_limits<double>::infinity();
 };
 
 struct WorldSettings {
   ContactLaw ice_structure;
   ContactLaw ice_ice;
-  int iterations = 50;           ///< sequential impulses a step
-  double collision_margin = 0.005;  ///< [m]; shapes are inset by it, so that surfaces meet where they are
-  int rebuild_interval = 50;     ///< steps between rebuilds from canonical state (docs/decisions)
+  int iterations = 50;              ///< sequential impulses a step, at most
+  double collision_margin = 0.005;  ///< [m], > 0; Bullet's hulls are inset by it, so that surfaces meet where they are
+  /// Steps between rebuilds of the broad phase (0: never). Results do not depend on it: everything else is found anew
+  /// from poses and velocities in every step (docs/decisions/0004).
+  int rebuild_interval = 50;
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
 struct MassProperties {
-  double mass = 0.0;     ///< [kg]
-  Vec3 inertia{};        ///< principal moments [kg m2]
+  double mass = 0.0;  ///< [kg]
+  Vec3 inertia{};     ///< principal moments [kg m2]
 };
 
 /// Mass properties of the prism at uniform density, times (1 + added_mass) as inertia of the floe (Eq. 12).
@@ -50,16 +53,16 @@ struct PlacedPrism {
 PlacedPrism place_prism(std::span<const std::vector<Vec2>> rings, std::span<const std::vector<Vec2>> parts,
                         double thickness, double mid_height);
 
-/// One contact point's load, as the solver left it.
+/// One contact point's load, as the solver left it. A pair of floes is reported once, with `body` < `other`.
 struct ContactLoad {
-  BodyId body;              ///< the floe
-  BodyId other;             ///< structure, sheet or another floe
-  Vec3 point{};             ///< [m], world
-  Vec3 normal{};            ///< unit, from `other` into `body`
+  BodyId body;                ///< the floe
+  BodyId other;               ///< structure, sheet or another floe
+  Vec3 point{};               ///< [m], world
+  Vec3 normal{};              ///< unit, from `other` into `body`
   double normal_force = 0.0;  ///< impulse / dt [N], >= 0
   Vec3 friction_force{};      ///< on `body` [N]
-  double area = 0.0;          ///< the contact's share of the overlap's area [m2]
-  double depth = 0.0;         ///< overlap along the normal [m]
+  double area = 0.0;          ///< the point's share of the overlap's area normal to `normal` [m2]
+  double depth = 0.0;         ///< extent of the overlap along the normal [m]
   bool at_bound = false;      ///< the crushing bound was reached
 };
 
@@ -67,8 +70,13 @@ enum class BodyKind { kFloe, kStructure, kSheet };
 
 /// The rigid-body world: floes, one structure, the fixed sheet's collision shapes. Hides Bullet.
 ///
-/// Velocities and positions follow Eqs. 1 to 10 (semi-implicit Euler). Bodies are handled in the order of their ids, so
-/// the order of insertion does not matter.
+/// Velocities and positions follow Eqs. 1 to 10 (semi-implicit Euler). A step is a function of the poses, velocities
+/// and loads alone: contacts carry no history, and bodies are handled in an order that their states give. So neither
+/// the order of insertion nor a restart from stored states matters, to the last bit. Gravity, buoyancy and drag come
+/// through apply(). An unknown or removed id, and a state that is not finite after a step, are broken contracts.
+///
+/// Contacts of breakable ice act while the parts overlap: nothing at first touch, then up to the crushing pressure
+/// times the area of the overlap (docs/theory/dynamics.md).
 class World {
  public:
   explicit World(const WorldSettings& settings);
@@ -76,14 +84,18 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
+  /// Ids are given in ascending order and never again, so sorted ids are in order of birth. Parts of the prism thinner
+  /// than twice the margin have mass but no collision shape.
   BodyId add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist = {});
   /// A fixed convex prism of the sheet, plan ring in the sheet frame [m], between two heights [m].
   BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top);
-  /// A kinematic structure of convex hulls, vertices in the structure's frame [m].
+  /// A kinematic structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
+  /// where they are coplanar to 1e-9 of the hull's size.
   BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose);
   void remove(BodyId id);
 
-  /// Sets where the structure is at the end of the next step and its velocity during it.
+  /// Sets where the structure is at the end of the next step and its velocity during it (of its frame's origin, and
+  /// angular). Without a call it stands still.
   void move_structure(BodyId id, const Pose& pose, const Twist& twist);
   /// Adds a force and a moment about the centre of mass for the next step only.
   void apply(BodyId id, const Wrench& wrench);

@@ -9,7 +9,9 @@ namespace brash::statistics {
 
 /// A stream of random numbers keyed by what it is for: the same key gives the same numbers, in any order of creation.
 ///
-/// Generator: GSL's `ranlxd2` seeded by a hash of the whole key.
+/// Generator: three of GSL's `ranlxd2` (Luescher, 48 bits), added modulo 1. One of them takes a seed of 31 bits only,
+/// so among 50 000 streams two would be likely to coincide; three take 93 bits, and two of 10^9 streams coincide with a
+/// chance of 5e-11. The seeds are taken from the SHA-256 of the whole key, whose texts are written with their lengths.
 class RandomStream {
  public:
   /// @param seed       of the case.
@@ -23,11 +25,11 @@ class RandomStream {
   RandomStream& operator=(RandomStream&&) noexcept;
   ~RandomStream();
 
-  /// Uniform in [0, 1).
+  /// Uniform in [0, 1), a multiple of 2^-48.
   double uniform();
-  /// Uniform whole number in [from, to].
+  /// Uniform whole number in [from, to]; from <= to. Takes one uniform number.
   int uniform_int(int from, int to);
-  /// Normal with mean 0 and deviation 1.
+  /// Normal with mean 0 and deviation 1, by inversion: takes one uniform number.
   double normal();
 
  private:

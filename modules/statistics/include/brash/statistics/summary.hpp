@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -16,19 +17,46 @@ struct Interval {
 struct Summary {
   std::size_t n = 0;
   double mean = 0.0;
-  double standard_deviation = 0.0;
+  double standard_deviation = 0.0;  ///< with n - 1
   double minimum = 0.0;
   double maximum = 0.0;
-  double skewness = 0.0;
+  double skewness = 0.0;  ///< m3 / m2^1.5 of central moments with n; 0 for a constant history
   double quantile_50 = 0.0;
   double quantile_95 = 0.0;
   double quantile_99 = 0.0;
-  double autocorrelation_time = 0.0;   ///< integrated [s]
-  double effective_sample_size = 0.0;  ///< n dt / (2 tau) style, see docs/theory/statistics.md
+  double autocorrelation_time = 0.0;   ///< integrated [s]: dt (1/2 + sum of autocorrelations), dt/2 for white noise
+  double effective_sample_size = 0.0;  ///< n dt / (2 tau), in [1, n]
   Interval mean_95;                    ///< 95 % confidence interval of the mean
+  /// The history is at least 50 autocorrelation times long; below that tau and the interval are themselves uncertain.
+  bool long_enough = false;
 };
 
-/// @param samples  load history [N], shape=(n,), evenly sampled every `dt` [s].
+/// Integrated autocorrelation time and how it was found.
+struct AutocorrelationTime {
+  double tau = 0.0;        ///< [s]
+  std::size_t window = 0;  ///< lags summed
+  bool converged = false;  ///< the automatic window closed before half of the history
+};
+
+/// Summary of a stationary history.
+///
+/// Quantiles interpolate linearly between order statistics (Hyndman and Fan's type 7). The interval of the mean is
+/// Student's with n_eff - 1 degrees of freedom and the standard error s / sqrt(n_eff).
+///
+/// @param samples  load history [N], shape=(n,), n >= 2, finite, evenly sampled every `dt` [s].
+/// @see docs/theory/statistics.md.
 Summary summarise(std::span<const double> samples, double dt);
+
+/// Autocorrelations rho_0 = 1, rho_1, ... of the samples about their mean, normalised by n; shape=(max_lag + 1,).
+/// A constant history has rho_k = 0 for k > 0.
+std::vector<double> autocorrelation(std::span<const double> samples, std::size_t max_lag);
+
+/// Integrated autocorrelation time with Sokal's automatic window: the first W with W >= 5 tau(W) / dt, and Wolff's
+/// correction for the mean being estimated from the same samples.
+///
+/// tau = dt (1/2 + sum_{k=1}^{W} rho_k) (1 + (2 W + 1) / n), at least dt/2.
+///
+/// @see A. Sokal, Monte Carlo methods in statistical mechanics, 1997; U. Wolff, Comput. Phys. Commun. 156 (2004) 143.
+AutocorrelationTime autocorrelation_time(std::span<const double> samples, double dt);
 
 }  // namespace brash::statistics

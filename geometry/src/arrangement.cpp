@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrangement.hpp"
+
+#include <algorithm>
+
+#include "brash/core/contract.hpp"
+
+namespace brash::geometry {
+
+namespace {
+
+using exact::Box;
+
+/// Sheet edges that come this close to the region take part [grid units]; routing moves edges by less.
+constexpr std::int64_t kSafeMargin = 32;
+constexpr std::int64_t kGatherMargin = 64;
+/// Routing is finite; a deeper recursion is a bug.
+constexpr int kMaxDepth = 200;
+
+}  // namespace
+
+Arrangement::Arrangement(const FreeEdges& boundary, std::span<const Point> region, std::span<const Crack> cracks)
+    : boundary_(boundary) {
+  gather(region, cracks);
+  add_crossings();
+  sort_nodes();
+  route_all();
+  graph_.build(nodes_);
+  label(region);
+}
+
+void Arrangement::gather(std::span<const Point> region, std::span<const Crack> cracks) {
+  box_ = exact::box_of(region);
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Point next = region[i + 1 == region.size() ? 0 : i + 1];
+    if (region[i] != next) segments_.push_back({region[i], next, Source::kRegion});
+  }
+  for (const Crack& crack : cracks) {
+    box_.add(crack.from);
+    box_.add(crack.to);
+    if (crack.from != crack.to) segments_.push_back({crack.from, crack.to, Source::kCrack});
+  }
+  safe_box_ = box_.grown(kSafeMargin);
+  const std::size_t n_cutters = segments_.size();
+  segments_.reserve(4 * n_cutters);
+  boundary_.query(box_.grown(kGatherMargin), [&](int id) {
+    segments_.push_back({boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id});
+  });
+  std::sort(segments_.begin() + static_cast<std::ptrdiff_t>(n_cutters), segments_.end(),
+            [](const Segment& a, const Segment& b) { return a.edge < b.edge; });
+}
+
+void Arrangement::add_crossings() {
+  // The region's edges by their left end: those that can meet an edge are a run of them.
+  std::vector<const Segment*> region;
+  std::int64_t widest = 0;
+  for (const Segment& s : segments_) {
+    if (s.source != Source::kRegion) continue;
+    region.push_back(&s);
+    widest = std::max(widest, std::abs(s.to.x - s.from.x));
+  }
+  std::sort(region.begin(), region.end(), [](const Segment* a, const Segment* b) {
+    return std::min(a->from.x, a->to.x) < std::min(b->from.x, b->to.x);
+  });
+  const auto add = [&](const Segment& a, const Segment& b) {
+    if (!Box::of(a.from, a.to).overlaps(Box::of(b.from, b.to))) return;
+    if (exact::cross_properly(a.from, a.to, b.from, b.to)) {
+      crossings_.push_back(exact::rounded_crossing(a.from, a.to, b.from, b.to));
+    }
+  };
+  for (const Segment& s : segments_) {
+    if (s.source == Source::kRegion) continue;
+    const Box box = Box::of(s.from, s.to);
+    auto it = std::lower_bound(region.begin(), region.end(), box.low.x - widest,
+                               [](const Segment* a, std::int64_t x) { return std::min(a->from.x, a->to.x) < x; });
+    for (; it != region.end() && std::min((*it)->from.x, (*it)->to.x) <= box.high.x; ++it) add(s, **it);
+  }
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Segment& a = *region[i];
+    const std::int64_t high = std::max(a.from.x, a.to.x);
+    for (std::size_t j = i + 1; j < region.size() && std::min(region[j]->from.x, region[j]->to.x) <= high; ++j) {
+      const Segment& b = *region[j];
+      BRASH_EXPECTS(!exact::cross_properly(a.from, a.to, b.from, b.to), "the region crosses itself", a.from.x,
+                    a.from.y);
+    }
+  }
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (segments_[i].source != Source::kCrack) continue;
+    for (std::size_t j = 0; j < segments_.size(); ++j) {
+      const bool is_later_crack = segments_[j].source == Source::kCrack && j > i;
+      if (is_later_crack || segments_[j].source == Source::kSheet) add(segments_[i], segments_[j]);
+    }
+  }
+}
+
+void Arrangement::sort_nodes() {
+  // Ends of segments, sorted with the place where their node's number goes; consecutive segments share one.
+  struct End {
+    Point at;
+    int* node;
+  };
+  std::vector<End> ends;
+  ends.reserve(2 * segments_.size() + crossings_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    Segment& s = segments_[i];
+    if (i == 0 || s.from != segments_[i - 1].to) ends.push_back({s.from, &s.from_node});
+    ends.push_back({s.to, &s.to_node});
+  }
+  for (const Point p : crossings_) ends.push_back({p, nullptr});
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  nodes_.reserve(ends.size() + 8);
+  for (std::size_t i = 0; i < ends.size();) {
+    bool is_given = false;
+    nodes_.push_back(ends[i].at);
+    for (; i < ends.size() && ends[i].at == nodes_.back(); ++i) {
+      if (ends[i].node == nullptr) continue;
+      *ends[i].node = static_cast<int>(nodes_.size()) - 1;
+      is_given = true;
+    }
+    if (!is_given) ++n_rounded_;
+  }
+  for (std::size_t i = 1; i < segments_.size(); ++i) {
+    if (segments_[i].from_node < 0) segments_[i].from_node = segments_[i - 1].to_node;
+  }
+  n_sorted_ = nodes_.size();
+}
+
+int Arrangement::node_at(Point p) const {
+  const auto sorted_end = nodes_.begin() + static_cast<std::ptrdiff_t>(n_sorted_);
+  auto it = std::lower_bound(nodes_.begin(), sorted_end, p);
+  if (it == sorted_end || *it != p) it = std::find(sorted_end, nodes_.end(), p);
+  return it == nodes_.end() ? -1 : static_cast<int>(it - nodes_.begin());
+}
+
+std::vector<int> Arrangement::nodes_met(int from, int to, bool is_moved) {
+  const Point a = nodes_[from];
+  const Point b = nodes_[to];
+  const Box box = Box::of(a, b);
+  std::vector<int> met;
+  // Nodes are sorted by x: those of the box stand between the ends, give or take nodes straight above and below.
+  const int n = static_cast<int>(n_sorted_);
+  int first = std::min({from, to, n});
+  while (first > 0 && nodes_[first - 1].x >= box.low.x) --first;
+  for (int i = first; i < n && nodes_[i].x <= box.high.x; ++i) {
+    if (nodes_[i].y < box.low.y || nodes_[i].y > box.high.y || i == from || i == to) continue;
+    if (exact::meets_pixel(a, b, nodes_[i])) met.push_back(i);
+  }
+  if (is_moved && !(safe_box_.contains(a) && safe_box_.contains(b))) {
+    // A moved edge may come to vertices of sheet edges that took no part so far.
+    boundary_.query(box, [&](int id) {
+      const Point p = boundary_.edge(id).from;
+      if (p == a || p == b || !exact::meets_pixel(a, b, p)) return;
+      int node = node_at(p);
+      if (node < 0) {
+        node = static_cast<int>(nodes_.size());
+        nodes_.push_back(p);
+      }
+      met.push_back(node);
+    });
+  }
+  if (met.size() < 2) return met;
+  std::sort(met.begin(), met.end(), [&](int i, int j) {
+    const Int128 di = exact::dot(a, b, nodes_[i]);
+    const Int128 dj = exact::dot(a, b, nodes_[j]);
+    return di != dj ? di < dj : i < j;
+  });
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  return met;
+}
+
+void Arrangement::route(int from, int to, bool is_moved, int depth, std::vector<int>& chain) {
+  BRASH_EXPECTS(depth < kMaxDepth, nodes_[from].x, nodes_[from].y, nodes_[to].x, nodes_[to].y);
+  const std::vector<int> met = nodes_met(from, to, is_moved);
+  int last = from;
+  for (const int node : met) {
+    route(last, node, true, depth + 1, chain);
+    last = node;
+  }
+  if (met.empty()) {
+    chain.push_back(to);
+  } else {
+    route(last, to, true, depth + 1, chain);
+  }
+}
+
+void Arrangement::route_all() {
+  std::vector<int> chain;
+  std::vector<int> outside;
+  graph_.reserve(2 * segments_.size());
+  active_.reserve(segments_.size());
+  for (const Segment& s : segments_) {
+    const int from = s.from_node;
+    const int to = s.to_node;
+    chain.assign(1, from);
+    route(from, to, false, 0, chain);
+    for (std::size_t i = 1; i < chain.size(); ++i) graph_.add(chain[i - 1], chain[i], s.source);
+    if (s.source != Source::kSheet) continue;
+    active_.push_back({s.edge, from, to, chain.size() > 2});
+    if (chain.size() == 2) continue;
+    twice_moved_ -= exact::cross(s.from, s.to);
+    for (std::size_t i = 1; i < chain.size(); ++i) twice_moved_ += exact::cross(nodes_[chain[i - 1]], nodes_[chain[i]]);
+    for (const int node : chain) {
+      if (!safe_box_.contains(nodes_[node])) outside.push_back(node);
+    }
+  }
+  activate_around(outside);
+}
+
+/// The links at a vertex can be made anew only when all edges there take part.
+void Arrangement::activate_around(const std::vector<int>& nodes) {
+  std::vector<int> known;
+  for (const ActiveEdge& e : active_) known.push_back(e.id);
+  std::sort(known.begin(), known.end());
+  std::vector<int> fresh;
+  for (const int node : nodes) {
+    for (const int out : boundary_.starting_at(nodes_[node])) {
+      fresh.push_back(out);
+      fresh.push_back(boundary_.edge(out).previous);
+    }
+  }
+  std::sort(fresh.begin(), fresh.end());
+  fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+  const auto node_or_new = [&](Point p) {
+    const int node = node_at(p);
+    if (node >= 0) return node;
+    nodes_.push_back(p);
+    return static_cast<int>(nodes_.size()) - 1;
+  };
+  for (const int id : fresh) {
+    if (std::binary_search(known.begin(), known.end(), id)) continue;
+    const int from = node_or_new(boundary_.edge(id).from);
+    const int to = node_or_new(boundary_.edge(id).to);
+    graph_.add(from, to, Source::kSheet);
+    active_.push_back({id, from, to, false});
+  }
+}
+
+}  // namespace brash::geometry

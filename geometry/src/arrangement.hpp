@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brash/geometry/ice_sheet.hpp"
+#include "free_edges.hpp"
+#include "planar_graph.hpp"
+
+namespace brash::geometry {
+
+/// The free edges near a region, the region's boundary and the cracks in it as one arrangement on the grid.
+///
+/// Nodes are the vertices of all three and their crossings, rounded to the grid. Every edge is led through every node
+/// in whose pixel it comes (iterated snap rounding), so edges meet in nodes only and neighbours share them exactly.
+class Arrangement {
+ public:
+  /// A sheet edge that takes part; it became one edge of the graph unless it was split, moved or cancelled.
+  struct ActiveEdge {
+    int id;
+    int from;  ///< Node.
+    int to;
+    bool is_split;
+  };
+
+  Arrangement(const FreeEdges& boundary, std::span<const Point> region, std::span<const Crack> cracks);
+  Arrangement(const Arrangement&) = delete;
+  Arrangement& operator=(const Arrangement&) = delete;
+
+  const PlanarGraph& graph() const { return graph_; }
+  const std::vector<ActiveEdge>& active() const { return active_; }
+  /// Twice the area that leading sheet edges through nodes added to the ice.
+  Int128 twice_moved() const { return twice_moved_; }
+  std::int64_t n_rounded() const { return n_rounded_; }
+
+  bool has_ice_left(int h) const { return sheet_left_[h] != 0; }
+  bool is_region_left(int h) const { return region_left_[h] != 0; }
+  bool is_piece_left(int h) const { return has_ice_left(h) && is_region_left(h); }
+  bool is_sheet_left(int h) const { return has_ice_left(h) && !is_region_left(h); }
+  /// True for a half-edge of the free edge as it is after the region has gone.
+  bool is_new_sheet_edge(int h) const { return is_sheet_left(h) && !is_sheet_left(PlanarGraph::twin(h)); }
+
+ private:
+  struct Segment {
+    Point from;
+    Point to;
+    Source source;
+    int edge = -1;  ///< Of the sheet.
+    int from_node = -1;
+    int to_node = -1;
+  };
+
+  void gather(std::span<const Point> region, std::span<const Crack> cracks);
+  void add_crossings();
+  void sort_nodes();
+  int node_at(Point p) const;
+  void route_all();
+  void route(int from, int to, bool is_moved, int depth, std::vector<int>& chain);
+  std::vector<int> nodes_met(int from, int to, bool is_moved);
+  void activate_around(const std::vector<int>& nodes);
+  void label(std::span<const Point> region);
+  void spread(std::vector<std::int8_t>& left, std::vector<int>& known, bool for_sheet) const;
+
+  const FreeEdges& boundary_;
+  exact::Box box_;       ///< Of the region and the cracks.
+  exact::Box safe_box_;  ///< Every sheet edge that comes here takes part.
+  std::vector<Segment> segments_;
+  std::vector<Point> nodes_;  ///< Sorted up to n_sorted_, then nodes outside the safe box.
+  std::size_t n_sorted_ = 0;
+  std::vector<Point> crossings_;
+  std::vector<ActiveEdge> active_;
+  PlanarGraph graph_;
+  std::vector<std::int8_t> sheet_left_;
+  std::vector<std::int8_t> region_left_;
+  Int128 twice_moved_ = 0;
+  std::int64_t n_rounded_ = 0;
+};
+
+/// The parts of `cracks` inside `region`, with their ends on its boundary rounded to the grid.
+std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const Crack> cracks);
+
+}  // namespace brash::geometry

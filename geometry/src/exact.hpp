@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "brash/geometry/area.hpp"
+#include "brash/geometry/point.hpp"
+#include "predicates.hpp"
+
+// Predicates and the one construction of the kernel, on whole numbers. Coordinates have 44 bits, so a cross product of
+// differences has at most 91: 128 bits hold it and no filter is needed.
+namespace brash::geometry::exact {
+
+/// a x b about the origin: what a directed edge adds to twice the area of its loop.
+inline Int128 cross(Point a, Point b) { return static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x; }
+
+/// (b - a) . (c - a)
+inline Int128 dot(Point a, Point b, Point c) {
+  return static_cast<Int128>(b.x - a.x) * (c.x - a.x) + static_cast<Int128>(b.y - a.y) * (c.y - a.y);
+}
+
+/// Closed box of grid points.
+struct Box {
+  Point low;
+  Point high;
+
+  static Box of(Point a, Point b) {
+    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+  }
+  void add(Point p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  Box grown(std::int64_t by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
+  bool contains(Point p) const { return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y; }
+  bool overlaps(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+  }
+};
+
+/// The box of a non-empty ring.
+inline Box box_of(std::span<const Point> ring) {
+  Box box{ring.front(), ring.front()};
+  for (const Point p : ring) box.add(p);
+  return box;
+}
+
+/// True when the segment a b meets the half-open pixel [p - 1/2, p + 1/2) x [p - 1/2, p + 1/2).
+///
+/// a and b are grid points, never on a pixel's side, so the segment reaches the pixel's rows and columns exactly when
+/// p is in its box. The line then meets the open pixel when 2|f| < |dx| + |dy|, f = turn(a, b, p); with equality it
+/// touches one corner, and only the lower left one belongs to the pixel.
+inline bool meets_pixel(Point a, Point b, Point p) {
+  if (!Box::of(a, b).contains(p)) return false;
+  const std::int64_t dx = b.x - a.x;
+  const std::int64_t dy = b.y - a.y;
+  const Int128 twice = 2 * turn(a, b, p);
+  const Int128 distance = twice < 0 ? -twice : twice;
+  const Int128 reach = static_cast<Int128>(dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+  return distance < reach || (distance == reach && twice == static_cast<Int128>(dx) - dy);
+}
+
+/// True when the open segments a b and c d cross in one point.
+inline bool cross_properly(Point a, Point b, Point c, Point d) {
+  const int c_side = side(a, b, c);
+  const int d_side = side(a, b, d);
+  if (c_side * d_side >= 0) return false;
+  return side(c, d, a) * side(c, d, b) < 0;
+}
+
+/// floor(length * numerator / denominator + 1/2) for 0 <= numerator <= denominator, exact.
+std::int64_t scaled(std::int64_t length, Int128 numerator, Int128 denominator);
+
+/// The grid point in whose half-open pixel the crossing of a b and c d lies; they must cross properly.
+Point rounded_crossing(Point a, Point b, Point c, Point d);
+
+/// How often the closed `ring` winds around `p`, which is not on it.
+int winding(std::span<const Point> ring, Point p);
+
+/// Order of directions by angle in [0, 2 pi) from +x: true when a - o comes before b - o.
+inline bool angle_before(Point o, Point a, Point b) {
+  const auto lower = [](Point from, Point to) { return to.y < from.y || (to.y == from.y && to.x < from.x); };
+  const bool a_lower = lower(o, a);
+  const bool b_lower = lower(o, b);
+  if (a_lower != b_lower) return b_lower;
+  return turn(o, a, b) > 0;
+}
+
+}  // namespace brash::geometry::exact

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "free_edges.hpp"
+
+#include "brash/core/contract.hpp"
+
+namespace brash::geometry {
+
+namespace {
+
+using exact::Box;
+
+/// True when edge a meets the ray at y + epsilon left of edge b; both reach that height and do not cross.
+bool is_left_of(const FreeEdges::Edge& a, const FreeEdges::Edge& b) {
+  const auto low = [](const FreeEdges::Edge& e) { return e.from.y < e.to.y ? e.from : e.to; };
+  const auto high = [](const FreeEdges::Edge& e) { return e.from.y < e.to.y ? e.to : e.from; };
+  if (low(a).y >= low(b).y) {
+    const int apart = side(low(b), high(b), low(a));
+    return apart != 0 ? apart > 0 : side(low(b), high(b), high(a)) > 0;
+  }
+  const int apart = side(low(a), high(a), low(b));
+  return apart != 0 ? apart < 0 : side(low(a), high(a), high(b)) < 0;
+}
+
+}  // namespace
+
+std::vector<int> FreeEdges::starting_at(Point p) const {
+  std::vector<int> ids;
+  index_.query(Box{p, p}, [&](int id) {
+    if (edges_[id].from == p) ids.push_back(id);
+  });
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+int FreeEdges::first_right_of(Point p) const {
+  int best = -1;
+  index_.walk_right(p, [&](int id) {
+    const Edge& e = edges_[id];
+    const bool up = e.from.y < e.to.y;
+    const Point low = up ? e.from : e.to;
+    const Point high = up ? e.to : e.from;
+    if (low.y > p.y || high.y <= p.y || side(low, high, p) <= 0) return false;
+    if (best < 0 || (best != id && is_left_of(e, edges_[best]))) best = id;
+    return true;
+  });
+  return best;
+}
+
+bool FreeEdges::is_inside(Point p) const {
+  const int id = first_right_of(p);
+  return id >= 0 && edges_[id].from.y < edges_[id].to.y;
+}
+
+bool FreeEdges::is_on_boundary(Point p) const {
+  bool on = false;
+  query(Box{p, p}, [&](int id) { on = on || side(edges_[id].from, edges_[id].to, p) == 0; });
+  return on;
+}
+
+int FreeEdges::add_edge(const Directed& directed) {
+  int id = static_cast<int>(edges_.size());
+  if (free_edges_.empty()) {
+    edges_.emplace_back();
+  } else {
+    id = free_edges_.back();
+    free_edges_.pop_back();
+  }
+  edges_[id] = {directed.from, directed.to, -1, -1, -1, 0};
+  index_.insert(id, directed.from, directed.to);
+  twice_area_ += exact::cross(directed.from, directed.to);
+  ++n_edges_;
+  return id;
+}
+
+void FreeEdges::free_edge(int id) {
+  Edge& e = edges_[id];
+  index_.remove(id, e.from, e.to);
+  twice_area_ -= exact::cross(e.from, e.to);
+  e = Edge{};
+  free_edges_.push_back(id);
+  --n_edges_;
+}
+
+int FreeEdges::add_loop() {
+  if (free_loops_.empty()) {
+    loops_.emplace_back();
+    return static_cast<int>(loops_.size()) - 1;
+  }
+  const int loop = free_loops_.back();
+  free_loops_.pop_back();
+  loops_[loop] = Loop{};
+  return loop;
+}
+
+Ring FreeEdges::ring_of(int loop) const {
+  Ring ring;
+  ring.reserve(loops_[loop].n_edges);
+  int id = loops_[loop].edge;
+  do {
+    ring.push_back(edges_[id].from);
+    id = edges_[id].next;
+  } while (id != loops_[loop].edge);
+  return ring;
+}
+
+Ring FreeEdges::take_loop(int loop) {
+  Ring ring = ring_of(loop);
+  int id = loops_[loop].edge;
+  for (std::int64_t i = loops_[loop].n_edges; i > 0; --i) {
+    const int next = edges_[id].next;
+    free_edge(id);
+    id = next;
+  }
+  if (loops_[loop].twice_area > 0) --n_outlines_;
+  loops_[loop] = Loop{};
+  free_loops_.push_back(loop);
+  return ring;
+}
+
+int FreeEdges::outline_of(int loop) const {
+  while (loops_[loop].twice_area < 0) {
+    // Right of a hole's rightmost vertex lies the ice of its part, and the next edge there bounds the same part.
+    int id = loops_[loop].edge;
+    Point rightmost = edges_[id].from;
+    for (std::int64_t i = loops_[loop].n_edges; i > 0; --i) {
+      rightmost = std::max(rightmost, edges_[id].from);
+      id = edges_[id].next;
+    }
+    const int hit = first_right_of(rightmost);
+    BRASH_EXPECTS(hit >= 0 && edges_[hit].loop != loop, rightmost.x, rightmost.y);
+    loop = edges_[hit].loop;
+  }
+  return loop;
+}
+
+void FreeEdges::check_loops() const {
+  std::size_t n = 0;
+  std::size_t outlines = 0;
+  Int128 twice = 0;
+  for (std::size_t k = 0; k < loops_.size(); ++k) {
+    if (loops_[k].edge < 0) continue;
+    std::int64_t length = 0;
+    Int128 loop_twice = 0;
+    int id = loops_[k].edge;
+    do {
+      const Edge& e = edges_[id];
+      BRASH_EXPECTS(e.loop == static_cast<int>(k) && e.from != e.to, e.loop, k, e.from.x, e.from.y);
+      BRASH_EXPECTS(edges_[e.next].from == e.to && edges_[e.next].previous == id, e.to.x, e.to.y);
+      loop_twice += exact::cross(e.from, e.to);
+      ++length;
+      id = e.next;
+    } while (id != loops_[k].edge && length <= static_cast<std::int64_t>(n_edges_));
+    BRASH_EXPECTS(length == loops_[k].n_edges && loop_twice == loops_[k].twice_area, k, length, loops_[k].n_edges);
+    BRASH_EXPECTS(loop_twice != 0, k, length);
+    n += static_cast<std::size_t>(length);
+    twice += loop_twice;
+    if (loop_twice > 0) ++outlines;
+  }
+  BRASH_EXPECTS(n == n_edges_ && twice == twice_area_ && outlines == n_outlines_, n, n_edges_, outlines, n_outlines_);
+}
+
+void FreeEdges::check_nodes() const {
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& a = edges_[i];
+    if (a.loop < 0) continue;
+    query(Box::of(a.from, a.to), [&](int j) {
+      const Edge& b = edges_[j];
+      if (static_cast<int>(i) == j) return;
+      const bool coincide = (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
+      const bool met = b.from != a.from && b.from != a.to && exact::meets_pixel(a.from, a.to, b.from);
+      const bool cross = exact::cross_properly(a.from, a.to, b.from, b.to);
+      BRASH_EXPECTS(!coincide && !met && !cross, coincide, met, cross, a.from.x, a.from.y, a.to.x, a.to.y, b.from.x,
+                    b.from.y, b.to.x, b.to.y);
+    });
+  }
+}
+
+}  // namespace brash::geometry

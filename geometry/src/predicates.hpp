@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brash/geometry/area.hpp"
+#include "brash/geometry/point.hpp"
+
+namespace brash::geometry {
+
+/// Twice the signed area of the triangle `a`, `b`, `c`: positive when c lies left of a -> b. Exact.
+///
+/// Coordinates reach 2^43 grid units (kMaxCoordinate), so differences take 45 bits and the determinant 91.
+constexpr Int128 turn(Point a, Point b, Point c) {
+  return static_cast<Int128>(b.x - a.x) * (c.y - a.y) - static_cast<Int128>(b.y - a.y) * (c.x - a.x);
+}
+
+/// -1, 0 or 1: `c` right of, on or left of the line a -> b.
+constexpr int side(Point a, Point b, Point c) {
+  const Int128 t = turn(a, b, c);
+  return (t > 0) - (t < 0);
+}
+
+/// True when `p` lies on the closed segment from `a` to `b`.
+constexpr bool is_on_segment(Point p, Point a, Point b) {
+  const auto between = [](std::int64_t v, std::int64_t s, std::int64_t t) {
+    return s <= t ? s <= v && v <= t : t <= v && v <= s;
+  };
+  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && turn(a, b, p) == 0;
+}
+
+/// True when the closed segments `a`-`b` and `c`-`d` share a point.
+constexpr bool do_segments_meet(Point a, Point b, Point c, Point d) {
+  const int c_side = side(a, b, c), d_side = side(a, b, d), a_side = side(c, d, a), b_side = side(c, d, b);
+  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
+  return is_on_segment(c, a, b) || is_on_segment(d, a, b) || is_on_segment(a, c, d) || is_on_segment(b, c, d);
+}
+
+}  // namespace brash::geometry

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "brash/io/case.hpp"
+#include "brash/simulation/scales.hpp"
+#include "commands.hpp"
+
+namespace brash::cli {
+namespace {
+
+void check_case(const std::string& path, const std::vector<std::string>& overrides) {
+  const io::Case resolved = io::read_case(path, overrides);
+  const simulation::DerivedScales scales = simulation::derived_scales(resolved);
+  fmt::print("{}\n# derived\n", io::to_toml(resolved));
+  fmt::print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
+  fmt::print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
+  fmt::print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
+  fmt::print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
+  fmt::print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
+  fmt::print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
+  for (const std::string& warning : scales.warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app) {
+  struct Options {
+    std::string case_file;
+    std::vector<std::string> overrides;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("check", "Read a case, print it in SI with derived lengths and warnings");
+  command->add_option("case", options->case_file, "case file (TOML)")->required();
+  command->add_option("--set", options->overrides, "section.key=value")->take_all()->allow_extra_args(false);
+  command->footer("Example: brash check experiments/validation/cone.toml");
+  command->callback([options] { check_case(options->case_file, options->overrides); });
+}
+
+void add_schema_command(CLI::App& app) {
+  auto as_template = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("schema", "Print the schema of a case file");
+  command->add_flag("--template", *as_template, "a commented case file instead");
+  command->footer("Example: brash schema --template > mine.toml");
+  command->callback([as_template] { fmt::print("{}", *as_template ? io::case_template() : io::case_schema()); });
+}
+
+}  // namespace brash::cli

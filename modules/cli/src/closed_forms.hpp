@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "brash/io/case.hpp"
+#include "brash/standards/croasdale.hpp"
+#include "brash/standards/ralston.hpp"
+
+namespace brash::cli {
+
+/// Croasdale's elastic beam for the structure and ice of `resolved`, without rubble on the slope.
+tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const io::Case& resolved);
+
+/// Ralston's plastic plate for the structure and ice of `resolved`; one layer of ice rides along the whole cone.
+tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const io::Case& resolved,
+                                                                          standards::Yield yield);
+
+}  // namespace brash::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+
+namespace brash::cli {
+
+/// A run that was asked to stop and can be resumed. Exit code 3.
+class Interrupted : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Each adds one command to `app`; the command's callback does the work and throws InputError or RunError.
+void add_run_command(CLI::App& app);
+void add_check_command(CLI::App& app);
+void add_schema_command(CLI::App& app);
+
+}  // namespace brash::cli

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace brash::cli {
+
+/// Adds `crack`: the geometry kernel alone.
+void add_crack_command(CLI::App& app);
+/// Adds `fit`: the trapezoid fit alone.
+void add_fit_command(CLI::App& app);
+
+}  // namespace brash::cli

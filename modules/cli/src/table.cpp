@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "table.hpp"
+
+#include <fmt/format.h>
+
+#include "closed_forms.hpp"
+
+namespace brash::cli {
+namespace {
+
+constexpr double kKilo = 1e3;
+
+std::string load_row(const char* name, const statistics::Summary& s, const simulation::LoadSplit& split) {
+  return fmt::format("  {:<11}{:>8.1f}  [{:.1f}, {:.1f}]{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
+                     s.mean / kKilo, s.mean_95.lower / kKilo, s.mean_95.upper / kKilo, s.standard_deviation / kKilo,
+                     s.quantile_99 / kKilo, s.maximum / kKilo, split.crushing / kKilo, split.floe_normal / kKilo,
+                     split.floe_friction / kKilo);
+}
+
+std::string loads(const simulation::RunSummary& s) {
+  std::string text = fmt::format("loads on the structure [kN], from t = {:.2f} s on\n", s.statistics_from);
+  text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
+  text += load_row("horizontal", s.horizontal, s.horizontal_split);
+  text += load_row("vertical", s.vertical, s.vertical_split);
+  if (!s.horizontal.long_enough)
+    text += "  the history is shorter than 50 autocorrelation times: the intervals are themselves uncertain\n";
+  text += fmt::format("  mean over the whole history: {:.1f} horizontal, {:.1f} vertical\n",
+                      s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo);
+  return text;
+}
+
+/// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
+std::string comparison(const io::Case& resolved) {
+  std::string text = "for comparison, horizontal [kN]\n";
+  if (const auto load = croasdale_of(resolved))
+    text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
+  if (const auto load = ralston_of(resolved, standards::Yield::kTresca))
+    text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", load->horizontal / kKilo);
+  if (resolved.reference.mean_horizontal)
+    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *resolved.reference.mean_horizontal / kKilo);
+  return text;
+}
+
+std::string quantile_row(const char* name, const std::vector<double>& q) {
+  if (q.empty()) return fmt::format("  {:<24}none\n", name);
+  return fmt::format("  {:<24}{:.3g}  {:.3g}  {:.3g}  {:.3g}  {:.3g}\n", name, q[0], q[1], q[2], q[3], q[4]);
+}
+
+std::string ice(const simulation::RunSummary& s) {
+  std::string text = "ice\n";
+  text += fmt::format("  {} breaks ({:.2f} a second), {} floes born, {} present, {} crushed; fastest floe {:.2f} m/s\n",
+                      s.n_breaks, s.breaking_frequency, s.n_floes_born, s.n_floes_present, s.n_floes_crushed,
+                      s.fastest_floe);
+  text += "  quantiles               5 %  25 %  50 %  75 %  95 %\n";
+  text += quantile_row("piece area [m2]", s.piece_area_quantiles);
+  text += quantile_row("breaking length [m]", s.breaking_length_quantiles);
+  text += fmt::format("  failure model: {} steps shortened, {} inputs clamped below its range, {} above\n",
+                      s.n_substepped, s.n_below_range, s.n_above_range);
+  return text;
+}
+
+std::string ledger(const geometry::Ledger& l) {
+  return fmt::format(
+      "ledger [m2]\n  {:.6f} initial = {:.6f} sheet + {:.6f} floes + {:.6f} crushed + {:.6f} deleted + {:.6f} brash"
+      " + {:.3g} snap ({} roundings): {}\n",
+      l.initial.square_metres(), l.sheet.square_metres(), l.floes.square_metres(), l.crushed.square_metres(),
+      l.deleted.square_metres(), l.brash.square_metres(), l.snap.square_metres(), l.n_rounded,
+      l.closes() ? "closes exactly" : "DOES NOT CLOSE");
+}
+
+std::string speed(const io::Case& resolved, const simulation::Run& run) {
+  const simulation::StageTimes& t = run.stage_times;
+  const double share = 100.0 / run.wall_seconds;
+  return fmt::format(
+      "speed\n  {:.2f} simulated s per wall s ({:.1f} s); ice {:.0f} %, water {:.0f} %, world {:.0f} %, loads {:.0f} "
+      "%\n",
+      resolved.time.duration / run.wall_seconds, run.wall_seconds, share * t.ice, share * t.water, share * t.world,
+      share * t.loads);
+}
+
+}  // namespace
+
+std::string run_table(const io::Case& resolved, const simulation::Run& run) {
+  return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
+                     resolved.time.step, resolved.random.seed) +
+         loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) +
+         speed(resolved, run);
+}
+
+}  // namespace brash::cli

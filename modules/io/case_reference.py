@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes docs/reference/case-file.md from case.schema.json; with --check, fails when the page is not what it would write."""
+import json
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+PAGE = HERE.parents[1] / "docs" / "reference" / "case-file.md"
+
+INTRODUCTION = """\
+<!-- Written by modules/io/case_reference.py from modules/io/case.schema.json; change those. -->
+# The case file
+
+A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, below each of them lines `key = value`.
+
+- A bare number is in the unit of the table below (SI). A string is a quantity with a unit, read by UDUNITS-2:
+  `thickness = 0.33` is `thickness = "33 cm"`, an angle is `"61.4 deg"`.
+- Unlike UDUNITS alone, `nmi` is the nautical mile and `ppt` parts per thousand; exponents must be whole numbers
+  (`"0.1 MPa m^0.5"` is refused), and angles and ratios do not convert into each other.
+- The file is strict: an unknown, missing or doubled key, a wrong unit, a value out of range or not finite ends the
+  command with exit code 2 and a message with file, line, column, key, value, what is allowed and the remedy.
+- `--set section.key=value` on the command line wins over the file; the value is TOML, or else a plain string, so
+  `--set 'ice.thickness=40 cm'` needs no inner quotes.
+- `brash schema --template` prints a case with every key, `brash check CASE.toml` prints a case in SI with all defaults.
+
+"paper" in the sources is the article whose model the program follows.
+"""
+
+
+def toml(value):
+    """A default as it would be written in a case file."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, float) and value == int(value) and abs(value) < 1e6:
+        return str(int(value))
+    return json.dumps(value)
+
+
+def number(value):
+    return f"{value:.6g}"
+
+
+def allowed(key):
+    """What a key may hold, in a table's cell."""
+    if "enum" in key:
+        return ", ".join(f"`{name}`" for name in key["enum"])
+    kind = key["type"][0] if isinstance(key["type"], list) else key["type"]
+    if kind == "array":
+        return f"{key['minItems']} values, each {allowed(key['items'])}"
+    if kind == "boolean":
+        return "`true`, `false`"
+    bounds = [f"{sign} {number(key[word])}" for word, sign in
+              (("minimum", "≥"), ("exclusiveMinimum", ">"), ("maximum", "≤"), ("exclusiveMaximum", "<")) if word in key]
+    return ", ".join((["whole number"] if kind == "integer" else ["text"] if kind == "string" else []) + bounds)
+
+
+def page():
+    schema = json.loads((HERE / "case.schema.json").read_text(encoding="utf-8"))
+    lines = [INTRODUCTION]
+    for section, content in schema["properties"].items():
+        lines += [f"## `[{section}]`", "", content["description"], "",
+                  "| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
+        for name, key in content["properties"].items():
+            required = name in content.get("required", [])
+            default = "**required**" if required else f"`{toml(key['default'])}`" if "default" in key else "absent"
+            unit = key.get("x-unit", "")
+            lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {key['description']} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+if sys.argv[1:] == ["--check"]:
+    if not PAGE.exists() or PAGE.read_text(encoding="utf-8") != page():
+        sys.exit(f"{PAGE}: is not what the schema says; run modules/io/case_reference.py")
+else:
+    PAGE.write_text(page(), encoding="utf-8")

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "brash/core/ids.hpp"
+#include "brash/core/vec.hpp"
+#include "brash/io/results.hpp"
+
+namespace brash::io {
+
+/// Point of the plan in grid units of 2^-30 m, sheet frame: exact.
+struct GridPoint {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+
+  friend bool operator==(const GridPoint&, const GridPoint&) = default;
+};
+
+/// One polygon: its outline, then its holes.
+using GridRings = std::vector<std::vector<GridPoint>>;
+
+/// A floe that is in the world when a checkpoint is taken.
+struct CheckpointFloe {
+  std::int64_t id = 0;  ///< FloeRecord::id
+  BodyId body;
+  GridRings rings;  ///< where it broke off, sheet frame
+  double thickness = 0.0;
+  Pose pose;
+  Twist twist;
+  std::array<double, 6> stress{};  ///< mean stress xx, yy, zz, xy, yz, zx [Pa]
+  double peak_stress = 0.0;        ///< [Pa]
+
+  friend bool operator==(const CheckpointFloe&, const CheckpointFloe&) = default;
+};
+
+/// Everything that a run needs to go on as if it had not been interrupted. Nothing in it is rounded.
+struct Checkpoint {
+  std::string case_name;
+  std::string case_toml;  ///< the resolved case as to_toml wrote it: a run resumes its own case only
+  std::vector<GridRings> sheet;
+  std::vector<CheckpointFloe> floes;
+  std::map<std::string, std::string> ledger;  ///< whole numbers of any size as decimal text, e.g. twice an exact area
+  std::map<std::string, std::int64_t> counters;  ///< steps done, random streams used, next id, ...
+  std::map<std::string, double> numbers;         ///< finite: place of the structure, work done, ...
+  RunResults results;                            ///< so far
+
+  friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
+};
+
+/// Writes a checkpoint (netCDF-4) by rename when whole: the older one stays until then.
+/// @throws RunError naming the file and the system's reason.
+void write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
+
+/// Reads what write_checkpoint wrote, bit for bit.
+/// @throws InputError naming the file and what is wrong with it.
+Checkpoint read_checkpoint(const std::string& path);
+
+}  // namespace brash::io

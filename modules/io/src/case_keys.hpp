@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brash/io/case.hpp"
+
+namespace brash::io {
+
+/// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members.
+template <typename AnyCase, typename Visitor>
+void visit_material_keys(AnyCase& c, Visitor&& visit) {
+  visit("ice", "thickness", c.ice.thickness);
+  visit("ice", "density", c.ice.density);
+  visit("ice", "youngs_modulus", c.ice.youngs_modulus);
+  visit("ice", "poisson_ratio", c.ice.poisson_ratio);
+  visit("ice", "flexural_strength", c.ice.flexural_strength);
+  visit("ice", "compressive_strength", c.ice.compressive_strength);
+  visit("ice", "crushing_factor", c.ice.crushing_factor);
+  visit("ice", "friction_structure", c.ice.friction_structure);
+  visit("ice", "friction_ice", c.ice.friction_ice);
+  visit("water", "density", c.water.density);
+  visit("water", "current", c.water.current);
+  visit("structure", "kind", c.structure.kind);
+  visit("structure", "angle", c.structure.angle);
+  visit("structure", "waterline_width", c.structure.waterline_width);
+  visit("structure", "height", c.structure.height);
+  visit("structure", "height_under_water", c.structure.height_under_water);
+  visit("structure", "breaking", c.structure.breaking);
+  visit("structure", "speed", c.structure.speed);
+  visit("structure", "start_distance", c.structure.start_distance);
+  visit("structure", "facets", c.structure.facets);
+}
+
+template <typename AnyCase, typename Visitor>
+void visit_keys(AnyCase& c, Visitor&& visit) {
+  visit_material_keys(c, visit);
+  visit("field", "kind", c.field.kind);
+  visit("field", "length", c.field.length);
+  visit("field", "width", c.field.width);
+  visit("field", "initial_crack", c.field.initial_crack);
+  visit("field", "initial_crack_radius", c.field.initial_crack_radius);
+  visit("failure", "model", c.failure.model);
+  visit("failure", "file", c.failure.file);
+  visit("failure", "wedges", c.failure.wedges);
+  visit("failure", "arc_sides", c.failure.arc_sides);
+  visit("failure", "max_substeps", c.failure.max_substeps);
+  visit("failure", "smallest_floe", c.failure.smallest_floe);
+  visit("contact", "restitution", c.contact.restitution);
+  visit("contact", "area", c.contact.area);
+  visit("contact", "margin", c.contact.margin);
+  visit("contact", "iterations", c.contact.iterations);
+  visit("contact", "rebuild_interval", c.contact.rebuild_interval);
+  visit("contact", "stiffness", c.contact.stiffness);
+  visit("contact", "delete_crushed", c.contact.delete_crushed);
+  visit("hydrodynamics", "form_drag", c.hydrodynamics.form_drag);
+  visit("hydrodynamics", "rotational_drag", c.hydrodynamics.rotational_drag);
+  visit("hydrodynamics", "skin_friction", c.hydrodynamics.skin_friction);
+  visit("hydrodynamics", "added_mass", c.hydrodynamics.added_mass);
+  visit("time", "step", c.time.step);
+  visit("time", "duration", c.time.duration);
+  visit("random", "seed", c.random.seed);
+  visit("random", "replicate", c.random.replicate);
+  visit("output", "frames_per_second", c.output.frames_per_second);
+  visit("output", "checkpoint_interval", c.output.checkpoint_interval);
+  visit("output", "statistics_from", c.output.statistics_from);
+  visit("reference", "mean_horizontal", c.reference.mean_horizontal);
+  visit("reference", "source", c.reference.source);
+}
+
+}  // namespace brash::io

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <limits>
+#include <sstream>
+
+#include "brash/core/contract.hpp"
+#include "brash/io/case.hpp"
+#include "case_keys.hpp"
+#include "schema.hpp"
+
+namespace brash::io {
+namespace {
+
+std::string value_as_toml(double value) { return toml_number(value); }
+std::string value_as_toml(int value) { return std::to_string(value); }
+std::string value_as_toml(bool value) { return value ? "true" : "false"; }
+std::string value_as_toml(const std::string& value) { return toml_string(value); }
+std::string value_as_toml(const Vec2& value) {
+  return fmt::format("[{}, {}]", toml_number(value.x), toml_number(value.y));
+}
+std::string value_as_toml(const std::array<int, 2>& value) { return fmt::format("[{}, {}]", value[0], value[1]); }
+std::string value_as_toml(std::uint64_t value) {
+  // TOML's whole numbers are signed; read_case gives no larger seed.
+  BRASH_EXPECTS(value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()), value);
+  return std::to_string(value);
+}
+
+/// `key = value` with its unit as a comment; nothing for an absent value.
+template <typename Value>
+std::string key_line(const std::string& key, const Value& value, const std::string& unit) {
+  return fmt::format("{} = {}{}\n", key, value_as_toml(value), unit == "1" ? "" : "  # " + unit);
+}
+std::string key_line(const std::string& key, const std::optional<double>& value, const std::string& unit) {
+  return value ? key_line(key, *value, unit) : "";
+}
+
+/// `text` as comment lines of at most 100 columns.
+std::string commented(const std::string& text) {
+  constexpr std::size_t kColumns = 100;
+  std::istringstream words(text);
+  std::string lines;
+  std::string line = "#";
+  for (std::string word; words >> word;) {
+    if (line.size() + 1 + word.size() > kColumns) {
+      lines += line + '\n';
+      line = "#";
+    }
+    line += ' ' + word;
+  }
+  return lines + line + '\n';
+}
+
+}  // namespace
+
+std::string to_toml(const Case& resolved) {
+  std::string text = "# A resolved brash case: every key, in SI.\n";
+  std::string section_now;
+  visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
+    if (section != section_now) text += fmt::format("\n[{}]\n", section);
+    section_now = section;
+    text += key_line(key, value, key_schemas(section).at(key).value("x-unit", "1"));
+  });
+  return text;
+}
+
+std::string case_template() {
+  std::string text = commented(
+      "A brash case with every key. A bare number is SI; a string is a quantity with a unit, such as \"33 cm\". Keys "
+      "without a default are required and have the values of the validation case here; other lines may be removed.");
+  for (const auto& [section, section_schema] : section_schemas().items()) {
+    text += "\n" + commented(section_schema.at("description").get<std::string>()) + "[" + section + "]\n";
+    for (const auto& [key, key_schema] : key_schemas(section).items()) {
+      const bool required = is_required(section, key);
+      text += commented(key_schema.at("description").get<std::string>());
+      text += commented((required ? "Required: " : "Optional: ") + allowed_values(key_schema) + ".");
+      const bool has_default = key_schema.contains("default");
+      const std::string value = toml_text(has_default ? key_schema.at("default") : key_schema.at("examples").front());
+      text += fmt::format("{}{} = {}\n", required || has_default ? "" : "# ", key, value);
+    }
+  }
+  return text;
+}
+
+}  // namespace brash::io

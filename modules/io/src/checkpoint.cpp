@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/io/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+#include "brash/core/version.hpp"
+#include "result_tables.hpp"
+#include "sha256.hpp"
+#include "tables.hpp"
+
+namespace brash::io {
+
+template <>
+struct Columns<CheckpointFloe> {
+  static constexpr const char* dimension = "present";
+  static constexpr const char* prefix = "present_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "id", "1", "floe_id of the floe", [](auto& row) -> auto& { return row.id; });
+    visit(
+        "thickness", "m", "thickness", [](auto& row) -> auto& { return row.thickness; });
+    visit(
+        "peak_stress", "Pa", "largest compression so far", [](auto& row) -> auto& { return row.peak_stress; });
+    visit_pose(
+        "", visit, [](auto& row) -> auto& { return row.pose; });
+    visit_vector(
+        "linear_", "m s-1", "velocity", [](auto& row) -> auto& { return row.twist.linear; }, visit);
+    visit_vector(
+        "angular_", "rad s-1", "angular velocity", [](auto& row) -> auto& { return row.twist.angular; }, visit);
+    constexpr std::array<const char*, 6> kNames{"xx", "yy", "zz", "xy", "yz", "zx"};
+    for (std::size_t i = 0; i < kNames.size(); ++i)
+      visit(
+          std::string("stress_") + kNames[i], "Pa", "mean stress", [i](auto& row) -> auto& { return row.stress[i]; });
+  }
+
+ private:
+  template <typename VectorOf, typename Visit>
+  static void visit_vector(const std::string& name, const char* unit, const std::string& meaning, VectorOf of,
+                           Visit&& visit) {
+    visit(
+        name + "x", unit, meaning + ", x", [of](auto& row) -> auto& { return of(row).x; });
+    visit(
+        name + "y", unit, meaning + ", y", [of](auto& row) -> auto& { return of(row).y; });
+    visit(
+        name + "z", unit, meaning + ", z", [of](auto& row) -> auto& { return of(row).z; });
+  }
+};
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kFormat = "brash-checkpoint-1";
+
+/// The side of the grid, 2^-30 m, as a unit.
+const NodeFrame kGrid{"9.313225746154785e-10 m", "sheet frame, exact"};
+
+bool is_whole_number(const std::string& text) {
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  return text.size() > first && text.find_first_not_of("0123456789", first) == std::string::npos;
+}
+
+std::vector<std::int64_t> body_numbers(const std::vector<CheckpointFloe>& floes, std::uint32_t BodyId::*part) {
+  std::vector<std::int64_t> numbers;
+  for (const CheckpointFloe& floe : floes) numbers.push_back(floe.body.*part);
+  return numbers;
+}
+
+void read_body_numbers(const NetcdfReader& file, const std::string& name, std::vector<CheckpointFloe>& floes,
+                       std::uint32_t BodyId::*part) {
+  std::vector<std::int64_t> numbers;
+  file.read(name, "present", numbers);
+  for (std::size_t i = 0; i < floes.size(); ++i) floes[i].body.*part = static_cast<std::uint32_t>(numbers[i]);
+}
+
+/// A map kept as the JSON text of a global attribute.
+template <typename Value>
+std::map<std::string, Value> read_map(const NetcdfReader& file, const std::string& name) {
+  try {
+    return Json::parse(file.attribute(name)).get<std::map<std::string, Value>>();
+  } catch (const Json::exception&) {
+    file.refuse("the attribute " + name + " is no list of values");
+  }
+}
+
+[[noreturn]] void refuse_file(const std::string& path, const std::string& what) {
+  throw InputError(
+      fmt::format("{}: {}\n  allowed: a checkpoint that this version of the program wrote"
+                  "\n  remedy:  use an older checkpoint, or start the run again",
+                  path, what));
+}
+
+/// The end of a checkpoint: the digest of all before it. HDF5 ignores what follows its own data, and does not survive
+/// every damage to it.
+constexpr const char* kSealMark = "brash-sha256:";
+
+std::string seal_of(const std::string& bytes) {
+  Sha256 digest;
+  digest.add(bytes);
+  return kSealMark + digest.hexadecimal();
+}
+
+/// The bytes of the sealed file `path`, without the seal.
+std::string read_sealed(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse_file(path, "cannot be opened: " + std::generic_category().message(errno));
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t mark = bytes.rfind(kSealMark);
+  if (mark == std::string::npos) refuse_file(path, "is no checkpoint, or was cut short");
+  const std::string seal = bytes.substr(mark);
+  bytes.resize(mark);
+  if (seal != seal_of(bytes)) refuse_file(path, "is damaged: its bytes do not have the digest at its end");
+  return bytes;
+}
+
+void check_values(const Checkpoint& checkpoint) {
+  for (const auto& [name, value] : checkpoint.ledger) BRASH_EXPECTS(is_whole_number(value), name, value);
+  for (const auto& [name, value] : checkpoint.numbers) BRASH_EXPECTS(std::isfinite(value), name, value);
+}
+
+}  // namespace
+
+void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+  check_values(checkpoint);
+  NetcdfWriter file(path);
+  file.attribute("format", kFormat);
+  file.attribute("source", std::string("brash ") + kVersion);
+  file.attribute("case_name", checkpoint.case_name);
+  file.attribute("case", checkpoint.case_toml);
+  file.attribute("ledger", Json(checkpoint.ledger).dump());
+  file.attribute("counters", Json(checkpoint.counters).dump());
+  file.attribute("numbers", Json(checkpoint.numbers).dump());
+  write_polygons(file, "sheet", "sheet_polygon", kGrid, checkpoint.sheet);
+  write_rows(file, checkpoint.floes);
+  file.variable("present_body_index", "present", {"1", "slot of the body"},
+                body_numbers(checkpoint.floes, &BodyId::index));
+  file.variable("present_body_generation", "present", {"1", "generation of the body"},
+                body_numbers(checkpoint.floes, &BodyId::generation));
+  std::vector<GridRings> outlines;
+  for (const CheckpointFloe& floe : checkpoint.floes) outlines.push_back(floe.rings);
+  write_polygons(file, "present_outline", "present", kGrid, outlines);
+  write_tables(file, checkpoint.results);
+  const std::string bytes = file.finish();
+  write_file(path, bytes + seal_of(bytes));
+}
+
+Checkpoint read_checkpoint(const std::string& path) {
+  const NetcdfReader file(path, read_sealed(path));
+  if (file.attribute("format") != kFormat) file.refuse("it is not a checkpoint of this version");
+  Checkpoint checkpoint;
+  checkpoint.case_name = file.attribute("case_name");
+  checkpoint.case_toml = file.attribute("case");
+  checkpoint.ledger = read_map<std::string>(file, "ledger");
+  for (const auto& [name, value] : checkpoint.ledger)
+    if (!is_whole_number(value)) file.refuse("ledger." + name + " is not a whole number");
+  checkpoint.counters = read_map<std::int64_t>(file, "counters");
+  checkpoint.numbers = read_map<double>(file, "numbers");
+  checkpoint.sheet = read_polygons<GridPoint>(file, "sheet", "sheet_polygon");
+  checkpoint.floes = read_rows<CheckpointFloe>(file);
+  read_body_numbers(file, "present_body_index", checkpoint.floes, &BodyId::index);
+  read_body_numbers(file, "present_body_generation", checkpoint.floes, &BodyId::generation);
+  std::vector<GridRings> outlines = read_polygons<GridPoint>(file, "present_outline", "present");
+  for (std::size_t i = 0; i < outlines.size(); ++i) checkpoint.floes[i].rings = std::move(outlines[i]);
+  checkpoint.results = read_tables(file);
+  return checkpoint;
+}
+
+}  // namespace brash::io

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cross_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace brash::io {
+namespace {
+
+struct Key {
+  const char* section;
+  const char* name;
+};
+
+/// Collects problems of keys of one source.
+class Checks {
+ public:
+  explicit Checks(const CaseSource& source) : source_(source) {}
+
+  /// Reports `key` when something about it does not hold; its place is that of `partner` when only that one is written.
+  void require(bool holds, Key key, Key partner, std::string what, std::string allowed, std::string remedy) {
+    if (holds) return;
+    std::string written = value_text(source_, key.section, key.name);
+    const Key at = written.empty() ? partner : key;
+    if (written.empty()) written = "its default";
+    problems_.push_back({place_of(source_, at.section, at.name), fmt::format("{}.{}", key.section, key.name),
+                         std::move(written), std::move(what), std::move(allowed), "", std::move(remedy)});
+  }
+
+  std::vector<Problem> take() { return std::move(problems_); }
+
+ private:
+  const CaseSource& source_;
+  std::vector<Problem> problems_;
+};
+
+void check_ice(const Case& c, Checks& checks) {
+  checks.require(c.ice.density < c.water.density, {"ice", "density"}, {"water", "density"},
+                 "ice that is not lighter than the water does not float",
+                 fmt::format("less than water.density = {} kg m-3", c.water.density),
+                 "lower ice.density or raise water.density");
+  checks.require(2.0 * c.contact.margin < c.ice.thickness, {"contact", "margin"}, {"ice", "thickness"},
+                 "leaves no body of the ice",
+                 fmt::format("less than half of ice.thickness, {} m", c.ice.thickness / 2.0), "lower contact.margin");
+}
+
+void check_cone(const Case& c, Checks& checks) {
+  const StructureSection& s = c.structure;
+  const double above_water = s.height - s.height_under_water;
+  checks.require(above_water > 0.0, {"structure", "height_under_water"}, {"structure", "height"},
+                 "the structure does not reach the water's surface",
+                 fmt::format("less than structure.height = {} m", s.height),
+                 "lower structure.height_under_water or raise structure.height");
+  if (above_water <= 0.0) return;
+
+  // The narrow end: the keel when downward-breaking, the top when upward-breaking.
+  const bool downward = s.breaking == "downward";
+  const double to_narrow_end = downward ? s.height_under_water : above_water;
+  const double narrow_width = s.waterline_width - 2.0 * to_narrow_end / std::tan(s.angle);
+  checks.require(narrow_width > 0.0, {"structure", "waterline_width"}, {"structure", "angle"},
+                 fmt::format("the cone's {} would have the width {:.4g} m", downward ? "keel" : "top", narrow_width),
+                 fmt::format("more than {:.6g} m at this angle and height", 2.0 * to_narrow_end / std::tan(s.angle)),
+                 "widen the waterline, steepen the angle, or shorten that end");
+
+  // The ice must meet the sloping surface over its whole thickness.
+  const double draught = c.ice.thickness * c.ice.density / c.water.density;
+  const double freeboard = c.ice.thickness - draught;
+  checks.require(draught < s.height_under_water, {"structure", "height_under_water"}, {"structure", "height"},
+                 "the ice reaches below the keel", fmt::format("more than the ice's draught, {:.6g} m", draught),
+                 "deepen the keel or thin the ice");
+  checks.require(
+      freeboard < above_water, {"structure", "height"}, {"ice", "thickness"}, "the ice reaches above the structure",
+      fmt::format("more than height_under_water plus the ice's freeboard, {:.6g} m", s.height_under_water + freeboard),
+      "raise structure.height or thin the ice");
+
+  const double radius = s.waterline_width / 2.0 + (downward ? freeboard : draught) / std::tan(s.angle);
+  checks.require(s.start_distance > radius, {"structure", "start_distance"}, {"structure", "waterline_width"},
+                 "the structure starts inside the ice",
+                 fmt::format("more than its largest radius in the ice, {:.6g} m", radius),
+                 "start the structure further from the ice edge");
+}
+
+void check_field(const Case& c, Checks& checks) {
+  checks.require(c.field.width > c.structure.waterline_width, {"field", "width"}, {"structure", "waterline_width"},
+                 "the sheet is narrower than the structure",
+                 fmt::format("more than structure.waterline_width = {} m", c.structure.waterline_width),
+                 "widen the sheet");
+  checks.require(c.field.length > c.ice.thickness, {"field", "length"}, {"ice", "thickness"},
+                 "the sheet is shorter than it is thick",
+                 fmt::format("more than ice.thickness = {} m", c.ice.thickness), "lengthen the sheet");
+  checks.require(c.field.initial_crack_radius < std::min(c.field.length, c.field.width / 2.0),
+                 {"field", "initial_crack_radius"}, {"field", "length"}, "the initial crack does not fit in the sheet",
+                 fmt::format("less than the sheet's length and half its width, {} m",
+                             std::min(c.field.length, c.field.width / 2.0)),
+                 "lower the radius, or write 0 for the ice's own breaking length");
+}
+
+void check_rest(const Case& c, Checks& checks) {
+  checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
+                 "the least number is above the largest", "[least, largest] with least <= largest",
+                 "swap the two numbers");
+  checks.require(c.time.step <= c.time.duration, {"time", "step"}, {"time", "duration"},
+                 "the step is longer than the run", fmt::format("at most time.duration = {} s", c.time.duration),
+                 "lower time.step or raise time.duration");
+  checks.require(c.output.statistics_from.value_or(0.0) < c.time.duration, {"output", "statistics_from"},
+                 {"time", "duration"}, "the statistics would begin after the run",
+                 fmt::format("less than time.duration = {} s", c.time.duration),
+                 "lower output.statistics_from or raise time.duration");
+  std::error_code ignored;
+  checks.require(c.failure.file.empty() || std::filesystem::is_regular_file(c.failure.file, ignored),
+                 {"failure", "file"}, {"failure", "file"}, fmt::format("there is no file {}", c.failure.file),
+                 "a file, relative to the case file",
+                 "correct the path, or remove the line to take the model that comes with the program");
+}
+
+}  // namespace
+
+std::vector<Problem> cross_check(const Case& resolved, const CaseSource& source) {
+  Checks checks(source);
+  check_ice(resolved, checks);
+  check_cone(resolved, checks);
+  check_field(resolved, checks);
+  check_rest(resolved, checks);
+  return checks.take();
+}
+
+}  // namespace brash::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "brash/io/case.hpp"
+#include "toml_source.hpp"
+
+namespace brash::io {
+
+/// What is wrong with values that are each allowed but do not go together.
+std::vector<Problem> cross_check(const Case& resolved, const CaseSource& source);
+
+}  // namespace brash::io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "brash/core/error.hpp"
+#include "brash/core/version.hpp"
+#include "brash/io/results.hpp"
+#include "sha256.hpp"
+
+namespace brash::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void fail_to_hash(const std::string& path, const std::string& reason) {
+  throw RunError(
+      fmt::format("{}: cannot be hashed: {}\n  remedy:  check that the file is there and may be read", path, reason));
+}
+
+/// The first line `model name : ...` of /proc/cpuinfo, or "unknown".
+std::string cpu_name() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+  return "unknown";
+}
+
+Json described(const std::filesystem::path& file, const std::string& name) {
+  std::error_code reason;
+  const std::uintmax_t n_bytes = std::filesystem::file_size(file, reason);
+  if (reason) fail_to_hash(file.string(), reason.message());
+  return {{"path", name}, {"bytes", n_bytes}, {"sha256", sha256_of_file(file.string())}};
+}
+
+}  // namespace
+
+std::string sha256_of_file(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail_to_hash(path, std::generic_category().message(errno));
+  Sha256 digest;
+  std::vector<char> block(1 << 16);
+  do {
+    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+    digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});
+  } while (stream);
+  if (stream.bad()) fail_to_hash(path, "it cannot be read");
+  return digest.hexadecimal();
+}
+
+void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
+                    const std::vector<std::string>& outputs, const Volatile& context) {
+  const std::filesystem::path folder(directory);
+  Json manifest;
+  manifest["format"] = "brash-manifest-1";
+  manifest["program"] = {{"name", "brash"}, {"version", kVersion}};
+  for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
+  manifest["glibc"] = gnu_get_libc_version();
+  manifest["case"] = {{"name", resolved.name}, {"toml", to_toml(resolved)}};
+  manifest["seeds"] = {{"seed", resolved.random.seed}, {"replicate", resolved.random.replicate}};
+  manifest["inputs"] = Json::array();
+  for (const std::string& input : inputs) manifest["inputs"].push_back(described(input, input));
+  manifest["outputs"] = Json::array();
+  for (const std::string& output : outputs) manifest["outputs"].push_back(described(folder / output, output));
+  manifest["volatile"] = {{"started_at", context.started_at},
+                          {"wall_seconds", context.wall_seconds},
+                          {"stage_seconds", context.stage_seconds},
+                          {"host_cpu", context.host_cpu.empty() ? cpu_name() : context.host_cpu}};
+  write_file((folder / "manifest.json").string(), manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace brash::io

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "netcdf_file.hpp"
+
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+
+namespace brash::io {
+namespace {
+
+constexpr int kDeflateLevel = 4;
+/// Fewer bytes are written as they are: the index of a compressed variable takes more than it saves.
+constexpr std::size_t kLeastDeflated = 4096;
+/// Memory that a file begins with; it grows.
+constexpr std::size_t kFirstBytes = 1 << 20;
+
+template <typename T>
+constexpr nc_type kType = NC_NAT;
+template <>
+constexpr nc_type kType<double> = NC_DOUBLE;
+template <>
+constexpr nc_type kType<std::int64_t> = NC_INT64;
+template <>
+constexpr nc_type kType<std::int32_t> = NC_INT;
+template <>
+constexpr nc_type kType<std::int8_t> = NC_BYTE;
+
+}  // namespace
+
+NetcdfWriter::NetcdfWriter(std::string shown) : shown_(std::move(shown)) {
+  check(nc_create_mem(shown_.c_str(), NC_NETCDF4, kFirstBytes, &file_), "file");
+  check(nc_set_fill(file_, NC_NOFILL, nullptr), "file");
+}
+
+NetcdfWriter::~NetcdfWriter() {
+  if (file_ >= 0) nc_abort(file_);
+}
+
+void NetcdfWriter::check(int status, const std::string& what) const {
+  if (status == NC_NOERR) return;
+  throw RunError(fmt::format("{}: {} cannot be written: {}\n  remedy:  check that there is enough memory", shown_, what,
+                             nc_strerror(status)));
+}
+
+void NetcdfWriter::attribute(const std::string& name, const std::string& text) {
+  check(nc_put_att_text(file_, NC_GLOBAL, name.c_str(), text.size(), text.data()), name);
+}
+
+int NetcdfWriter::dimension(const std::string& name, std::size_t length) {
+  int id = -1;
+  if (nc_inq_dimid(file_, name.c_str(), &id) == NC_NOERR) {
+    std::size_t known = 0;
+    check(nc_inq_dimlen(file_, id, &known), name);
+    BRASH_EXPECTS(known == length, name, known, length);
+    return id;
+  }
+  // A length of zero makes the dimension unlimited, of length zero: what is meant.
+  check(nc_def_dim(file_, name.c_str(), length, &id), name);
+  return id;
+}
+
+void NetcdfWriter::describe(int variable, const std::string& name, const Meaning& meaning) {
+  const auto put = [&](const char* attribute, const std::string& text) {
+    check(nc_put_att_text(file_, variable, attribute, text.size(), text.data()), name);
+  };
+  if (!meaning.unit.empty()) put("units", meaning.unit);
+  put("long_name", meaning.long_name);
+  for (const auto& [attribute, text] : meaning.more) put(attribute.c_str(), text);
+  if (meaning.flag_values.empty()) return;
+  check(
+      nc_put_att_schar(file_, variable, "flag_values", NC_BYTE, meaning.flag_values.size(), meaning.flag_values.data()),
+      name);
+}
+
+template <typename T>
+void NetcdfWriter::write(const std::string& name, const std::string& along, const Meaning& meaning,
+                         const std::vector<T>& values) {
+  const int dim = dimension(along, values.size());
+  int variable = -1;
+  check(nc_def_var(file_, name.c_str(), kType<T>, 1, &dim, &variable), name);
+  if (values.size() * sizeof(T) >= kLeastDeflated)
+    check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
+  describe(variable, name, meaning);
+  const std::size_t start = 0;
+  const std::size_t count = values.size();
+  if (count > 0) check(nc_put_vara(file_, variable, &start, &count, values.data()), name);
+}
+
+void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                            const std::vector<double>& values) {
+  write(name, dimension, meaning, values);
+}
+void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                            const std::vector<std::int64_t>& values) {
+  write(name, dimension, meaning, values);
+}
+void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                            const std::vector<std::int32_t>& values) {
+  write(name, dimension, meaning, values);
+}
+void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                            const std::vector<std::int8_t>& values) {
+  write(name, dimension, meaning, values);
+}
+
+void NetcdfWriter::container(const std::string& name, const Meaning& meaning) {
+  int variable = -1;
+  check(nc_def_var(file_, name.c_str(), NC_INT, 0, nullptr, &variable), name);
+  describe(variable, name, meaning);
+  const int nothing = 0;
+  check(nc_put_var_int(file_, variable, &nothing), name);
+}
+
+std::string NetcdfWriter::finish() {
+  NC_memio image{};
+  const int file = std::exchange(file_, -1);
+  check(nc_close_memio(file, &image), "file");
+  const std::unique_ptr<void, decltype(&std::free)> memory(image.memory, &std::free);
+  return {static_cast<const char*>(image.memory), image.size};
+}
+
+NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
+  check(nc_open(path.c_str(), NC_NOWRITE, &file_), "file");
+}
+
+NetcdfReader::NetcdfReader(const std::string& path, std::string bytes) : path_(path), bytes_(std::move(bytes)) {
+  check(nc_open_mem(path.c_str(), NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "file");
+}
+
+NetcdfReader::~NetcdfReader() {
+  if (file_ >= 0) nc_close(file_);
+}
+
+void NetcdfReader::refuse(const std::string& what) const {
+  throw InputError(fmt::format(
+      "{}: {}\n  allowed: a file that this version of the program wrote\n  remedy:  write it again", path_, what));
+}
+
+void NetcdfReader::check(int status, const std::string& what) const {
+  if (status != NC_NOERR) refuse(fmt::format("{} cannot be read: {}", what, nc_strerror(status)));
+}
+
+std::string NetcdfReader::attribute(const std::string& name) const {
+  std::size_t length = 0;
+  nc_type type = NC_NAT;
+  check(nc_inq_att(file_, NC_GLOBAL, name.c_str(), &type, &length), name);
+  if (type != NC_CHAR) refuse(name + " is not a text");
+  std::string text(length, '\0');
+  check(nc_get_att_text(file_, NC_GLOBAL, name.c_str(), text.data()), name);
+  return text;
+}
+
+std::size_t NetcdfReader::length(const std::string& dimension) const {
+  int id = -1;
+  std::size_t result = 0;
+  check(nc_inq_dimid(file_, dimension.c_str(), &id), dimension);
+  check(nc_inq_dimlen(file_, id, &result), dimension);
+  return result;
+}
+
+template <typename T>
+void NetcdfReader::read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const {
+  int expected = -1;
+  int variable = -1;
+  int n_dimensions = 0;
+  nc_type type = NC_NAT;
+  check(nc_inq_dimid(file_, dimension.c_str(), &expected), dimension);
+  check(nc_inq_varid(file_, name.c_str(), &variable), name);
+  check(nc_inq_var(file_, variable, nullptr, &type, &n_dimensions, nullptr, nullptr), name);
+  int found = -1;
+  if (n_dimensions == 1) check(nc_inq_vardimid(file_, variable, &found), name);
+  if (found != expected || type != kType<T>) refuse(fmt::format("{} has another type or shape", name));
+  values.resize(length(dimension));
+  const std::size_t start = 0;
+  const std::size_t count = values.size();
+  if (count > 0) check(nc_get_vara(file_, variable, &start, &count, values.data()), name);
+}
+
+void NetcdfReader::read(const std::string& name, const std::string& dimension, std::vector<double>& values) const {
+  read_as(name, dimension, values);
+}
+void NetcdfReader::read(const std::string& name, const std::string& dimension,
+                        std::vector<std::int64_t>& values) const {
+  read_as(name, dimension, values);
+}
+void NetcdfReader::read(const std::string& name, const std::string& dimension,
+                        std::vector<std::int32_t>& values) const {
+  read_as(name, dimension, values);
+}
+void NetcdfReader::read(const std::string& name, const std::string& dimension, std::vector<std::int8_t>& values) const {
+  read_as(name, dimension, values);
+}
+
+}  // namespace brash::io

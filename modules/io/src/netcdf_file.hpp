@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace brash::io {
+
+/// What a netCDF variable means.
+struct Meaning {
+  std::string unit;  ///< UDUNITS; empty: none (containers)
+  std::string long_name;
+  std::vector<std::pair<std::string, std::string>> more{};  ///< other text attributes
+  std::vector<std::int8_t> flag_values{};                   ///< of an enumeration, with flag_meanings in `more`
+};
+
+/// A netCDF-4 file that is being written, in memory: HDF5 does not survive a disk that is full. Its bytes depend on
+/// what is written alone.
+class NetcdfWriter {
+ public:
+  /// @param shown  name of the file in messages.
+  /// @throws RunError here and from every member when the library fails.
+  explicit NetcdfWriter(std::string shown);
+  ~NetcdfWriter();
+  NetcdfWriter(const NetcdfWriter&) = delete;
+  NetcdfWriter& operator=(const NetcdfWriter&) = delete;
+
+  void attribute(const std::string& name, const std::string& text);
+  /// Writes a variable along `dimension`, which is made as long as `values` when it is new.
+  void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                const std::vector<double>& values);
+  void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                const std::vector<std::int64_t>& values);
+  void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                const std::vector<std::int32_t>& values);
+  void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                const std::vector<std::int8_t>& values);
+  /// A variable without values that carries the attributes of a CF geometry.
+  void container(const std::string& name, const Meaning& meaning);
+  /// The bytes of the whole file; nothing can be added afterwards.
+  std::string finish();
+
+ private:
+  template <typename T>
+  void write(const std::string& name, const std::string& dimension, const Meaning& meaning,
+             const std::vector<T>& values);
+  void describe(int variable, const std::string& name, const Meaning& meaning);
+  int dimension(const std::string& name, std::size_t length);
+  void check(int status, const std::string& what) const;
+
+  std::string shown_;
+  int file_ = -1;
+};
+
+/// A netCDF file that is being read.
+class NetcdfReader {
+ public:
+  /// @throws InputError here and from every member, naming file and variable.
+  explicit NetcdfReader(const std::string& path);
+  /// Reads the file's `bytes`, which came from `path`.
+  NetcdfReader(const std::string& path, std::string bytes);
+  ~NetcdfReader();
+  NetcdfReader(const NetcdfReader&) = delete;
+  NetcdfReader& operator=(const NetcdfReader&) = delete;
+
+  std::string attribute(const std::string& name) const;
+  std::size_t length(const std::string& dimension) const;
+  /// Reads the one-dimensional variable `name` along `dimension`.
+  void read(const std::string& name, const std::string& dimension, std::vector<double>& values) const;
+  void read(const std::string& name, const std::string& dimension, std::vector<std::int64_t>& values) const;
+  void read(const std::string& name, const std::string& dimension, std::vector<std::int32_t>& values) const;
+  void read(const std::string& name, const std::string& dimension, std::vector<std::int8_t>& values) const;
+  /// Throws the InputError of a file whose content makes no sense.
+  [[noreturn]] void refuse(const std::string& what) const;
+
+ private:
+  template <typename T>
+  void read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const;
+  void check(int status, const std::string& what) const;
+
+  std::string path_;
+  std::string bytes_;
+  int file_ = -1;
+};
+
+}  // namespace brash::io

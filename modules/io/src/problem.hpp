@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace brash::io {
+
+/// Where a value was written: "cone.toml:3:11", or "cone.toml, --set ice.thickness=-1".
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  std::string override_text;  ///< not empty: the value came from --set
+
+  std::string text() const;
+};
+
+/// One thing that is wrong with a case file.
+struct Problem {
+  Place place;
+  std::string key;      ///< "ice.thickness"
+  std::string value;    ///< as written; empty when there is none
+  std::string what;     ///< what is wrong
+  std::string allowed;  ///< what may be written instead
+  std::string nearest;  ///< nearest known name; empty when there is none
+  std::string remedy;   ///< what to do
+};
+
+/// Throws one InputError that lists `problems` in the order of the file.
+[[noreturn]] void refuse(std::vector<Problem> problems);
+
+/// The name in `known` with the least edit distance from `name` (ties: the first), or "" when none is similar.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
+
+/// `text` with control characters and what is not UTF-8 escaped: what a file says may not steer a terminal.
+std::string escaped(const std::string& text);
+/// The same, cut after 80 bytes.
+std::string printable(const std::string& text);
+
+}  // namespace brash::io

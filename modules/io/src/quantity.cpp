@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "quantity.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include "brash/core/error.hpp"
+
+namespace brash::io {
+namespace {
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+struct FreeConverter {
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+
+/// Gives `symbol` the meaning of `definition`, before UDUNITS takes its first letter for a prefix.
+void define(ut_system* system, const char* symbol, const char* definition) {
+  ut_unmap_symbol_to_unit(system, symbol, UT_ASCII);
+  const Unit unit(ut_parse(system, definition, UT_UTF8));
+  if (!unit || ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get()) != UT_SUCCESS)
+    throw InputError(
+        fmt::format("UDUNITS-2 cannot define the unit {} as {}\n  allowed: Debian's unit database"
+                    "\n  remedy:  unset UDUNITS2_XML_PATH",
+                    symbol, definition));
+}
+
+/// The unit database, read once and never freed. The caller holds the lock: UDUNITS parses with global state.
+ut_system* unit_system() {
+  static ut_system* const system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    ut_system* const read = ut_read_xml(nullptr);
+    if (read == nullptr)
+      throw InputError(
+          "UDUNITS-2 cannot read its unit database\n  allowed: Debian's unit database"
+          "\n  remedy:  install libudunits2-data, or unset UDUNITS2_XML_PATH");
+    define(read, "nmi", "1852 m");
+    define(read, "ppt", "1e-3");
+    define(read, "deg", "arc_degree");
+    return read;
+  }();
+  return system;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '%' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// What is wrong with the spelling of a unit that is a product of symbols with whole exponents; empty when nothing is.
+std::string spelling_error(std::string_view unit) {
+  if (unit.starts_with("1/")) unit.remove_prefix(2);
+  bool symbol_expected = true;
+  std::size_t i = 0;
+  while (i < unit.size()) {
+    if (unit[i] == ' ' || unit[i] == '*' || unit[i] == '/' || unit[i] == '.') {
+      if (unit[i] != ' ') symbol_expected = true;
+      ++i;
+      continue;
+    }
+    if (!is_letter(unit[i])) return fmt::format("'{}' is not part of a unit", unit[i]);
+    while (i < unit.size() && is_letter(unit[i])) ++i;
+    symbol_expected = false;
+    // An exponent: ^ and sign are optional, one or two digits.
+    if (i < unit.size() && unit[i] == '^') ++i;
+    if (i < unit.size() && unit[i] == '(') return "an exponent must be a whole number";
+    if (i < unit.size() && unit[i] == '-') ++i;
+    const std::size_t first_digit = i;
+    while (i < unit.size() && is_digit(unit[i])) ++i;
+    if (i - first_digit > 2) return "an exponent is too large";
+    if (i == first_digit && i > 0 && (unit[i - 1] == '^' || unit[i - 1] == '-')) return "an exponent is missing";
+    if (i + 1 < unit.size() && unit[i] == '.' && is_digit(unit[i + 1])) return "an exponent must be a whole number";
+  }
+  return symbol_expected ? "it is incomplete" : "";
+}
+
+/// Whether `unit` has an angle in it: UDUNITS lets radians pass as ratios.
+bool has_angle(const ut_unit* unit) {
+  std::array<char, 512> text{};
+  const int length = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
+  return length > 0 && std::string_view(text.data()).find("rad") != std::string_view::npos;
+}
+
+/// The short decimal that `factor` stands for, when it is within the roundings of a product of prefixes (0.0254 for
+/// 0.025400000000000002); else `factor`.
+double without_rounding(double factor) {
+  double decimal = factor;
+  const std::string text = fmt::format("{:.12g}", factor);
+  std::from_chars(text.data(), text.data() + text.size(), decimal);
+  return std::abs(decimal / factor - 1.0) < 1e-15 ? decimal : factor;
+}
+
+/// `value` in another unit, rounded once where the units differ by a power of ten.
+double convert(cv_converter* converter, double value) {
+  const double offset = cv_convert_double(converter, 0.0);
+  if (offset != 0.0) return cv_convert_double(converter, value);
+  const double factor = without_rounding(cv_convert_double(converter, 1.0));
+  const double inverse = std::round(1.0 / factor);
+  if (factor < 1.0 && inverse < 1e15 && std::abs(factor * inverse - 1.0) < 1e-15) return value / inverse;
+  return value * factor;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+tl::unexpected<QuantityError> error(std::string what, std::string remedy) {
+  return tl::unexpected(QuantityError{std::move(what), std::move(remedy)});
+}
+
+/// `value` given in the unit spelled `from`, in the unit spelled `to`.
+tl::expected<double, QuantityError> convert_units(double value, const std::string& from, const std::string& to) {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  ut_system* const system = unit_system();
+  const Unit target(ut_parse(system, to.c_str(), UT_UTF8));
+  const Unit unit(ut_parse(system, from.c_str(), UT_UTF8));
+  if (!unit) return error(fmt::format("the unit {} is not known", from), "use a unit that UDUNITS-2 knows");
+  if (ut_are_convertible(unit.get(), target.get()) == 0 || has_angle(unit.get()) != has_angle(target.get()))
+    return error(fmt::format("the unit {} does not convert to {}", from, to),
+                 fmt::format("write a quantity that converts to {}", to));
+  const Converter converter(ut_get_converter(unit.get(), target.get()));
+  if (!converter) return error(fmt::format("the unit {} does not convert to {}", from, to), "use another unit");
+  return convert(converter.get(), value);
+}
+
+}  // namespace
+
+tl::expected<double, QuantityError> read_quantity(const std::string& text, const std::string& unit) {
+  std::string_view rest = trimmed(text);
+  if (rest.starts_with('+')) rest.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (status == std::errc::result_out_of_range)
+    return error("the number is too large or too small", "write a number of ordinary size");
+  if (status != std::errc{}) return error("the string does not begin with a number", "write number, blank, unit");
+  if (!std::isfinite(value)) return error("the number is not finite", "write a finite number");
+
+  const std::string from(trimmed(rest.substr(static_cast<std::size_t>(end - rest.data()))));
+  if (from.empty())
+    return error("the string has no unit",
+                 fmt::format("write the number without quotes (SI) or with a unit that converts to {}", unit));
+  if (const std::string spelling = spelling_error(from); !spelling.empty())
+    return error(fmt::format("the unit {} cannot be read: {}", from, spelling),
+                 "write the unit as symbols with whole exponents, such as kg/m3 or m s^-1");
+  const auto converted = convert_units(value, from, unit);
+  if (converted && !std::isfinite(*converted)) return error("the number is too large", "write a finite number");
+  return converted;
+}
+
+}  // namespace brash::io

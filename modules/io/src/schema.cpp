@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "brash/io/case.hpp"
+
+namespace brash::io {
+
+const OrderedJson& schema() {
+  static const OrderedJson parsed = OrderedJson::parse(kCaseSchemaText);
+  return parsed;
+}
+
+const OrderedJson& section_schemas() { return schema().at("properties"); }
+
+const OrderedJson& key_schemas(const std::string& section) { return section_schemas().at(section).at("properties"); }
+
+bool is_required(const std::string& section, const std::string& key) {
+  const OrderedJson& section_schema = section_schemas().at(section);
+  if (!section_schema.contains("required")) return false;
+  const OrderedJson& required = section_schema.at("required");
+  return std::find(required.begin(), required.end(), key) != required.end();
+}
+
+std::string value_type(const OrderedJson& key_schema) {
+  const OrderedJson& type = key_schema.at("type");
+  return type.is_array() ? type.front().get<std::string>() : type.get<std::string>();
+}
+
+std::string toml_number(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string toml_string(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+std::string toml_text(const OrderedJson& value) {
+  if (value.is_string()) return toml_string(value.get<std::string>());
+  if (value.is_number_float()) return toml_number(value.get<double>());
+  if (!value.is_array()) return value.dump();
+  std::string items;
+  for (const OrderedJson& item : value) items += (items.empty() ? "" : ", ") + toml_text(item);
+  return "[" + items + "]";
+}
+
+namespace {
+
+/// " > 0 and <= 10", " from 1 to 16", "".
+std::string range_text(const OrderedJson& key_schema) {
+  std::vector<std::string> bounds;
+  const auto add = [&](const char* keyword, const char* sign) {
+    if (key_schema.contains(keyword)) bounds.push_back(fmt::format("{} {}", sign, key_schema.at(keyword).dump()));
+  };
+  add("minimum", ">=");
+  add("exclusiveMinimum", ">");
+  add("maximum", "<=");
+  add("exclusiveMaximum", "<");
+  return bounds.empty() ? "" : fmt::format(" {}", fmt::join(bounds, " and "));
+}
+
+std::string number_text(const OrderedJson& key_schema) {
+  const std::string unit = key_schema.at("x-unit").get<std::string>();
+  std::string text = "a finite number" + range_text(key_schema);
+  if (unit == "1") return text;
+  text += " in " + unit + ", or a string with a unit that converts to " + unit;
+  if (key_schema.contains("examples")) text += ", such as " + key_schema.at("examples").front().dump();
+  return text;
+}
+
+}  // namespace
+
+std::string allowed_values(const OrderedJson& key_schema) {
+  const std::string type = value_type(key_schema);
+  if (key_schema.contains("enum")) {
+    std::vector<std::string> names;
+    for (const OrderedJson& name : key_schema.at("enum")) names.push_back(name.dump());
+    return (names.size() == 1 ? "" : "one of ") + fmt::format("{}", fmt::join(names, ", "));
+  }
+  if (type == "number") return number_text(key_schema);
+  if (type == "integer") return "a whole number" + range_text(key_schema);
+  if (type == "boolean") return "true or false";
+  if (type == "array")
+    return fmt::format("an array of {}, each {}", key_schema.at("minItems").get<int>(),
+                       allowed_values(key_schema.at("items")));
+  return "a string";
+}
+
+std::string case_schema() { return kCaseSchemaText; }
+
+}  // namespace brash::io

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "netcdf_file.hpp"
+#include "result_columns.hpp"
+
+namespace brash::io {
+
+/// How a member of a row is stored: flags as bytes, numbers as they are.
+template <typename T>
+struct Stored {
+  using Type = T;
+};
+template <>
+struct Stored<bool> {
+  using Type = std::int8_t;
+};
+template <>
+struct Stored<FloeEnd> {
+  using Type = std::int8_t;
+};
+
+inline void add_flags(Meaning& meaning, FloeEnd) {
+  meaning.flag_values = {0, 1, 2};
+  meaning.more = {{"flag_meanings", "alive crushed outside"}};
+}
+template <typename T>
+void add_flags(Meaning&, T) {}
+
+/// Writes `rows` as one variable a column, along the rows' dimension.
+template <typename Row>
+void write_rows(NetcdfWriter& file, const std::vector<Row>& rows) {
+  Columns<Row>::visit([&](const std::string& name, const char* unit, const std::string& meaning, auto member) {
+    using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
+    std::vector<typename Stored<Member>::Type> values;
+    values.reserve(rows.size());
+    for (const Row& row : rows) values.push_back(static_cast<typename Stored<Member>::Type>(member(row)));
+    Meaning described{unit, meaning};
+    add_flags(described, Member{});
+    file.variable(Columns<Row>::prefix + name, Columns<Row>::dimension, described, values);
+  });
+}
+
+template <typename Row>
+std::vector<Row> read_rows(const NetcdfReader& file) {
+  std::vector<Row> rows(file.length(Columns<Row>::dimension));
+  Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
+    using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
+    std::vector<typename Stored<Member>::Type> values;
+    file.read(Columns<Row>::prefix + name, Columns<Row>::dimension, values);
+    if constexpr (std::is_same_v<Member, FloeEnd>)
+      for (const std::int8_t value : values)
+        if (value < 0 || value > 2) file.refuse(fmt::format("{}{} has an unknown value", Columns<Row>::prefix, name));
+    for (std::size_t i = 0; i < rows.size(); ++i) member(rows[i]) = static_cast<Member>(values[i]);
+  });
+  return rows;
+}
+
+/// Where the nodes of rings are given, and in what unit.
+struct NodeFrame {
+  std::string unit;
+  std::string description;
+};
+
+/// Writes rings one after another: `name`_part_node_count along `name`_part, `name`_x and `name`_y along `name`_node.
+template <typename Point>
+void write_rings(NetcdfWriter& file, const std::string& name, const NodeFrame& frame,
+                 const std::vector<std::vector<Point>>& rings) {
+  std::vector<std::int32_t> node_counts;
+  std::vector<decltype(Point::x)> x;
+  std::vector<decltype(Point::y)> y;
+  for (const std::vector<Point>& ring : rings) {
+    node_counts.push_back(static_cast<std::int32_t>(ring.size()));
+    for (const Point& node : ring) {
+      x.push_back(node.x);
+      y.push_back(node.y);
+    }
+  }
+  file.variable(name + "_part_node_count", name + "_part", {"1", "number of nodes of each ring"}, node_counts);
+  file.variable(name + "_x", name + "_node", {frame.unit, "nodes, x, " + frame.description, {{"axis", "X"}}}, x);
+  file.variable(name + "_y", name + "_node", {frame.unit, "nodes, y, " + frame.description, {{"axis", "Y"}}}, y);
+}
+
+/// `values` cut into runs of `counts`; refuses counts that do not add up to all values.
+template <typename Value>
+std::vector<std::vector<Value>> split(const NetcdfReader& file, const std::string& name, std::vector<Value> values,
+                                      const std::vector<std::int32_t>& counts) {
+  std::vector<std::vector<Value>> runs;
+  auto next = std::make_move_iterator(values.begin());
+  const auto end = std::make_move_iterator(values.end());
+  for (const std::int32_t count : counts) {
+    if (count < 0 || count > end - next) file.refuse(name + ": the counts do not add up");
+    runs.emplace_back(next, next + count);
+    next += count;
+  }
+  if (next != end) file.refuse(name + ": the counts do not add up");
+  return runs;
+}
+
+template <typename Point>
+std::vector<std::vector<Point>> read_rings(const NetcdfReader& file, const std::string& name) {
+  std::vector<std::int32_t> node_counts;
+  std::vector<decltype(Point::x)> x;
+  std::vector<decltype(Point::y)> y;
+  file.read(name + "_part_node_count", name + "_part", node_counts);
+  file.read(name + "_x", name + "_node", x);
+  file.read(name + "_y", name + "_node", y);
+  std::vector<Point> nodes;
+  nodes.reserve(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) nodes.push_back({x[i], y[i]});
+  return split(file, name + "_part_node_count", std::move(nodes), node_counts);
+}
+
+/// Writes polygons (each its outline, then its holes) along `dimension`, as a geometry of the CF conventions (1.8,
+/// Sec. 7.5) with the container `name`; `name`_part_count says how many rings each polygon has.
+template <typename Point>
+void write_polygons(NetcdfWriter& file, const std::string& name, const std::string& dimension, const NodeFrame& frame,
+                    const std::vector<std::vector<std::vector<Point>>>& polygons) {
+  std::vector<std::vector<Point>> rings;
+  std::vector<std::int32_t> node_counts;
+  std::vector<std::int32_t> part_counts;
+  std::vector<std::int32_t> interior;
+  for (const std::vector<std::vector<Point>>& polygon : polygons) {
+    std::int32_t n_nodes = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      rings.push_back(polygon[i]);
+      interior.push_back(i == 0 ? 0 : 1);
+      n_nodes += static_cast<std::int32_t>(polygon[i].size());
+    }
+    node_counts.push_back(n_nodes);
+    part_counts.push_back(static_cast<std::int32_t>(polygon.size()));
+  }
+  file.container(name, {"",
+                        "polygons, " + frame.description,
+                        {{"geometry_type", "polygon"},
+                         {"node_count", name + "_node_count"},
+                         {"part_node_count", name + "_part_node_count"},
+                         {"interior_ring", name + "_interior_ring"},
+                         {"node_coordinates", name + "_x " + name + "_y"}}});
+  file.variable(name + "_node_count", dimension, {"1", "number of nodes of each polygon"}, node_counts);
+  file.variable(name + "_part_count", dimension, {"1", "number of rings of each polygon"}, part_counts);
+  write_rings(file, name, frame, rings);
+  file.variable(name + "_interior_ring", name + "_part", {"1", "1 for a hole, 0 for an outline"}, interior);
+}
+
+template <typename Point>
+std::vector<std::vector<std::vector<Point>>> read_polygons(const NetcdfReader& file, const std::string& name,
+                                                           const std::string& dimension) {
+  std::vector<std::int32_t> part_counts;
+  file.read(name + "_part_count", dimension, part_counts);
+  return split(file, name + "_part_count", read_rings<Point>(file, name), part_counts);
+}
+
+}  // namespace brash::io

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "brash/core/contract.hpp"
+#include "quantity.hpp"
+#include "schema.hpp"
+
+namespace brash::io {
+namespace {
+
+using Json = nlohmann::json;
+
+/// More than this is noise, and comparing names costs time.
+constexpr std::size_t kMostProblems = 100;
+
+std::vector<std::string> names(const OrderedJson& object) {
+  std::vector<std::string> keys;
+  for (const auto& [name, value] : object.items()) keys.push_back(name);
+  return keys;
+}
+
+std::string list(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
+
+/// Why a TOML value is no value of a case.
+struct ValueError {
+  std::string what;
+  std::string remedy;
+};
+
+tl::expected<Json, ValueError> to_json(const toml::node& node, const OrderedJson& key_schema);
+
+tl::expected<Json, ValueError> array_to_json(const toml::array& array, const OrderedJson& key_schema) {
+  static const OrderedJson kNone = {{"type", "null"}};
+  const OrderedJson& item_schema = key_schema.contains("items") ? key_schema.at("items") : kNone;
+  Json items = Json::array();
+  for (const toml::node& item : array) {
+    tl::expected<Json, ValueError> converted = to_json(item, item_schema);
+    if (!converted) return converted;
+    items.push_back(std::move(*converted));
+  }
+  return items;
+}
+
+/// A TOML value as JSON, quantities in the unit of `key_schema`.
+tl::expected<Json, ValueError> to_json(const toml::node& node, const OrderedJson& key_schema) {
+  if (const auto* value = node.as_boolean()) return Json(value->get());
+  if (const auto* value = node.as_integer()) return Json(value->get());
+  if (const auto* value = node.as_floating_point()) {
+    if (!std::isfinite(value->get())) return tl::unexpected(ValueError{"is not finite", "write a finite number"});
+    return Json(value->get());
+  }
+  if (const auto* value = node.as_string()) {
+    if (value_type(key_schema) != "number") return Json(value->get());
+    auto number = read_quantity(value->get(), key_schema.at("x-unit").get<std::string>());
+    if (!number) return tl::unexpected(ValueError{std::move(number.error().what), std::move(number.error().remedy)});
+    return Json(*number);
+  }
+  if (const auto* value = node.as_array()) return array_to_json(*value, key_schema);
+  if (node.is_table())
+    return tl::unexpected(
+        ValueError{"is a table, not a value", "write one value; a case has sections and keys, no deeper"});
+  return tl::unexpected(ValueError{"is a date or time, not a value", "write a number, or a string in quotes"});
+}
+
+/// The schema as valijson checks it.
+const valijson::Schema& compiled_schema() {
+  struct Compiled : valijson::Schema {
+    Compiled() {
+      const Json text = Json::parse(kCaseSchemaText);
+      valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+          .populateSchema(valijson::adapters::NlohmannJsonAdapter(text), *this);
+    }
+  };
+  static const Compiled compiled;
+  return compiled;
+}
+
+/// Reads a tree section by section, collecting what is wrong.
+class Reader {
+ public:
+  explicit Reader(const CaseSource& source) : source_(source) {}
+
+  Json read() {
+    for (const auto& [key, node] : source_.tree) {
+      if (problems_.size() >= kMostProblems) break;
+      read_section(std::string(key.str()), node);
+    }
+    add_missing();
+    if (problems_.size() < kMostProblems) check_schema();
+    if (!problems_.empty()) refuse(std::move(problems_));
+    add_defaults();
+    return std::move(document_);
+  }
+
+ private:
+  void read_section(const std::string& section, const toml::node& node) {
+    const std::vector<std::string> sections = names(section_schemas());
+    if (!section_schemas().contains(section)) {
+      const std::string nearest = nearest_name(section, sections);
+      problems_.push_back({place_of(source_, section), "[" + section + "]", "", "is not a known section",
+                           "sections " + list(sections), nearest.empty() ? "" : "[" + nearest + "]",
+                           nearest.empty() ? "remove it, or name a known section" : "rename it, or remove it"});
+      return;
+    }
+    if (!node.is_table()) {
+      problems_.push_back({place_of(source_, section), section, value_text(node), "must be a section",
+                           fmt::format("a line `[{}]`, then lines `key = value`", section), "",
+                           fmt::format("write the keys of {} under `[{}]`", section, section)});
+      return;
+    }
+    document_[section] = Json::object();
+    for (const auto& [key, value] : *node.as_table()) {
+      if (problems_.size() >= kMostProblems) return;
+      read_key(section, std::string(key.str()), key, value);
+    }
+  }
+
+  void read_key(const std::string& section, const std::string& name, const toml::key& key, const toml::node& node) {
+    if (!key_schemas(section).contains(name)) {
+      problems_.push_back(unknown_key(section, name, key, node));
+      return;
+    }
+    const OrderedJson& key_schema = key_schemas(section).at(name);
+    const tl::expected<Json, ValueError> value = to_json(node, key_schema);
+    if (value)
+      document_[section][name] = *value;
+    else
+      problems_.push_back({place_of(source_, section, name), section + "." + name, value_text(node), value.error().what,
+                           allowed_values(key_schema), "", value.error().remedy});
+  }
+
+  Problem unknown_key(const std::string& section, const std::string& name, const toml::key& key,
+                      const toml::node& node) {
+    const std::vector<std::string> keys = names(key_schemas(section));
+    // The same name in another section is nearer than a similar name in this one.
+    std::string nearest;
+    for (const std::string& other : names(section_schemas()))
+      if (nearest.empty() && key_schemas(other).contains(name)) nearest = other + "." + name;
+    if (nearest.empty() && !nearest_name(name, keys).empty()) nearest = section + "." + nearest_name(name, keys);
+
+    Problem problem{place_of(source_, section, name),
+                    section + "." + name,
+                    value_text(node),
+                    "is not a known key",
+                    fmt::format("keys of [{}]: {}", section, list(keys)),
+                    nearest,
+                    nearest.empty() ? "remove it; `brash schema` lists the keys" : "rename it, or remove it"};
+    if (problem.place.override_text.empty() && key.source().begin.line > 0) {
+      problem.place.line = static_cast<int>(key.source().begin.line);
+      problem.place.column = static_cast<int>(key.source().begin.column);
+    }
+    return problem;
+  }
+
+  /// Reports required keys that nobody wrote.
+  void add_missing() {
+    for (const std::string& section : names(section_schemas())) {
+      if (source_.tree.contains(section) && !source_.tree[section].is_table()) continue;
+      for (const auto& [key, key_schema] : key_schemas(section).items()) {
+        if (!is_required(section, key) || source_.tree[section][key].node() != nullptr) continue;
+        const std::string example = toml_text(key_schema.at("examples").front());
+        problems_.push_back({place_of(source_, section), section + "." + key, "", "is missing",
+                             allowed_values(key_schema), "",
+                             fmt::format("add `{} = {}` or the like under `[{}]`", key, example, section)});
+      }
+    }
+  }
+
+  /// Checks types and ranges with valijson and reports each faulty key once.
+  void check_schema() {
+    const valijson::Schema& compiled = compiled_schema();
+    valijson::Validator validator(valijson::Validator::kStrongTypes);
+    valijson::ValidationResults results;
+    if (validator.validate(compiled, valijson::adapters::NlohmannJsonAdapter(document_), &results)) return;
+
+    // The context is <root>, [section], [key], [index of an item]; shorter ones repeat what is reported already.
+    std::set<std::pair<std::string, std::string>> faulty;
+    for (const auto& error : results) {
+      if (error.context.size() < 3) continue;
+      const auto name = [&](std::size_t i) { return error.context[i].substr(1, error.context[i].size() - 2); };
+      if (faulty.emplace(name(1), name(2)).second) problems_.push_back(wrong_value(name(1), name(2)));
+    }
+    BRASH_EXPECTS(!problems_.empty(), "the schema refuses what no key explains");
+  }
+
+  Problem wrong_value(const std::string& section, const std::string& key) const {
+    const OrderedJson& key_schema = key_schemas(section).at(key);
+    const Json& value = document_[section][key];
+    const std::string type = value_type(key_schema);
+    Problem problem{place_of(source_, section, key),
+                    section + "." + key,
+                    value_text(source_, section, key),
+                    "",
+                    allowed_values(key_schema),
+                    "",
+                    "change the value"};
+    if (key_schema.contains("default"))
+      problem.remedy += fmt::format(", or remove the line to take the default {}", toml_text(key_schema.at("default")));
+    if (key_schema.contains("enum") && value.is_string()) {
+      problem.what = "is not a known name";
+      const std::string nearest = nearest_name(value.get<std::string>(), key_schema.at("enum"));
+      if (!nearest.empty()) problem.nearest = toml_string(nearest);
+    } else if (type == "array" && value.is_array()) {
+      problem.what = fmt::format("has {} values, or one that is not allowed", value.size());
+    } else if ((type == "number" && value.is_number()) || (type == "integer" && value.is_number_integer())) {
+      problem.what = fmt::format("is out of range ({} in SI)", value.dump());
+      if (key_schema.value("x-unit", "") == "rad" && source_.tree[section][key].is_number())
+        problem.remedy = fmt::format("write degrees as \"{} deg\"; a bare number is in radians", value.dump());
+    } else if (type == "string" && value.is_string()) {
+      problem.what = "is too long";
+    } else {
+      problem.what =
+          fmt::format("is a value of another type, not {}", type == "integer" ? "a whole number" : "a " + type);
+    }
+    return problem;
+  }
+
+  void add_defaults() {
+    for (const std::string& section : names(section_schemas()))
+      for (const auto& [key, key_schema] : key_schemas(section).items())
+        if (!document_[section].contains(key) && key_schema.contains("default"))
+          document_[section][key] = Json::parse(key_schema.at("default").dump());
+  }
+
+  const CaseSource& source_;
+  Json document_ = Json::object();
+  std::vector<Problem> problems_;
+};
+
+}  // namespace
+
+nlohmann::json validated(const CaseSource& source) { return Reader(source).read(); }
+
+}  // namespace brash::io

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "brash/core/version.hpp"
+#include "brash/io/results.hpp"
+#include "result_columns.hpp"
+#include "result_tables.hpp"
+
+namespace brash::io {
+namespace {
+
+std::string netcdf_bytes(const std::string& path, const Case& resolved, const RunResults& results) {
+  NetcdfWriter file(path);
+  file.attribute("Conventions", "CF-1.8");
+  file.attribute("title", "brash run of the case " + resolved.name);
+  file.attribute("source", std::string("brash ") + kVersion);
+  file.attribute(
+      "comment",
+      "Loads act on the structure in load axes: x as the ice drifts against the structure, y to starboard, z "
+      "upwards; moments are about the structure's origin on the waterplane. Places are in the sheet frame: x "
+      "along the structure's track, y to port, z upwards from the waterplane.");
+  file.attribute("case", to_toml(resolved));
+  write_tables(file, results);
+  return file.finish();
+}
+
+/// Text of `value` in a CSV file: the shortest that reads back to the same number, flags as 1 and 0.
+template <typename T>
+void append(std::string& text, const T& value) {
+  if constexpr (std::is_same_v<T, bool>)
+    text += value ? '1' : '0';
+  else
+    fmt::format_to(std::back_inserter(text), "{}", value);
+}
+
+/// The columns' names, each with a comma after it.
+template <typename Row>
+std::string header() {
+  std::string text;
+  Columns<Row>::visit([&](const std::string& name, const auto&...) { text += name + ','; });
+  return text;
+}
+
+/// The columns' values, each with a comma after it.
+template <typename Row>
+std::string cells(const Row& row) {
+  std::string text;
+  Columns<Row>::visit([&](const std::string&, const char*, const std::string&, auto member) {
+    append(text, member(row));
+    text += ',';
+  });
+  return text;
+}
+
+std::string history_csv(const std::vector<LoadRow>& loads) {
+  const auto ended = [](std::string line) {
+    line.back() = '\n';
+    return line;
+  };
+  std::string text = ended(header<LoadRow>());
+  for (const LoadRow& row : loads) text += ended(cells(row));
+  return text;
+}
+
+/// A line of events.csv, and when it happened.
+struct EventLine {
+  double time = 0.0;
+  std::string text;
+};
+
+std::string events_csv(const RunResults& results) {
+  std::vector<EventLine> lines;
+  for (const CrackEvent& event : results.events) lines.push_back({event.time, cells(event) + "break,,,,\n"});
+
+  // A deletion has a time, and no crack: the cells between stay empty.
+  const std::string names = header<CrackEvent>();
+  const std::string no_crack(static_cast<std::size_t>(std::count(names.begin(), names.end(), ',')), ',');
+  for (const FloeRecord& floe : results.floes) {
+    if (floe.end == FloeEnd::kAlive) continue;
+    const char* const cause = floe.end == FloeEnd::kCrushed ? "crushed" : "outside";
+    lines.push_back({floe.death, fmt::format("{}{}deleted,{},{},{},{}\n", floe.death, no_crack, cause, floe.id,
+                                             floe.area, floe.peak_stress)});
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const EventLine& a, const EventLine& b) { return a.time < b.time; });
+  std::string text = names + "event,cause,floe,floe_area,peak_stress\n";
+  for (const EventLine& line : lines) text += line.text;
+  return text;
+}
+
+}  // namespace
+
+void write_results(const std::string& directory, const Case& resolved, const RunResults& results) {
+  const std::filesystem::path folder(directory);
+  const std::string path = (folder / "run.nc").string();
+  write_file(path, netcdf_bytes(path, resolved, results));
+  write_file((folder / "history.csv").string(), history_csv(results.loads));
+  write_file((folder / "events.csv").string(), events_csv(results));
+}
+
+RunResults read_results(const std::string& path) { return read_tables(NetcdfReader(path)); }
+
+}  // namespace brash::io

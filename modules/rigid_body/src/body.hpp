@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <memory>
+#include <vector>
+
+#include "brash/rigid_body/world.hpp"
+#include "bullet_types.hpp"
+#include "convex_part.hpp"
+#include "overlap.hpp"
+
+namespace brash::rigid_body {
+
+struct Body;
+
+/// A convex part of a body: its true surface, and Bullet's hull (inset by the margin) for the direction of contact.
+struct Part {
+  Part(Body& owner, int number, ConvexPart shape, std::span<const Vec3> inset_corners, double margin);
+
+  Body* body;
+  int number;  ///< within its body
+  ConvexPart solid;
+  PlacedPart now;
+  btConvexHullShape hull;
+  btBroadphaseProxy* proxy = nullptr;
+};
+
+struct Body {
+  BodyId id;
+  BodyKind kind = BodyKind::kFloe;
+  Pose pose;
+  Twist twist;
+  MassProperties mass;
+  Wrench load;     ///< for the next step
+  Pose next_pose;  ///< of a structure
+  bool moved = false;
+  int rank = 0;  ///< in the order of the step
+  std::vector<std::unique_ptr<Part>> parts;
+  std::unique_ptr<btRigidBody> bullet;
+
+  bool is_floe() const { return kind == BodyKind::kFloe; }
+  /// Adds a collision part, unless it is too thin for the margin.
+  bool add_part(ConvexPart solid, double margin);
+  void make_bullet_body();
+  /// Brings parts and Bullet's body to the present state.
+  void update_bullet();
+  double kinetic_energy() const;
+};
+
+/// Pose after moving with `twist` for `dt` [s], Eqs. 9, 10: the rotation is that of the constant angular velocity.
+Pose advanced(const Pose& pose, const Twist& twist, double dt);
+
+/// Whether all numbers are finite.
+bool is_finite(const Pose& pose, const Twist& twist);
+
+/// Order by state alone, by id only between bodies in the same place.
+bool comes_before(const Body& a, const Body& b);
+
+}  // namespace brash::rigid_body

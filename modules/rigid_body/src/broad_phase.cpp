@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "broad_phase.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace brash::rigid_body {
+namespace {
+
+/// The sweep's integer coordinates span this box [m]: 2^-20 m apart in plan. Parts beyond it are compared as if at its
+/// border, which costs time but misses no pair.
+const btVector3 kReach(2048.0, 2048.0, 512.0);
+constexpr int kMobile = 1;
+constexpr int kFixed = 2;
+
+bool boxes_overlap(const PlacedPart& a, const PlacedPart& b) {
+  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
+         a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+}
+
+}  // namespace
+
+BroadPhase::BroadPhase() { reset(1024); }
+
+void BroadPhase::reset(unsigned capacity) {
+  capacity_ = capacity;
+  sweep_ = std::make_unique<bt32BitAxisSweep3>(-kReach, kReach, capacity, nullptr, true);
+}
+
+void BroadPhase::add(Part& part) {
+  if (parts_.size() + 2 > capacity_) {
+    capacity_ *= 2;
+    rebuild(std::vector<Part*>(parts_));
+  }
+  const bool floe = part.body->is_floe();
+  part.proxy = sweep_->createProxy(to_bullet(part.now.lower), to_bullet(part.now.upper), CONVEX_HULL_SHAPE_PROXYTYPE,
+                                   &part, floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
+  parts_.push_back(&part);
+}
+
+void BroadPhase::remove(Part& part) {
+  sweep_->destroyProxy(part.proxy, nullptr);
+  part.proxy = nullptr;
+  parts_.erase(std::find(parts_.begin(), parts_.end(), &part));
+}
+
+void BroadPhase::move(Part& part) {
+  sweep_->setAabb(part.proxy, to_bullet(part.now.lower), to_bullet(part.now.upper), nullptr);
+}
+
+void BroadPhase::rebuild(std::vector<Part*> parts) {
+  parts_.clear();
+  reset(capacity_);
+  for (Part* part : parts) add(*part);
+}
+
+const std::vector<PartPair>& BroadPhase::pairs() {
+  pairs_.clear();
+  const btBroadphasePairArray& found = sweep_->getOverlappingPairCache()->getOverlappingPairArray();
+  for (int i = 0; i < found.size(); ++i) {
+    auto* a = static_cast<Part*>(found[i].m_pProxy0->m_clientObject);
+    auto* b = static_cast<Part*>(found[i].m_pProxy1->m_clientObject);
+    if (a->body == b->body || !boxes_overlap(a->now, b->now)) continue;
+    const auto order = [](const Part& p) { return std::tuple(!p.body->is_floe(), p.body->rank, p.number); };
+    if (order(*b) < order(*a)) std::swap(a, b);
+    pairs_.push_back({a, b});
+  }
+  const auto key = [](const PartPair& p) {
+    return std::tuple(p.first->body->rank, p.first->number, p.second->body->rank, p.second->number);
+  };
+  std::sort(pairs_.begin(), pairs_.end(), [&](const PartPair& p, const PartPair& q) { return key(p) < key(q); });
+  return pairs_;
+}
+
+}  // namespace brash::rigid_body

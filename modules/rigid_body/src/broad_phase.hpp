@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
+
+#include <memory>
+#include <vector>
+
+#include "body.hpp"
+
+namespace brash::rigid_body {
+
+/// Two parts whose boxes overlap; `first` is a floe's.
+struct PartPair {
+  Part* first = nullptr;
+  Part* second = nullptr;
+};
+
+/// Sweep and prune (Bullet's 32-bit btAxisSweep3) over the parts' boxes.
+class BroadPhase {
+ public:
+  BroadPhase();
+  void add(Part& part);
+  void remove(Part& part);
+  void move(Part& part);
+  /// Sorts all parts in anew, in the given order, and forgets the past.
+  void rebuild(std::vector<Part*> parts);
+  /// Overlapping pairs with at least one floe, sorted by (rank, part) of the first and the second body. Boxes are
+  /// compared in full precision, so the answer is a function of the boxes and not of the sweep's history.
+  const std::vector<PartPair>& pairs();
+
+ private:
+  void reset(unsigned capacity);
+
+  unsigned capacity_ = 0;
+  std::vector<Part*> parts_;
+  std::unique_ptr<bt32BitAxisSweep3> sweep_;
+  std::vector<PartPair> pairs_;
+};
+
+}  // namespace brash::rigid_body

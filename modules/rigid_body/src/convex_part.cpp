@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "convex_part.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "brash/core/contract.hpp"
+
+namespace brash::rigid_body {
+namespace {
+
+/// Share of the solid's extent within which a point counts as on a plane: far above the round-off of the distances
+/// (1e-16), far below any feature.
+constexpr double kOnPlane = 1e-9;
+
+double extent(std::span<const Vec3> points) {
+  double largest = 0.0;
+  for (const Vec3& p : points) largest = std::max(largest, norm(p - points[0]));
+  return largest;
+}
+
+/// The plane through three points, or nothing when they are in line.
+std::optional<Plane> plane_through(Vec3 a, Vec3 b, Vec3 c, double tolerance) {
+  const Vec3 n = cross(b - a, c - a);
+  const double length = norm(n);
+  if (length <= tolerance * std::max(norm(b - a), norm(c - a))) return std::nullopt;
+  return Plane{n / length, dot(n / length, a)};
+}
+
+/// Whether all points are on one side; turns `plane` so that they are inside.
+bool supports(Plane& plane, std::span<const Vec3> points, double tolerance) {
+  bool inside = false;
+  bool outside = false;
+  for (const Vec3& p : points) {
+    const double distance = dot(plane.normal, p) - plane.offset;
+    inside |= distance < -tolerance;
+    outside |= distance > tolerance;
+    if (inside && outside) return false;
+  }
+  if (outside) plane = {-plane.normal, -plane.offset};
+  return inside || outside;
+}
+
+/// Indices of the points on `plane`, counter-clockwise seen from outside.
+std::vector<int> loop_on(const Plane& plane, std::span<const Vec3> points, double tolerance) {
+  std::vector<int> on;
+  Vec3 middle{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::abs(dot(plane.normal, points[i]) - plane.offset) > tolerance) continue;
+    on.push_back(static_cast<int>(i));
+    middle += points[i];
+  }
+  middle = middle / static_cast<double>(on.size());
+  const auto [u, v] = plane_axes(plane.normal);
+  const auto angle = [&](int i) {
+    const Vec3 r = points[static_cast<std::size_t>(i)] - middle;
+    return std::atan2(dot(r, v), dot(r, u));
+  };
+  std::sort(on.begin(), on.end(), [&](int i, int j) { return angle(i) < angle(j); });
+  return on;
+}
+
+/// Points that are corners of the hull, each once.
+std::vector<Vec3> distinct(std::span<const Vec3> points, double tolerance) {
+  std::vector<Vec3> kept;
+  for (const Vec3& p : points) {
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Vec3& q) { return norm(p - q) <= tolerance; });
+    if (!known) kept.push_back(p);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::array<Vec3, 2> plane_axes(Vec3 normal) {
+  const Vec3 other = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  const Vec3 u = normalized(cross(other, normal));
+  return {u, cross(normal, u)};
+}
+
+void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result) {
+  result.clear();
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 a = polygon[i];
+    const Vec3 b = polygon[i + 1 == n ? 0 : i + 1];
+    const double da = dot(plane.normal, a) - plane.offset;
+    const double db = dot(plane.normal, b) - plane.offset;
+    if (da <= 0.0) result.push_back(a);
+    if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0)) result.push_back(a + (da / (da - db)) * (b - a));
+  }
+}
+
+ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top) {
+  BRASH_EXPECTS(ring.size() >= 3 && bottom < top, ring.size(), bottom, top);
+  const int n = static_cast<int>(ring.size());
+  ConvexPart part;
+  std::vector<int> lower;
+  std::vector<int> upper;
+  for (int i = 0; i < n; ++i) {
+    part.vertices.push_back({ring[i].x, ring[i].y, bottom});
+    lower.insert(lower.begin(), i);
+  }
+  for (int i = 0; i < n; ++i) {
+    part.vertices.push_back({ring[i].x, ring[i].y, top});
+    upper.push_back(n + i);
+  }
+  part.planes = {{{0, 0, -1}, -bottom}, {{0, 0, 1}, top}};
+  part.faces = {lower, upper};
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    const Vec2 edge = ring[j] - ring[i];
+    BRASH_EXPECTS(norm(edge) > 0.0, i);
+    const Vec2 out = -perpendicular(edge) / norm(edge);
+    part.planes.push_back({{out.x, out.y, 0.0}, dot(out, ring[i])});
+    part.faces.push_back({i, j, n + j, n + i});
+  }
+  return part;
+}
+
+ConvexPart convex_hull(std::span<const Vec3> points) {
+  BRASH_EXPECTS(points.size() >= 4, points.size());
+  const double tolerance = kOnPlane * extent(points);
+  const std::vector<Vec3> p = distinct(points, tolerance);
+  ConvexPart part;
+  const auto known = [&](const Plane& q) {
+    return std::any_of(part.planes.begin(), part.planes.end(), [&](const Plane& k) {
+      return norm(k.normal - q.normal) <= 1e-7 && std::abs(k.offset - q.offset) <= 10 * tolerance;
+    });
+  };
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = i + 1; j < p.size(); ++j)
+      for (std::size_t k = j + 1; k < p.size(); ++k) {
+        std::optional<Plane> plane = plane_through(p[i], p[j], p[k], tolerance);
+        if (plane && supports(*plane, p, tolerance) && !known(*plane)) part.planes.push_back(*plane);
+      }
+  BRASH_EXPECTS(part.planes.size() >= 4, points.size(), part.planes.size());
+  part.vertices = p;
+  for (const Plane& plane : part.planes) part.faces.push_back(loop_on(plane, p, tolerance));
+  return part;
+}
+
+std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset) {
+  const double size = extent(part.vertices);
+  std::vector<Vec3> corners;
+  std::vector<Vec3> clipped;
+  for (std::size_t f = 0; f < part.planes.size(); ++f) {
+    const Plane& plane = part.planes[f];
+    const auto [u, v] = plane_axes(plane.normal);
+    const Vec3 middle = part.vertices[static_cast<std::size_t>(part.faces[f][0])] - inset * plane.normal;
+    std::vector<Vec3> face{middle - 2 * size * (u + v), middle + 2 * size * (u - v), middle + 2 * size * (u + v),
+                           middle - 2 * size * (u - v)};
+    for (std::size_t g = 0; g < part.planes.size() && !face.empty(); ++g) {
+      if (g == f) continue;
+      clip(face, {part.planes[g].normal, part.planes[g].offset - inset}, clipped);
+      face.swap(clipped);
+    }
+    corners.insert(corners.end(), face.begin(), face.end());
+  }
+  return distinct(corners, kOnPlane * size);
+}
+
+void place(const ConvexPart& part, const Pose& pose, std::vector<Vec3>& vertices, std::vector<Plane>& planes) {
+  vertices.clear();
+  planes.clear();
+  for (const Vec3& v : part.vertices) vertices.push_back(to_world(pose, v));
+  for (const Plane& plane : part.planes) {
+    const Vec3 n = rotate(pose.rotation, plane.normal);
+    planes.push_back({n, plane.offset + dot(n, pose.position)});
+  }
+}
+
+}  // namespace brash::rigid_body

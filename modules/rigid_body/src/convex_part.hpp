@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+
+namespace brash::rigid_body {
+
+/// Half-space dot(normal, x) <= offset, `normal` a unit vector out of the solid.
+struct Plane {
+  Vec3 normal{};
+  double offset = 0.0;
+};
+
+/// A convex solid: its faces' planes, its vertices, and each face as a loop of vertices (counter-clockwise from
+/// outside).
+struct ConvexPart {
+  std::vector<Vec3> vertices;
+  std::vector<Plane> planes;
+  std::vector<std::vector<int>> faces;  ///< one loop for each plane
+};
+
+/// The prism over a convex counter-clockwise plan `ring` [m] between two heights [m].
+ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top);
+
+/// The convex hull of `points` [m], coplanar points in one face. Exhaustive over the triples of points: for structures,
+/// which are built once. Points closer to a plane than 1e-9 of the extent lie on it.
+ConvexPart convex_hull(std::span<const Vec3> points);
+
+/// Two unit vectors that make a right-handed frame with the unit vector `normal`.
+std::array<Vec3, 2> plane_axes(Vec3 normal);
+
+/// The part of the convex `polygon` inside `plane`, to `result`.
+void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result);
+
+/// Vertices of the solid with every face moved inwards by `inset` [m]; nothing when it is too thin for that.
+std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset);
+
+/// `part` moved by `pose`, faces not copied.
+void place(const ConvexPart& part, const Pose& pose, std::vector<Vec3>& vertices, std::vector<Plane>& planes);
+
+}  // namespace brash::rigid_body

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "narrow_phase.hpp"
+
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace brash::rigid_body {
+namespace {
+
+/// GJK/EPA is believed over the best face only where its way out is shorter by more than this share: its own
+/// round-off (1e-9 and less in double precision) must not tilt the normal of a face contact.
+constexpr double kShorter = 1e-6;
+
+/// How far beyond a surface one looks for what continues there [m]: many times the gap that rounding leaves between
+/// parts of one solid (1e-9), far below any part.
+constexpr double kBeyond = 1e-6;
+
+bool any_contains(std::span<const Part* const> parts, Vec3 point) {
+  return std::any_of(parts.begin(), parts.end(), [&](const Part* part) {
+    return std::all_of(part->now.planes.begin(), part->now.planes.end(),
+                       [&](const Plane& plane) { return dot(plane.normal, point) < plane.offset; });
+  });
+}
+
+/// Whether moving the first part by `normal` out of the overlap leads it into a part beside the second, or the second
+/// into a part beside the first: looks just beyond the overlap on either side.
+bool leads_on(const Overlap& overlap, Vec3 normal, std::span<const Part* const> beside_first,
+              std::span<const Part* const> beside_second) {
+  Vec3 centre{};
+  for (const Vec3& v : overlap.vertices) centre += v;
+  centre = centre / static_cast<double>(overlap.vertices.size());
+  double lowest = 0.0;
+  double highest = 0.0;
+  for (const Vec3& v : overlap.vertices) {
+    lowest = std::min(lowest, dot(normal, v - centre));
+    highest = std::max(highest, dot(normal, v - centre));
+  }
+  return any_contains(beside_second, centre + (highest + kBeyond) * normal) ||
+         any_contains(beside_first, centre + (lowest - kBeyond) * normal);
+}
+
+}  // namespace
+
+/// The shortest way out through a face that is a surface of its body. Where there is none (deep inside a solid of many
+/// parts), the shortest through any.
+WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
+  const auto shorter = [](const WayOut& a, const WayOut& b) { return a.depth < b.depth; };
+  const WayOut shortest = *std::min_element(overlap.ways.begin(), overlap.ways.end(), shorter);
+  if (beside.none()) return shortest;
+  ways_ = overlap.ways;
+  std::stable_sort(ways_.begin(), ways_.end(), shorter);
+  for (const WayOut& way : ways_)
+    if (!leads_on(overlap, way.normal, beside.first, beside.second)) return way;
+  return shortest;
+}
+
+/// The direction of the shortest way out of the overlap: GJK with EPA, held against the faces of both parts.
+///
+/// EPA alone can end early on large flat hulls, so its direction counts by the depth that it really gives. What is left
+/// to it are contacts of two edges, whose direction is no face's.
+Vec3 NarrowPhase::direction(const PartPair& pair, const Overlap& overlap, const Beside& beside) {
+  const WayOut face = best_face(overlap, beside);
+  const Part& a = *pair.first;
+  const Part& b = *pair.second;
+  btGjkPairDetector detector(&a.hull, &b.hull, &simplex_, &epa_);
+  btGjkPairDetector::ClosestPointInput input;
+  input.m_transformA = to_bullet(a.body->pose);
+  input.m_transformB = to_bullet(b.body->pose);
+  btPointCollector closest;
+  detector.getClosestPoints(input, closest, nullptr);
+  if (!closest.m_hasResult) return face.normal;
+  const double length = norm(from_bullet(closest.m_normalOnBInWorld));
+  if (!(length > 0.5)) return face.normal;
+  const Vec3 found = from_bullet(closest.m_normalOnBInWorld) / length;
+  if (depth_along(a.now, b.now, found) >= (1.0 - kShorter) * face.depth) return face.normal;
+  return !beside.none() && leads_on(overlap, found, beside.first, beside.second) ? face.normal : found;
+}
+
+bool NarrowPhase::find(const PartPair& pair, std::span<const Part* const> beside_first,
+                       std::span<const Part* const> beside_second) {
+  const Overlap& overlap = finder_.find(pair.first->now, pair.second->now);
+  if (overlap.vertices.size() < 4) return false;
+  normal = direction(pair, overlap, {beside_first, beside_second});
+  patch = finder_.project(normal);
+  return patch.n_points > 0;
+}
+
+}  // namespace brash::rigid_body

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include <span>
+#include <vector>
+
+#include "broad_phase.hpp"
+#include "overlap.hpp"
+
+namespace brash::rigid_body {
+
+/// Where and how two parts touch. Looks at the present poses only: no history, so a step is a function of the state.
+class NarrowPhase {
+ public:
+  /// Whether the parts overlap; then `normal` and `patch` describe how.
+  ///
+  /// @param beside_first   other parts of the first part's body. A way out of the overlap that leads into one of them
+  /// is
+  ///                       none: the face between two parts of one solid is no surface.
+  /// @param beside_second  likewise for the second; for a part of the sheet, the sheet's other parts near by.
+  bool find(const PartPair& pair, std::span<const Part* const> beside_first,
+            std::span<const Part* const> beside_second);
+
+  Vec3 normal{};  ///< unit, from the second part into the first
+  Patch patch;
+
+ private:
+  /// The parts beside those of the pair.
+  struct Beside {
+    std::span<const Part* const> first;
+    std::span<const Part* const> second;
+    bool none() const { return first.empty() && second.empty(); }
+  };
+  WayOut best_face(const Overlap& overlap, const Beside& beside);
+  Vec3 direction(const PartPair& pair, const Overlap& overlap, const Beside& beside);
+
+  OverlapFinder finder_;
+  btVoronoiSimplexSolver simplex_;
+  btGjkEpaPenetrationDepthSolver epa_;
+  std::vector<WayOut> ways_;
+};
+
+}  // namespace brash::rigid_body

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/rigid_body/world.hpp"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <tuple>
+
+#include "body.hpp"
+#include "bounded_solver.hpp"
+#include "brash/core/contract.hpp"
+#include "broad_phase.hpp"
+#include "narrow_phase.hpp"
+
+namespace brash::rigid_body {
+namespace {
+
+/// Iterations stop when no row changes a relative velocity by more than this [m/s]: 0.1 N on 10 t of ice at 0.01 s.
+constexpr double kStill = 1e-8;
+/// Share of the overlap that one step takes back by split impulse, where the ice is not breakable [-].
+constexpr double kPositionCorrection = 0.2;
+
+btContactSolverInfo solver_info(const WorldSettings& settings, double dt) {
+  btContactSolverInfo info;
+  info.m_timeStep = dt;
+  info.m_numIterations = settings.iterations;
+  info.m_solverMode = SOLVER_USE_2_FRICTION_DIRECTIONS;  // no warm start: a step is a function of the state
+  info.m_leastSquaresResidualThreshold = kStill * kStill;
+  info.m_restitutionVelocityThreshold = 0.0;
+  info.m_linearSlop = 0.0;
+  info.m_erp2 = kPositionCorrection;
+  info.m_splitImpulse = true;
+  info.m_splitImpulsePenetrationThreshold = 0.0;
+  return info;
+}
+
+/// The other parts of the part's body.
+void collect_others(const Part& part, std::vector<const Part*>& others) {
+  others.clear();
+  for (const auto& other : part.body->parts)
+    if (other.get() != &part) others.push_back(other.get());
+}
+
+/// A contact of two parts on its way through the solver.
+struct Contact {
+  Body* first = nullptr;
+  Body* second = nullptr;
+  Vec3 normal{};
+  Patch patch;
+  btPersistentManifold manifold;
+};
+
+}  // namespace
+
+struct World::Impl {
+  explicit Impl(const WorldSettings& s) : settings(s) {}
+
+  WorldSettings settings;
+  std::map<BodyId, std::unique_ptr<Body>> bodies;
+  std::uint32_t next_index = 0;
+  int steps = 0;
+  BroadPhase broad_phase;
+  NarrowPhase narrow_phase;
+  BoundedSolver solver;
+  std::deque<Contact> contacts;
+  std::vector<ContactLoad> loads;
+  std::vector<const Part*> near_sheet;     ///< scratch of find_contacts
+  std::vector<const Part*> beside_first;   ///< scratch of find_contacts
+  std::vector<const Part*> beside_second;  ///< scratch of find_contacts
+
+  Body& get(BodyId id);
+  BodyId insert(std::unique_ptr<Body> body);
+  const ContactLaw& law(const Body& second) const {
+    return second.kind == BodyKind::kStructure ? settings.ice_structure : settings.ice_ice;
+  }
+  std::vector<Body*> canonical_order();
+  void predict(const std::vector<Body*>& order, double dt);
+  void find_contacts(double dt);
+  void add_contact(const PartPair& pair, double dt);
+  void solve(const std::vector<Body*>& order, double dt);
+  void report(double dt);
+  void advance(const std::vector<Body*>& order, double dt);
+};
+
+Body& World::Impl::get(BodyId id) {
+  const auto found = bodies.find(id);
+  BRASH_EXPECTS(found != bodies.end(), "no such body", id.index, id.generation);
+  return *found->second;
+}
+
+BodyId World::Impl::insert(std::unique_ptr<Body> body) {
+  const BodyId id{next_index++, 0};
+  body->id = id;
+  body->next_pose = body->pose;
+  body->make_bullet_body();
+  for (const auto& part : body->parts) broad_phase.add(*part);
+  bodies.emplace(id, std::move(body));
+  return id;
+}
+
+/// All bodies in an order that depends on their states only; ranks are set.
+std::vector<Body*> World::Impl::canonical_order() {
+  std::vector<Body*> order;
+  for (const auto& [id, body] : bodies) order.push_back(body.get());
+  std::sort(order.begin(), order.end(), [](const Body* a, const Body* b) { return comes_before(*a, *b); });
+  for (std::size_t i = 0; i < order.size(); ++i) order[i]->rank = static_cast<int>(i);
+  return order;
+}
+
+/// Velocities with the applied loads and the gyroscopic moment, before contacts.
+void World::Impl::predict(const std::vector<Body*>& order, double dt) {
+  for (Body* body : order) {
+    if (body->kind == BodyKind::kSheet) continue;
+    if (body->kind == BodyKind::kStructure && !body->moved) body->twist = {};
+    body->update_bullet();
+    for (const auto& part : body->parts) broad_phase.move(*part);
+    if (!body->is_floe()) continue;
+    btRigidBody& b = *body->bullet;
+    b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
+    b.clearForces();
+    b.applyCentralForce(to_bullet(body->load.force));
+    b.applyTorque(to_bullet(body->load.moment));
+    b.integrateVelocities(dt);
+    b.clearForces();
+  }
+}
+
+void World::Impl::find_contacts(double dt) {
+  contacts.clear();
+  solver.bounds.clear();
+  const std::vector<PartPair>& pairs = broad_phase.pairs();
+  for (std::size_t i = 0; i < pairs.size();) {
+    // Pairs of one floe's part come in a row; the parts of the sheet among them continue each other.
+    std::size_t end = i;
+    near_sheet.clear();
+    for (; end < pairs.size() && pairs[end].first == pairs[i].first; ++end)
+      if (pairs[end].second->body->kind == BodyKind::kSheet) near_sheet.push_back(pairs[end].second);
+    collect_others(*pairs[i].first, beside_first);
+    for (; i < end; ++i) {
+      const Part& second = *pairs[i].second;
+      if (second.body->kind == BodyKind::kSheet) {
+        beside_second = near_sheet;
+        std::erase(beside_second, &second);
+      } else {
+        collect_others(second, beside_second);
+      }
+      if (narrow_phase.find(pairs[i], beside_first, beside_second)) add_contact(pairs[i], dt);
+    }
+  }
+}
+
+/// Eq. 16: the normal impulse of each point is bounded by dt sigma_c R times its share of the overlap's area.
+void World::Impl::add_contact(const PartPair& pair, double dt) {
+  Contact& contact = contacts.emplace_back();
+  contact.first = pair.first->body;
+  contact.second = pair.second->body;
+  contact.normal = narrow_phase.normal;
+  contact.patch = narrow_phase.patch;
+  const ContactLaw& how = law(*contact.second);
+  const bool breakable = std::isfinite(how.crushing_pressure);
+  contact.manifold = btPersistentManifold(contact.first->bullet.get(), contact.second->bullet.get(), 0, BT_LARGE_FLOAT,
+                                          BT_LARGE_FLOAT);
+  for (int i = 0; i < contact.patch.n_points; ++i) {
+    const PatchPoint& p = contact.patch.points[static_cast<std::size_t>(i)];
+    // Overlap of breakable ice is crushed ice: nothing pushes it apart, so the solver sees no depth.
+    btManifoldPoint point(btVector3(0, 0, 0), btVector3(0, 0, 0), to_bullet(contact.normal),
+                          breakable ? 0.0 : -contact.patch.depth);
+    point.m_positionWorldOnA = point.m_positionWorldOnB = to_bullet(p.position);
+    point.m_combinedFriction = how.friction;
+    point.m_combinedRestitution = how.restitution;
+    point.m_index0 = static_cast<int>(solver.bounds.size());
+    contact.manifold.addManifoldPoint(point);
+    solver.bounds.push_back(breakable ? dt * how.crushing_pressure * p.area : BT_LARGE_FLOAT);
+  }
+}
+
+void World::Impl::solve(const std::vector<Body*>& order, double dt) {
+  std::vector<btCollisionObject*> objects;
+  for (Body* body : order) {
+    if (body->kind == BodyKind::kSheet) continue;
+    body->bullet->setWorldArrayIndex(static_cast<int>(objects.size()));
+    objects.push_back(body->bullet.get());
+  }
+  std::vector<btPersistentManifold*> manifolds;
+  for (Contact& contact : contacts) manifolds.push_back(&contact.manifold);
+  if (objects.empty()) return;
+  solver.solveGroup(objects.data(), static_cast<int>(objects.size()), manifolds.data(),
+                    static_cast<int>(manifolds.size()), nullptr, 0, solver_info(settings, dt), nullptr, nullptr);
+}
+
+void World::Impl::report(double dt) {
+  loads.clear();
+  for (const Contact& contact : contacts) {
+    const bool turn = contact.second->is_floe() && contact.second->id < contact.first->id;
+    const double sign = turn ? -1.0 : 1.0;
+    for (int i = 0; i < contact.manifold.getNumContacts(); ++i) {
+      const btManifoldPoint& p = contact.manifold.getContactPoint(i);
+      const btVector3 friction =
+          p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 + p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
+      const double bound = solver.bounds[static_cast<std::size_t>(p.m_index0)];
+      loads.push_back({.body = turn ? contact.second->id : contact.first->id,
+                       .other = turn ? contact.first->id : contact.second->id,
+                       .point = from_bullet(p.m_positionWorldOnB),
+                       .normal = sign * contact.normal,
+                       .normal_force = p.m_appliedImpulse / dt,
+                       .friction_force = (sign / dt) * from_bullet(friction),
+                       .area = contact.patch.points[static_cast<std::size_t>(i)].area,
+                       .depth = contact.patch.depth,
+                       .at_bound = p.m_appliedImpulse >= bound});
+    }
+  }
+  const auto key = [](const ContactLoad& c) { return std::tuple(c.body, c.other, c.point.x, c.point.y, c.point.z); };
+  std::sort(loads.begin(), loads.end(), [&](const ContactLoad& a, const ContactLoad& b) { return key(a) < key(b); });
+}
+
+/// New velocities from the solver, then Eqs. 9 and 10.
+void World::Impl::advance(const std::vector<Body*>& order, double dt) {
+  for (Body* body : order) {
+    if (body->kind == BodyKind::kStructure) {
+      body->pose = body->next_pose;
+      body->moved = false;
+    }
+    if (!body->is_floe()) continue;
+    const btRigidBody& b = *body->bullet;
+    body->twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
+    // Only a split impulse (ice that does not break) moves Bullet's own transform.
+    const btTransform before = to_bullet(body->pose);
+    if (!(b.getWorldTransform() == before)) {
+      const btQuaternion q = b.getWorldTransform().getRotation();
+      body->pose = {from_bullet(b.getWorldTransform().getOrigin()), {q.w(), q.x(), q.y(), q.z()}};
+    }
+    body->pose = advanced(body->pose, body->twist, dt);
+    body->load = {};
+    BRASH_EXPECTS(is_finite(body->pose, body->twist), "state of body", body->id.index, "is not finite");
+  }
+}
+
+World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {
+  BRASH_EXPECTS(settings.iterations > 0 && settings.collision_margin > 0.0, settings.iterations,
+                settings.collision_margin);
+  for (const ContactLaw& law : {settings.ice_structure, settings.ice_ice})
+    BRASH_EXPECTS(
+        law.friction >= 0.0 && law.restitution >= 0.0 && law.restitution <= 1.0 && law.crushing_pressure > 0.0,
+        law.friction, law.restitution, law.crushing_pressure);
+}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+BodyId World::add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist) {
+  BRASH_EXPECTS(mass.mass > 0.0 && mass.inertia.x > 0.0 && mass.inertia.y > 0.0 && mass.inertia.z > 0.0, mass.mass,
+                mass.inertia.x, mass.inertia.y, mass.inertia.z);
+  BRASH_EXPECTS(is_finite(pose, twist), "state of a new floe is not finite");
+  auto body = std::make_unique<Body>();
+  body->pose = pose;
+  body->twist = twist;
+  body->mass = mass;
+  const double half = 0.5 * prism.thickness;
+  for (const auto& ring : prism.parts)
+    body->add_part(convex_prism(ring, -half, half), impl_->settings.collision_margin);
+  return impl_->insert(std::move(body));
+}
+
+BodyId World::add_sheet_part(std::span<const Vec2> ring, double bottom, double top) {
+  auto body = std::make_unique<Body>();
+  body->kind = BodyKind::kSheet;
+  body->add_part(convex_prism(ring, bottom, top), impl_->settings.collision_margin);
+  return impl_->insert(std::move(body));
+}
+
+BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose) {
+  auto body = std::make_unique<Body>();
+  body->kind = BodyKind::kStructure;
+  body->pose = pose;
+  for (const auto& points : hulls) {
+    const bool added = body->add_part(convex_hull(points), impl_->settings.collision_margin);
+    BRASH_EXPECTS(added, "a hull of the structure is thinner than twice the collision margin");
+  }
+  return impl_->insert(std::move(body));
+}
+
+void World::remove(BodyId id) {
+  for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
+  impl_->bodies.erase(id);
+}
+
+void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
+  Body& body = impl_->get(id);
+  BRASH_EXPECTS(body.kind == BodyKind::kStructure && is_finite(pose, twist), id.index);
+  body.next_pose = pose;
+  body.twist = twist;
+  body.moved = true;
+}
+
+void World::apply(BodyId id, const Wrench& wrench) {
+  Body& body = impl_->get(id);
+  BRASH_EXPECTS(body.is_floe(), id.index);
+  BRASH_EXPECTS(is_finite({}, {wrench.force, wrench.moment}), "load on body is not finite", id.index);
+  body.load += wrench;
+}
+
+void World::step(double dt) {
+  BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
+  if (impl_->settings.rebuild_interval > 0 && impl_->steps++ % impl_->settings.rebuild_interval == 0) {
+    std::vector<Part*> parts;
+    for (const auto& [id, body] : impl_->bodies)
+      for (const auto& part : body->parts) parts.push_back(part.get());
+    impl_->broad_phase.rebuild(std::move(parts));
+  }
+  const std::vector<Body*> order = impl_->canonical_order();
+  impl_->predict(order, dt);
+  impl_->find_contacts(dt);
+  impl_->solve(order, dt);
+  impl_->report(dt);
+  impl_->advance(order, dt);
+}
+
+const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
+BodyKind World::kind(BodyId id) const { return impl_->get(id).kind; }
+bool World::contains(BodyId id) const { return impl_->bodies.contains(id); }
+
+std::vector<BodyId> World::floes() const {
+  std::vector<BodyId> ids;
+  for (const auto& [id, body] : impl_->bodies)
+    if (body->is_floe()) ids.push_back(id);
+  return ids;
+}
+
+Pose World::pose(BodyId id) const { return impl_->get(id).pose; }
+Twist World::twist(BodyId id) const { return impl_->get(id).twist; }
+
+void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
+  Body& body = impl_->get(id);
+  BRASH_EXPECTS(body.kind != BodyKind::kSheet && is_finite(pose, twist), id.index);
+  body.pose = pose;
+  body.next_pose = pose;
+  body.twist = twist;
+}
+
+double World::kinetic_energy() const {
+  double sum = 0.0;
+  for (const auto& [id, body] : impl_->bodies)
+    if (body->is_floe()) sum += body->kinetic_energy();
+  return sum;
+}
+
+}  // namespace brash::rigid_body

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "brash/io/results.hpp"
+#include "brash/simulation/simulation.hpp"
+#include "brash/statistics/summary.hpp"
+
+namespace brash::simulation {
+
+/// Mean load by cause [N].
+struct LoadSplit {
+  double crushing = 0.0;
+  double floe_normal = 0.0;
+  double floe_friction = 0.0;
+};
+
+/// What a run amounts to; everything here follows from the case and its seed.
+struct RunSummary {
+  double statistics_from = 0.0;    ///< loads are summarised from here on [s]
+  statistics::Summary horizontal;  ///< resistance Fx [N]
+  statistics::Summary vertical;    ///< Fz, upwards on the structure [N]
+  LoadSplit horizontal_split;
+  LoadSplit vertical_split;
+  double mean_horizontal_whole = 0.0;  ///< over the whole history [N]
+  double mean_vertical_whole = 0.0;
+  int n_breaks = 0;
+  double breaking_frequency = 0.0;  ///< breaks per second from statistics_from on [Hz]
+  int n_floes_born = 0;
+  int n_floes_present = 0;
+  int n_floes_crushed = 0;
+  std::vector<double> piece_area_quantiles;       ///< 5, 25, 50, 75, 95 % [m2]
+  std::vector<double> breaking_length_quantiles;  ///< 5, 25, 50, 75, 95 % [m]
+  int n_substepped = 0;                           ///< steps that were cut into parts
+  int n_below_range = 0;
+  int n_above_range = 0;
+  int n_steps_too_long = 0;
+  double fastest_floe = 0.0;  ///< largest speed of any floe between two frames [m/s]
+  geometry::Ledger ledger;
+};
+
+/// A finished run: results as written, their summary, and where the wall time went.
+struct Run {
+  io::RunResults results;
+  RunSummary summary;
+  StageTimes stage_times;
+  double wall_seconds = 0.0;
+  std::string started_at;  ///< ISO 8601, UTC
+  bool complete = false;   ///< false: interrupted; there are results so far, and no summary
+};
+
+/// What surrounds the loop of a run.
+struct RunOptions {
+  /// Called after every step.
+  std::function<void(const Simulation&, const StepReport&)> observer{};
+  /// Where the newest checkpoint is kept, every `output.checkpoint_interval`; empty: nowhere.
+  std::string checkpoint_file{};
+  /// Goes on from `checkpoint_file` where it exists, instead of from the start.
+  bool resume = false;
+  /// Asked after every step; when true the run keeps a checkpoint and stops.
+  std::function<bool()> interrupted{};
+};
+
+/// Runs `resolved` to its end, or to where it is interrupted.
+/// @throws InputError when the checkpoint is of another case. @throws RunError when the ledger does not close.
+Run run(const io::Case& resolved, const RunOptions& options = {});
+
+/// Writes run.nc, history.csv, events.csv, summary.json and, last, manifest.json into `directory`, made if missing.
+/// @param case_file  path of the case as given, hashed into the manifest like the failure model's file.
+/// @param pictures   names of files already in `directory` that belong to the run.
+/// @throws RunError naming the file and the system's reason.
+void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
+               const std::vector<std::string>& pictures = {});
+
+/// The summary as JSON, SI units.
+std::string to_json(const RunSummary& summary);
+
+/// Where the statistics of a run begin [s]: as given, or when the structure's centre passes the initial edge.
+double statistics_from(const io::Case& resolved);
+
+}  // namespace brash::simulation

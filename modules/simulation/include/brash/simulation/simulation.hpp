@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "brash/geometry/ledger.hpp"
+#include "brash/geometry/polygon.hpp"
+#include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
+#include "brash/io/results.hpp"
+
+namespace brash::simulation {
+
+/// A floe that a step deleted, and why.
+struct FloeDeath {
+  std::int64_t floe = 0;
+  io::FloeEnd cause = io::FloeEnd::kCrushed;
+  double peak_stress = 0.0;  ///< over its life [Pa]
+};
+
+/// What one step did.
+struct StepReport {
+  io::LoadRow loads;
+  std::vector<io::CrackEvent> events;
+  std::vector<io::FloeRecord> births;
+  std::vector<FloeDeath> deaths;
+  int n_substeps = 1;        ///< parts the structure's move was cut into (Sec. 2.2.2)
+  int n_below_range = 0;     ///< assessments with an input clamped up to the failure model's range
+  int n_above_range = 0;     ///< assessments that stayed above the range at the shortest substep
+  int n_steps_too_long = 0;  ///< births with T_col (Eqs. 11, 12) below the time step
+};
+
+/// Where the wall time went, by stage [s].
+struct StageTimes {
+  double ice = 0.0;  ///< contact query, failure and cutting
+  double water = 0.0;
+  double world = 0.0;
+  double loads = 0.0;
+};
+
+/// One structure driving into one ice sheet: the paper's algorithm.
+class Simulation {
+ public:
+  /// Lays the sheet, cuts the initial crack and places the structure.
+  /// @throws InputError when the failure model cannot be read.
+  explicit Simulation(const io::Case& resolved);
+  /// Takes a run of the same case up where `checkpoint` left it; it goes on as if it had not been interrupted.
+  /// @throws InputError when the checkpoint is of another case.
+  Simulation(const io::Case& resolved, const io::Checkpoint& checkpoint);
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
+
+  /// Advances by one time step.
+  [[nodiscard]] StepReport step();
+
+  /// All that the next step depends on; `results` is left to the caller.
+  io::Checkpoint checkpoint() const;
+
+  double time() const;
+  /// Floes made by the initial crack, before the first step.
+  const std::vector<io::FloeRecord>& initial_births() const;
+  std::vector<geometry::Polygon> sheet() const;
+  const geometry::Ledger& ledger() const;
+  /// Poses of structure and floes, now.
+  io::Frame frame() const;
+  const StageTimes& stage_times() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brash::simulation

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+#include "simulation_impl.hpp"
+
+namespace brash::simulation {
+namespace {
+
+using geometry::ExactArea;
+using geometry::Int128;
+
+std::string to_text(ExactArea area) {
+  Int128 value = area.twice_in_grid_units();
+  const bool negative = value < 0;
+  std::string digits;
+  do {
+    const int digit = static_cast<int>(value % 10);
+    digits += static_cast<char>('0' + (negative ? -digit : digit));
+    value /= 10;
+  } while (value != 0);
+  if (negative) digits += '-';
+  std::ranges::reverse(digits);
+  return digits;
+}
+
+ExactArea from_text(const std::string& text) {
+  Int128 value = 0;
+  const bool negative = text.starts_with('-');
+  for (const char digit : text.substr(negative ? 1 : 0)) {
+    BRASH_EXPECTS(digit >= '0' && digit <= '9', text);
+    value = 10 * value + (negative ? -(digit - '0') : digit - '0');
+  }
+  return ExactArea(value);
+}
+
+std::vector<io::GridPoint> to_grid(const geometry::Ring& ring) {
+  std::vector<io::GridPoint> points;
+  for (const geometry::Point p : ring) points.push_back({p.x, p.y});
+  return points;
+}
+
+io::GridRings to_grid(const geometry::Polygon& polygon) {
+  io::GridRings rings{to_grid(polygon.outline)};
+  for (const geometry::Ring& hole : polygon.holes) rings.push_back(to_grid(hole));
+  return rings;
+}
+
+geometry::Polygon from_grid(const io::GridRings& rings) {
+  BRASH_EXPECTS(!rings.empty());
+  geometry::Polygon polygon;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    geometry::Ring ring;
+    for (const io::GridPoint p : rings[i]) ring.push_back({p.x, p.y});
+    if (i == 0)
+      polygon.outline = std::move(ring);
+    else
+      polygon.holes.push_back(std::move(ring));
+  }
+  return polygon;
+}
+
+geometry::Ledger ledger_of(const io::Checkpoint& checkpoint) {
+  const auto account = [&](const char* name) { return from_text(checkpoint.ledger.at(name)); };
+  return {.initial = account("initial"),
+          .sheet = account("sheet"),
+          .floes = account("floes"),
+          .crushed = account("crushed"),
+          .deleted = account("deleted"),
+          .brash = account("brash"),
+          .snap = account("snap"),
+          .n_rounded = checkpoint.counters.at("n_rounded")};
+}
+
+/// The ice of `checkpoint`, once it is known to be of this case.
+IceField field_of(const io::Case& resolved, const io::Checkpoint& checkpoint) {
+  if (checkpoint.case_name != resolved.name || checkpoint.case_toml != io::to_toml(resolved))
+    throw InputError("the checkpoint is of case \"" + checkpoint.case_name +
+                     "\" with other values than this one\n  remedy:  resume with the case file and the --set options "
+                     "of the interrupted run, or start again without --resume");
+  std::vector<geometry::Polygon> sheet;
+  for (const io::GridRings& rings : checkpoint.sheet) sheet.push_back(from_grid(rings));
+  return {sheet, ledger_of(checkpoint)};
+}
+
+}  // namespace
+
+Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Impl(c, field_of(c, checkpoint)) {
+  n_steps = checkpoint.counters.at("n_steps");
+  n_breaks = static_cast<std::uint64_t>(checkpoint.counters.at("n_breaks"));
+  work = checkpoint.numbers.at("work");
+  centre = {checkpoint.numbers.at("centre_x"), checkpoint.numbers.at("centre_y")};
+  world.set_state(structure_body, structure_pose(), {});
+  for (const io::CheckpointFloe& floe : checkpoint.floes)
+    floes.restore(world, from_grid(floe.rings),
+                  {.id = floe.id,
+                   .pose = floe.pose,
+                   .twist = floe.twist,
+                   .stress = floe.stress,
+                   .peak_compression = floe.peak_stress});
+  floes.set_next_id(checkpoint.counters.at("next_floe"));
+}
+
+io::Checkpoint Simulation::Impl::checkpoint() const {
+  const geometry::Ledger& l = field.ledger();
+  io::Checkpoint saved{.case_name = resolved.name,
+                       .case_toml = io::to_toml(resolved),
+                       .sheet = {},
+                       .floes = {},
+                       .ledger = {{"initial", to_text(l.initial)},
+                                  {"sheet", to_text(l.sheet)},
+                                  {"floes", to_text(l.floes)},
+                                  {"crushed", to_text(l.crushed)},
+                                  {"deleted", to_text(l.deleted)},
+                                  {"brash", to_text(l.brash)},
+                                  {"snap", to_text(l.snap)}},
+                       .counters = {{"n_rounded", l.n_rounded},
+                                    {"n_steps", n_steps},
+                                    {"n_breaks", static_cast<std::int64_t>(n_breaks)},
+                                    {"next_floe", floes.next_id()}},
+                       .numbers = {{"work", work}, {"centre_x", centre.x}, {"centre_y", centre.y}},
+                       .results = {}};
+  for (const geometry::Polygon& polygon : field.sheet().polygons()) saved.sheet.push_back(to_grid(polygon));
+  for (const auto& [body, floe] : floes.floes())
+    saved.floes.push_back({.id = floe.id,
+                           .body = body,
+                           .rings = to_grid(floe.outline),
+                           .thickness = floe.prism.thickness,
+                           .pose = world.pose(body),
+                           .twist = world.twist(body),
+                           .stress = floe.stress,
+                           .peak_stress = floe.peak_compression});
+  return saved;
+}
+
+}  // namespace brash::simulation

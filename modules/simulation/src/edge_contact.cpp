@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edge_contact.hpp"
+
+#include <cmath>
+
+namespace brash::simulation {
+namespace {
+
+/// The free edge is looked at this far from B, in characteristic lengths: the stress has faded there.
+constexpr double kFitReach = 2.0;
+
+geometry::Ring section_at(const structure::Cone& cone, double z, Vec2 centre) {
+  std::vector<Vec2> vertices = structure::section(cone, z);
+  for (Vec2& vertex : vertices) vertex += centre;
+  return geometry::ring(vertices);
+}
+
+/// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical; the structure moves along x.
+void load_contact(const EdgeModel& model, EdgeContact& contact) {
+  const io::Case& c = model.resolved;
+  const double plan_area = geometry::area(contact.region.overlap).square_metres();
+  const double area = c.contact.area == "projected" ? plan_area : plan_area / std::cos(c.structure.angle);
+  const double normal_force = failure::crushing_force(model.ice, area);
+
+  const Vec2 normal = contact.region.normal;
+  if (normal.x <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
+  const double heading = std::atan2(cross(Vec2{1.0, 0.0}, normal), normal.x);
+  const failure::LoadRatios ratios = failure::load_ratios(c.structure.angle, c.ice.friction_structure, heading);
+  const double in_plane = normal_force * ratios.horizontal;
+
+  contact.load = {.depth = contact.wedge.depth,
+                  .contact_length = contact.region.contact_length,
+                  .angle = contact.wedge.angle,
+                  .mu1 = ratios.mu1,
+                  .mu2 = ratios.mu2,
+                  .pressure = in_plane / (contact.region.contact_length * model.ice.thickness)};
+  const Vec2 on_ice = in_plane * (normal + ratios.mu2 * perpendicular(normal));
+  const double downward = model.cone.downward_breaking ? in_plane * ratios.mu1 : -in_plane * ratios.mu1;
+  contact.force = {-on_ice.x, -on_ice.y, downward};
+  contact.point = {contact.region.midpoint.x, contact.region.midpoint.y, 0.0};
+}
+
+}  // namespace
+
+Freeboard freeboard(const io::Case& resolved) {
+  const double draft = resolved.ice.thickness * resolved.ice.density / resolved.water.density;
+  return {resolved.ice.thickness - draft, -draft};
+}
+
+failure::IceProperties ice_properties(const io::Case& resolved) {
+  return {.thickness = resolved.ice.thickness,
+          .youngs_modulus = resolved.ice.youngs_modulus,
+          .poisson_ratio = resolved.ice.poisson_ratio,
+          .flexural_strength = resolved.ice.flexural_strength,
+          .compressive_strength = resolved.ice.compressive_strength,
+          .crushing_factor = resolved.ice.crushing_factor,
+          .water_density = resolved.water.density};
+}
+
+geometry::Ring leading_section(const EdgeModel& model, Vec2 centre) {
+  const Freeboard heights = freeboard(model.resolved);
+  return section_at(model.cone, model.cone.downward_breaking ? heights.top : heights.bottom, centre);
+}
+
+geometry::Ring trailing_section(const EdgeModel& model, Vec2 centre) {
+  const Freeboard heights = freeboard(model.resolved);
+  return section_at(model.cone, model.cone.downward_breaking ? heights.bottom : heights.top, centre);
+}
+
+std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet, Vec2 centre) {
+  const double reach = kFitReach * failure::characteristic_length(model.ice);
+  std::vector<EdgeContact> contacts;
+  for (geometry::ContactRegion& region : sheet.contacts(leading_section(model, centre))) {
+    if (!(region.contact_length > 0.0)) continue;
+    EdgeContact contact;
+    // The wedge that is left stands behind the chord, which the crushed tip has become.
+    const Vec2 tip = 0.5 * (region.chord_from + region.chord_to);
+    contact.wedge = geometry::fit_trapezoid(
+        sheet, {.at = tip, .towards = region.normal, .contact_length = region.contact_length, .reach = reach});
+    contact.region = std::move(region);
+    load_contact(model, contact);
+    if (contact.load.pressure > 0.0) contact.assessment = model.criterion.assess(contact.load);
+    contacts.push_back(std::move(contact));
+  }
+  return contacts;
+}
+
+}  // namespace brash::simulation

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "floe_population.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
+#include "brash/simulation/scales.hpp"
+#include "plan.hpp"
+
+namespace brash::simulation {
+namespace {
+
+/// Weight and buoyancy: m g z - rho_w g V z_B, zero for a massless point at the surface [J].
+double potential(const Floe& floe, const Pose& pose, double water_density) {
+  const hydrodynamics::Displacement wet = hydrodynamics::displacement(floe.prism, pose);
+  return floe.weight * pose.position.z - water_density * kGravity * wet.volume * wet.centre.z;
+}
+
+/// Adds the symmetric part of arm x force to a stress (xx, yy, zz, xy, yz, zx).
+void add_dipole(std::array<double, 6>& sum, Vec3 arm, Vec3 force) {
+  sum[0] += arm.x * force.x;
+  sum[1] += arm.y * force.y;
+  sum[2] += arm.z * force.z;
+  sum[3] += 0.5 * (arm.x * force.y + arm.y * force.x);
+  sum[4] += 0.5 * (arm.y * force.z + arm.z * force.y);
+  sum[5] += 0.5 * (arm.z * force.x + arm.x * force.z);
+}
+
+/// The largest principal compression, positive [same unit].
+double largest_compression(const std::array<double, 6>& s) {
+  Eigen::Matrix3d tensor;
+  tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(tensor, Eigen::EigenvaluesOnly);
+  return -solver.eigenvalues()[0];
+}
+
+}  // namespace
+
+FloePopulation::FloePopulation(const io::Case& resolved)
+    : case_(&resolved),
+      water_{.density = resolved.water.density,
+             .current = resolved.water.current,
+             .form_drag = resolved.hydrodynamics.form_drag,
+             .rotational_drag = resolved.hydrodynamics.rotational_drag,
+             .skin_friction = resolved.hydrodynamics.skin_friction} {}
+
+std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygon& polygon) const {
+  const std::vector<geometry::Ring> parts = geometry::convex_parts(polygon);
+  const bool has_shape = std::ranges::any_of(
+      parts, [&](const geometry::Ring& part) { return !geometry::inset(part, case_->contact.margin).empty(); });
+  if (!has_shape) return std::nullopt;
+
+  std::vector<std::vector<Vec2>> parts_in_metres;
+  for (const geometry::Ring& part : parts) parts_in_metres.push_back(to_metres(part));
+  const double h = case_->ice.thickness;
+  const double mid_height = h * (0.5 - case_->ice.density / case_->water.density);
+  rigid_body::PlacedPrism placed = rigid_body::place_prism(rings_in_metres(polygon), parts_in_metres, h, mid_height);
+
+  Floe floe{.outline = polygon, .prism = std::move(placed.prism), .area = geometry::area(polygon)};
+  const double mass = case_->ice.density * h * floe.area.square_metres();
+  floe.weight = mass * kGravity;
+  floe.rest_potential = potential(floe, placed.pose, water_.density);
+  floe.inertia = rigid_body::mass_properties(floe.prism, case_->ice.density, case_->hydrodynamics.added_mass);
+  floe.collision_time = collision_time(*case_, mass);
+  return std::pair(std::move(floe), placed.pose);
+}
+
+std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
+                                                  double time) {
+  auto made = make(polygon);
+  if (!made) return std::nullopt;
+  auto& [floe, pose] = *made;
+  floe.id = next_id_++;
+  io::FloeRecord record{.id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time};
+  const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
+  floes_.emplace(body, std::move(floe));
+  return record;
+}
+
+void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state) {
+  auto made = make(polygon);
+  BRASH_EXPECTS(made.has_value(), state.id);
+  Floe& floe = made->first;
+  floe.id = state.id;
+  floe.stress = state.stress;
+  floe.peak_compression = state.peak_compression;
+  const BodyId body = world.add_floe(floe.prism, floe.inertia, state.pose, state.twist);
+  floes_.emplace(body, std::move(floe));
+}
+
+void FloePopulation::apply_water(rigid_body::World& world, double dt) const {
+  for (const auto& [body, floe] : floes_) {
+    const hydrodynamics::WaterLoad load =
+        hydrodynamics::water_load(floe.prism, world.pose(body), world.twist(body), water_,
+                                  {.dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia});
+    Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
+    wrench += load.buoyancy;
+    wrench += load.drag;
+    wrench += load.skin_friction;
+    world.apply(body, wrench);
+  }
+}
+
+void FloePopulation::update_stress(const rigid_body::World& world, double dt) {
+  std::map<BodyId, std::array<double, 6>> dipoles;
+  // In the order of their places, so that the sums do not depend on how the bodies came to their ids.
+  std::vector<rigid_body::ContactLoad> contacts = world.contacts();
+  std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad& c) {
+    return std::tuple(c.point.x, c.point.y, c.point.z, c.normal.x, c.normal.y, c.normal.z);
+  });
+  for (const rigid_body::ContactLoad& contact : contacts) {
+    const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
+    add_dipole(dipoles[contact.body], contact.point - world.pose(contact.body).position, force);
+    if (world.kind(contact.other) == rigid_body::BodyKind::kFloe)
+      add_dipole(dipoles[contact.other], contact.point - world.pose(contact.other).position, -force);
+  }
+  for (auto& [body, floe] : floes_) {
+    const double volume = floe.area.square_metres() * case_->ice.thickness;
+    const double share = 1.0 - std::exp(-dt / floe.collision_time);
+    const auto dipole = dipoles.find(body);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double now = dipole == dipoles.end() ? 0.0 : dipole->second[i] / volume;
+      floe.stress[i] += share * (now - floe.stress[i]);
+    }
+    floe.peak_compression = std::max(floe.peak_compression, largest_compression(floe.stress));
+  }
+}
+
+std::vector<BodyId> FloePopulation::overstressed(double strength) const {
+  std::vector<BodyId> bodies;
+  for (const auto& [body, floe] : floes_)
+    if (largest_compression(floe.stress) > strength) bodies.push_back(body);
+  return bodies;
+}
+
+Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
+  auto node = floes_.extract(body);
+  BRASH_EXPECTS(!node.empty(), body.index, body.generation);
+  world.remove(body);
+  return std::move(node.mapped());
+}
+
+double FloePopulation::potential_energy(const rigid_body::World& world) const {
+  double sum = 0.0;
+  for (const auto& [body, floe] : floes_)
+    sum += potential(floe, world.pose(body), water_.density) - floe.rest_potential;
+  return sum;
+}
+
+}  // namespace brash::simulation

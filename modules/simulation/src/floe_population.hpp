@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "brash/core/prism.hpp"
+#include "brash/geometry/polygon.hpp"
+#include "brash/hydrodynamics/water.hpp"
+#include "brash/io/case.hpp"
+#include "brash/io/results.hpp"
+#include "brash/rigid_body/world.hpp"
+
+namespace brash::simulation {
+
+/// A free piece of ice.
+struct Floe {
+  std::int64_t id = 0;
+  geometry::Polygon outline;  ///< where it broke off, sheet frame
+  Prism prism;
+  geometry::ExactArea area;
+  rigid_body::MassProperties inertia{};  ///< with added mass
+  double weight = 0.0;                 ///< m g, without added mass [N]
+  double rest_potential = 0.0;         ///< potential energy floating at rest [J]
+  double collision_time = 0.0;         ///< T_col of Eqs. 11, 12 [s]
+  /// Mean stress (xx, yy, zz, xy, yz, zx) from contact forces, averaged over T_col; tension positive [Pa].
+  std::array<double, 6> stress{};
+  double peak_compression = 0.0;  ///< [Pa]
+};
+
+/// What changes of a floe after its birth.
+struct FloeState {
+  std::int64_t id = 0;
+  Pose pose;
+  Twist twist;
+  std::array<double, 6> stress{};
+  double peak_compression = 0.0;
+};
+
+/// All floes present: births, water, the stress that decides about crushing, deaths.
+class FloePopulation {
+ public:
+  explicit FloePopulation(const io::Case& resolved);
+
+  /// Gives `polygon` a body at rest in the level ice. @return its record, or nothing when it is too thin for a body.
+  std::optional<io::FloeRecord> add(rigid_body::World& world, const geometry::Polygon& polygon, double time);
+
+  /// Gives a floe of an earlier run its body back; in the order of their bodies there.
+  void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
+
+  /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
+  void apply_water(rigid_body::World& world, double dt) const;
+
+  /// Mean stress of each floe from the last step's contacts (Love-Weber), averaged over its collision time T_col.
+  void update_stress(const rigid_body::World& world, double dt);
+
+  /// Floes whose mean compressive stress exceeds `strength` [Pa], sorted by body.
+  std::vector<BodyId> overstressed(double strength) const;
+
+  Floe remove(rigid_body::World& world, BodyId body);
+
+  /// Potential energy of weight and buoyancy against floating at rest [J].
+  double potential_energy(const rigid_body::World& world) const;
+
+  const std::map<BodyId, Floe>& floes() const { return floes_; }
+  std::int64_t next_id() const { return next_id_; }
+  void set_next_id(std::int64_t id) { next_id_ = id; }
+
+ private:
+  /// The floe broken off as `polygon` and where its body then is; nothing when it is too thin for a body.
+  std::optional<std::pair<Floe, Pose>> make(const geometry::Polygon& polygon) const;
+
+  const io::Case* case_;
+  hydrodynamics::Water water_;
+  std::map<BodyId, Floe> floes_;
+  std::int64_t next_id_ = 0;
+};
+
+}  // namespace brash::simulation

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ice_field.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "brash/core/contract.hpp"
+
+namespace brash::simulation {
+namespace {
+
+geometry::IceSheet lay(std::span<const geometry::Polygon> polygons) {
+  auto sheet = geometry::IceSheet::from_polygons(polygons);
+  BRASH_EXPECTS(sheet.has_value(), sheet.has_value() ? "" : sheet.error().what);
+  return std::move(*sheet);
+}
+
+geometry::IceSheet rectangle(double length, double width) {
+  const std::array<Vec2, 4> corners{Vec2{0.0, -0.5 * width}, Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width},
+                                    Vec2{0.0, 0.5 * width}};
+  const geometry::Polygon polygon{geometry::ring(corners), {}};
+  return lay(std::span(&polygon, 1));
+}
+
+geometry::ExactArea total(std::span<const geometry::Polygon> polygons) {
+  geometry::ExactArea sum;
+  for (const geometry::Polygon& polygon : polygons) sum += geometry::area(polygon);
+  return sum;
+}
+
+}  // namespace
+
+IceField::IceField(double length, double width) : sheet_(rectangle(length, width)) {
+  ledger_.initial = ledger_.sheet = sheet_.area();
+}
+
+IceField::IceField(std::span<const geometry::Polygon> sheet, const geometry::Ledger& ledger)
+    : sheet_(lay(sheet)), ledger_(ledger) {
+  BRASH_EXPECTS(ledger_.closes() && ledger_.sheet == sheet_.area(), ledger_.missing().to_string());
+}
+
+void IceField::book_cut(const geometry::Cut& cut) {
+  ledger_.sheet = sheet_.area();
+  ledger_.snap += cut.snap;
+  ledger_.n_rounded += cut.n_rounded;
+}
+
+std::vector<geometry::Polygon> IceField::crush(std::span<const geometry::Point> section) {
+  geometry::Cut cut = sheet_.cut(section);
+  ledger_.crushed += total(cut.pieces);
+  book_cut(cut);
+  return std::move(cut.pieces);
+}
+
+std::vector<geometry::Polygon> IceField::carve(const geometry::Polygon& piece,
+                                               std::span<const geometry::Point> section) {
+  geometry::IceSheet ice = lay(std::span(&piece, 1));
+  const geometry::Cut cut = ice.cut(section);
+  ledger_.crushed += total(cut.pieces);
+  ledger_.snap += cut.snap;
+  ledger_.n_rounded += cut.n_rounded;
+  return ice.polygons();
+}
+
+Broken IceField::break_free(Vec2 centre, double radius, int n_wedges, int sides,
+                            std::span<const geometry::Point> section, double smallest_floe) {
+  geometry::Cut cut = geometry::cut_circumferential(sheet_, centre, radius, n_wedges, sides);
+  std::vector<geometry::Polygon> broken = std::move(cut.pieces);
+  std::ranges::move(sheet_.release_detached(), std::back_inserter(broken));
+  book_cut(cut);
+
+  Broken result{.floes = {}, .changed = bounding_box(broken)};
+  for (const geometry::Polygon& piece : broken) {
+    for (geometry::Polygon& floe : carve(piece, section)) {
+      const geometry::ExactArea area = geometry::area(floe);
+      if (area.square_metres() < smallest_floe) {
+        ledger_.brash += area;
+      } else {
+        ledger_.floes += area;
+        result.floes.push_back(std::move(floe));
+      }
+    }
+  }
+  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  return result;
+}
+
+void IceField::floe_to_brash(geometry::ExactArea area) {
+  ledger_.floes -= area;
+  ledger_.brash += area;
+}
+
+void IceField::floe_to_deleted(geometry::ExactArea area) {
+  ledger_.floes -= area;
+  ledger_.deleted += area;
+}
+
+}  // namespace brash::simulation

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/simulation/run.hpp"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+
+#include "brash/core/error.hpp"
+#include "plan.hpp"
+#include "summarise.hpp"
+
+namespace brash::simulation {
+namespace {
+
+std::vector<std::vector<Vec2>> rings_of(std::span<const geometry::Polygon> polygons) {
+  std::vector<std::vector<Vec2>> rings;
+  for (const geometry::Polygon& polygon : polygons)
+    std::ranges::move(rings_in_metres(polygon), std::back_inserter(rings));
+  return rings;
+}
+
+/// Turns step reports into results: the bookkeeping around the loop.
+class Recorder {
+ public:
+  Recorder(const io::Case& resolved, const Simulation& simulation)
+      : frame_interval_(1.0 / resolved.output.frames_per_second) {
+    results_.initial_sheet = rings_of(simulation.sheet());
+    add_births(simulation.initial_births());
+    results_.frames.push_back(simulation.frame());
+  }
+  Recorder(const io::Case& resolved, io::RunResults so_far)
+      : frame_interval_(1.0 / resolved.output.frames_per_second), results_(std::move(so_far)) {}
+
+  void record(const Simulation& simulation, const StepReport& report) {
+    results_.loads.push_back(report.loads);
+    std::ranges::copy(report.events, std::back_inserter(results_.events));
+    add_births(report.births);
+    for (const FloeDeath& death : report.deaths) {
+      io::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];
+      floe.death = simulation.time();
+      floe.end = death.cause;
+      floe.peak_stress = death.peak_stress;
+    }
+    // Half a nanosecond absorbs the rounding of step times.
+    if (simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size()))
+      results_.frames.push_back(simulation.frame());
+  }
+
+  const io::RunResults& so_far() const { return results_; }
+
+  io::RunResults finish(const Simulation& simulation) {
+    for (io::FloeRecord& floe : results_.floes)
+      if (floe.end == io::FloeEnd::kAlive) floe.death = simulation.time();
+    results_.final_sheet = rings_of(simulation.sheet());
+    return std::move(results_);
+  }
+
+ private:
+  void add_births(std::span<const io::FloeRecord> births) {
+    std::ranges::copy(births, std::back_inserter(results_.floes));
+  }
+
+  double frame_interval_;
+  io::RunResults results_;
+};
+
+/// A simulation with what has been recorded and counted of it: all that a checkpoint holds.
+struct Progress {
+  Simulation simulation;
+  Recorder recorder;
+  RunSummary counts;
+};
+
+/// The counters of a run that its results do not hold, by their names in a checkpoint.
+template <typename Counts, typename Visitor>
+void visit_counters(Counts& counts, Visitor&& visit) {
+  visit("n_substepped", counts.n_substepped);
+  visit("n_below_range", counts.n_below_range);
+  visit("n_above_range", counts.n_above_range);
+  visit("n_steps_too_long", counts.n_steps_too_long);
+}
+
+Progress begin(const io::Case& resolved, const RunOptions& options) {
+  if (!options.resume || !std::filesystem::exists(options.checkpoint_file)) {
+    Simulation simulation(resolved);
+    Recorder recorder(resolved, simulation);
+    return {std::move(simulation), std::move(recorder), {}};
+  }
+  io::Checkpoint saved = io::read_checkpoint(options.checkpoint_file);
+  Progress progress{Simulation(resolved, saved), Recorder(resolved, std::move(saved.results)), {}};
+  visit_counters(progress.counts,
+                 [&](const char* name, int& count) { count = static_cast<int>(saved.counters.at(name)); });
+  return progress;
+}
+
+void keep_checkpoint(const std::string& file, const Progress& progress) {
+  io::Checkpoint saved = progress.simulation.checkpoint();
+  saved.results = progress.recorder.so_far();
+  visit_counters(progress.counts, [&](const char* name, int count) { saved.counters[name] = count; });
+  io::write_checkpoint(file, saved);
+}
+
+void count(RunSummary& counts, const StepReport& report) {
+  counts.n_substepped += report.n_substeps > 1 ? 1 : 0;
+  counts.n_below_range += report.n_below_range;
+  counts.n_above_range += report.n_above_range;
+  counts.n_steps_too_long += report.n_steps_too_long;
+}
+
+/// Steps until the end or an interruption. @return whether the end was reached.
+bool advance(const io::Case& resolved, const RunOptions& options, Progress& progress) {
+  const double step = resolved.time.step;
+  const auto n_steps = std::llround(resolved.time.duration / step);
+  const auto checkpoint_every = std::llround(resolved.output.checkpoint_interval / step);
+  for (auto done = std::llround(progress.simulation.time() / step); done < n_steps;) {
+    const StepReport report = progress.simulation.step();
+    ++done;
+    progress.recorder.record(progress.simulation, report);
+    count(progress.counts, report);
+    if (options.observer) options.observer(progress.simulation, report);
+    const bool interrupted = options.interrupted && options.interrupted();
+    const bool due = checkpoint_every > 0 && done % checkpoint_every == 0;
+    if (!options.checkpoint_file.empty() && (due || interrupted)) keep_checkpoint(options.checkpoint_file, progress);
+    if (interrupted) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Run run(const io::Case& resolved, const RunOptions& options) {
+  Run finished;
+  finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress = begin(resolved, options);
+  finished.complete = advance(resolved, options, progress);
+  const geometry::Ledger& ledger = progress.simulation.ledger();
+  if (!ledger.closes())
+    throw RunError("the ledger does not close: " + ledger.missing().to_string() + " m2 are missing");
+
+  finished.results = progress.recorder.finish(progress.simulation);
+  progress.counts.ledger = ledger;
+  if (finished.complete) finished.summary = summarise(resolved, finished.results, progress.counts);
+  finished.stage_times = progress.simulation.stage_times();
+  finished.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return finished;
+}
+
+}  // namespace brash::simulation

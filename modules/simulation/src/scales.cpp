@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/simulation/scales.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "edge_contact.hpp"
+#include "initial_crack.hpp"
+
+namespace brash::simulation {
+
+double collision_time(const io::Case& resolved, double mass) {
+  return 0.5 * kPi * std::sqrt((1.0 + resolved.hydrodynamics.added_mass) * mass / resolved.contact.stiffness);
+}
+
+double initial_crack_radius(const io::Case& resolved, const failure::IceProperties& ice,
+                            const failure::BendingCriterion& criterion) {
+  if (resolved.field.initial_crack_radius > 0.0) return resolved.field.initial_crack_radius;
+  const failure::LoadRatios ratios =
+      failure::load_ratios(resolved.structure.angle, resolved.ice.friction_structure, 0.0);
+  return criterion.assess({.contact_length = ice.thickness, .mu1 = ratios.mu1, .mu2 = ratios.mu2}).breaking_length;
+}
+
+DerivedScales derived_scales(const io::Case& resolved) {
+  const failure::IceProperties ice = ice_properties(resolved);
+  const auto criterion = failure::make_criterion(resolved.failure.model, resolved.failure.file, ice);
+  DerivedScales scales;
+  scales.characteristic_length = failure::characteristic_length(ice);
+  scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
+  scales.mu1 = failure::load_ratios(resolved.structure.angle, resolved.ice.friction_structure, 0.0).mu1;
+  scales.freeboard = freeboard(resolved).top;
+  scales.draft = -freeboard(resolved).bottom;
+  scales.initial_crack_radius = initial_crack_radius(resolved, ice, *criterion);
+  const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
+  scales.collision_time = collision_time(resolved, resolved.ice.density * ice.thickness * piece);
+  if (scales.collision_time < resolved.time.step)
+    scales.warnings.push_back(fmt::format(
+        "time.step = {} s is longer than the collision time {:.3g} s of a piece of {:.2g} m2 (Eq. 11): shorten it",
+        resolved.time.step, scales.collision_time, piece));
+  const failure::Assessment straight =
+      criterion->assess({.contact_length = ice.thickness, .mu1 = scales.mu1, .mu2 = 0.0});
+  if (straight.above_range)
+    scales.warnings.push_back(
+        fmt::format("mu1 = {:.3g} of structure.angle lies above the failure model's range: its inputs will be clamped",
+                    scales.mu1));
+  return scales;
+}
+
+}  // namespace brash::simulation

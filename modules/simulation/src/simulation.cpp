@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "brash/simulation/scales.hpp"
+#include "brash/statistics/random.hpp"
+#include "initial_crack.hpp"
+#include "plan.hpp"
+#include "simulation_impl.hpp"
+
+namespace brash::simulation {
+namespace {
+
+structure::Cone make_cone(const io::StructureSection& s) {
+  return {.angle = s.angle,
+          .waterline_width = s.waterline_width,
+          .height = s.height,
+          .height_under_water = s.height_under_water,
+          .downward_breaking = s.breaking == "downward",
+          .facets = s.facets};
+}
+
+rigid_body::WorldSettings world_settings(const io::Case& c) {
+  const double crushing = c.ice.compressive_strength * c.ice.crushing_factor;
+  return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
+          .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
+          .iterations = c.contact.iterations,
+          .collision_margin = c.contact.margin,
+          .rebuild_interval = c.contact.rebuild_interval};
+}
+
+/// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).
+Wrench in_load_axes(const Wrench& w) {
+  return {{-w.force.x, -w.force.y, w.force.z}, {-w.moment.x, -w.moment.y, w.moment.z}};
+}
+
+/// Adds the wall time of a scope to one stage.
+class StageClock {
+ public:
+  explicit StageClock(double& total) : total_(total) {}
+  StageClock(const StageClock&) = delete;
+  StageClock& operator=(const StageClock&) = delete;
+  ~StageClock() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Simulation::Impl::Impl(const io::Case& c, IceField laid)
+    : resolved(c),
+      ice(ice_properties(c)),
+      cone(make_cone(c.structure)),
+      criterion(failure::make_criterion(c.failure.model, c.failure.file, ice)),
+      field(std::move(laid)),
+      world(world_settings(c)),
+      tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
+      floes(resolved),
+      centre{-c.structure.start_distance, 0.0} {
+  const std::vector<Vec3> hull = structure::hull(cone);
+  structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
+}
+
+Simulation::Impl::Impl(const io::Case& c) : Impl(c, IceField(c.field.length, c.field.width)) {
+  if (c.field.initial_crack) initial_crack();
+}
+
+/// The paper takes 3 to 5 wedges at random (after Nevel); one stream a break, so that a resumed run draws the same.
+int Simulation::Impl::draw_wedges() {
+  statistics::RandomStream stream(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
+  return stream.uniform_int(resolved.failure.wedges[0], resolved.failure.wedges[1]);
+}
+
+void Simulation::Impl::initial_crack() {
+  StepReport report;
+  initial_births = break_off({0.0, 0.0}, initial_crack_radius(resolved, ice, *criterion), draw_wedges(), report);
+}
+
+/// One circumferential crack with its radial cracks: sheet, floes and collision shapes follow.
+std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
+  const geometry::Ring section = leading_section(edge_model(), centre);
+  const Broken broken =
+      field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, section, resolved.failure.smallest_floe);
+  std::vector<io::FloeRecord> births;
+  for (const geometry::Polygon& piece : broken.floes) {
+    std::optional<io::FloeRecord> record = floes.add(world, piece, time());
+    if (!record) {
+      field.floe_to_brash(geometry::area(piece));
+      continue;
+    }
+    const double mass = resolved.ice.density * ice.thickness * record->area;
+    if (collision_time(resolved, mass) < resolved.time.step) ++report.n_steps_too_long;
+    births.push_back(std::move(*record));
+  }
+  tiles.renew(field.sheet(), world, broken.changed.lower, broken.changed.upper);
+  return births;
+}
+
+/// Contacts after the largest part of `share` of the step whose inputs stay below the failure model's upper range
+/// (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part.
+std::vector<EdgeContact> Simulation::Impl::contacts_within_range(double& share, StepReport& report) {
+  const double shortest = 1.0 / resolved.failure.max_substeps;
+  const double advance = resolved.structure.speed * resolved.time.step;
+  while (true) {
+    std::vector<EdgeContact> contacts = edge_contacts(edge_model(), field.sheet(), centre + Vec2{share * advance, 0.0});
+    const auto above = std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
+    if (above == 0 || 0.5 * share < shortest) {
+      report.n_above_range += static_cast<int>(above);
+      report.n_below_range += static_cast<int>(
+          std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.below_range; }));
+      return contacts;
+    }
+    share *= 0.5;
+  }
+}
+
+/// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact whose
+/// ice an earlier one has just broken off is left to the next step.
+void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
+  for (const EdgeContact& contact : contacts) {
+    const bool broken_off = std::ranges::any_of(report.events, [&](const io::CrackEvent& event) {
+      return norm(event.at - contact.region.midpoint) < event.breaking_length;
+    });
+    if (!contact.assessment.fails || broken_off) continue;
+    const int n_wedges = draw_wedges();
+    io::CrackEvent event{.time = time(),
+                         .at = contact.region.midpoint,
+                         .depth = contact.wedge.depth,
+                         .contact_length = contact.region.contact_length,
+                         .angle = contact.wedge.angle,
+                         .fit_error = contact.wedge.error,
+                         .mu1 = contact.load.mu1,
+                         .mu2 = contact.load.mu2,
+                         .pressure = contact.load.pressure,
+                         .sigma_max = contact.assessment.sigma_max,
+                         .breaking_length = contact.assessment.breaking_length,
+                         .wedges = n_wedges,
+                         .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
+                         .substeps = report.n_substeps,
+                         .area_before = field.ledger().sheet.square_metres()};
+    std::vector<io::FloeRecord> births =
+        break_off(contact.region.midpoint, contact.assessment.breaking_length, n_wedges, report);
+    event.pieces = static_cast<int>(births.size());
+    event.area_after = field.ledger().sheet.square_metres();
+    report.events.push_back(event);
+    std::ranges::move(births, std::back_inserter(report.births));
+  }
+}
+
+/// Moves the structure through one step: contacts, crushing, wedges, failures and cracks, in as many parts as the
+/// failure model's range asks for. The crushing load is the mean over the parts.
+void Simulation::Impl::advance_through_ice(StepReport& report) {
+  const StageClock clock(times.ice);
+  const double advance = resolved.structure.speed * resolved.time.step;
+  double done = 0.0;
+  for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
+    double share = 1.0 - done;
+    const std::vector<EdgeContact> contacts = contacts_within_range(share, report);
+    centre.x += share * advance;
+    done += share;
+
+    for (const EdgeContact& contact : contacts) {
+      const Vec3 arm = contact.point - structure_pose().position;
+      report.loads.crushing += in_load_axes({share * contact.force, share * cross(arm, contact.force)});
+    }
+    break_ice(contacts, report);
+    for (const geometry::Polygon& crushed : field.crush(trailing_section(edge_model(), centre))) {
+      const Box box = bounding_box(std::span(&crushed, 1));
+      tiles.renew(field.sheet(), world, box.lower, box.upper);
+    }
+  }
+  --report.n_substeps;
+  world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
+}
+
+/// Floes whose mean compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
+void Simulation::Impl::remove_crushed_floes(StepReport& report) {
+  floes.update_stress(world, resolved.time.step);
+  if (!resolved.contact.delete_crushed) return;
+  for (const BodyId body : floes.overstressed(resolved.ice.compressive_strength)) {
+    const Floe floe = floes.remove(world, body);
+    field.floe_to_deleted(floe.area);
+    report.deaths.push_back({floe.id, io::FloeEnd::kCrushed, floe.peak_compression});
+  }
+}
+
+/// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge.
+void Simulation::Impl::collect_loads(StepReport& report) {
+  const StageClock clock(times.loads);
+  io::LoadRow& row = report.loads;
+  row.time = time();
+  const Vec3 origin = structure_pose().position;
+  for (const rigid_body::ContactLoad& contact : world.contacts()) {
+    if (contact.other != structure_body) continue;
+    const Vec3 arm = contact.point - origin;
+    const Vec3 normal = -contact.normal_force * contact.normal;
+    const Vec3 friction = -contact.friction_force;
+    row.floe_normal += in_load_axes({normal, cross(arm, normal)});
+    row.floe_friction += in_load_axes({friction, cross(arm, friction)});
+    ++row.n_contacts;
+  }
+  row.total = row.crushing;
+  row.total += row.floe_normal;
+  row.total += row.floe_friction;
+  work += row.total.force.x * resolved.structure.speed * resolved.time.step;
+  row.work = work;
+  row.kinetic_energy = world.kinetic_energy();
+  row.potential_energy = floes.potential_energy(world);
+
+  const geometry::Ledger& ledger = field.ledger();
+  row.area_sheet = ledger.sheet.square_metres();
+  row.area_floes = ledger.floes.square_metres();
+  row.area_crushed = ledger.crushed.square_metres();
+  row.area_deleted = ledger.deleted.square_metres();
+  row.area_brash = ledger.brash.square_metres();
+  row.area_snap = ledger.snap.square_metres();
+  row.n_floes = static_cast<int>(floes.floes().size());
+}
+
+StepReport Simulation::Impl::step() {
+  StepReport report;
+  advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
+  {
+    const StageClock clock(times.water);
+    floes.apply_water(world, resolved.time.step);  // weight, buoyancy, drag: Eqs. 13, 14
+  }
+  {
+    const StageClock clock(times.world);
+    world.step(resolved.time.step);  // contacts with bounded impulses: Eqs. 1 to 10, 16
+  }
+  ++n_steps;
+  collect_loads(report);         // impulse / dt, by cause
+  remove_crushed_floes(report);  // sigma > sigma_c
+  return report;
+}
+
+Simulation::Simulation(const io::Case& resolved) : impl_(std::make_unique<Impl>(resolved)) {}
+Simulation::Simulation(const io::Case& resolved, const io::Checkpoint& checkpoint)
+    : impl_(std::make_unique<Impl>(resolved, checkpoint)) {}
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+StepReport Simulation::step() { return impl_->step(); }
+io::Checkpoint Simulation::checkpoint() const { return impl_->checkpoint(); }
+double Simulation::time() const { return impl_->time(); }
+const std::vector<io::FloeRecord>& Simulation::initial_births() const { return impl_->initial_births; }
+std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.sheet().polygons(); }
+const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
+const StageTimes& Simulation::stage_times() const { return impl_->times; }
+
+io::Frame Simulation::frame() const {
+  io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
+  for (const auto& [body, floe] : impl_->floes.floes()) frame.floes.push_back({floe.id, impl_->world.pose(body)});
+  return frame;
+}
+
+}  // namespace brash::simulation

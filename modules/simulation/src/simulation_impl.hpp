@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "brash/io/checkpoint.hpp"
+#include "brash/simulation/simulation.hpp"
+#include "edge_contact.hpp"
+#include "floe_population.hpp"
+#include "ice_field.hpp"
+#include "sheet_tiles.hpp"
+
+namespace brash::simulation {
+
+struct Simulation::Impl {
+  io::Case resolved;
+  failure::IceProperties ice;
+  structure::Cone cone;
+  std::unique_ptr<failure::BendingCriterion> criterion;
+  IceField field;
+  rigid_body::World world;
+  SheetTiles tiles;
+  FloePopulation floes;
+  BodyId structure_body;
+  Vec2 centre;  ///< of the structure [m]
+  std::int64_t n_steps = 0;
+  std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
+  double work = 0.0;           ///< done by the structure [J]
+  std::vector<io::FloeRecord> initial_births;
+  StageTimes times;
+
+  /// Lays the sheet, cuts the initial crack and places the structure.
+  explicit Impl(const io::Case& c);
+  /// Takes a run up where `checkpoint` left it.
+  Impl(const io::Case& c, const io::Checkpoint& checkpoint);
+
+  double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
+  Pose structure_pose() const { return {{centre.x, centre.y, 0.0}, {}}; }
+  EdgeModel edge_model() const { return {cone, resolved, ice, *criterion}; }
+
+  int draw_wedges();
+  void initial_crack();
+  std::vector<io::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
+  void advance_through_ice(StepReport& report);
+  std::vector<EdgeContact> contacts_within_range(double& share, StepReport& report);
+  void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
+  void remove_crushed_floes(StepReport& report);
+  void collect_loads(StepReport& report);
+  StepReport step();
+  io::Checkpoint checkpoint() const;
+
+ private:
+  Impl(const io::Case& c, IceField laid);
+};
+
+}  // namespace brash::simulation

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "summarise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "brash/statistics/quantile.hpp"
+
+namespace brash::simulation {
+namespace {
+
+constexpr std::array<double, 5> kQuantiles{0.05, 0.25, 0.5, 0.75, 0.95};
+
+/// Mean over the window of one component of the loads.
+template <typename Component>
+double mean(std::span<const io::LoadRow> rows, Component component) {
+  double sum = 0.0;
+  for (const io::LoadRow& row : rows) sum += component(row);
+  return rows.empty() ? 0.0 : sum / static_cast<double>(rows.size());
+}
+
+template <typename Component>
+statistics::Summary summarise_component(std::span<const io::LoadRow> rows, double step, Component component) {
+  std::vector<double> samples;
+  for (const io::LoadRow& row : rows) samples.push_back(component(row));
+  return statistics::summarise(samples, step);
+}
+
+template <typename Axis>
+LoadSplit split(std::span<const io::LoadRow> rows, Axis axis) {
+  return {mean(rows, [&](const io::LoadRow& r) { return axis(r.crushing.force); }),
+          mean(rows, [&](const io::LoadRow& r) { return axis(r.floe_normal.force); }),
+          mean(rows, [&](const io::LoadRow& r) { return axis(r.floe_friction.force); })};
+}
+
+/// The largest speed of a floe between two frames [m/s].
+double fastest(std::span<const io::Frame> frames) {
+  double speed = 0.0;
+  std::map<std::int64_t, Vec3> before;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    std::map<std::int64_t, Vec3> now;
+    for (const io::FloePose& floe : frames[i].floes) {
+      now[floe.floe] = floe.pose.position;
+      if (const auto last = before.find(floe.floe); last != before.end())
+        speed = std::max(speed, norm(floe.pose.position - last->second) / (frames[i].time - frames[i - 1].time));
+    }
+    before = std::move(now);
+  }
+  return speed;
+}
+
+nlohmann::ordered_json json_of(const statistics::Summary& s, const LoadSplit& by_cause) {
+  return {{"mean", s.mean},
+          {"mean_95", {s.mean_95.lower, s.mean_95.upper}},
+          {"standard_deviation", s.standard_deviation},
+          {"minimum", s.minimum},
+          {"maximum", s.maximum},
+          {"skewness", s.skewness},
+          {"quantile_50", s.quantile_50},
+          {"quantile_95", s.quantile_95},
+          {"quantile_99", s.quantile_99},
+          {"autocorrelation_time", s.autocorrelation_time},
+          {"effective_sample_size", s.effective_sample_size},
+          {"long_enough", s.long_enough},
+          {"mean_by_cause",
+           {{"crushing", by_cause.crushing},
+            {"floe_normal", by_cause.floe_normal},
+            {"floe_friction", by_cause.floe_friction}}}};
+}
+
+nlohmann::ordered_json json_of(const geometry::Ledger& ledger) {
+  return {{"initial", ledger.initial.to_string()},
+          {"sheet", ledger.sheet.to_string()},
+          {"floes", ledger.floes.to_string()},
+          {"crushed", ledger.crushed.to_string()},
+          {"deleted", ledger.deleted.to_string()},
+          {"brash", ledger.brash.to_string()},
+          {"snap", ledger.snap.to_string()},
+          {"n_rounded", ledger.n_rounded},
+          {"closes", ledger.closes()}};
+}
+
+}  // namespace
+
+RunSummary summarise(const io::Case& resolved, const io::RunResults& results, RunSummary s) {
+  s.statistics_from = statistics_from(resolved);
+  const auto first =
+      std::ranges::find_if(results.loads, [&](const io::LoadRow& r) { return r.time > s.statistics_from; });
+  const std::span<const io::LoadRow> window(first, results.loads.end());
+  const auto x = [](Vec3 v) { return v.x; };
+  const auto z = [](Vec3 v) { return v.z; };
+  const auto total_x = [](const io::LoadRow& r) { return r.total.force.x; };
+  const auto total_z = [](const io::LoadRow& r) { return r.total.force.z; };
+  if (window.size() > 1) {
+    s.horizontal = summarise_component(window, resolved.time.step, total_x);
+    s.vertical = summarise_component(window, resolved.time.step, total_z);
+  }
+  s.horizontal_split = split(window, x);
+  s.vertical_split = split(window, z);
+  s.mean_horizontal_whole = mean(results.loads, total_x);
+  s.mean_vertical_whole = mean(results.loads, total_z);
+
+  s.n_breaks = static_cast<int>(results.events.size());
+  std::vector<double> lengths;
+  int n_in_window = 0;
+  for (const io::CrackEvent& event : results.events) {
+    lengths.push_back(event.breaking_length);
+    n_in_window += event.time >= s.statistics_from ? 1 : 0;
+  }
+  const double window_length = resolved.time.duration - s.statistics_from;
+  s.breaking_frequency = window_length > 0.0 ? n_in_window / window_length : 0.0;
+  s.breaking_length_quantiles = statistics::quantiles(std::move(lengths), kQuantiles);
+
+  std::vector<double> areas;
+  for (const io::FloeRecord& floe : results.floes) {
+    areas.push_back(floe.area);
+    s.n_floes_crushed += floe.end == io::FloeEnd::kCrushed ? 1 : 0;
+    s.n_floes_present += floe.end == io::FloeEnd::kAlive ? 1 : 0;
+  }
+  s.n_floes_born = static_cast<int>(results.floes.size());
+  s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);
+  s.fastest_floe = fastest(results.frames);
+  return s;
+}
+
+double statistics_from(const io::Case& resolved) {
+  return resolved.output.statistics_from.value_or(
+      std::min(resolved.structure.start_distance / resolved.structure.speed, resolved.time.duration));
+}
+
+std::string to_json(const RunSummary& s) {
+  const nlohmann::ordered_json json{
+      {"units", "SI; Fx positive against the structure's motion, Fz positive upwards on the structure"},
+      {"statistics_from", s.statistics_from},
+      {"horizontal", json_of(s.horizontal, s.horizontal_split)},
+      {"vertical", json_of(s.vertical, s.vertical_split)},
+      {"mean_whole_history", {{"horizontal", s.mean_horizontal_whole}, {"vertical", s.mean_vertical_whole}}},
+      {"n_breaks", s.n_breaks},
+      {"breaking_frequency", s.breaking_frequency},
+      {"breaking_length_quantiles", s.breaking_length_quantiles},
+      {"n_floes_born", s.n_floes_born},
+      {"n_floes_present", s.n_floes_present},
+      {"n_floes_crushed", s.n_floes_crushed},
+      {"piece_area_quantiles", s.piece_area_quantiles},
+      {"quantile_levels", kQuantiles},
+      {"failure_model_range",
+       {{"n_substepped", s.n_substepped}, {"n_below", s.n_below_range}, {"n_above", s.n_above_range}}},
+      {"n_steps_too_long", s.n_steps_too_long},
+      {"fastest_floe", s.fastest_floe},
+      {"ledger", json_of(s.ledger)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace brash::simulation

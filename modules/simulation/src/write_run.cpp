@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/failure/criterion.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace brash::simulation {
+
+void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
+               const std::vector<std::string>& pictures) {
+  io::write_results(directory, resolved, run.results);
+  io::write_file(directory + "/summary.json", to_json(run.summary));
+
+  std::vector<std::string> inputs{case_file};
+  const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
+  if (!model.empty()) inputs.push_back(model);
+  std::vector<std::string> outputs{"run.nc", "history.csv", "events.csv", "summary.json"};
+  outputs.insert(outputs.end(), pictures.begin(), pictures.end());
+  const StageTimes& t = run.stage_times;
+  io::write_manifest(directory, resolved, inputs, outputs,
+                     {.started_at = run.started_at,
+                      .wall_seconds = run.wall_seconds,
+                      .host_cpu = {},
+                      .stage_seconds = {{"ice", t.ice}, {"water", t.water}, {"world", t.world}, {"loads", t.loads}}});
+}
+
+}  // namespace brash::simulation

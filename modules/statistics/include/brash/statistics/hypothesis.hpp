@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brash/statistics/summary.hpp"
+
+namespace brash::statistics {
+
+/// Outcome of a test: the statistic named by the function and the probability of a more extreme one by chance.
+struct TestResult {
+  double statistic = 0.0;
+  double p_value = 1.0;
+};
+
+/// Kendall's tau-b of pairs (x_i, y_i); two-sided. Exact for up to 33 pairs without ties, normal with the variance for
+/// ties otherwise; p = 1 when one side is constant.
+///
+/// @param x, y  shape=(n,) each, n >= 2.
+TestResult kendall(std::span<const double> x, std::span<const double> y);
+
+/// Jonckheere and Terpstra's test whether groups of values rise in the given order, e.g. mean loads of replicates at
+/// rising cone angles. Statistic: the standardised J (positive when rising); two-sided p, normal, with the variance for
+/// ties.
+///
+/// @param groups  at least two, not empty, in the order that is tested.
+TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups);
+
+/// Holm's adjustment of p-values for testing several hypotheses; a result below alpha keeps the chance of any false
+/// rejection below alpha. Order kept.
+std::vector<double> holm(std::span<const double> p_values);
+
+/// Difference of two means with its interval, and Welch's t test that it is zero.
+struct MeanComparison {
+  double difference = 0.0;  ///< mean of a less mean of b
+  Interval interval;        ///< at the stated confidence
+  TestResult test;          ///< t, two-sided
+};
+
+/// Independent values, such as the means of replicates; at least 2 in each.
+MeanComparison compare_means(std::span<const double> a, std::span<const double> b, double confidence = 0.95);
+
+/// Two correlated histories: their effective sample sizes take the place of the counts.
+MeanComparison compare_means(const Summary& a, const Summary& b, double confidence = 0.95);
+
+/// Mann and Whitney's test that neither sample tends to larger values; statistic U of `a`; two-sided, normal with
+/// correction for ties and continuity.
+TestResult mann_whitney(std::span<const double> a, std::span<const double> b);
+
+}  // namespace brash::statistics

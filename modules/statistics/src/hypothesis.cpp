@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/statistics/hypothesis.hpp"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "brash/core/contract.hpp"
+#include "gsl_checked.hpp"
+#include "samples.hpp"
+
+namespace brash::statistics {
+namespace {
+
+constexpr std::size_t kExactKendall = 33;  // pairs; beyond, the normal approximation is good to three digits
+
+double two_sided_normal(double z) { return std::min(1.0, 2.0 * gsl_cdf_ugaussian_Q(std::abs(z))); }
+
+int sign(double x) { return (x > 0.0) - (x < 0.0); }
+
+/// Sums over the groups of equal values with t members each.
+struct Ties {
+  double pairs = 0.0;     ///< sum t (t - 1)
+  double triples = 0.0;   ///< sum t (t - 1)(t - 2)
+  double weighted = 0.0;  ///< sum t (t - 1)(2 t + 5)
+};
+
+Ties ties(std::span<const double> values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::ranges::sort(sorted);
+  Ties result;
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last = std::upper_bound(first, sorted.end(), *first);
+    const auto t = static_cast<double>(last - first);
+    result.pairs += t * (t - 1.0);
+    result.triples += t * (t - 1.0) * (t - 2.0);
+    result.weighted += t * (t - 1.0) * (2.0 * t + 5.0);
+    first = last;
+  }
+  return result;
+}
+
+/// Kendall's S, concordant less discordant pairs, with what its distribution needs.
+struct Concordance {
+  double n = 0.0;
+  double score = 0.0;
+  Ties x, y;
+
+  /// Of S under no association, with ties on both sides.
+  double variance() const {
+    double v = (n * (n - 1.0) * (2.0 * n + 5.0) - x.weighted - y.weighted) / 18.0;
+    v += x.pairs * y.pairs / (2.0 * n * (n - 1.0));
+    if (n > 2.0) v += x.triples * y.triples / (9.0 * n * (n - 1.0) * (n - 2.0));
+    return v;
+  }
+};
+
+Concordance concordance(std::span<const double> x, std::span<const double> y) {
+  BRASH_EXPECTS(x.size() == y.size() && x.size() >= 2, x.size(), y.size());
+  BRASH_EXPECTS(all_finite(x) && all_finite(y));
+  std::int64_t score = 0;
+  for (std::size_t i = 1; i < x.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) score += sign(x[i] - x[j]) * sign(y[i] - y[j]);
+  return {static_cast<double>(x.size()), static_cast<double>(score), ties(x), ties(y)};
+}
+
+/// Two-sided probability of a Kendall score at least as far from zero, by counting permutations; no ties.
+double exact_kendall(std::size_t n, double score) {
+  const std::size_t pairs = n * (n - 1) / 2;
+  const auto inversions = static_cast<std::size_t>(0.5 * (static_cast<double>(pairs) - std::abs(score)));
+  // share[k]: probability of k inversions among permutations of m things; the m-th adds 0 to m - 1 with equal chance.
+  std::vector<double> share(inversions + 1, 0.0);
+  share[0] = 1.0;
+  for (std::size_t m = 2; m <= n; ++m) {
+    std::vector<double> next(inversions + 1, 0.0);
+    for (std::size_t k = 0; k <= inversions; ++k)
+      for (std::size_t added = 0; added < m && added <= k; ++added)
+        next[k] += share[k - added] / static_cast<double>(m);
+    share = std::move(next);
+  }
+  return std::min(1.0, 2.0 * std::accumulate(share.begin(), share.end(), 0.0));
+}
+
+/// Difference of two means from their variances (of the means) and degrees of freedom, after Welch and Satterthwaite.
+MeanComparison compare(double difference, double variance_a, double freedom_a, double variance_b, double freedom_b,
+                       double confidence) {
+  BRASH_EXPECTS(confidence > 0.0 && confidence < 1.0, confidence);
+  quiet_gsl();
+  const double variance = variance_a + variance_b;
+  MeanComparison result;
+  result.difference = difference;
+  result.interval = {difference, difference};
+  result.test.p_value = difference == 0.0 ? 1.0 : 0.0;
+  if (variance == 0.0) return result;
+  const double freedom =
+      variance * variance / (variance_a * variance_a / freedom_a + variance_b * variance_b / freedom_b);
+  const double half_width = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, freedom) * std::sqrt(variance);
+  result.interval = {difference - half_width, difference + half_width};
+  result.test.statistic = difference / std::sqrt(variance);
+  result.test.p_value = std::min(1.0, 2.0 * gsl_cdf_tdist_Q(std::abs(result.test.statistic), freedom));
+  return result;
+}
+
+}  // namespace
+
+TestResult kendall(std::span<const double> x, std::span<const double> y) {
+  quiet_gsl();
+  const Concordance c = concordance(x, y);
+  const double pairs = c.n * (c.n - 1.0);
+  if (c.x.pairs == pairs || c.y.pairs == pairs) return {0.0, 1.0};
+  TestResult result;
+  result.statistic = 2.0 * c.score / std::sqrt((pairs - c.x.pairs) * (pairs - c.y.pairs));
+  const bool tied = c.x.pairs > 0.0 || c.y.pairs > 0.0;
+  result.p_value = !tied && x.size() <= kExactKendall ? exact_kendall(x.size(), c.score)
+                                                      : two_sided_normal(c.score / std::sqrt(c.variance()));
+  return result;
+}
+
+TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups) {
+  BRASH_EXPECTS(groups.size() >= 2, groups.size());
+  quiet_gsl();
+  // J is Kendall's S between a value's group and the value: S = 2 J - (pairs of different groups).
+  std::vector<double> order, values;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    BRASH_EXPECTS(!groups[g].empty(), g);
+    order.insert(order.end(), groups[g].size(), static_cast<double>(g));
+    values.insert(values.end(), groups[g].begin(), groups[g].end());
+  }
+  const Concordance c = concordance(order, values);
+  const double variance = c.variance();
+  if (!(variance > 0.0) || c.y.pairs == c.n * (c.n - 1.0)) return {0.0, 1.0};
+  const double z = c.score / std::sqrt(variance);
+  return {z, two_sided_normal(z)};
+}
+
+std::vector<double> holm(std::span<const double> p_values) {
+  for (const double p : p_values) BRASH_EXPECTS(p >= 0.0 && p <= 1.0, p);
+  std::vector<std::size_t> order(p_values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return p_values[i]; });
+  std::vector<double> adjusted(p_values.size());
+  double running = 0.0;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const auto left = static_cast<double>(order.size() - rank);
+    running = std::max(running, std::min(1.0, left * p_values[order[rank]]));
+    adjusted[order[rank]] = running;
+  }
+  return adjusted;
+}
+
+MeanComparison compare_means(std::span<const double> a, std::span<const double> b, double confidence) {
+  BRASH_EXPECTS(a.size() >= 2 && b.size() >= 2, a.size(), b.size());
+  BRASH_EXPECTS(all_finite(a) && all_finite(b));
+  const auto n_a = static_cast<double>(a.size()), n_b = static_cast<double>(b.size());
+  const double difference = gsl_stats_mean(a.data(), 1, a.size()) - gsl_stats_mean(b.data(), 1, b.size());
+  return compare(difference, gsl_stats_variance(a.data(), 1, a.size()) / n_a, n_a - 1.0,
+                 gsl_stats_variance(b.data(), 1, b.size()) / n_b, n_b - 1.0, confidence);
+}
+
+MeanComparison compare_means(const Summary& a, const Summary& b, double confidence) {
+  const auto variance = [](const Summary& s) {
+    return s.standard_deviation * s.standard_deviation / s.effective_sample_size;
+  };
+  const auto freedom = [](const Summary& s) { return std::max(1.0, s.effective_sample_size - 1.0); };
+  return compare(a.mean - b.mean, variance(a), freedom(a), variance(b), freedom(b), confidence);
+}
+
+TestResult mann_whitney(std::span<const double> a, std::span<const double> b) {
+  BRASH_EXPECTS(!a.empty() && !b.empty(), a.size(), b.size());
+  BRASH_EXPECTS(all_finite(a) && all_finite(b));
+  quiet_gsl();
+  double u = 0.0;
+  for (const double x : a)
+    for (const double y : b) u += 0.5 * (1 + sign(x - y));
+  std::vector<double> all(a.begin(), a.end());
+  all.insert(all.end(), b.begin(), b.end());
+  const auto n_a = static_cast<double>(a.size()), n_b = static_cast<double>(b.size()), n = n_a + n_b;
+  const Ties t = ties(all);
+  // sum (t^3 - t) = sum t (t-1)(t-2) + 3 sum t (t-1)
+  const double variance = n_a * n_b / 12.0 * (n + 1.0 - (t.triples + 3.0 * t.pairs) / (n * (n - 1.0)));
+  if (!(variance > 0.0)) return {u, 1.0};
+  const double distance = std::max(0.0, std::abs(u - 0.5 * n_a * n_b) - 0.5);
+  return {u, two_sided_normal(distance / std::sqrt(variance))};
+}
+
+}  // namespace brash::statistics

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/statistics/moments.hpp"
+
+#include <gsl/gsl_histogram.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+#include "gsl_checked.hpp"
+#include "samples.hpp"
+
+namespace brash::statistics {
+
+Moments moments(std::span<const double> samples) {
+  BRASH_EXPECTS(samples.size() >= 2, samples.size());
+  BRASH_EXPECTS(all_finite(samples));
+  const auto n = static_cast<double>(samples.size());
+  Moments result;
+  result.n = samples.size();
+  gsl_stats_minmax(&result.minimum, &result.maximum, samples.data(), 1, samples.size());
+  result.mean = gsl_stats_mean(samples.data(), 1, samples.size());
+  if (result.minimum == result.maximum) {
+    result.mean = result.minimum;
+    return result;
+  }
+  double m2 = 0.0, m3 = 0.0, m4 = 0.0;
+  for (const double x : samples) {
+    const double d = x - result.mean;
+    m2 += d * d;
+    m3 += d * d * d;
+    m4 += d * d * d * d;
+  }
+  result.variance = m2 / (n - 1.0);
+  result.skewness = (m3 / n) / std::pow(m2 / n, 1.5);
+  result.excess_kurtosis = (m4 / n) / ((m2 / n) * (m2 / n)) - 3.0;
+  return result;
+}
+
+Histogram histogram(std::span<const double> samples, std::size_t n_bins, double lower, double upper) {
+  BRASH_EXPECTS(n_bins > 0 && lower < upper, n_bins, lower, upper);
+  BRASH_EXPECTS(all_finite(samples));
+  quiet_gsl();
+  const GslOwner<gsl_histogram, gsl_histogram_free> bins(gsl_histogram_alloc(n_bins));
+  if (!bins) throw RunError("histogram: out of memory");
+  check_gsl(gsl_histogram_set_ranges_uniform(bins.get(), lower, upper), "histogram");
+
+  Histogram result;
+  result.edges.assign(bins->range, bins->range + n_bins + 1);
+  result.counts.assign(n_bins, 0);
+  for (const double x : samples) {
+    std::size_t bin = n_bins - 1;  // GSL leaves out the last upper edge
+    if (x == upper || gsl_histogram_find(bins.get(), x, &bin) == 0) {
+      ++result.counts[bin];
+    } else {
+      ++result.n_outside;
+    }
+  }
+  return result;
+}
+
+}  // namespace brash::statistics

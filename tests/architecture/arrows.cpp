@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rooms' arrows, read from the includes: a room may include itself and what stands in its row, nothing else.
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+struct Room {
+  std::string folder;
+  Names may_include;  ///< rooms, by the folder under include/brash/
+  Names libraries;    ///< third-party libraries its sources may include
+};
+
+const std::map<std::string, Room> kRooms{
+    {"core", {"modules/core", {}, {}}},
+    {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
+    {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
+    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json", "openssl"}}},
+    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json", "openssl"}}},
+    {"failure", {"failure/criterion", {"core", "plate", "meta_model"}, {}}},
+    {"structure", {"modules/structure", {"core"}, {}}},
+    {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {"Eigen"}}},
+    {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
+    {"statistics", {"modules/statistics", {"core"}, {"gsl", "openssl"}}},
+    {"standards", {"modules/standards", {"core"}, {"gsl"}}},
+    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson", "openssl"}}},
+    {"report", {"modules/report", {"core", "io"}, {}}},
+    {"simulation",
+     {"modules/simulation",
+      {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "io", "statistics"},
+      {"Eigen", "json"}}},
+};
+
+/// How the include line of each third-party library begins.
+const std::map<std::string, std::regex> kLibraries{
+    {"CGAL", std::regex("^CGAL/")},        {"Eigen", std::regex("^Eigen/")},
+    {"gsl", std::regex("^gsl/")},          {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
+    {"netcdf", std::regex("^netcdf")},     {"toml", std::regex("^toml")},
+    {"udunits", std::regex("^udunits2")},  {"json", std::regex("^nlohmann/")},
+    {"valijson", std::regex("^valijson")}, {"openssl", std::regex("^openssl/")},
+};
+
+std::vector<std::string> includes_of(const fs::path& file) {
+  static const std::regex include("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]");
+  std::vector<std::string> names;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+    if (std::smatch match; std::regex_search(line, match, include)) names.push_back(match[1]);
+  return names;
+}
+
+template <typename Visit>
+void for_each_source(const fs::path& folder, Visit visit) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".hpp" || extension == ".cpp") visit(entry.path());
+  }
+}
+
+const fs::path kRoot = BRASH_SOURCE_DIR;
+
+BOOST_AUTO_TEST_CASE(no_room_includes_a_room_that_is_not_in_its_row) {
+  static const std::regex brash_include("^brash/([a-z_]+)/");
+  int n_arrows = 0;
+  for (const auto& [name, room] : kRooms) {
+    for_each_source(kRoot / room.folder, [&, &name = name, &room = room](const fs::path& file) {
+      for (const std::string& include : includes_of(file)) {
+        std::smatch match;
+        if (!std::regex_search(include, match, brash_include) || match[1] == name) continue;
+        ++n_arrows;
+        BOOST_TEST(room.may_include.contains(match[1]), file.string() << " includes " << include);
+      }
+    });
+  }
+  BOOST_TEST(n_arrows > 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_rows_have_no_cycle) {
+  std::map<std::string, Names> left;
+  for (const auto& [name, room] : kRooms) left[name] = room.may_include;
+  while (!left.empty()) {
+    const auto leaf = std::find_if(left.begin(), left.end(), [&](const auto& row) {
+      return std::none_of(row.second.begin(), row.second.end(), [&](const auto& r) { return left.contains(r); });
+    });
+    BOOST_REQUIRE(leaf != left.end());
+    left.erase(leaf);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(third_party_headers_stay_in_their_rooms_and_out_of_public_headers) {
+  for (const auto& [name, room] : kRooms) {
+    const fs::path folder = kRoot / room.folder;
+    for_each_source(folder, [&, &room = room](const fs::path& file) {
+      const bool is_public = fs::relative(file, folder).begin()->string() == "include";
+      for (const std::string& include : includes_of(file))
+        for (const auto& [library, pattern] : kLibraries)
+          if (std::regex_search(include, pattern))
+            BOOST_TEST((room.libraries.contains(library) && !is_public), file.string() << " includes " << include);
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_source_begins_with_its_licence) {
+  for (const auto& [name, room] : kRooms)
+    for_each_source(kRoot / room.folder, [](const fs::path& file) {
+      std::ifstream stream(file);
+      std::string line;
+      std::getline(stream, line);
+      BOOST_TEST(line == "// SPDX-License-Identifier: GPL-3.0-or-later", file.string());
+    });
+}
+
+}  // namespace

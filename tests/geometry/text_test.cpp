@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/geometry/text.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+
+#include "shapes.hpp"
+
+namespace brash::geometry {
+namespace {
+
+using shapes::box;
+using shapes::reversed;
+
+/// Polygons that are awkward to write: no short decimals, far out, one unit thick, with holes.
+std::vector<Polygon> awkward_polygons() {
+  std::mt19937_64 generator(5);
+  std::vector<Polygon> polygons;
+  for (int i = 0; i < 50; ++i) {
+    Polygon p{shapes::star(generator, 3 + i % 30, 0.1, {8000.0 * (2 * shapes::uniform(generator) - 1), -0.001}), {}};
+    if (i % 3 == 0) p = {disc({-7000, 12}, 3, 40), {reversed(shapes::star(generator, 9, 0.2, {-7000.5, 12}))}};
+    polygons.push_back(p);
+  }
+  polygons.push_back({{{0, 0}, {1, 0}, {0, 1}}, {}});
+  polygons.push_back({{{-(1LL << 43), -(1LL << 43)}, {1LL << 43, (1LL << 43) - 1}, {1LL << 43, 1LL << 43}}, {}});
+  return polygons;
+}
+
+std::string fault_of_wkt(std::string_view text) {
+  const auto result = from_wkt(text);
+  return result ? "" : result.error().what;
+}
+
+std::string fault_of_geojson(std::string_view text) {
+  const auto result = from_geojson(text);
+  return result ? "" : result.error().what;
+}
+
+BOOST_AUTO_TEST_SUITE(wkt)
+
+BOOST_AUTO_TEST_CASE(polygons_come_back_bit_by_bit) {
+  const std::vector<Polygon> polygons = awkward_polygons();
+  BOOST_TEST((from_wkt(to_wkt(polygons)).value() == polygons));
+  for (const Polygon& p : polygons) {
+    BOOST_TEST((from_wkt(to_wkt(std::span(&p, 1))).value() == std::vector<Polygon>{p}));
+  }
+  BOOST_TEST(from_wkt(to_wkt({})).value().empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_text_is_plain_wkt) {
+  const Polygon plate{box(0, 0, 4, 2), {reversed(box(1, 0.5, 2, 1.5))}};
+  BOOST_TEST(to_wkt(std::span(&plate, 1)) ==
+             "POLYGON ((0 0, 4 0, 4 2, 0 2, 0 0), (1 0.5, 1 1.5, 2 1.5, 2 0.5, 1 0.5))");
+}
+
+BOOST_AUTO_TEST_CASE(case_space_orientation_and_several_geometries_are_read) {
+  const auto polygons = from_wkt(
+      " polygon((0 0,0 1,+1 1,1e0 0,0 0))\n\nMultiPolygon ( ((2 0, 3 0, 3 1, 2 0)) , ((4 0,5 0,5 1,4 0)) ) POLYGON "
+      "EMPTY");
+  BOOST_REQUIRE(polygons.has_value());
+  BOOST_REQUIRE(polygons->size() == 3u);
+  BOOST_TEST((polygons->front().outline == box(0, 0, 1, 1)));
+}
+
+BOOST_AUTO_TEST_CASE(a_hole_comes_out_clockwise_either_way) {
+  for (const char* hole : {"(1 1, 2 1, 2 2, 1 1)", "(1 1, 2 2, 2 1, 1 1)"}) {
+    const auto polygons = from_wkt(std::string("POLYGON ((0 0, 9 0, 9 9, 0 0), ") + hole + ")");
+    BOOST_TEST(signed_area(polygons.value()[0].holes[0]).to_string() == "-0.5");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
+  BOOST_TEST(fault_of_wkt("") == "line 1, column 1: there is no geometry: POLYGON or MULTIPOLYGON is expected");
+  BOOST_TEST(fault_of_wkt("\n  LINESTRING (0 0, 1 1)") ==
+             "line 2, column 3: POLYGON or MULTIPOLYGON is expected, not LINESTRING");
+  BOOST_TEST(fault_of_wkt("POLYGON Z ((0 0 0))") ==
+             "line 1, column 9: '(' or EMPTY is expected, not Z: plan coordinates only");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0,\n 1 x, 0 0))") == "line 2, column 4: a number is expected, not 'x'");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 1 1 5, 0 0))") == "line 1, column 25: ')' is expected, not '5'");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 1 1") == "line 1, column 24: ')' is expected, not the end of the text");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 1 1, 0 1))") ==
+             "line 1, column 10: the ring is not closed: its last position is not its first");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 0 0))") ==
+             "line 1, column 10: a ring needs at least 4 positions, this has 3");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 2 0, 0 0))") == "line 1, column 10: the ring has no area");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1e-12 0, 0 1, 0 0))") ==
+             "line 1, column 10: the ring has fewer than 3 different vertices");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 9000 0, 0 1, 0 0))") == "line 1, column 10: (9000, 0) is beyond +-8192 m");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, nan 0, 0 1, 0 0))") == "line 1, column 10: (nan, 0) is beyond +-8192 m");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1e999 0, 0 1, 0 0))") == "line 1, column 16: the number is out of range");
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 1 1, 0 0)) trailing") ==
+             "line 1, column 32: POLYGON or MULTIPOLYGON is expected, not TRAILING");
+}
+
+BOOST_AUTO_TEST_CASE(every_cut_and_every_changed_byte_of_a_text_is_read_or_refused) {
+  const std::string text =
+      "MULTIPOLYGON (((0 0, 4 0, 4 2, 0 2, 0 0), (1 0.5, 1 1.5, 2 1.5, 1 0.5)), ((8 0, 9 0, 9 1, 8 0)))";
+  for (std::size_t n = 0; n < text.size(); ++n) BOOST_TEST(!from_wkt(text.substr(0, n)).has_value());
+  int n_read = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    for (const char c : {'(', ')', ',', ' ', '9', '-', '.', 'e', '\0', '\xff'}) {
+      std::string changed = text;
+      changed[i] = c;
+      const auto result = from_wkt(changed);
+      if (!result) {
+        BOOST_TEST(result.error().what.starts_with("line 1, column "));
+        continue;
+      }
+      ++n_read;
+      for (const Polygon& p : *result) BOOST_TEST((signed_area(p.outline) > ExactArea{}));
+    }
+  }
+  BOOST_TEST(n_read > 0);
+}
+
+BOOST_AUTO_TEST_CASE(deep_nesting_is_refused_without_descending) {
+  BOOST_TEST(fault_of_wkt("POLYGON " + std::string(1000000, '(')) ==
+             "line 1, column 11: a number is expected, not '('");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(geojson)
+
+std::vector<Feature> awkward_features() {
+  std::vector<Feature> features;
+  std::int64_t id = -2;
+  for (const Polygon& p : awkward_polygons()) features.push_back({p, id % 2 ? "sheet" : "floe", id}), ++id;
+  features.back().id = std::numeric_limits<std::int64_t>::max();
+  return features;
+}
+
+BOOST_AUTO_TEST_CASE(features_come_back_bit_by_bit) {
+  const std::vector<Feature> features = awkward_features();
+  BOOST_TEST((from_geojson(to_geojson(features)).value() == features));
+  BOOST_TEST(from_geojson(to_geojson({})).value().empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_text_is_json_with_the_exact_area) {
+  const std::vector<Feature> features{{{box(0, 0, 4, 2), {reversed(box(1, 0.5, 2, 1.5))}}, "floe", 7}};
+  const auto json = nlohmann::json::parse(to_geojson(features));
+  BOOST_TEST(json["type"] == "FeatureCollection");
+  const auto& feature = json["features"].at(0);
+  BOOST_TEST(feature["properties"].dump() == R"({"area":"7","id":7,"kind":"floe"})");
+  BOOST_TEST(feature["geometry"]["type"] == "Polygon");
+  BOOST_TEST(feature["geometry"]["coordinates"].at(1).dump() == "[[1,0.5],[1,1.5],[2,1.5],[2,0.5],[1,0.5]]");
+}
+
+BOOST_AUTO_TEST_CASE(bare_geometries_collections_and_foreign_members_are_read) {
+  const std::string ring = "[[0,0],[1,0],[1,1],[0,0]]", polygon = R"({"type":"Polygon","coordinates":[)" + ring + "]}";
+  BOOST_TEST(from_geojson(polygon).value().size() == 1u);
+  BOOST_TEST(from_geojson(R"({"type":"MultiPolygon","coordinates":[[)" + ring + "],[" + ring + "]]}").value().size() ==
+             2u);
+  const auto features = from_geojson(
+      R"({"type":"FeatureCollection","name":"x","features":[{"type":"Feature","bbox":[0,0,1,1],"properties":null,"geometry":)" +
+      polygon + R"(},{"type":"Feature","properties":{"kind":"floe","colour":"white"},"geometry":)" +
+      R"({"type":"GeometryCollection","geometries":[)" + polygon + "," + polygon + "]}}]}");
+  BOOST_REQUIRE(features.has_value());
+  BOOST_REQUIRE(features->size() == 3u);
+  BOOST_TEST((features->at(0).kind == "sheet" && features->at(0).id == 0));
+  BOOST_TEST((features->at(2).kind == "floe" && features->at(2).id == 1));
+}
+
+BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
+  BOOST_TEST(fault_of_geojson("").starts_with("line 1, column 1: "));
+  BOOST_TEST(fault_of_geojson("{\"type\":\n  oops}").starts_with("line 2, column 3: "));
+  BOOST_TEST(fault_of_geojson("[]") == "line 1, column 1: an object with \"type\" is expected");
+  BOOST_TEST(
+      fault_of_geojson(R"({"type":"Point","coordinates":[0,0]})").starts_with("line 1, column 1: Point is not read"));
+  BOOST_TEST(fault_of_geojson("{\"type\":\"Polygon\",\n \"coordinates\":[[[0,0],[1,0],[1,1,5],[0,0]]]}") ==
+             "line 2, column 30: a position of two numbers is expected");
+  BOOST_TEST(fault_of_geojson("{\"type\":\"Polygon\",\n \"coordinates\":[[[0,0],[1,0],[1,1],[0,1]]]}") ==
+             "line 2, column 17: the ring is not closed: its last position is not its first");
+  BOOST_TEST(fault_of_geojson(R"({"type":"Polygon","type":"Polygon"})") == "line 1, column 1: \"type\" is given twice");
+  BOOST_TEST(fault_of_geojson(R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"kind":"berg"},"geometry":null}]})") ==
+             "line 2, column 32: \"kind\" is neither \"sheet\" nor \"floe\"");
+  BOOST_TEST(fault_of_geojson(R"({"type":"Feature","geometry":null})") ==
+             "line 1, column 1: the feature has no geometry");
+  BOOST_TEST(fault_of_geojson(R"({"type":"Feature","properties":{"id":1.5},"geometry":null})") ==
+             "line 1, column 32: \"id\" is no whole number of 64 bits");
+  BOOST_TEST(fault_of_geojson(std::string(1000000, '[')) == "line 1, column 65: nested deeper than 64");
+}
+
+BOOST_AUTO_TEST_CASE(every_cut_and_every_changed_byte_of_a_text_is_read_or_refused) {
+  const std::vector<Feature> features{{{box(0, 0, 4, 2), {reversed(box(1, 0.5, 2, 1.5))}}, "floe", 7}};
+  std::string text = to_geojson(features);
+  text.pop_back();  // the final line break is no part of the value
+  for (std::size_t n = 0; n < text.size(); ++n) BOOST_TEST(!from_geojson(text.substr(0, n)).has_value());
+  int n_read = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    for (const char c : {'[', ']', ',', '{', '}', '"', '9', '-', '\\', '\0', '\xff'}) {
+      std::string changed = text;
+      changed[i] = c;
+      const auto result = from_geojson(changed);
+      if (result)
+        ++n_read;
+      else
+        BOOST_TEST(result.error().what.starts_with("line "));
+    }
+  }
+  BOOST_TEST(n_read > 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace
+}  // namespace brash::geometry

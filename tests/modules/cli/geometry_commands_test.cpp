@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry_commands.hpp"
+
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "brash/core/error.hpp"
+#include "brash/geometry/text.hpp"
+#include "crack_events.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, removed afterwards.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("brash_geometry_commands_" + std::to_string(::getpid()));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+    return (path / name).string();
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream stream(path / name);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+};
+
+/// Runs `brash ARGUMENTS` without the program around it; what it throws comes through.
+void run(std::vector<std::string> arguments) {
+  CLI::App app;
+  add_crack_command(app);
+  add_fit_command(app);
+  std::reverse(arguments.begin(), arguments.end());
+  app.parse(arguments);
+}
+
+/// What `run` prints, as JSON.
+nlohmann::json output_of(const Folder& folder, const std::vector<std::string>& arguments) {
+  const std::string file = (folder.path / "stdout").string();
+  std::fflush(stdout);
+  const int saved = ::dup(1);
+  BOOST_REQUIRE(std::freopen(file.c_str(), "w", stdout) != nullptr);
+  run(arguments);
+  std::fflush(stdout);
+  ::dup2(saved, 1);
+  ::close(saved);
+  return nlohmann::json::parse(folder.read("stdout"));
+}
+
+bool names(const InputError& error, const std::string& what) {
+  BOOST_TEST_INFO(error.what());
+  return std::string(error.what()).find(what) != std::string::npos;
+}
+
+constexpr const char* kSheet = "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))";
+
+BOOST_FIXTURE_TEST_SUITE(geometry_commands, Folder)
+
+BOOST_AUTO_TEST_CASE(events_are_cut_out_as_wedges_and_the_ledger_closes) {
+  const std::string sheet = write("sheet.wkt", kSheet);
+  const std::string events = write("events.csv", "x,y,radius,wedges\n# the left edge\n0,5,2,3\n\n0,2,1,,0.3;-0.3\n");
+  const std::string pieces = (path / "pieces.geojson").string();
+  const auto ledger = output_of(*this, {"crack", "--sheet", sheet, "--events", events, "-o", pieces});
+  BOOST_TEST(ledger["initial"] == "100");
+  BOOST_TEST(ledger["missing"] == "0");
+  BOOST_TEST(ledger["closes"] == true);
+  BOOST_TEST(ledger["n_floes"] == 6);
+  const auto features = geometry::from_geojson(read("pieces.geojson")).value();
+  geometry::ExactArea floes;
+  for (const auto& f : features) {
+    if (f.kind == "floe") floes += geometry::area(f.polygon);
+  }
+  BOOST_TEST(ledger["floes"] == floes.to_string());
+  // Three wedges of half a 16-gon of radius 2: area 2^2 * 8 sin(2 pi/16) / 2, off by the grid.
+  const double expected = (4.0 + 1.0) * 4.0 * std::sin(std::acos(-1.0) / 8);
+  // The second disc has vertices of its own at the cracks' ends: its area lies between that of 16 chords and pi/2.
+  BOOST_TEST(floes.square_metres() > expected);
+  BOOST_TEST(floes.square_metres() < expected + std::acos(-1.0) / 2 - 4.0 * std::sin(std::acos(-1.0) / 8));
+}
+
+BOOST_AUTO_TEST_CASE(the_output_of_one_run_is_the_input_of_the_next) {
+  const std::string sheet = write("sheet.wkt", kSheet), first = (path / "first.geojson").string();
+  const std::string one = write("one.csv", "0,5,2,3\n"), two = write("two.csv", "10,5,2,4\n");
+  const std::string both = write("both.csv", "0,5,2,3\n10,5,2,4\n");
+  output_of(*this, {"crack", "--sheet", sheet, "--events", one, "-o", first});
+  output_of(*this, {"crack", "--sheet", first, "--events", two, "-o", (path / "second.geojson").string()});
+  output_of(*this, {"crack", "--sheet", sheet, "--events", both, "-o", (path / "both.geojson").string()});
+  BOOST_TEST(read("second.geojson") == read("both.geojson"));
+}
+
+BOOST_AUTO_TEST_CASE(cutters_take_their_overlap) {
+  const std::string sheet = write("sheet.wkt", kSheet);
+  const std::string cutters =
+      write("cutters.wkt", "POLYGON ((-1 -1, 2 -1, 2 2, -1 2, -1 -1))\nPOLYGON ((4 -1, 6 -1, 6 11, 4 11, 4 -1))\n");
+  const auto kept = output_of(*this, {"crack", "--sheet", sheet, "--cutters", cutters});
+  BOOST_TEST(kept["sheet"] == "76");
+  BOOST_TEST(kept["floes"] == "24");
+  BOOST_TEST(kept["n_sheet_parts"] == 2);
+  const auto released = output_of(*this, {"crack", "--sheet", sheet, "--cutters", cutters, "--release"});
+  BOOST_TEST(released["sheet"] == "40");
+  BOOST_TEST(released["n_floes"] == 3);
+}
+
+BOOST_AUTO_TEST_CASE(the_fit_finds_the_trapezoid_of_a_sheet) {
+  // A protrusion of depth 1, tip 0.5 and 90 deg on the left edge of a sheet.
+  const std::string sheet =
+      write("sheet.wkt", "POLYGON ((1 -20, 40 -20, 40 20, 1 20, 1 1.25, 0 0.25, 0 -0.25, 1 -1.25, 1 -20))");
+  const auto fit = output_of(*this, {"fit", "--sheet", sheet, "--at", "0,0", "--towards", "2,0"});
+  // As exact as the search, see the trapezoid's own tests.
+  BOOST_TEST(std::abs(fit["b"].get<double>() - 1.0) < 0.01);
+  BOOST_TEST(std::abs(fit["c"].get<double>() - 0.5) < 0.05);
+  BOOST_TEST(std::abs(fit["theta_deg"].get<double>() - 90.0) < 2.0);
+  BOOST_TEST(fit["error"].get<double>() < 1e-3);
+  BOOST_TEST(fit["reidentified"] == false);
+  const auto known =
+      output_of(*this, {"fit", "--sheet", sheet, "--at", "0,0", "--towards", "1,0", "--contact-length", "0.5"});
+  BOOST_TEST(known["c"] == 0.5);
+  // The free edge on the other side of the sheet is straight; a negative number is a value, no option.
+  const auto straight = output_of(*this, {"fit", "--sheet", sheet, "--at", "40,0", "--towards", "-1,0"});
+  BOOST_TEST(straight["b"] == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_refused_with_its_place) {
+  const std::string sheet = write("sheet.wkt", kSheet), bad = write("bad.wkt", "POLYGON ((0 0,\n1 x))");
+  const std::string crossed = write("crossed.wkt", "POLYGON ((0 0, 3 2, 3 0, 0 1, 0 0))");
+  const std::string events = write("events.csv", "0,5,2,3\n");
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& what) {
+    BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& e) { return names(e, what); });
+  };
+  refused({"crack", "--sheet", (path / "none").string(), "--events", events}, "none: cannot be read");
+  refused({"crack", "--sheet", path.string(), "--events", events}, "cannot be read: Is a directory");
+  refused({"crack", "--sheet", write("empty", ""), "--events", events}, "line 1, column 1: there is no geometry");
+  refused({"crack", "--sheet", bad, "--events", events}, "bad.wkt, line 2, column 3");
+  refused({"crack", "--sheet", crossed, "--events", events}, "crossed.wkt: polygon 0 crosses itself");
+  refused({"crack", "--sheet", sheet, "--cutters", crossed}, "cutter 1 is not simple");
+  refused({"crack", "--sheet", sheet}, "--events");
+  refused({"fit", "--sheet", sheet, "--at", "5,5", "--towards", "1,0"}, "no free edge within 3 m");
+  refused({"fit", "--sheet", sheet, "--at", "5", "--towards", "1,0"}, "--at = '5'");
+  refused({"fit", "--sheet", sheet, "--at", "0,5", "--towards", "0,0"}, "--towards");
+}
+
+BOOST_AUTO_TEST_CASE(events_are_refused_with_line_and_column) {
+  const auto refused = [](const std::string& text, const std::string& what) {
+    BOOST_CHECK_EXCEPTION(read_crack_events("e.csv", text), InputError,
+                          [&](const InputError& e) { return names(e, what); });
+  };
+  refused("x,y,radius,wedges\n1,2,3\n", "e.csv, line 2: 3 fields");
+  refused("1,2,-3,4", "e.csv, line 1: radius = '-3'");
+  refused("1,2,nan,4", "radius = 'nan'");
+  refused("1,inf,1,4", "y = 'inf': the circle must stay within");
+  refused("1,2,3,0", "wedges = '0'");
+  refused("1,2,3,2.5", "wedges = '2.5'");
+  refused("1,2,3,", "wedges = ''");
+  refused("1,2,3,5,0.1 0.2", "wedges = '5': 2 angles make 3 wedges");
+  refused("1,2,3,3,0.1 b", "angles = '0.1 b'");
+  refused("y,x,radius,wedges\n", "x = 'y'");
+  BOOST_TEST(read_crack_events("e.csv", "").empty());
+  const auto events = read_crack_events("e.csv", "x, y ,radius,wedges,angles\r\n+1, 2e0 ,3,2, 0.5;0.7\r\n");
+  BOOST_REQUIRE(events.size() == 1u);
+  BOOST_TEST((events[0].angles == std::vector<double>{0.5, 0.7}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace
+}  // namespace brash::cli

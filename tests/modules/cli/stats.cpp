@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/error.hpp"
+#include "brash/io/results.hpp"
+#include "brash/statistics/random.hpp"
+#include "load_history.hpp"
+#include "stats_commands.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::cli;
+using boost::test_tools::tolerance;
+
+/// A file that lives as long as the test.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text, const char* name = "history.csv")
+      : folder_(std::filesystem::temp_directory_path() / ("brash-cli-stats-" + std::to_string(getpid()))),
+        path_(folder_ / name) {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(path_) << text;
+  }
+  ~TemporaryFile() { std::filesystem::remove_all(folder_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path folder_, path_;
+};
+
+/// The message of the InputError that reading throws.
+std::string complaint(const std::string& text, const HistoryChoice& choice = {}) {
+  const TemporaryFile file(text);
+  try {
+    read_history(file.path(), choice);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+io::Case validation_cone() { return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml"); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(load_histories)
+
+BOOST_AUTO_TEST_CASE(a_named_column_is_read_with_its_times) {
+  const TemporaryFile file("# measured\ntime,Fx,Fz\n0.5,1e3,-1\n0.6,2000,-2\r\n0.7,+3000, -3\n\n");
+  const LoadHistory first = read_history(file.path(), {});
+  BOOST_TEST(first.column == "Fx");
+  BOOST_TEST(first.start == 0.5);
+  BOOST_TEST(first.dt == 0.1, tolerance(1e-12));
+  BOOST_TEST(first.samples == (std::vector<double>{1000, 2000, 3000}), boost::test_tools::per_element());
+  HistoryChoice vertical;
+  vertical.column = "Fz";
+  BOOST_TEST(read_history(file.path(), vertical).samples == (std::vector<double>{-1, -2, -3}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(numbers_without_names_and_other_separators_are_read) {
+  for (const std::string text : {"0 5\n1 6\n2 7\n", "0;5\n1;6\n2;7\n", "0\t5\n1\t6\n2\t7\n", "  0   5 \n 1  6\n2 7"}) {
+    const TemporaryFile file(text);
+    const LoadHistory history = read_history(file.path(), {});
+    BOOST_TEST(history.column == "2");
+    BOOST_TEST(history.samples == (std::vector<double>{5, 6, 7}), boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_single_column_needs_the_step) {
+  BOOST_TEST(contains(complaint("1\n2\n3\n"), "--dt"));
+  const TemporaryFile file("1\n2\n3\n");
+  HistoryChoice choice;
+  choice.dt = 0.25;
+  const LoadHistory history = read_history(file.path(), choice);
+  BOOST_TEST(history.dt == 0.25);
+  BOOST_TEST(history.samples.size() == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_earlier_than_from_is_left_out) {
+  const TemporaryFile file("time,F\n0.01,1\n0.02,2\n0.03,3\n0.04,4\n0.05,5\n");
+  HistoryChoice choice;
+  choice.has_from = true;
+  for (const double from : {0.03, 0.0299}) {
+    choice.from = from;
+    const LoadHistory history = read_history(file.path(), choice);
+    BOOST_TEST(history.samples == (std::vector<double>{3, 4, 5}), boost::test_tools::per_element());
+    BOOST_TEST(history.start == 0.03);
+  }
+  choice.from = 0.05;
+  BOOST_CHECK_THROW(read_history(file.path(), choice), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(the_loads_of_a_run_are_read_from_its_netcdf_file_as_from_its_table) {
+  const TemporaryFile place("");
+  const std::string folder = std::filesystem::path(place.path()).parent_path().string();
+  io::RunResults results;
+  for (int i = 1; i <= 20; ++i) {
+    io::LoadRow row;
+    row.time = 0.01 * i;
+    row.total = {{1e5 + i, 0.0, -2.0 * i}, {0.0, 3.0 * i, 0.0}};
+    row.crushing.force.z = 7.0 * i;
+    results.loads.push_back(row);
+  }
+  io::write_results(folder, validation_cone(), results);
+  for (const char* column : {"Fx", "Fz", "My", "crushing_Fz"}) {
+    HistoryChoice choice;
+    choice.column = column;
+    const LoadHistory table = read_history(folder + "/history.csv", choice);
+    const LoadHistory run = read_history(folder + "/run.nc", choice);
+    BOOST_TEST(run.samples == table.samples, boost::test_tools::per_element());
+    BOOST_TEST(run.start == table.start);
+    BOOST_TEST(run.dt == table.dt);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bad_files_are_refused_with_the_place) {
+  BOOST_TEST(contains(complaint("time,F\n0,1\n1,x\n2,3\n"), "history.csv:3: column 'F': 'x'"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\n1,nan\n2,3\n"), ":3:"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\n1,2,3\n"), ":3: 3 values in a table of 2"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\n1,2\n3,3\n4,4\n"), ":4:"));  // a sample is missing
+  BOOST_TEST(contains(complaint("time,F\n1,1\n0,2\n"), "must rise"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\n"), "2 are needed"));
+  HistoryChoice wrong;
+  wrong.column = "Fy";
+  BOOST_TEST(contains(complaint("time,Fx\n0,1\n1,2\n", wrong), "no column 'Fy'; there are: time, Fx"));
+  BOOST_CHECK_THROW(read_history("/no/such/file.csv", {}), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(stats_command)
+
+BOOST_AUTO_TEST_CASE(a_noisy_wave_has_its_mean_frequency_and_peaks) {
+  LoadHistory history{"Fx", 0.0, 0.02, {}};
+  statistics::RandomStream noise(1, "stats", 0, "noise");
+  for (int i = 0; i < 16000; ++i) {
+    history.samples.push_back(100.0 + 30.0 * std::sin(2.0 * kPi * 0.4 * 0.02 * i) + 0.01 * noise.normal());
+  }
+  const auto s = statistics_of(history, 3600.0);
+  BOOST_TEST(s["duration"].get<double>() == 320.0, tolerance(1e-12));
+  // 128 whole periods: the sine leaves the noise's error, 0.01 / sqrt(16000), times 4.
+  BOOST_CHECK_SMALL(s["mean"].get<double>() - 100.0, 4e-4);
+  BOOST_TEST(s["standard_deviation"].get<double>() == 30.0 / std::sqrt(2.0), tolerance(1e-4));
+  BOOST_TEST(s["spectrum_peak"]["frequency"].get<double>() == 0.4, tolerance(1e-9));  // 16 periods in a segment of 40 s
+  const auto peaks = s["peaks"]["count"].get<int>();
+  // A wave crosses its mean 128 times; noise of 0.01 against a slope of 1.5 a step adds no crossing but at the ends.
+  BOOST_TEST(std::abs(peaks - 127) <= 1);
+  BOOST_TEST(contains(statistics_text(s), "highest spectrum at  0.4 Hz"));
+}
+
+BOOST_AUTO_TEST_CASE(a_short_history_says_what_it_cannot_tell) {
+  const LoadHistory history{"Fx", 0.0, 0.1, {1.0, 3.0, 2.0, 5.0}};
+  const auto s = statistics_of(history, 3600.0);
+  BOOST_TEST(s["spectrum_peak"].is_null());
+  BOOST_TEST(s["extremes"].contains("not_fitted"));
+  BOOST_TEST(!s["long_enough"].get<bool>());
+  BOOST_TEST(contains(statistics_text(s), "unknown: a generalised Pareto fit needs at least 10 peaks"));
+  BOOST_TEST(contains(statistics_text(s), "shorter than 50 autocorrelation times"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(loads_command)
+
+BOOST_AUTO_TEST_CASE(the_validation_cone_has_its_known_peaks) {
+  const auto loads = closed_form_loads(validation_cone())["loads"];
+  BOOST_TEST_REQUIRE(loads.size() == 6U);  // Croasdale, Ralston twice, 3 to 5 wedges
+  BOOST_CHECK_SMALL(loads[0]["horizontal"].get<double>() - 319e3, 0.5e3);
+  BOOST_CHECK_SMALL(loads[1]["horizontal"].get<double>() - 275e3, 0.5e3);
+  BOOST_TEST(loads[3]["horizontal"].get<double>() / loads[3]["vertical"].get<double>() ==
+                 loads[0]["horizontal"].get<double>() / loads[0]["vertical"].get<double>(),
+             tolerance(1e-12));  // the same slope and friction
+  BOOST_TEST(contains(loads_text(closed_form_loads(validation_cone())), "Croasdale"));
+}
+
+BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {
+  io::Case c = validation_cone();
+  c.ice.friction_structure = 0.6;
+  const auto loads = closed_form_loads(c);
+  for (const auto& load : loads["loads"]) BOOST_TEST(load.contains("not_applicable"));
+  BOOST_TEST(contains(loads_text(loads), "not applicable: the ice locks"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

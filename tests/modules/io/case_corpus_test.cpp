@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every broken case of tests/corpus/bad/cases must end with an InputError that names all a user needs. What else a
+// message must say stands in the file, in lines `# expect: text`.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "brash/core/error.hpp"
+#include "brash/io/case.hpp"
+#include "scratch.hpp"
+
+namespace {
+
+std::vector<std::filesystem::path> corpus() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(BRASH_SOURCE_DIR "/tests/corpus/bad/cases"))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> expectations(const std::filesystem::path& file) {
+  const std::string mark = "# expect: ";
+  std::istringstream stream(read_bytes(file.string()));
+  std::vector<std::string> texts;
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with(mark)) texts.push_back(line.substr(mark.size()));
+  return texts;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(case_corpus)
+
+BOOST_AUTO_TEST_CASE(every_broken_case_is_refused_with_all_that_a_user_needs) {
+  const std::vector<std::filesystem::path> files = corpus();
+  BOOST_TEST(files.size() >= 80u);
+  // place: key [= value]: what, then what is allowed and the remedy.
+  const std::regex shape(
+      "^[^\n]*\\.toml:[0-9]+:[0-9]+: [^\n]+: [^\n]+\n  allowed: [^\n]+\n(  nearest: [^\n]+\n)?  remedy:  [^\n]+");
+  for (const std::filesystem::path& file : files) {
+    std::string message;
+    try {
+      brash::io::read_case(file.string());
+    } catch (const brash::InputError& error) {
+      message = error.what();
+    }
+    BOOST_TEST(!message.empty(), file.filename() << " is not refused");
+    BOOST_TEST(std::regex_search(message, shape), file.filename() << " has a message of another shape:\n" << message);
+    // A message goes to a terminal: what a file says may not steer it.
+    BOOST_TEST(std::none_of(message.begin(), message.end(), [](char c) { return c != '\n' && c >= 0 && c < 0x20; }));
+    const std::vector<std::string> texts = expectations(file);
+    BOOST_TEST(!texts.empty(), file.filename() << " expects nothing");
+    for (const std::string& text : texts)
+      BOOST_TEST(message.find(text) != std::string::npos, file.filename() << ": \"" << text << "\" is not in\n"
+                                                                          << message);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

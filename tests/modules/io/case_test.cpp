@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/io/case.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/error.hpp"
+#include "scratch.hpp"
+
+using namespace brash;
+using namespace brash::io;
+
+namespace {
+
+const std::string kValidation = std::string(BRASH_SOURCE_DIR) + "/experiments/validation/cone.toml";
+
+Case with(const std::string& override_text) { return read_case(kValidation, {override_text}); }
+double thickness(const std::string& value) { return with("ice.thickness=" + value).ice.thickness; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(case_file)
+
+BOOST_AUTO_TEST_CASE(the_validation_case_has_the_values_of_the_paper) {
+  const Case c = read_case(kValidation);
+  BOOST_TEST(c.name == "cone");
+  BOOST_TEST(c.ice.thickness == 0.33);
+  BOOST_TEST(c.ice.youngs_modulus == 0.35e9);
+  BOOST_TEST(c.ice.flexural_strength == 539e3);
+  BOOST_TEST(c.ice.compressive_strength == 1e6);
+  // The conversion factor pi/180 is rounded differently by UDUNITS: one unit in the last place.
+  BOOST_TEST(std::abs(c.structure.angle - radians(61.4)) <= 2.3e-16);
+  BOOST_TEST(c.structure.speed == 1.202);
+  BOOST_TEST(c.failure.model == "network");
+  BOOST_TEST(c.failure.wedges[0] == 3);
+  BOOST_TEST(c.failure.wedges[1] == 5);
+  BOOST_TEST(c.random.seed == 1u);
+  BOOST_TEST(c.time.duration == 20.0);
+}
+
+BOOST_AUTO_TEST_CASE(keys_that_are_not_written_have_the_defaults_of_the_header) {
+  const Scratch scratch;
+  const Case c = read_case(scratch.write("least.toml", kLeastCase));
+  Case expected;
+  expected.name = "least";
+  expected.ice.thickness = 0.33;
+  expected.ice.youngs_modulus = 0.35e9;
+  expected.ice.flexural_strength = 539e3;
+  expected.structure.angle = c.structure.angle;
+  expected.structure.waterline_width = 13.6;
+  expected.structure.height = 9.08;
+  expected.structure.height_under_water = 5.68;
+  expected.structure.speed = 1.202;
+  expected.structure.start_distance = 7;
+  expected.field.length = 50;
+  expected.field.width = 50;
+  expected.time.duration = 20;
+  BOOST_TEST(to_toml(c) == to_toml(expected));
+  BOOST_TEST((c == expected));
+}
+
+BOOST_AUTO_TEST_CASE(the_resolved_text_reads_back_to_the_same_case) {
+  const Scratch scratch;
+  scratch.write("model \"a\".json", "{}");
+  Case c = read_case(kValidation, {"structure.angle=0.1 deg", "structure.angle=61.37 deg",
+                                   "time.step=0.1234567890123456789", "random.seed=9223372036854775807",
+                                   "water.current=['10 cm/s', -1e-17]", "ice.density=899.99999999999989",
+                                   "structure.breaking=upward", "failure.file=" + scratch.path("model \"a\".json"),
+                                   "field.initial_crack=false", "output.statistics_from=7.3"});
+  BOOST_TEST(c.random.seed == 9223372036854775807u);
+  const Case again = read_case(scratch.write("cone.toml", to_toml(c)));
+  BOOST_TEST((again == c));
+  BOOST_TEST(to_toml(again) == to_toml(c));
+}
+
+BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
+  const Scratch scratch;
+  const Case c = read_case(scratch.write("cone.toml", case_template()));
+  Case validation = read_case(kValidation);
+  validation.reference = {};  // a measured load belongs to one case
+  BOOST_TEST((c == validation));
+  // Every key of the resolved text is in the template too.
+  const std::string text = case_template();
+  for (const char* key : {"\nrotational_drag = ", "\ncurrent = ", "\nreplicate = ", "\narea = ", "\nfile = "})
+    BOOST_TEST(text.find(key) != std::string::npos, key);
+}
+
+BOOST_AUTO_TEST_CASE(quantities_convert_to_si) {
+  BOOST_TEST(thickness("33 cm") == 0.33);
+  BOOST_TEST(thickness("\"33cm\"") == 0.33);
+  BOOST_TEST(thickness("330 mm") == 0.33);
+  BOOST_TEST(thickness("+3.3e-1 m") == 0.33);
+  BOOST_TEST(thickness("1 ft") == 0.3048);
+  BOOST_TEST(thickness("1 in") == 0.0254);
+  BOOST_TEST(with("ice.flexural_strength=539 kPa").ice.flexural_strength == 539e3);
+  BOOST_TEST(with("ice.flexural_strength=0.539 N/mm2").ice.flexural_strength == 539e3);
+  BOOST_TEST(with("ice.flexural_strength=0.539 N mm^-2").ice.flexural_strength == 539e3);
+  BOOST_TEST(with("ice.density=0.9 g/cm3").ice.density == 900.0);
+  BOOST_TEST(with("structure.speed=3.6 km/h").structure.speed == 1.0,
+             boost::test_tools::tolerance(4e-16));  // two roundings
+  BOOST_TEST(with("time.duration=1 min").time.duration == 60.0);
+  BOOST_TEST(with("ice.poisson_ratio=30 %").ice.poisson_ratio == 0.3);
+  BOOST_TEST(with("output.frames_per_second=25 Hz").output.frames_per_second == 25.0);
+  BOOST_TEST(with("output.frames_per_second=25 1/s").output.frames_per_second == 25.0);
+  BOOST_TEST(with("structure.angle=1.07 rad").structure.angle == 1.07);
+  BOOST_TEST(with("structure.angle=1.07").structure.angle == 1.07);
+}
+
+BOOST_AUTO_TEST_CASE(units_that_udunits_misreads_mean_what_sailors_mean) {
+  // UDUNITS alone: nano-mile and parts per trillion.
+  BOOST_TEST(with("field.length=1 nmi").field.length == 1852.0);
+  BOOST_TEST(with("ice.friction_ice=300 ppt").ice.friction_ice == 0.3);
+  // Its knot is 1852/3600 m/s, printed and stored as a double.
+  BOOST_TEST(with("structure.speed=2 knots").structure.speed == 2 * 1852.0 / 3600.0,
+             boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(overrides_win_over_the_file_and_the_last_one_wins) {
+  const Case c = read_case(kValidation, {"ice.thickness=0.4", "ice.thickness = 50 cm", "contact.restitution=0.1"});
+  BOOST_TEST(c.ice.thickness == 0.5);
+  BOOST_TEST(c.contact.restitution == 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_model_file_is_relative_to_the_case_file) {
+  const Scratch scratch;
+  const std::string model = scratch.write("model.json", "{}");
+  const std::string path = scratch.write("case.toml", std::string(kLeastCase) + "[failure]\nfile = \"./model.json\"\n");
+  BOOST_TEST(read_case(path).failure.file == model);
+}
+
+BOOST_AUTO_TEST_CASE(the_schema_is_what_the_program_carries) {
+  BOOST_TEST(case_schema() == read_bytes(std::string(BRASH_SOURCE_DIR) + "/modules/io/case.schema.json"));
+}
+
+BOOST_AUTO_TEST_CASE(every_key_has_a_meaning_a_unit_and_limits_that_hold) {
+  const auto schema = nlohmann::json::parse(case_schema());
+  const auto refused = [](const std::string& key, const std::string& value) {
+    try {
+      read_case(kValidation, {key + "=" + value});
+    } catch (const InputError& error) {
+      return std::string(error.what()).find(key) != std::string::npos;
+    }
+    return false;
+  };
+  for (const auto& [section, content] : schema["properties"].items()) {
+    BOOST_TEST(!content["additionalProperties"].get<bool>(), section);
+    for (const auto& [name, key] : content["properties"].items()) {
+      const std::string full_name = section + "." + name;
+      BOOST_TEST(!key["description"].get<std::string>().empty(), full_name);
+      BOOST_TEST(refused(full_name, "2020-01-01"), full_name);
+      BOOST_TEST(refused(full_name, "nan"), full_name);
+      if (!key["type"].is_array()) continue;
+
+      // A quantity: it has a unit, both limits or a reason in its kind, and a value just outside is refused.
+      BOOST_TEST(key.contains("x-unit"), full_name);
+      BOOST_TEST((key.contains("minimum") || key.contains("exclusiveMinimum")), full_name);
+      BOOST_TEST((key.contains("maximum") || key.contains("exclusiveMaximum")), full_name);
+      BOOST_TEST(refused(full_name, "1 cd"), full_name);
+      if (key.contains("exclusiveMinimum")) BOOST_TEST(refused(full_name, key["exclusiveMinimum"].dump()), full_name);
+      if (key.contains("minimum"))
+        BOOST_TEST(refused(full_name, std::to_string(key["minimum"].get<double>() - 0.01)), full_name);
+      if (key.contains("exclusiveMaximum")) BOOST_TEST(refused(full_name, key["exclusiveMaximum"].dump()), full_name);
+      if (key.contains("maximum"))
+        BOOST_TEST(refused(full_name, std::to_string(key["maximum"].get<double>() * 1.01)), full_name);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

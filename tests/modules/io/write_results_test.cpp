@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "brash/core/error.hpp"
+#include "brash/core/version.hpp"
+#include "sample_results.hpp"
+#include "scratch.hpp"
+
+using namespace brash;
+using namespace brash::io;
+
+namespace {
+
+const std::string kSource = BRASH_SOURCE_DIR;
+
+Case validation() { return read_case(kSource + "/experiments/validation/cone.toml"); }
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::istringstream stream(read_bytes(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t n_files(const std::filesystem::path& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+/// The message that `action` fails with while no file may grow beyond `n_bytes`: a stand-in for a full disk.
+template <typename Error, typename Action>
+std::string message_on_full_disk(rlim_t n_bytes, Action action) {
+  rlimit before{};
+  BOOST_REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{n_bytes, before.rlim_max};
+  BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
+  std::string message;
+  try {
+    action();
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  return message;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(results)
+
+BOOST_AUTO_TEST_CASE(what_is_written_reads_back_bit_for_bit) {
+  const Scratch scratch;
+  const RunResults written = sample_results();
+  write_results(scratch.folder().string(), validation(), written);
+  const RunResults read = read_results(scratch.path("run.nc"));
+  BOOST_TEST((read == written));
+  BOOST_TEST(std::signbit(read.loads[0].total.moment.z));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_in_which_nothing_happened_is_written_too) {
+  const Scratch scratch;
+  write_results(scratch.folder().string(), validation(), {});
+  BOOST_TEST((read_results(scratch.path("run.nc")) == RunResults{}));
+  BOOST_TEST(lines_of(scratch.path("history.csv")).size() == 1u);
+  BOOST_TEST(lines_of(scratch.path("events.csv")).size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_long_history_is_compressed) {
+  const Scratch scratch;
+  RunResults results = sample_results();
+  constexpr std::size_t kSteps = 20000;
+  results.loads.resize(kSteps, results.loads[0]);
+  write_results(scratch.folder().string(), validation(), results);
+  // Rows that repeat: deflate makes much less than a tenth of them.
+  BOOST_TEST(std::filesystem::file_size(scratch.path("run.nc")) < kSteps * sizeof(LoadRow) / 10);
+  BOOST_TEST((read_results(scratch.path("run.nc")) == results));
+}
+
+BOOST_AUTO_TEST_CASE(two_writes_give_the_same_bytes) {
+  const Scratch scratch;
+  write_results(scratch.path("a"), validation(), sample_results());
+  // HDF5 stamps objects with whole seconds unless told not to.
+  ::usleep(1'100'000);
+  write_results(scratch.path("b"), validation(), sample_results());
+  for (const char* name : {"run.nc", "history.csv", "events.csv"})
+    BOOST_TEST(read_bytes(scratch.path(std::string("a/") + name)) == read_bytes(scratch.path(std::string("b/") + name)),
+               name);
+  BOOST_TEST(n_files(scratch.folder() / "a") == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(the_load_history_has_a_line_a_step) {
+  const Scratch scratch;
+  write_results(scratch.folder().string(), validation(), sample_results());
+  const std::vector<std::string> lines = lines_of(scratch.path("history.csv"));
+  BOOST_REQUIRE(lines.size() == 6u);
+  BOOST_TEST(lines[0] ==
+             "time,Fx,Fy,Fz,Mx,My,Mz,crushing_Fx,crushing_Fy,crushing_Fz,crushing_Mx,crushing_My,crushing_Mz,"
+             "floe_normal_Fx,floe_normal_Fy,floe_normal_Fz,floe_normal_Mx,floe_normal_My,floe_normal_Mz,"
+             "floe_friction_Fx,floe_friction_Fy,floe_friction_Fz,floe_friction_Mx,floe_friction_My,floe_friction_Mz,"
+             "kinetic_energy,potential_energy,work,birth_energy,area_sheet,area_floes,area_crushed,area_deleted,"
+             "area_brash,area_snap,n_floes,n_contacts");
+  BOOST_TEST(lines[1] ==
+             "0.01,0.3333333333333333,-2.5,100000,0.1,0.2,-0,0.1,0.2,0.3,1,2,3,1.1,1.2,1.3,4,5,6,2.1,2.2,2.3,7,8,9,"
+             "12.5,0.25,1000,0.125,2499,1,1e-09,0.5,0.03,-1e-18,1,2");
+}
+
+BOOST_AUTO_TEST_CASE(events_have_breaks_and_deletions_in_the_order_of_time) {
+  const Scratch scratch;
+  write_results(scratch.folder().string(), validation(), sample_results());
+  const std::vector<std::string> lines = lines_of(scratch.path("events.csv"));
+  BOOST_REQUIRE(lines.size() == 5u);
+  BOOST_TEST(lines[0] ==
+             "time,x,y,b,c,theta,mu1,mu2,p,sigma_max,l_break,wedges,in_range,substeps,area_before,area_after,fit_error,"
+             "pieces,event,cause,floe,floe_area,peak_stress");
+  BOOST_TEST(
+      lines[1] ==
+      "0.02,0.1,-0.2,0.5,0.3,1.0471975511965976,0.511,0.027,500000,540000,1.7,4,1,2,2499,2495.5,0.011,5,break,,,,");
+  BOOST_TEST(lines[2] == "0.03,,,,,,,,,,,,,,,,,,deleted,crushed,1,0.5,1250000");
+  BOOST_TEST(lines[3].starts_with("0.04,0.1,"));
+  BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,deleted,outside,7,4,0");
+}
+
+BOOST_AUTO_TEST_CASE(a_full_disk_leaves_no_file_under_its_name) {
+  for (const rlim_t n_bytes : {0u, 2000u, 20000u}) {
+    const Scratch scratch;
+    const Case resolved = validation();
+    const RunResults results = sample_results();
+    const std::string message =
+        message_on_full_disk<RunError>(n_bytes, [&] { write_results(scratch.folder().string(), resolved, results); });
+    BOOST_TEST(message.find("run.nc: ") != std::string::npos, message);
+    BOOST_TEST(message.find("remedy") != std::string::npos, message);
+    BOOST_TEST(n_files(scratch.folder()) == 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_file_that_is_no_run_is_refused) {
+  const Scratch scratch;
+  const auto names = [](const std::string& part) {
+    return [part](const InputError& error) { return std::string(error.what()).find(part) != std::string::npos; };
+  };
+  BOOST_CHECK_EXCEPTION(read_results(scratch.path("none.nc")), InputError, names("none.nc: file cannot be read"));
+  BOOST_CHECK_EXCEPTION(read_results(scratch.write("a.nc", "text")), InputError, names("a.nc: file cannot be read"));
+  // A run cut short in the middle.
+  write_results(scratch.folder().string(), validation(), sample_results());
+  const std::string bytes = read_bytes(scratch.path("run.nc"));
+  BOOST_CHECK_EXCEPTION(read_results(scratch.write("half.nc", bytes.substr(0, bytes.size() / 2))), InputError,
+                        names("half.nc: "));
+}
+
+BOOST_AUTO_TEST_CASE(xarray_reads_the_run_as_documented) {
+  const Scratch scratch;
+  write_results(scratch.folder().string(), validation(), sample_results());
+  const std::string command =
+      "/usr/bin/python3 '" + kSource + "/tests/modules/io/open_with_xarray.py' '" + scratch.path("run.nc") + "'";
+  BOOST_TEST(std::system(command.c_str()) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_manifest_says_what_repeats_the_run) {
+  const Scratch scratch;
+  const Case resolved = validation();
+  const std::string input = scratch.write("abc.txt", "abc");
+  write_results(scratch.path("out"), resolved, sample_results());
+  write_manifest(scratch.path("out"), resolved, {input}, {"run.nc", "history.csv"}, {"2026-01-01T00:00:00Z", 1.5, ""});
+  const auto manifest = nlohmann::json::parse(read_bytes(scratch.path("out/manifest.json")));
+  BOOST_TEST(manifest["program"]["version"] == kVersion);
+  BOOST_TEST(manifest["built_with"].contains("compiler"));
+  BOOST_TEST(manifest["built_with"].contains("CGAL"));
+  BOOST_TEST(!manifest["glibc"].get<std::string>().empty());
+  BOOST_TEST(manifest["seeds"]["seed"] == 1);
+  // The SHA-256 of "abc" as in FIPS 180-2, appendix B.1.
+  BOOST_TEST(manifest["inputs"][0]["sha256"] == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  BOOST_TEST(manifest["inputs"][0]["path"] == input);
+  BOOST_TEST(manifest["inputs"][0]["bytes"] == 3);
+  BOOST_TEST(manifest["outputs"][1]["path"] == "history.csv");
+  BOOST_TEST(manifest["outputs"][0]["sha256"] == sha256_of_file(scratch.path("out/run.nc")));
+  BOOST_TEST(manifest["volatile"]["wall_seconds"] == 1.5);
+  BOOST_TEST(!manifest["volatile"]["host_cpu"].get<std::string>().empty());
+
+  // The resolved case in it is a case file.
+  const Case again = read_case(scratch.write("cone.toml", manifest["case"]["toml"]));
+  BOOST_TEST((again == resolved));
+}
+
+BOOST_AUTO_TEST_CASE(only_the_volatile_part_of_the_manifest_changes_between_equal_runs) {
+  const Scratch scratch;
+  write_manifest(scratch.path("a"), validation(), {}, {}, {"2026-01-01T00:00:00Z", 1.5, "one"});
+  write_manifest(scratch.path("b"), validation(), {}, {}, {"2026-01-02T00:00:00Z", 2.5, "two"});
+  auto a = nlohmann::json::parse(read_bytes(scratch.path("a/manifest.json")));
+  auto b = nlohmann::json::parse(read_bytes(scratch.path("b/manifest.json")));
+  BOOST_TEST(a != b);
+  a.erase("volatile");
+  b.erase("volatile");
+  BOOST_TEST(a == b);
+}
+
+BOOST_AUTO_TEST_CASE(a_manifest_of_a_missing_file_is_refused) {
+  const Scratch scratch;
+  BOOST_CHECK_EXCEPTION(
+      write_manifest(scratch.folder().string(), validation(), {}, {"no.nc"}, {}), RunError, [](const RunError& error) {
+        return std::string(error.what()).find("no.nc: cannot be hashed: No such file") != std::string::npos;
+      });
+  BOOST_TEST(n_files(scratch.folder()) == 0u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/simulation/simulation.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <set>
+
+#include "brash/core/error.hpp"
+#include "brash/io/case.hpp"
+#include "brash/simulation/run.hpp"
+#include "brash/simulation/scales.hpp"
+
+namespace {
+
+using namespace brash;
+
+/// The validation case, cut short: 3.5 s see the first dozens of breaks.
+io::Case short_case(std::vector<std::string> overrides = {}) {
+  overrides.push_back("time.duration=3.5");
+  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
+}
+
+struct Bytes {
+  std::vector<double> loads;
+  std::vector<double> poses;
+  friend bool operator==(const Bytes&, const Bytes&) = default;
+};
+
+Bytes bytes_of(const simulation::Run& run) {
+  Bytes bytes;
+  for (const io::LoadRow& row : run.results.loads)
+    for (const double value : {row.total.force.x, row.total.force.z, row.total.moment.y, row.kinetic_energy})
+      bytes.loads.push_back(value);
+  for (const io::Frame& frame : run.results.frames)
+    for (const io::FloePose& floe : frame.floes)
+      for (const double value :
+           {floe.pose.position.x, floe.pose.position.y, floe.pose.position.z, floe.pose.rotation.w})
+        bytes.poses.push_back(value);
+  return bytes;
+}
+
+BOOST_AUTO_TEST_CASE(one_seed_gives_one_history_and_another_seed_another) {
+  const Bytes first = bytes_of(simulation::run(short_case()));
+  BOOST_TEST((first == bytes_of(simulation::run(short_case()))));
+  BOOST_TEST((first != bytes_of(simulation::run(short_case({"random.seed=2"})))));
+}
+
+BOOST_AUTO_TEST_CASE(the_ledger_closes_after_every_step) {
+  const auto closes = [](const simulation::Simulation& simulation, const simulation::StepReport&) {
+    BOOST_REQUIRE(simulation.ledger().closes());
+  };
+  BOOST_TEST(simulation::run(short_case(), {.observer = closes}).complete);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_reports_what_it_did) {
+  int n_breaks = 0;
+  std::set<std::int64_t> born;
+  const auto look = [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
+    n_breaks += static_cast<int>(report.events.size());
+    for (const io::FloeRecord& floe : report.births) BOOST_TEST(born.insert(floe.id).second);
+    for (const io::CrackEvent& event : report.events) {
+      BOOST_TEST(event.sigma_max > 539e3);  // the flexural strength
+      BOOST_TEST(event.area_after < event.area_before);
+      BOOST_TEST(event.breaking_length > 0.0);
+    }
+    BOOST_TEST(report.loads.time == simulation.time());
+  };
+  (void)simulation::run(short_case(), {.observer = look});
+  BOOST_TEST(n_breaks > 5);
+  BOOST_TEST(born.size() > 10u);
+}
+
+BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
+  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-checkpoint.nc").string();
+  std::filesystem::remove(file);
+  const simulation::Run whole = simulation::run(short_case());
+  double stop_at = 1.0;
+  double now = 0.0;
+  const simulation::RunOptions options{
+      .observer = [&](const simulation::Simulation& s, const simulation::StepReport&) { now = s.time(); },
+      .checkpoint_file = file,
+      .resume = true,
+      .interrupted = [&] { return now >= stop_at; }};
+  simulation::Run resumed = simulation::run(short_case(), options);
+  for (; !resumed.complete; resumed = simulation::run(short_case(), options)) stop_at += 1.1;
+  BOOST_TEST((bytes_of(resumed) == bytes_of(whole)));
+  BOOST_TEST((resumed.results == whole.results));
+  BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
+  BOOST_CHECK_THROW(simulation::run(short_case({"random.seed=2"}), {.checkpoint_file = file, .resume = true}),
+                    InputError);
+  std::filesystem::remove(file);
+}
+
+BOOST_AUTO_TEST_CASE(far_from_the_ice_nothing_loads_the_structure) {
+  simulation::Simulation simulation(short_case({"structure.start_distance=20", "field.initial_crack=false"}));
+  for (int i = 0; i < 20; ++i) {
+    const simulation::StepReport report = simulation.step();
+    BOOST_TEST(norm(report.loads.total.force) == 0.0);
+    BOOST_TEST(report.events.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_anything_near_the_floes_of_the_initial_crack_stay_where_they_are) {
+  simulation::Simulation simulation(short_case({"structure.start_distance=20"}));
+  const io::Frame before = simulation.frame();
+  for (int i = 0; i < 100; ++i) (void)simulation.step();
+  const io::Frame after = simulation.frame();
+  BOOST_REQUIRE(before.floes.size() >= 3u);
+  for (std::size_t i = 0; i < before.floes.size(); ++i)
+    // Floating at rest to the rounding of weight against buoyancy, a second long.
+    BOOST_TEST(norm(after.floes[i].pose.position - before.floes[i].pose.position) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(scales_of_the_validation_case_are_those_of_the_paper) {
+  const simulation::DerivedScales scales = simulation::derived_scales(short_case());
+  BOOST_TEST(scales.characteristic_length == 3.27, boost::test_tools::tolerance(2e-3));  // three digits
+  BOOST_TEST(scales.mu1 == 0.511, boost::test_tools::tolerance(1e-3));                   // three digits
+  BOOST_TEST(scales.draft == 0.33 * 900.0 / 1025.0, boost::test_tools::tolerance(1e-14));
+}
+
+}  // namespace

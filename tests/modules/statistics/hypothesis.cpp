@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/statistics/hypothesis.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <vector>
+
+#include "brash/core/contract.hpp"
+#include "brash/statistics/random.hpp"
+
+namespace {
+
+using namespace brash::statistics;
+using Samples = std::vector<double>;
+using boost::test_tools::tolerance;
+
+/// Two-sided Kendall p by trying every permutation of y; x is 0, 1, 2, ...
+double kendall_by_permutations(Samples y) {
+  const auto score = [](const Samples& v) {
+    int s = 0;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      for (std::size_t j = i + 1; j < v.size(); ++j) s += v[j] > v[i] ? 1 : -1;
+    return s;
+  };
+  const int observed = std::abs(score(y));
+  int n = 0, as_far = 0;
+  std::sort(y.begin(), y.end());
+  do {
+    ++n;
+    as_far += std::abs(score(y)) >= observed ? 1 : 0;
+  } while (std::next_permutation(y.begin(), y.end()));
+  return static_cast<double>(as_far) / n;
+}
+
+Samples normals(const char* purpose, std::uint64_t replicate, int n, double shift = 0.0) {
+  RandomStream stream(6, "hypothesis", replicate, purpose);
+  Samples x;
+  for (int i = 0; i < n; ++i) x.push_back(shift + stream.normal());
+  return x;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(hypothesis)
+
+BOOST_AUTO_TEST_CASE(exact_kendall_counts_permutations) {
+  for (const Samples& y : {Samples{1, 2, 3, 4, 5}, Samples{2, 1, 4, 3, 5}, Samples{3, 1, 4, 2, 6, 5, 7}}) {
+    Samples x(y.size());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(i);
+    BOOST_TEST(kendall(x, y).p_value == kendall_by_permutations(y), tolerance(1e-13));  // rounding of a few sums
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_rising_series_has_tau_one_and_a_constant_one_says_nothing) {
+  const Samples x{1, 2, 3, 4, 5};
+  BOOST_TEST(kendall(x, x).statistic == 1.0);
+  BOOST_TEST(kendall(x, x).p_value == 2.0 / 120.0, tolerance(1e-14));
+  BOOST_TEST(kendall(x, Samples(5, 3.0)).p_value == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(jonckheere_terpstra_rejects_true_equality_in_5_of_100_cases_and_finds_a_trend) {
+  int rejected = 0, found = 0;
+  constexpr int kTrials = 1000;
+  for (std::uint64_t r = 0; r < kTrials; ++r) {
+    std::vector<Samples> equal, rising;
+    for (int g = 0; g < 5; ++g) {
+      equal.push_back(normals("equal", 10 * r + static_cast<std::uint64_t>(g), 6));
+      rising.push_back(normals("rising", 10 * r + static_cast<std::uint64_t>(g), 6, 0.5 * g));
+    }
+    rejected += jonckheere_terpstra(equal).p_value < 0.05 ? 1 : 0;
+    const TestResult trend = jonckheere_terpstra(rising);
+    found += trend.p_value < 0.05 && trend.statistic > 0.0 ? 1 : 0;
+  }
+  BOOST_TEST(std::abs(rejected - 0.05 * kTrials) < 3.0 * 6.9);  // three errors of a count, sqrt(1000 x 0.05 x 0.95)
+  BOOST_TEST(found > 0.95 * kTrials);                           // ends differ by 2 deviations
+}
+
+BOOST_AUTO_TEST_CASE(jonckheere_terpstra_needs_the_order_of_the_groups) {
+  std::vector<Samples> groups{{1, 2}, {3, 4}, {5, 6}};
+  const double rising = jonckheere_terpstra(groups).statistic;
+  std::reverse(groups.begin(), groups.end());
+  BOOST_TEST(jonckheere_terpstra(groups).statistic == -rising);
+  BOOST_TEST(jonckheere_terpstra({{1, 1}, {1, 1}}).p_value == 1.0);
+  BOOST_CHECK_THROW(jonckheere_terpstra({{1, 2}}), brash::ContractViolation);
+  BOOST_CHECK_THROW(jonckheere_terpstra({{1, 2}, {}}), brash::ContractViolation);
+}
+
+BOOST_AUTO_TEST_CASE(holm_steps_down_and_never_reorders) {
+  // Sorted 0.01, 0.02, 0.03, 0.04 times 4, 3, 2, 1: 0.04, 0.06, then never less than before.
+  const Samples adjusted = holm(Samples{0.04, 0.01, 0.03, 0.02});
+  BOOST_TEST(adjusted == (Samples{0.06, 0.04, 0.06, 0.06}), tolerance(1e-15) << boost::test_tools::per_element());
+  BOOST_TEST(holm(Samples{0.6, 0.7}) == (Samples{1.0, 1.0}), boost::test_tools::per_element());
+  BOOST_TEST(holm(Samples{}).empty());
+  BOOST_CHECK_THROW(holm(Samples{1.5}), brash::ContractViolation);
+}
+
+BOOST_AUTO_TEST_CASE(holm_keeps_the_chance_of_any_false_alarm_at_5_of_100) {
+  int alarms = 0;
+  for (std::uint64_t r = 0; r < 1000; ++r) {
+    Samples p;
+    for (std::uint64_t k = 0; k < 6; ++k)
+      p.push_back(compare_means(normals("a", 6 * r + k, 8), normals("b", 6 * r + k, 8)).test.p_value);
+    const Samples adjusted = holm(p);
+    alarms += *std::min_element(adjusted.begin(), adjusted.end()) < 0.05 ? 1 : 0;
+  }
+  BOOST_TEST(alarms < 1000 * 0.05 + 3.0 * 6.9);
+}
+
+BOOST_AUTO_TEST_CASE(correlated_histories_are_compared_by_their_effective_sample_sizes) {
+  Summary a, b;
+  a.mean = 10.0, b.mean = 9.0;
+  a.standard_deviation = b.standard_deviation = 2.0;
+  a.effective_sample_size = b.effective_sample_size = 32.0;
+  const MeanComparison c = compare_means(a, b);
+  BOOST_TEST(c.test.statistic == 2.0, tolerance(1e-14));              // 1 / sqrt(2 x 4 / 32)
+  BOOST_CHECK_SMALL(c.interval.lower - (1.0 - 0.5 * 1.99897), 5e-6);  // t(62), 97.5 %, from a table
+}
+
+BOOST_AUTO_TEST_CASE(samples_without_spread_are_equal_or_different) {
+  BOOST_TEST(compare_means(Samples{1, 1}, Samples{1, 1}).test.p_value == 1.0);
+  BOOST_TEST(compare_means(Samples{1, 1}, Samples{2, 2}).test.p_value == 0.0);
+  BOOST_TEST(mann_whitney(Samples{1, 1}, Samples{1, 1}).p_value == 1.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads samples as JSON from stdin and prints what the statistics room makes of them, for scipy_check.py to compare.
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "brash/statistics/extremes.hpp"
+#include "brash/statistics/hypothesis.hpp"
+#include "brash/statistics/intervals.hpp"
+#include "brash/statistics/moments.hpp"
+#include "brash/statistics/peaks.hpp"
+#include "brash/statistics/quantile.hpp"
+#include "brash/statistics/spectrum.hpp"
+#include "brash/statistics/summary.hpp"
+
+namespace {
+
+using namespace brash::statistics;
+using nlohmann::json;
+using Samples = std::vector<double>;
+
+json of(const Interval& i) { return json::array({i.lower, i.upper}); }
+json of(const Estimate& e) { return {{"value", e.value}, {"interval", of(e.interval)}}; }
+json of(const TestResult& t) { return {{"statistic", t.statistic}, {"p", t.p_value}}; }
+json of(const MeanComparison& c) {
+  return {{"difference", c.difference}, {"interval", of(c.interval)}, {"test", of(c.test)}};
+}
+json of(const std::vector<Peak>& peaks) {
+  json out = json::array();
+  for (const Peak& p : peaks) out.push_back(p.index);
+  return out;
+}
+
+json one_history(const Samples& x, const json& in) {
+  const double dt = in["dt"];
+  const Moments m = moments(x);
+  const Histogram h = histogram(x, 17, in["histogram"][0], in["histogram"][1]);
+  const Spectrum even = welch_spectrum(x, dt, 256), odd = welch_spectrum(x, dt, 105);
+  json out;
+  out["moments"] = {m.mean, m.variance, m.skewness, m.excess_kurtosis, m.minimum, m.maximum};
+  out["quantiles"] = quantiles(x, in["levels"].get<Samples>());
+  out["histogram"] = {{"edges", h.edges}, {"counts", h.counts}, {"outside", h.n_outside}};
+  out["spectrum_256"] = {{"frequency", even.frequency}, {"density", even.density}};
+  out["spectrum_105"] = {{"frequency", odd.frequency}, {"density", odd.density}};
+  out["spectrum_factors"] = of(spectrum_factors(even));
+  out["degrees_of_freedom"] = even.degrees_of_freedom;
+  out["autocorrelation"] = autocorrelation(x, 300);
+  out["peaks_above"] = of(peaks_above(x, in["threshold"], in["separation"]));
+  out["peaks_between"] = of(peaks_between_crossings(x, m.mean));
+  out["block_maxima"] = block_maxima(x, 77);
+  out["mean_interval"] = of(mean_interval(x, 0.9));
+  out["batch_means"] = of(batch_means_interval(x, 13));
+  return out;
+}
+
+json extremes(const json& in) {
+  const auto gumbel = fit_gumbel(in["maxima"].get<Samples>()).value();
+  json out;
+  out["gumbel"] = {{"location", gumbel.location}, {"scale", gumbel.scale}, {"level", of(return_level(gumbel, 100.0))}};
+  for (const auto& [name, sample] : in["peaks"].items()) {
+    const auto pareto = fit_generalised_pareto(sample.get<Samples>(), in["pareto_threshold"]).value();
+    out["pareto"][name] = {{"scale", pareto.scale},
+                           {"shape", pareto.shape},
+                           {"n", pareto.excesses.size()},
+                           {"level", of(return_level(pareto, 1000.0, 5000.0))}};
+  }
+  return out;
+}
+
+json tests(const json& in) {
+  json out;
+  for (const auto& [name, pair] : in["pairs"].items())
+    out["kendall"][name] = of(kendall(pair[0].get<Samples>(), pair[1].get<Samples>()));
+  for (const auto& [name, pair] : in["samples"].items()) {
+    const auto a = pair[0].get<Samples>(), b = pair[1].get<Samples>();
+    out["means"][name] = of(compare_means(a, b));
+    out["mann_whitney"][name] = of(mann_whitney(a, b));
+  }
+  out["jonckheere"] = of(jonckheere_terpstra(in["groups"].get<std::vector<Samples>>()));
+  return out;
+}
+
+}  // namespace
+
+int main() {
+  const json in = json::parse(std::cin);
+  std::cout << json{{"history", one_history(in["history"].get<Samples>(), in)},
+                    {"extremes", extremes(in)},
+                    {"tests", tests(in)}}
+            << '\n';
+}
