@@ -12,7 +12,6 @@
 #include "brash/core/error.hpp"
 #include "brash/database/database.hpp"
 #include "brash/meta_model/training.hpp"
-#include "failure_profiles.hpp"
 #include "failure_rows.hpp"
 
 namespace brash::cli {
