@@ -12,14 +12,13 @@
 #include "brash/core/error.hpp"
 #include "brash/database/database.hpp"
 #include "brash/meta_model/training.hpp"
+#include "commands.hpp"
 #include "failure_rows.hpp"
 
 namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kInterrupted = 3;
 
 volatile std::sig_atomic_t interrupted = 0;
 void note_interrupt(int) { interrupted = 1; }
@@ -41,9 +40,8 @@ void compute_database(const std::string& plan_file, const std::string& output) {
   });
   if (terminal) fmt::print(stderr, "\n");
   if (progress.done < progress.total) {
-    fmt::print(stderr, "brash: stopped after {} of {} geometries; the same command goes on from here\n", progress.done,
-               progress.total);
-    throw CLI::RuntimeError(kInterrupted);
+    throw Interrupted(fmt::format("stopped after {} of {} geometries; the same command goes on from here",
+                                  progress.done, progress.total));
   }
   fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, database::file_sha256(output),
              progress.total, progress.failed);
