@@ -26,7 +26,7 @@ Arrangement::Arrangement(const FreeEdges& boundary, std::span<const Point> regio
   sort_nodes();
   route_all();
   graph_.build(nodes_);
-  label(region);
+  label();
 }
 
 void Arrangement::gather(std::span<const Point> region, std::span<const Crack> cracks) {

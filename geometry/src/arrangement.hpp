@@ -59,7 +59,9 @@ class Arrangement {
   void route(int from, int to, bool is_moved, int depth, std::vector<int>& chain);
   std::vector<int> nodes_met(int from, int to, bool is_moved);
   void activate_around(const std::vector<int>& nodes);
-  void label(std::span<const Point> region);
+  void label();
+  bool is_in_ice(Point p) const;
+  bool is_in_region(Point p) const;
   void spread(std::vector<std::int8_t>& left, std::vector<int>& known, bool for_sheet) const;
 
   const FreeEdges& boundary_;

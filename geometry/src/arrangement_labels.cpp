@@ -33,7 +33,37 @@ void Arrangement::spread(std::vector<std::int8_t>& left, std::vector<int>& known
   }
 }
 
-void Arrangement::label(std::span<const Point> region) {
+bool Arrangement::is_in_ice(Point p) const {
+  // Against the edges as they are now: those that took part may have moved or cancelled each other.
+  std::vector<int> ignored;
+  for (const ActiveEdge& e : active_) ignored.push_back(e.id);
+  std::sort(ignored.begin(), ignored.end());
+  const int hit = boundary_.first_right_of(p, ignored);
+  FreeEdges::Directed first;
+  bool has_hit = hit >= 0;
+  if (has_hit) first = {boundary_.edge(hit).from, boundary_.edge(hit).to};
+  for (int h = 0; h < graph_.size(); ++h) {
+    if (graph_[h].sheet <= 0 || !exact::meets_ray(graph_.from(h), graph_.to(h), p)) continue;
+    if (has_hit && !exact::is_met_before(graph_.from(h), graph_.to(h), first.from, first.to)) continue;
+    has_hit = true;
+    first = {graph_.from(h), graph_.to(h)};
+  }
+  return has_hit && first.from.y < first.to.y;
+}
+
+bool Arrangement::is_in_region(Point p) const {
+  // Against the region's boundary as it was led through the nodes; stretches that ran back on themselves are gone.
+  int turns = 0;
+  for (int h = 0; h < graph_.size(); ++h) {
+    if (graph_[h].region > 0 && exact::meets_ray(graph_.from(h), graph_.to(h), p)) {
+      turns += graph_[h].region * (graph_.from(h).y < graph_.to(h).y ? 1 : -1);
+    }
+  }
+  BRASH_EXPECTS(turns == 0 || turns == 1, "the region is not simple", turns, p.x, p.y);
+  return turns == 1;
+}
+
+void Arrangement::label() {
   sheet_left_.assign(graph_.size(), kUnknown);
   region_left_.assign(graph_.size(), kUnknown);
   std::vector<int> sheet_known;
@@ -55,14 +85,12 @@ void Arrangement::label(std::span<const Point> region) {
   // What hangs together with no sheet edge lies wholly in ice or in water; the same for the region.
   for (int h = 0; h < graph_.size(); ++h) {
     if (sheet_left_[h] == kUnknown) {
-      sheet_left_[h] = boundary_.is_inside(graph_.from(h)) ? 1 : 0;
+      sheet_left_[h] = is_in_ice(graph_.from(h)) ? 1 : 0;
       sheet_known.push_back(h);
       spread(sheet_left_, sheet_known, true);
     }
     if (region_left_[h] == kUnknown) {
-      const int turns = exact::winding(region, graph_.from(h));
-      BRASH_EXPECTS(turns == 0 || turns == 1, turns, graph_.from(h).x, graph_.from(h).y);
-      region_left_[h] = static_cast<std::int8_t>(turns);
+      region_left_[h] = is_in_region(graph_.from(h)) ? 1 : 0;
       region_known.push_back(h);
       spread(region_left_, region_known, false);
     }

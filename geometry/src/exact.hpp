@@ -79,6 +79,17 @@ Point rounded_crossing(Point a, Point b, Point c, Point d);
 /// How often the closed `ring` winds around `p`, which is not on it.
 int winding(std::span<const Point> ring, Point p);
 
+/// True when the ray from p in +x direction, raised by less than any vertex, meets the segment; not when p is on it.
+inline bool meets_ray(Point from, Point to, Point p) {
+  const bool up = from.y < to.y;
+  const Point low = up ? from : to;
+  const Point high = up ? to : from;
+  return low.y <= p.y && p.y < high.y && side(low, high, p) > 0;
+}
+
+/// True when segment a meets such a ray before segment b does; both meet it and they do not cross.
+bool is_met_before(Point a_from, Point a_to, Point b_from, Point b_to);
+
 /// Order of directions by angle in [0, 2 pi) from +x: true when a - o comes before b - o.
 inline bool angle_before(Point o, Point a, Point b) {
   const auto lower = [](Point from, Point to) { return to.y < from.y || (to.y == from.y && to.x < from.x); };

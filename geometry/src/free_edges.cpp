@@ -5,23 +5,7 @@
 
 namespace brash::geometry {
 
-namespace {
-
 using exact::Box;
-
-/// True when edge a meets the ray at y + epsilon left of edge b; both reach that height and do not cross.
-bool is_left_of(const FreeEdges::Edge& a, const FreeEdges::Edge& b) {
-  const auto low = [](const FreeEdges::Edge& e) { return e.from.y < e.to.y ? e.from : e.to; };
-  const auto high = [](const FreeEdges::Edge& e) { return e.from.y < e.to.y ? e.to : e.from; };
-  if (low(a).y >= low(b).y) {
-    const int apart = side(low(b), high(b), low(a));
-    return apart != 0 ? apart > 0 : side(low(b), high(b), high(a)) > 0;
-  }
-  const int apart = side(low(a), high(a), low(b));
-  return apart != 0 ? apart < 0 : side(low(a), high(a), high(b)) < 0;
-}
-
-}  // namespace
 
 std::vector<int> FreeEdges::starting_at(Point p) const {
   std::vector<int> ids;
@@ -32,15 +16,12 @@ std::vector<int> FreeEdges::starting_at(Point p) const {
   return ids;
 }
 
-int FreeEdges::first_right_of(Point p) const {
+int FreeEdges::first_right_of(Point p, std::span<const int> ignored) const {
   int best = -1;
   index_.walk_right(p, [&](int id) {
     const Edge& e = edges_[id];
-    const bool up = e.from.y < e.to.y;
-    const Point low = up ? e.from : e.to;
-    const Point high = up ? e.to : e.from;
-    if (low.y > p.y || high.y <= p.y || side(low, high, p) <= 0) return false;
-    if (best < 0 || (best != id && is_left_of(e, edges_[best]))) best = id;
+    if (!exact::meets_ray(e.from, e.to, p) || std::binary_search(ignored.begin(), ignored.end(), id)) return false;
+    if (best < 0 || (best != id && exact::is_met_before(e.from, e.to, edges_[best].from, edges_[best].to))) best = id;
     return true;
   });
   return best;

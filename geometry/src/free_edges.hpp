@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "brash/geometry/polygon.hpp"
@@ -62,8 +63,8 @@ class FreeEdges {
   std::vector<int> starting_at(Point p) const;
 
   /// The first edge that the ray from `p` in +x direction, raised by less than any vertex, meets; edges through p are
-  /// not met. -1 when there is none.
-  int first_right_of(Point p) const;
+  /// not met, nor those in the sorted list `ignored`. -1 when there is none.
+  int first_right_of(Point p, std::span<const int> ignored = {}) const;
   /// True when `p`, not on the boundary, lies in ice.
   bool is_inside(Point p) const;
   bool is_on_boundary(Point p) const;

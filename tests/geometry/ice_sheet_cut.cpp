@@ -111,6 +111,25 @@ BOOST_AUTO_TEST_CASE(radial_cracks_divide_a_half_disc_into_equal_wedges) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(wedges_share_the_ice_that_the_arc_meets_at_a_corner_and_all_round) {
+  IceSheet corner = sheet_of({{box(0, 0, 50, 50), {}}});
+  const Cut quarter = cut_circumferential(corner, {0, 0}, 2.0, 3, 24);
+  BOOST_TEST_REQUIRE(quarter.pieces.size() == 3u);
+  // A quarter of 24 chords in three: two triangles each, up to the grid.
+  for (const Polygon& piece : quarter.pieces) {
+    BOOST_TEST(area(piece).square_metres() == 2 * 2.0 * std::sin(2 * M_PI / 24), boost::test_tools::tolerance(1e-8));
+  }
+  IceSheet round = sheet_of({{box(0, 0, 50, 50), {}}});
+  const Cut all = cut_circumferential(round, {25, 25}, 2.0, 5, 20);
+  BOOST_TEST_REQUIRE(all.pieces.size() == 5u);
+  for (const Polygon& piece : all.pieces) {
+    BOOST_TEST(area(piece).square_metres() == 4 * 2.0 * std::sin(2 * M_PI / 20), boost::test_tools::tolerance(1e-8));
+  }
+  const double angles[] = {0.3, -0.4};
+  const Cut given = cut_circumferential(round, {0, 25}, 1.0, angles, 16);
+  BOOST_TEST(given.pieces.size() == 3u);
+}
+
 BOOST_AUTO_TEST_CASE(cracks_that_split_nothing_leave_no_trace) {
   IceSheet sheet = sheet_of({{box(0, 0, 50, 50), {}}});
   const Crack cracks[] = {

@@ -10,6 +10,7 @@ namespace brash::failure {
 
 // One function per model; each file holds one.
 std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice);
+std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const IceProperties& ice);
 std::unique_ptr<BendingCriterion> make_plate_criterion(const IceProperties& ice);
 std::unique_ptr<BendingCriterion> make_wedge_criterion(const IceProperties& ice);
 

@@ -15,7 +15,6 @@
 namespace brash::failure {
 namespace {
 
-constexpr const char* kDefaultNetwork = "cone_network.json";
 constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
 
 void expect_valid(const IceProperties& ice) {
@@ -58,10 +57,11 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
 }
 
 std::string model_path(const std::string& model, const std::string& file) {
-  if (model != "network") return "";
+  if (model != "network" && model != "superposition") return "";
   if (!file.empty()) return file;
   const char* folder = std::getenv(kModelPathVariable);
-  return (std::filesystem::path(folder != nullptr && *folder != '\0' ? folder : BRASH_MODEL_DIR) / kDefaultNetwork)
+  return (std::filesystem::path(folder != nullptr && *folder != '\0' ? folder : BRASH_MODEL_DIR) /
+          ("cone_" + model + ".json"))
       .string();
 }
 
@@ -69,9 +69,11 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
                                                  const IceProperties& ice) {
   expect_valid(ice);
   if (model == "network") return make_network_criterion(model_path(model, file), ice);
+  if (model == "superposition") return make_superposition_criterion(model_path(model, file), ice);
   if (model == "plate") return make_plate_criterion(ice);
   if (model == "wedge") return make_wedge_criterion(ice);
-  throw InputError(fmt::format("failure.model = \"{}\" is not known; allowed: network, plate, wedge", model));
+  throw InputError(
+      fmt::format("failure.model = \"{}\" is not known; allowed: network, superposition, plate, wedge", model));
 }
 
 }  // namespace brash::failure

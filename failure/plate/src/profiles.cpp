@@ -67,7 +67,7 @@ RootExtremes at_root(const Field& field, Vec2 root, double radius) {
 }
 
 double effective_thickness(Theory theory, double thickness) {
-  return theory == Theory::kKirchhoff ? kThinPlate : thickness;
+  return theory == Theory::kKirchhoff ? kThinPlate : std::max(thickness, kThinPlate);
 }
 
 }  // namespace brash::plate

@@ -9,7 +9,8 @@ namespace brash::plate {
 
 /// Polynomial order of the elements in production.
 inline constexpr int kOrder = 3;
-/// h / l_c at which shear flexibility is negligible: Kirchhoff's limit to 1e-5 and well conditioned still.
+/// h / l_c that stands for Kirchhoff's theory: the shear flexibility left changes stresses by 2e-4, and rounding takes
+/// over at a third of it.
 inline constexpr double kThinPlate = 1e-3;
 /// The stations reach this far beyond the base line, over l_c.
 inline constexpr double kReach = 4.0;
@@ -36,7 +37,7 @@ struct RootExtremes {
 /// Those of `field` on the part of the circle that lies in the ice.
 RootExtremes at_root(const Field& field, Vec2 root, double radius);
 
-/// The profile is that of a plate with negligible shear flexibility in Kirchhoff's theory.
+/// The thickness to solve with: kThinPlate for Kirchhoff's theory, and for plates thinner than it.
 double effective_thickness(Theory theory, double thickness);
 
 }  // namespace brash::plate

@@ -12,14 +12,13 @@
 #include "brash/core/error.hpp"
 #include "brash/database/database.hpp"
 #include "brash/meta_model/training.hpp"
+#include "commands.hpp"
 #include "failure_rows.hpp"
 
 namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kInterrupted = 3;
 
 volatile std::sig_atomic_t interrupted = 0;
 void note_interrupt(int) { interrupted = 1; }
@@ -41,9 +40,8 @@ void compute_database(const std::string& plan_file, const std::string& output) {
   });
   if (terminal) fmt::print(stderr, "\n");
   if (progress.done < progress.total) {
-    fmt::print(stderr, "brash: stopped after {} of {} geometries; the same command goes on from here\n", progress.done,
-               progress.total);
-    throw CLI::RuntimeError(kInterrupted);
+    throw Interrupted(fmt::format("stopped after {} of {} geometries; the same command goes on from here",
+                                  progress.done, progress.total));
   }
   fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, database::file_sha256(output),
              progress.total, progress.failed);
@@ -106,6 +104,31 @@ void train_network(const std::string& database_file, const std::string& output, 
   fmt::print("model       {}\nsha256      {}\ncard        {}\n", output, hash, card.string());
 }
 
+/// Every tenth geometry is left out of a first fit, to tell its errors; the model that is written holds all.
+void fit_profiles(const std::string& database_file, const std::string& output) {
+  refuse_missing_folder(output);
+  const database::Database data = database::read_database(database_file);
+  constexpr int kTestEvery = 10;
+  std::vector<meta_model::ProfileSample> all, kept;
+  std::vector<const database::Record*> left_out;
+  double thickness_over_lc = 0.0;
+  to_samples(database_file, data, thickness_over_lc);  // refuses data of several h / l_c
+  for (const database::Record& record : data.records) {
+    if (!record.solved) continue;
+    all.push_back(to_profile_sample(record));
+    if (record.geometry % kTestEvery == kTestEvery - 1) {
+      left_out.push_back(&record);
+    } else {
+      kept.push_back(all.back());
+    }
+  }
+  const std::string hash = database::file_sha256(database_file);
+  print_profile_errors(meta_model::ProfileModel::fit(kept, thickness_over_lc, hash), left_out);
+  const auto model = meta_model::ProfileModel::fit(all, thickness_over_lc, hash);
+  const std::string content = model.write(output);
+  fmt::print("modes       {}\nmodel       {}\nsha256      {}\n", model.n_modes(), output, content);
+}
+
 void add_database_command(CLI::App& failure) {
   struct Options {
     std::string plan, output;
@@ -124,6 +147,7 @@ void add_train_command(CLI::App& failure) {
   struct Options {
     std::string database, output;
     meta_model::TrainingOptions training;
+    bool superposition = false;
   };
   auto options = std::make_shared<Options>();
   meta_model::TrainingOptions& training = options->training;
@@ -131,6 +155,8 @@ void add_train_command(CLI::App& failure) {
   command->add_option("database", options->database, "database (netCDF)")->required();
   command->add_option("-o,--output", options->output, "model to write (JSON); the model card is written beside it")
       ->required();
+  command->add_flag("--superposition", options->superposition,
+                    "interpolate the unit profiles instead of training the network");
   command->add_option("--hidden", training.hidden, "hidden units of a network")
       ->capture_default_str()
       ->check(CLI::Range(1, 200));
@@ -141,7 +167,13 @@ void add_train_command(CLI::App& failure) {
       ->check(CLI::Range(1, 100000));
   command->add_option("--seed", training.seed, "of split and starts")->capture_default_str();
   command->footer("Example: brash failure train cone.nc -o cone_network.json");
-  command->callback([options] { train_network(options->database, options->output, options->training); });
+  command->callback([options] {
+    if (options->superposition) {
+      fit_profiles(options->database, options->output);
+    } else {
+      train_network(options->database, options->output, options->training);
+    }
+  });
 }
 
 void add_predict_command(CLI::App& failure) {

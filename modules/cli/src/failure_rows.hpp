@@ -2,6 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "brash/database/database.hpp"
+#include "brash/meta_model/profile_model.hpp"
 
 namespace brash::cli {
 
@@ -13,5 +17,10 @@ struct PredictOptions {
 /// Reads rows `b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]` and prints them with `sigma_over_p,lbreak_over_lc,in_range`.
 /// @throws InputError with file, line and column of a row that cannot be read.
 void predict_rows(const PredictOptions& options);
+
+meta_model::ProfileSample to_profile_sample(const database::Record& record);
+
+/// Prints the errors of `model` on the rows of records that it has not seen.
+void print_profile_errors(const meta_model::ProfileModel& model, const std::vector<const database::Record*>& records);
 
 }  // namespace brash::cli

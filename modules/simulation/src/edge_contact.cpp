@@ -24,7 +24,7 @@ void load_contact(const EdgeModel& model, EdgeContact& contact) {
 
   const Vec2 normal = contact.region.normal;
   if (normal.x <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
-  const double heading = std::atan2(cross(Vec2{1.0, 0.0}, normal), normal.x);
+  const double heading = std::atan2(-normal.y, normal.x);  // of the motion, from the normal
   const failure::LoadRatios ratios = failure::load_ratios(c.structure.angle, c.ice.friction_structure, heading);
   const double in_plane = normal_force * ratios.horizontal;
 

@@ -79,18 +79,19 @@ class BendingCriterion {
 /// The criterion named `model`:
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
 ///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
+/// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h.
 /// - `plate`: the floating plate solved for each load case (about a second each).
 /// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
 ///   whatever the depth b. It needs no range.
 ///
-/// @param file  of the network; empty: the model that comes with the program, see model_path().
+/// @param file  of the network or of the superposition; empty: the model that comes with the program, see model_path().
 /// @throws InputError for an unknown name or an unreadable file.
 std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
                                                  const IceProperties& ice);
 
 /// The model file that `make_criterion(model, file, ...)` reads; empty when that model reads none.
 ///
-/// With an empty `file` it is `cone_network.json` in the folder that the environment variable BRASH_MODEL_PATH names,
+/// With an empty `file` it is `cone_<model>.json` in the folder that the environment variable BRASH_MODEL_PATH names,
 /// else in the folder of the build.
 std::string model_path(const std::string& model, const std::string& file);
 

@@ -23,6 +23,14 @@ struct Output {
   double lbreak_over_lc = 0.0;
 };
 
+/// What the key `format` of a model file says, for a network and for a ProfileModel.
+inline constexpr const char* kNetworkFormat = "brash-network";
+inline constexpr const char* kProfileFormat = "brash-profiles";
+
+/// The format that a model file states; nothing else is checked.
+/// @throws InputError when it cannot be read.
+std::string model_format(const std::string& path);
+
 inline constexpr int kInputs = 5;
 inline constexpr int kOutputs = 2;
 

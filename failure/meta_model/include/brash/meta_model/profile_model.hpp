@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brash/meta_model/network.hpp"
+
+namespace brash::meta_model {
+
+/// The inputs that linear theory leaves when mu1, mu2 and h are superposed exactly.
+struct Geometry {
+  double b_lc = 0.0;   ///< b / l_c [-]
+  double c_lc = 0.0;   ///< c / l_c [-]
+  double theta = 0.0;  ///< [rad]
+};
+
+/// The unit fields on the centre line that symmetry leaves; shape=(n_stations,) each, as in plate::UnitProfiles.
+struct Profiles {
+  std::vector<double> station;  ///< |AB| / l_c, increasing
+  std::vector<double> bending_xx, bending_yy;
+  std::vector<double> normal_xx, normal_yy;
+  std::vector<double> tangential_xy;
+};
+
+/// One solved geometry.
+struct ProfileSample {
+  Geometry geometry;
+  Profiles profiles;
+};
+
+/// Interpolates unit profiles between solved geometries.
+///
+/// Profiles are resampled on stations that follow the geometry (the base line x = b is always a station, so its kink
+/// stays in place), written in their principal modes, and the modes' coefficients are interpolated by cubic radial
+/// basis functions with a linear part over the geometric features of Network. It passes through the solved geometries
+/// up to the modes that are left out.
+/// @see docs/theory/meta-model.md
+class ProfileModel {
+ public:
+  /// Builds the model from solved geometries; at least 10.
+  /// @throws InputError when there are too few.
+  static ProfileModel fit(std::span<const ProfileSample> samples, double thickness_over_lc,
+                          const std::string& data_sha256);
+  /// @throws InputError naming file, place and what is wrong.
+  static ProfileModel read(const std::string& path);
+  /// Writes the model file (JSON) by rename when whole and returns its content hash.
+  std::string write(const std::string& path) const;
+
+  ProfileModel(ProfileModel&&) noexcept;
+  ProfileModel& operator=(ProfileModel&&) noexcept;
+  ~ProfileModel();
+
+  /// @param geometry  inside the range, see clamp().
+  Profiles predict(const Geometry& geometry) const;
+
+  RangeCheck check(const Geometry& geometry) const;
+  Geometry clamp(const Geometry& geometry) const;
+  /// h / l_c of the solved plates [-]; only the shear flexibility depends on it.
+  double thickness_over_lc() const;
+  int n_modes() const;
+
+ private:
+  struct Impl;
+  explicit ProfileModel(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brash::meta_model
