@@ -56,6 +56,10 @@ std::string ice(const simulation::RunSummary& s) {
   text += quantile_row("breaking length [m]", s.breaking_length_quantiles);
   text += fmt::format("  failure model: {} steps shortened, {} inputs clamped below its range, {} above\n",
                       s.n_substepped, s.n_below_range, s.n_above_range);
+  if (s.n_outlines_refused > 0) {
+    text += fmt::format("  failure model: {} outlines could not be meshed and were assessed as trapezoids\n",
+                        s.n_outlines_refused);
+  }
   return text;
 }
 

@@ -109,7 +109,10 @@ std::vector<EdgeContact> Simulation::Impl::contacts_within_range(double& share, 
   while (true) {
     std::vector<EdgeContact> contacts = edge_contacts(edge_model(), field.sheet(), centre + Vec2{share * advance, 0.0});
     const auto above = std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
+    const auto refused =
+        std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.outline_refused; });
     if (above == 0 || 0.5 * share < shortest) {
+      report.n_outlines_refused += static_cast<int>(refused);
       report.n_above_range += static_cast<int>(above);
       report.n_below_range += static_cast<int>(
           std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.below_range; }));

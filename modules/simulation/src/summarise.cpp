@@ -182,6 +182,7 @@ std::string to_json(const RunSummary& s) {
       {"quantile_levels", kQuantiles},
       {"failure_model_range",
        {{"n_substepped", s.n_substepped}, {"n_below", s.n_below_range}, {"n_above", s.n_above_range}}},
+      {"n_outlines_refused", s.n_outlines_refused},
       {"n_steps_too_long", s.n_steps_too_long},
       {"fastest_floe", s.fastest_floe},
       {"ledger", json_of(s.ledger)},

@@ -47,6 +47,7 @@ struct RunSummary {
   std::vector<double> breaking_length_quantiles;  ///< 5, 25, 50, 75, 95 % [m]
   int n_substepped = 0;                           ///< steps that were cut into parts
   int n_below_range = 0;
+  int n_outlines_refused = 0;
   int n_above_range = 0;
   int n_steps_too_long = 0;
   double fastest_floe = 0.0;  ///< largest speed of any floe between two frames [m/s]
