@@ -126,7 +126,7 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
   for (const geometry::Polygon& polygon : field.sheet().polygons()) saved.sheet.push_back(to_grid(polygon));
   for (const auto& [body, floe] : floes.floes())
     saved.floes.push_back({.id = floe.id,
-                           .body = body,
+                           .body = BodyId{static_cast<std::uint32_t>(saved.floes.size()), 0},  // only the order counts
                            .rings = to_grid(floe.outline),
                            .thickness = floe.prism.thickness,
                            .pose = world.pose(body),
