@@ -16,7 +16,7 @@ constexpr int kColumns = BRASH_JAM_COLUMNS;  // along x, the moving wall's way
 constexpr int kRows = BRASH_JAM_ROWS;
 constexpr double kSeconds = BRASH_JAM_SECONDS;
 constexpr double kPitch = 1.5;
-/// Of the moving wall [m/s]: in the end it has taken a fifth of the basin, and the floes the rest and more (101 %).
+/// Of the moving wall [m/s]: in the end it has taken a fifth of the basin, and the floes, 81 % of it, fill the rest.
 constexpr double kSpeed = 0.2 * kColumns * kPitch / kSeconds;
 constexpr double kHeight = 3.0;  // of the walls above and below the water [m]
 constexpr double kThick = 5.0;   // of the walls [m]
