@@ -12,9 +12,20 @@ namespace brash::failure {
 std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice);
 std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const IceProperties& ice);
 std::unique_ptr<BendingCriterion> make_plate_criterion(const IceProperties& ice);
+std::unique_ptr<BendingCriterion> make_outline_criterion(const IceProperties& ice);
 std::unique_ptr<BendingCriterion> make_wedge_criterion(const IceProperties& ice);
+
+/// `exact`, asked only where `screen` says more than `flexural_strength / margin`, is out of its range above, or the
+/// load has no pressure; elsewhere the answer is that of `screen`.
+std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<BendingCriterion> screen,
+                                                          std::unique_ptr<BendingCriterion> exact,
+                                                          double flexural_strength, double margin);
 
 /// Throws ContractViolation when `load` is not a load case.
 void expect_valid(const LoadCase& load);
+
+/// The plate with the load's trapezoid, solved; `l_c` is that of `ice`.
+/// @throws RunError when it cannot be meshed.
+Assessment assess_trapezoid(const IceProperties& ice, double l_c, const LoadCase& load);
 
 }  // namespace brash::failure

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
@@ -16,11 +17,22 @@ namespace brash::failure {
 namespace {
 
 constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
+/// A plate is solved where the superposition says more than the strength over this. The superposition is wrong by 3 %
+/// (95 % of its rows) and 60 % at worst.
+constexpr double kPlateMargin = 2.0;
+/// The same for the outline, which may differ more from its trapezoid.
+constexpr double kOutlineMargin = 3.0;
 
 void expect_valid(const IceProperties& ice) {
   BRASH_EXPECTS(ice.thickness > 0.0 && ice.youngs_modulus > 0.0, ice.thickness, ice.youngs_modulus);
   BRASH_EXPECTS(ice.poisson_ratio >= 0.0 && ice.poisson_ratio < 0.5, ice.poisson_ratio);
   BRASH_EXPECTS(ice.water_density > 0.0, ice.water_density);
+}
+
+std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exact, const IceProperties& ice,
+                                           double margin) {
+  return make_screened_criterion(make_superposition_criterion(model_path("superposition", ""), ice), std::move(exact),
+                                 ice.flexural_strength, margin);
 }
 
 }  // namespace
@@ -70,10 +82,11 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
   expect_valid(ice);
   if (model == "network") return make_network_criterion(model_path(model, file), ice);
   if (model == "superposition") return make_superposition_criterion(model_path(model, file), ice);
-  if (model == "plate") return make_plate_criterion(ice);
+  if (model == "plate") return screened(make_plate_criterion(ice), ice, kPlateMargin);
+  if (model == "plate-outline") return screened(make_outline_criterion(ice), ice, kOutlineMargin);
   if (model == "wedge") return make_wedge_criterion(ice);
-  throw InputError(
-      fmt::format("failure.model = \"{}\" is not known; allowed: network, superposition, plate, wedge", model));
+  throw InputError(fmt::format(
+      "failure.model = \"{}\" is not known; allowed: network, superposition, plate, plate-outline, wedge", model));
 }
 
 }  // namespace brash::failure

@@ -6,6 +6,23 @@
 #include "criteria.hpp"
 
 namespace brash::failure {
+
+Assessment assess_trapezoid(const IceProperties& ice, double l_c, const LoadCase& load) {
+  const double thickness_over_lc = ice.thickness / l_c;
+  const auto profiles = plate::solve({.depth = load.depth / l_c,
+                                      .contact_length = load.contact_length / l_c,
+                                      .angle = load.angle,
+                                      .thickness = thickness_over_lc,
+                                      .poisson_ratio = ice.poisson_ratio});
+  if (!profiles) {
+    throw RunError(fmt::format("the plate with b = {} m, c = {} m, theta = {} rad was not solved: {}", load.depth,
+                               load.contact_length, load.angle, profiles.error().what));
+  }
+  const plate::Response r = plate::respond(*profiles, thickness_over_lc, load.mu1, load.mu2);
+  const double sigma = r.sigma_over_p * load.pressure;
+  return {.fails = sigma > ice.flexural_strength, .sigma_max = sigma, .breaking_length = r.lbreak_over_lc * l_c};
+}
+
 namespace {
 
 /// The floating plate solved for each load case; exact in everything that the plate theory holds.
@@ -15,19 +32,7 @@ class PlateCriterion final : public BendingCriterion {
 
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
-    const double thickness_over_lc = ice_.thickness / l_c_;
-    const auto profiles = plate::solve({.depth = load.depth / l_c_,
-                                        .contact_length = load.contact_length / l_c_,
-                                        .angle = load.angle,
-                                        .thickness = thickness_over_lc,
-                                        .poisson_ratio = ice_.poisson_ratio});
-    if (!profiles) {
-      throw RunError(fmt::format("the plate with b = {} m, c = {} m, theta = {} rad was not solved: {}", load.depth,
-                                 load.contact_length, load.angle, profiles.error().what));
-    }
-    const plate::Response r = plate::respond(*profiles, thickness_over_lc, load.mu1, load.mu2);
-    const double sigma = r.sigma_over_p * load.pressure;
-    return {.fails = sigma > ice_.flexural_strength, .sigma_max = sigma, .breaking_length = r.lbreak_over_lc * l_c_};
+    return assess_trapezoid(ice_, l_c_, load);
   }
 
  private:

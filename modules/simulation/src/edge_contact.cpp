@@ -1,18 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edge_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brash::simulation {
 namespace {
 
 /// The free edge is looked at this far from B, in characteristic lengths: the stress has faded there.
 constexpr double kFitReach = 2.0;
+/// A criterion that solves the outline gets this much of it, in characteristic lengths: as far as it is meshed finely.
+constexpr double kOutlineReach = 3.0;
+/// The chord's ends lie on the free edge to within this [m]; they are rounded to the geometry's grid, 2^-30 m.
+constexpr double kOnTheEdge = 1e-6;
 
 geometry::Ring section_at(const structure::Cone& cone, double z, Vec2 centre) {
   std::vector<Vec2> vertices = structure::section(cone, z);
   for (Vec2& vertex : vertices) vertex += centre;
   return geometry::ring(vertices);
+}
+
+/// A place on a polyline.
+struct Foot {
+  std::size_t segment = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The place of `line` nearest to `point`; the first of several.
+Foot nearest(const std::vector<Vec2>& line, Vec2 point) {
+  Foot best;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 along = line[i + 1] - line[i];
+    const double square = dot(along, along);
+    const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
+    const double distance = norm(line[i] + s * along - point);
+    if (distance < best.distance) best = {i, distance};
+  }
+  return best;
+}
+
+/// Drops what lies before the outermost point of each arm: beyond it the edge is taken to go on sideways.
+void end_sideways(std::vector<Vec2>& outline, std::size_t contact) {
+  const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
+  const auto tip = outline.begin() + static_cast<std::ptrdiff_t>(contact);
+  outline.erase(std::max_element(tip + 1, outline.end(), by_y) + 1, outline.end());
+  outline.erase(outline.begin(), std::min_element(outline.begin(), tip + 1, by_y));
+}
+
+/// The free edge around a contact in the frame of LoadCase::outline, the chord in place of the crushed tip. Empty where
+/// the chord's ends are not on one piece of the edge.
+std::vector<Vec2> outline_of(const geometry::IceSheet& sheet, const geometry::ContactRegion& region, double reach) {
+  const Vec2 at = 0.5 * (region.chord_from + region.chord_to);
+  const auto to_frame = [&](Vec2 point) {
+    return Vec2{dot(point - at, region.normal), dot(point - at, perpendicular(region.normal))};
+  };
+  for (const std::vector<Vec2>& chain : sheet.free_edge(at, reach)) {
+    // With the ice on its left the chain comes from y > 0, dives into the structure and leaves it towards y < 0.
+    const Foot dives = nearest(chain, region.chord_to), leaves = nearest(chain, region.chord_from);
+    if (dives.distance > kOnTheEdge || leaves.distance > kOnTheEdge || dives.segment > leaves.segment) continue;
+    std::vector<Vec2> outline;
+    const auto append = [&](std::size_t from, std::size_t to, Vec2 chord_end) {
+      for (std::size_t i = to; i-- > from;) {
+        if (norm(chain[i] - chord_end) > kOnTheEdge) outline.push_back(to_frame(chain[i]));
+      }
+    };
+    append(leaves.segment + 1, chain.size(), region.chord_from);
+    const std::size_t contact = outline.size();
+    outline.push_back({0.0, -0.5 * region.contact_length});
+    outline.push_back({0.0, 0.5 * region.contact_length});
+    append(0, dives.segment + 1, region.chord_to);
+    end_sideways(outline, contact);
+    return outline;
+  }
+  return {};
 }
 
 /// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical; the structure moves along x.
@@ -23,7 +84,7 @@ void load_contact(const EdgeModel& model, EdgeContact& contact) {
   const double normal_force = failure::crushing_force(model.ice, area);
 
   const Vec2 normal = contact.region.normal;
-  if (normal.x <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
+  if (normal.x <= 0.0) return;                             // the structure slides past or leaves: nothing is crushed
   const double heading = std::atan2(-normal.y, normal.x);  // of the motion, from the normal
   const failure::LoadRatios ratios = failure::load_ratios(c.structure.angle, c.ice.friction_structure, heading);
   const double in_plane = normal_force * ratios.horizontal;
@@ -79,6 +140,9 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
         sheet, {.at = tip, .towards = region.normal, .contact_length = region.contact_length, .reach = reach});
     contact.region = std::move(region);
     load_contact(model, contact);
+    if (contact.load.pressure > 0.0 && model.criterion.needs_outline()) {
+      contact.load.outline = outline_of(sheet, contact.region, kOutlineReach / kFitReach * reach);
+    }
     if (contact.load.pressure > 0.0) contact.assessment = model.criterion.assess(contact.load);
     contacts.push_back(std::move(contact));
   }

@@ -80,6 +80,7 @@ template <typename Counts, typename Visitor>
 void visit_counters(Counts& counts, Visitor&& visit) {
   visit("n_substepped", counts.n_substepped);
   visit("n_below_range", counts.n_below_range);
+  visit("n_outlines_refused", counts.n_outlines_refused);
   visit("n_above_range", counts.n_above_range);
   visit("n_steps_too_long", counts.n_steps_too_long);
 }
@@ -107,6 +108,7 @@ void keep_checkpoint(const std::string& file, const Progress& progress) {
 void count(RunSummary& counts, const StepReport& report) {
   counts.n_substepped += report.n_substeps > 1 ? 1 : 0;
   counts.n_below_range += report.n_below_range;
+  counts.n_outlines_refused += report.n_outlines_refused;
   counts.n_above_range += report.n_above_range;
   counts.n_steps_too_long += report.n_steps_too_long;
 }

@@ -3,6 +3,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
+
+#include "brash/core/vec.hpp"
 
 namespace brash::failure {
 
@@ -57,6 +60,10 @@ struct LoadCase {
   double mu1 = 0.0;             ///< P / N [-]
   double mu2 = 0.0;             ///< f / N [-]
   double pressure = 0.0;        ///< p = N / (c h) [Pa]
+  /// The free edge around B for a criterion with needs_outline(), else empty [m]: from y < 0 to y > 0 in the frame of
+  /// the middle of the tip edge (x into the ice, y along the tip edge), ice on its right. (0, -c/2) and (0, c/2) are
+  /// points of it, one after the other. f acts along y.
+  std::vector<Vec2> outline{};
 };
 
 /// What the criterion says of a load case.
@@ -66,6 +73,7 @@ struct Assessment {
   double breaking_length = 0.0;  ///< l_break [m]
   bool below_range = false;      ///< an input was clamped up to the model's range
   bool above_range = false;      ///< an input exceeds the model's range (and was clamped down)
+  bool outline_refused = false;  ///< the outline could not be meshed; the answer is that of the trapezoid
 };
 
 /// Says whether the ice fails in bending and how far in. Stateless after construction.
@@ -74,13 +82,18 @@ class BendingCriterion {
   virtual ~BendingCriterion() = default;
   /// @param load  depth >= 0, contact_length > 0, angle in [0, pi), mu1 > 0, pressure >= 0.
   virtual Assessment assess(const LoadCase& load) const = 0;
+  /// Whether `assess` wants the outline of the load case besides its trapezoid.
+  virtual bool needs_outline() const { return false; }
 };
 
 /// The criterion named `model`:
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
 ///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
 /// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h.
-/// - `plate`: the floating plate solved for each load case (about a second each).
+/// - `plate`: the floating plate solved for each load case (about a third of a second each). Where the superposition
+///   that comes with the program says less than half of the strength, its answer is taken instead.
+/// - `plate-outline`: the same on the load's outline, simplified to min(0.02 l_c, c/4); where it cannot be meshed, or
+///   there is none, on the trapezoid. It needs no range. Not solved below a third of the strength, as above.
 /// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
 ///   whatever the depth b. It needs no range.
 ///
