@@ -31,6 +31,7 @@ Arrangement::Arrangement(const FreeEdges& boundary, std::span<const Point> regio
 
 void Arrangement::gather(std::span<const Point> region, std::span<const Crack> cracks) {
   box_ = exact::box_of(region);
+  segments_.reserve(4 * (region.size() + cracks.size()));
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Point next = region[i + 1 == region.size() ? 0 : i + 1];
     if (region[i] != next) segments_.push_back({region[i], next, Source::kRegion});
@@ -42,7 +43,6 @@ void Arrangement::gather(std::span<const Point> region, std::span<const Crack> c
   }
   safe_box_ = box_.grown(kSafeMargin);
   const std::size_t n_cutters = segments_.size();
-  segments_.reserve(4 * n_cutters);
   boundary_.query(box_.grown(kGatherMargin), [&](int id) {
     segments_.push_back({boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id});
   });
@@ -53,6 +53,8 @@ void Arrangement::gather(std::span<const Point> region, std::span<const Crack> c
 void Arrangement::add_crossings() {
   // The region's edges by their left end: those that can meet an edge are a run of them.
   std::vector<const Segment*> region;
+  region.reserve(segments_.size());
+  crossings_.reserve(16);
   std::int64_t widest = 0;
   for (const Segment& s : segments_) {
     if (s.source != Source::kRegion) continue;
@@ -98,24 +100,30 @@ void Arrangement::sort_nodes() {
   struct End {
     Point at;
     int* node;
+    bool is_of_crack;
   };
   std::vector<End> ends;
   ends.reserve(2 * segments_.size() + crossings_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     Segment& s = segments_[i];
-    if (i == 0 || s.from != segments_[i - 1].to) ends.push_back({s.from, &s.from_node});
-    ends.push_back({s.to, &s.to_node});
+    const bool is_crack = s.source == Source::kCrack;
+    const bool is_shared = i > 0 && s.from == segments_[i - 1].to && s.source == segments_[i - 1].source;
+    if (!is_shared) ends.push_back({s.from, &s.from_node, is_crack});
+    ends.push_back({s.to, &s.to_node, is_crack});
   }
-  for (const Point p : crossings_) ends.push_back({p, nullptr});
+  for (const Point p : crossings_) ends.push_back({p, nullptr, true});
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
   nodes_.reserve(ends.size() + 8);
+  is_free_of_cracks_.reserve(ends.size());
   for (std::size_t i = 0; i < ends.size();) {
     bool is_given = false;
     nodes_.push_back(ends[i].at);
+    is_free_of_cracks_.push_back(0);
     for (; i < ends.size() && ends[i].at == nodes_.back(); ++i) {
       if (ends[i].node == nullptr) continue;
       *ends[i].node = static_cast<int>(nodes_.size()) - 1;
       is_given = true;
+      if (!ends[i].is_of_crack) is_free_of_cracks_.back() = 1;
     }
     if (!is_given) ++n_rounded_;
   }
@@ -208,6 +216,7 @@ void Arrangement::route_all() {
 
 /// The links at a vertex can be made anew only when all edges there take part.
 void Arrangement::activate_around(const std::vector<int>& nodes) {
+  if (nodes.empty()) return;
   std::vector<int> known;
   for (const ActiveEdge& e : active_) known.push_back(e.id);
   std::sort(known.begin(), known.end());

@@ -33,6 +33,10 @@ class Arrangement {
   /// Twice the area that leading sheet edges through nodes added to the ice.
   Int128 twice_moved() const { return twice_moved_; }
   std::int64_t n_rounded() const { return n_rounded_; }
+  /// True when the node is there without any crack: it ends an edge of the sheet or of the region.
+  bool is_free_of_cracks(int node) const {
+    return static_cast<std::size_t>(node) >= n_sorted_ || is_free_of_cracks_[node] != 0;
+  }
 
   bool has_ice_left(int h) const { return sheet_left_[h] != 0; }
   bool is_region_left(int h) const { return region_left_[h] != 0; }
@@ -70,6 +74,7 @@ class Arrangement {
   std::vector<Segment> segments_;
   std::vector<Point> nodes_;  ///< Sorted up to n_sorted_, then nodes outside the safe box.
   std::size_t n_sorted_ = 0;
+  std::vector<char> is_free_of_cracks_;  ///< Of the sorted nodes.
   std::vector<Point> crossings_;
   std::vector<ActiveEdge> active_;
   PlanarGraph graph_;

@@ -68,6 +68,8 @@ void Arrangement::label() {
   region_left_.assign(graph_.size(), kUnknown);
   std::vector<int> sheet_known;
   std::vector<int> region_known;
+  sheet_known.reserve(2 * graph_.size());
+  region_known.reserve(2 * graph_.size());
   for (int h = 0; h < graph_.size(); ++h) {
     if (graph_[h].sheet != 0) {
       sheet_left_[h] = graph_[h].sheet > 0 ? 1 : 0;
@@ -98,8 +100,10 @@ void Arrangement::label() {
 }
 
 std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const Crack> cracks) {
+  if (cracks.empty()) return {};
   // In doubled coordinates the middle of two grid points is one too.
   Ring doubled;
+  doubled.reserve(region.size());
   for (const Point p : region) doubled.push_back({2 * p.x, 2 * p.y});
   std::vector<Crack> inside;
   for (const Crack& crack : cracks) {

@@ -22,25 +22,33 @@ PieceCycles trace_pieces(const Arrangement& arrangement) {
     if (!arrangement.is_piece_left(h)) return false;
     return !arrangement.is_piece_left(PlanarGraph::twin(h)) || !is_dropped[h];
   };
-  PieceCycles pieces{graph.trace(is_active), {}, true};
+  PieceCycles pieces{graph.trace(is_active), {}, false};
   // A crack with the same face on both sides splits nothing.
   std::vector<int> cycle_of(graph.size(), -1);
   for (std::size_t k = 0; k < pieces.cycles.size(); ++k) {
     for (const int h : pieces.cycles[k]) cycle_of[h] = static_cast<int>(k);
   }
+  std::vector<int> useless;
+  std::vector<char> ends_splitting(graph.n_nodes(), 0);
+  bool is_any_in_ice = false;
   for (int h = 0; h < graph.size(); h += 2) {
     if (!graph[h].crack) continue;
     const bool in_ice = cycle_of[h] >= 0 && cycle_of[h + 1] >= 0;
+    const bool in_water = cycle_of[h] < 0 && cycle_of[h + 1] < 0;
     if (in_ice && cycle_of[h] != cycle_of[h + 1]) {
       pieces.splitting.push_back({graph.from(h), graph.to(h)});
-    } else if (cycle_of[h] < 0 && cycle_of[h + 1] < 0) {
-      pieces.is_whole = false;
-    } else if (in_ice) {
-      pieces.is_whole = false;
+      ends_splitting[graph[h].from] = ends_splitting[graph[h].to] = 1;
+    } else if (in_ice || in_water) {
+      useless.push_back(h);
       is_dropped[h] = is_dropped[h + 1] = 1;
+      is_any_in_ice = is_any_in_ice || in_ice;
     }
   }
-  if (!pieces.is_whole) pieces.cycles = graph.trace(is_active);
+  const auto stays = [&](int node) { return ends_splitting[node] != 0 || arrangement.is_free_of_cracks(node); };
+  for (const int h : useless) {
+    pieces.has_traces = pieces.has_traces || !stays(graph[h].from) || !stays(graph[h].to);
+  }
+  if (is_any_in_ice) pieces.cycles = graph.trace(is_active);
   return pieces;
 }
 
@@ -86,8 +94,8 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
   std::vector<Crack> inside = cracks_inside(region, cracks);
   auto arrangement = std::make_unique<Arrangement>(boundary, region, inside);
   PieceCycles pieces = trace_pieces(*arrangement);
-  // Cracks that split nothing leave no trace, not even a vertex: arrange again without them.
-  while (!pieces.is_whole && pieces.splitting.size() != inside.size()) {
+  // Cracks that split nothing leave no trace, not even a vertex: where there is one, arrange again without them.
+  while (pieces.has_traces) {
     inside = pieces.splitting;
     arrangement = std::make_unique<Arrangement>(boundary, region, inside);
     pieces = trace_pieces(*arrangement);
@@ -100,7 +108,7 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
     twice_pieces += graph.twice_area(cycle);
   }
   Cut cut;
-  cut.pieces = polygons_of(rings);
+  cut.pieces = polygons_of(std::move(rings));
   cut.snap = ExactArea(-arrangement->twice_moved());
   cut.n_rounded = arrangement->n_rounded();
 
@@ -119,7 +127,7 @@ std::vector<Polygon> IceSheet::within(std::span<const Point> window) const {
   for (const std::vector<int>& cycle : trace_pieces(arrangement).cycles) {
     rings.push_back(arrangement.graph().ring_of(cycle));
   }
-  return polygons_of(rings);
+  return polygons_of(std::move(rings));
 }
 
 }  // namespace brash::geometry

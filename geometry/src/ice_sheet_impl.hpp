@@ -23,9 +23,10 @@ void expect_region(std::span<const Point> ring);
 /// The boundaries of the pieces of ice inside the region; cracks that split nothing are left out.
 struct PieceCycles {
   std::vector<std::vector<int>> cycles;
-  /// Cracks that do split, edge by edge; `is_whole` when they are all there are.
+  /// Cracks that do split, edge by edge.
   std::vector<Crack> splitting;
-  bool is_whole = true;
+  /// True when the other cracks have left a node that would not be there without them.
+  bool has_traces = false;
 };
 PieceCycles trace_pieces(const Arrangement& arrangement);
 

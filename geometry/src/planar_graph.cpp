@@ -104,11 +104,14 @@ Ring PlanarGraph::ring_of(const std::vector<int>& cycle) const {
   return ring;
 }
 
-std::vector<Ring> simple_loops(const Ring& ring) {
+std::vector<Ring> simple_loops(Ring ring) {
   Ring sorted = ring;
   std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) return {ring};
   std::vector<Ring> loops;
+  if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) {
+    loops.push_back(std::move(ring));
+    return loops;
+  }
   std::map<Point, std::size_t> place;
   Ring open;
   for (const Point p : ring) {
@@ -152,14 +155,14 @@ bool holds(const Ring& outline, const exact::Box& box, const Ring& hole) {
 
 }  // namespace
 
-std::vector<Polygon> polygons_of(const std::vector<Ring>& loops) {
+std::vector<Polygon> polygons_of(std::vector<Ring> loops) {
   std::vector<Polygon> polygons;
   std::vector<Ring> holes;
-  for (const Ring& loop : loops) {
+  for (Ring& loop : loops) {
     // The loops of one traced chain bound the same face: one outline and the holes that touch it, or holes only.
     Polygon polygon;
     std::vector<Ring> own_holes;
-    for (Ring& simple : simple_loops(loop)) {
+    for (Ring& simple : simple_loops(std::move(loop))) {
       const ExactArea enclosed = signed_area(simple);
       BRASH_EXPECTS(enclosed != ExactArea{}, simple.size(), simple.front().x, simple.front().y);
       if (enclosed > ExactArea{}) {

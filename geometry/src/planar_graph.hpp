@@ -71,25 +71,28 @@ template <typename IsActive>
 std::vector<std::vector<int>> PlanarGraph::trace(IsActive&& is_active) const {
   std::vector<std::vector<int>> cycles;
   std::vector<char> seen(half_.size(), 0);
+  std::vector<int> cycle;
+  cycle.reserve(half_.size());
   for (int start = 0; start < size(); ++start) {
     if (seen[start] || !is_active(start)) continue;
-    std::vector<int>& cycle = cycles.emplace_back();
+    cycle.clear();
     for (int h = start; !seen[h]; h = next_in_face(h, is_active)) {
       seen[h] = 1;
       cycle.push_back(h);
     }
+    cycles.push_back(cycle);
   }
   return cycles;
 }
 
 /// The simple loops that a closed chain with repeated vertices consists of.
-std::vector<Ring> simple_loops(const Ring& ring);
+std::vector<Ring> simple_loops(Ring ring);
 
 /// `ring` started at its smallest vertex.
 Ring from_smallest(Ring ring);
 
 /// Polygons of loops traced with the ice on their left: outlines counter-clockwise, holes clockwise, which may touch
 /// themselves and each other in vertices. Sorted by the smallest vertex of the outline.
-std::vector<Polygon> polygons_of(const std::vector<Ring>& loops);
+std::vector<Polygon> polygons_of(std::vector<Ring> loops);
 
 }  // namespace brash::geometry

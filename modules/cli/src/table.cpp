@@ -72,6 +72,24 @@ std::string ledger(const geometry::Ledger& l) {
       l.closes() ? "closes exactly" : "DOES NOT CLOSE");
 }
 
+std::string energy(const simulation::EnergyBalance& e) {
+  const io::EnergyLosses& l = e.losses;
+  const double share = e.work != 0.0 ? 100.0 * e.error / e.work : 0.0;
+  std::string text = fmt::format(
+      "energy [kJ]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} at "
+      "the "
+      "sheet's edge\n    + contacts and water below + {:.1f} with deleted floes; error {:.2f} ({:.3f} %), births "
+      "{:.2g}\n",
+      e.work / kKilo, e.kinetic_energy / kKilo, e.potential_energy / kKilo, l.edge / kKilo, e.removed_energy / kKilo,
+      e.error / kKilo, share, e.birth_energy / kKilo);
+  text += "  floes against          structure     sheet     floes     water\n";
+  text += fmt::format("  crushing, impact, drag {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_contact / kKilo,
+                      l.sheet_contact / kKilo, l.floe_contact / kKilo, l.drag / kKilo);
+  text += fmt::format("  friction               {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_friction / kKilo,
+                      l.sheet_friction / kKilo, l.floe_friction / kKilo, l.skin_friction / kKilo);
+  return text;
+}
+
 std::string speed(const io::Case& resolved, const simulation::Run& run) {
   const simulation::StageTimes& t = run.stage_times;
   const double share = 100.0 / run.wall_seconds;
@@ -88,7 +106,7 @@ std::string run_table(const io::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
          loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) +
-         speed(resolved, run);
+         energy(run.summary.energy) + speed(resolved, run);
 }
 
 }  // namespace brash::cli

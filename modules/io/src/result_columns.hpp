@@ -47,6 +47,26 @@ struct Columns<LoadRow> {
   }
 
   template <typename Visit>
+  static void visit_energy(Visit&& visit) {
+    visit(
+        "birth_energy", "J", "energy that floes had at birth or gained unexplained in their first step",
+        [](auto& row) -> auto& { return row.birth_energy; });
+    visit(
+        "removed_energy", "J", "kinetic and potential energy of deleted floes",
+        [](auto& row) -> auto& { return row.removed_energy; });
+    EnergyLosses::visit([&](const char* cause, const char* meaning, double EnergyLosses::*loss) {
+      visit(
+          std::string("loss_") + cause, "J",
+          std::string("energy lost since the start: ") + meaning, [loss](auto& row) -> auto& {
+            return row.losses.*loss;
+          });
+    });
+    visit(
+        "energy_error", "J", "work that no other energy accounts for",
+        [](auto& row) -> auto& { return row.energy_error; });
+  }
+
+  template <typename Visit>
   static void visit_state(Visit&& visit) {
     visit(
         "kinetic_energy", "J", "kinetic energy of all floes", [](auto& row) -> auto& { return row.kinetic_energy; });
@@ -55,9 +75,7 @@ struct Columns<LoadRow> {
         [](auto& row) -> auto& { return row.potential_energy; });
     visit(
         "work", "J", "work done by the structure since the start", [](auto& row) -> auto& { return row.work; });
-    visit(
-        "birth_energy", "J", "kinetic energy injected at births since the start",
-        [](auto& row) -> auto& { return row.birth_energy; });
+    visit_energy(visit);
     visit(
         "area_sheet", "m2", "ledger: area of the ice sheet", [](auto& row) -> auto& { return row.area_sheet; });
     visit(

@@ -34,6 +34,7 @@ struct Body {
   BodyKind kind = BodyKind::kFloe;
   Pose pose;
   Twist twist;
+  Twist mean_twist;  ///< over the last step
   MassProperties mass;
   Wrench load;     ///< for the next step
   Pose next_pose;  ///< of a structure

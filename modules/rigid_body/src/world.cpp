@@ -81,6 +81,7 @@ struct World::Impl {
   void find_contacts(double dt);
   void add_contact(const PartPair& pair, double dt);
   void solve(const std::vector<Body*>& order, double dt);
+  void average_velocities(const std::vector<Body*>& order);
   void report(double dt);
   void advance(const std::vector<Body*>& order, double dt);
 };
@@ -191,6 +192,17 @@ void World::Impl::solve(const std::vector<Body*>& order, double dt) {
                     static_cast<int>(manifolds.size()), nullptr, 0, solver_info(settings, dt), nullptr, nullptr);
 }
 
+/// Twists still hold the velocities from before the step; Bullet's bodies have those after it.
+void World::Impl::average_velocities(const std::vector<Body*>& order) {
+  for (Body* body : order) {
+    body->mean_twist = body->twist;
+    if (!body->is_floe()) continue;
+    const btRigidBody& b = *body->bullet;
+    body->mean_twist = {0.5 * (body->twist.linear + from_bullet(b.getLinearVelocity())),
+                        0.5 * (body->twist.angular + from_bullet(b.getAngularVelocity()))};
+  }
+}
+
 void World::Impl::report(double dt) {
   loads.clear();
   for (const Contact& contact : contacts) {
@@ -201,15 +213,20 @@ void World::Impl::report(double dt) {
       const btVector3 friction =
           p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 + p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
       const double bound = solver.bounds[static_cast<std::size_t>(p.m_index0)];
-      loads.push_back({.body = turn ? contact.second->id : contact.first->id,
-                       .other = turn ? contact.first->id : contact.second->id,
-                       .point = from_bullet(p.m_positionWorldOnB),
+      const Vec3 at = from_bullet(p.m_positionWorldOnB);
+      const Body& body = turn ? *contact.second : *contact.first;
+      const Body& other = turn ? *contact.first : *contact.second;
+      loads.push_back({.body = body.id,
+                       .other = other.id,
+                       .point = at,
                        .normal = sign * contact.normal,
                        .normal_force = p.m_appliedImpulse / dt,
                        .friction_force = (sign / dt) * from_bullet(friction),
                        .area = contact.patch.points[static_cast<std::size_t>(i)].area,
                        .depth = contact.patch.depth,
-                       .at_bound = p.m_appliedImpulse >= bound});
+                       .at_bound = p.m_appliedImpulse >= bound,
+                       .body_velocity = velocity_at(body.mean_twist, at - body.pose.position),
+                       .other_velocity = velocity_at(other.mean_twist, at - other.pose.position)});
     }
   }
   const auto key = [](const ContactLoad& c) { return std::tuple(c.body, c.other, c.point.x, c.point.y, c.point.z); };
@@ -314,6 +331,7 @@ void World::step(double dt) {
   impl_->predict(order, dt);
   impl_->find_contacts(dt);
   impl_->solve(order, dt);
+  impl_->average_velocities(order);
   impl_->report(dt);
   impl_->advance(order, dt);
 }
@@ -331,6 +349,7 @@ std::vector<BodyId> World::floes() const {
 
 Pose World::pose(BodyId id) const { return impl_->get(id).pose; }
 Twist World::twist(BodyId id) const { return impl_->get(id).twist; }
+Twist World::mean_twist(BodyId id) const { return impl_->get(id).mean_twist; }
 
 void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
@@ -346,5 +365,7 @@ double World::kinetic_energy() const {
     if (body->is_floe()) sum += body->kinetic_energy();
   return sum;
 }
+
+double World::kinetic_energy(BodyId id) const { return impl_->get(id).kinetic_energy(); }
 
 }  // namespace brash::rigid_body

@@ -90,7 +90,7 @@ IceField field_of(const io::Case& resolved, const io::Checkpoint& checkpoint) {
 Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Impl(c, field_of(c, checkpoint)) {
   n_steps = checkpoint.counters.at("n_steps");
   n_breaks = static_cast<std::uint64_t>(checkpoint.counters.at("n_breaks"));
-  work = checkpoint.numbers.at("work");
+  EnergyLedger::visit(energy, [&](const std::string& name, double& sum) { sum = checkpoint.numbers.at(name); });
   centre = {checkpoint.numbers.at("centre_x"), checkpoint.numbers.at("centre_y")};
   world.set_state(structure_body, structure_pose(), {});
   for (const io::CheckpointFloe& floe : checkpoint.floes)
@@ -120,12 +120,13 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
                                     {"n_steps", n_steps},
                                     {"n_breaks", static_cast<std::int64_t>(n_breaks)},
                                     {"next_floe", floes.next_id()}},
-                       .numbers = {{"work", work}, {"centre_x", centre.x}, {"centre_y", centre.y}},
+                       .numbers = {{"centre_x", centre.x}, {"centre_y", centre.y}},
                        .results = {}};
+  EnergyLedger::visit(energy, [&](const std::string& name, double sum) { saved.numbers[name] = sum; });
   for (const geometry::Polygon& polygon : field.sheet().polygons()) saved.sheet.push_back(to_grid(polygon));
   for (const auto& [body, floe] : floes.floes())
     saved.floes.push_back({.id = floe.id,
-                           .body = body,
+                           .body = BodyId{static_cast<std::uint32_t>(saved.floes.size()), 0},  // only the order counts
                            .rings = to_grid(floe.outline),
                            .thickness = floe.prism.thickness,
                            .pose = world.pose(body),

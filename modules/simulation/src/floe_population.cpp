@@ -93,8 +93,8 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   floes_.emplace(body, std::move(floe));
 }
 
-void FloePopulation::apply_water(rigid_body::World& world, double dt) const {
-  for (const auto& [body, floe] : floes_) {
+void FloePopulation::apply_water(rigid_body::World& world, double dt) {
+  for (auto& [body, floe] : floes_) {
     const hydrodynamics::WaterLoad load =
         hydrodynamics::water_load(floe.prism, world.pose(body), world.twist(body), water_,
                                   {.dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia});
@@ -103,6 +103,8 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt) const {
     wrench += load.drag;
     wrench += load.skin_friction;
     world.apply(body, wrench);
+    floe.drag = load.drag;
+    floe.skin_friction = load.skin_friction;
   }
 }
 
@@ -150,6 +152,11 @@ double FloePopulation::potential_energy(const rigid_body::World& world) const {
   for (const auto& [body, floe] : floes_)
     sum += potential(floe, world.pose(body), water_.density) - floe.rest_potential;
   return sum;
+}
+
+double FloePopulation::energy(const rigid_body::World& world, BodyId body) const {
+  const Floe& floe = floes_.at(body);
+  return world.kinetic_energy(body) + potential(floe, world.pose(body), water_.density) - floe.rest_potential;
 }
 
 }  // namespace brash::simulation

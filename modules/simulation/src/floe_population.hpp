@@ -24,12 +24,14 @@ struct Floe {
   Prism prism;
   geometry::ExactArea area;
   rigid_body::MassProperties inertia{};  ///< with added mass
-  double weight = 0.0;                 ///< m g, without added mass [N]
-  double rest_potential = 0.0;         ///< potential energy floating at rest [J]
-  double collision_time = 0.0;         ///< T_col of Eqs. 11, 12 [s]
+  double weight = 0.0;                   ///< m g, without added mass [N]
+  double rest_potential = 0.0;           ///< potential energy floating at rest [J]
+  double collision_time = 0.0;           ///< T_col of Eqs. 11, 12 [s]
   /// Mean stress (xx, yy, zz, xy, yz, zx) from contact forces, averaged over T_col; tension positive [Pa].
   std::array<double, 6> stress{};
   double peak_compression = 0.0;  ///< [Pa]
+  Wrench drag{};                  ///< of the last step, form and rotational, about the centre of mass
+  Wrench skin_friction{};         ///< likewise
 };
 
 /// What changes of a floe after its birth.
@@ -53,7 +55,7 @@ class FloePopulation {
   void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
 
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
-  void apply_water(rigid_body::World& world, double dt) const;
+  void apply_water(rigid_body::World& world, double dt);
 
   /// Mean stress of each floe from the last step's contacts (Love-Weber), averaged over its collision time T_col.
   void update_stress(const rigid_body::World& world, double dt);
@@ -65,6 +67,8 @@ class FloePopulation {
 
   /// Potential energy of weight and buoyancy against floating at rest [J].
   double potential_energy(const rigid_body::World& world) const;
+  /// Kinetic and potential energy of one floe [J].
+  double energy(const rigid_body::World& world, BodyId body) const;
 
   const std::map<BodyId, Floe>& floes() const { return floes_; }
   std::int64_t next_id() const { return next_id_; }

@@ -186,14 +186,15 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
   floes.update_stress(world, resolved.time.step);
   if (!resolved.contact.delete_crushed) return;
   for (const BodyId body : floes.overstressed(resolved.ice.compressive_strength)) {
+    energy.remove(world, floes, body);
     const Floe floe = floes.remove(world, body);
     field.floe_to_deleted(floe.area);
     report.deaths.push_back({floe.id, io::FloeEnd::kCrushed, floe.peak_compression});
   }
 }
 
-/// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge.
-void Simulation::Impl::collect_loads(StepReport& report) {
+/// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.
+void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& report) {
   const StageClock clock(times.loads);
   io::LoadRow& row = report.loads;
   row.time = time();
@@ -210,10 +211,11 @@ void Simulation::Impl::collect_loads(StepReport& report) {
   row.total = row.crushing;
   row.total += row.floe_normal;
   row.total += row.floe_friction;
-  work += row.total.force.x * resolved.structure.speed * resolved.time.step;
-  row.work = work;
-  row.kinetic_energy = world.kinetic_energy();
-  row.potential_energy = floes.potential_energy(world);
+  const double dt = resolved.time.step;
+  energy.book_structure(row.crushing.force.x, row.floe_normal.force.x + row.floe_friction.force.x,
+                        resolved.structure.speed * dt);
+  energy.book_step(world, floes, first_newborn, dt);
+  energy.report(world, floes, row);
 
   const geometry::Ledger& ledger = field.ledger();
   row.area_sheet = ledger.sheet.square_metres();
@@ -227,6 +229,7 @@ void Simulation::Impl::collect_loads(StepReport& report) {
 
 StepReport Simulation::Impl::step() {
   StepReport report;
+  const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
   advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
   {
     const StageClock clock(times.water);
@@ -237,8 +240,8 @@ StepReport Simulation::Impl::step() {
     world.step(resolved.time.step);  // contacts with bounded impulses: Eqs. 1 to 10, 16
   }
   ++n_steps;
-  collect_loads(report);         // impulse / dt, by cause
-  remove_crushed_floes(report);  // sigma > sigma_c
+  collect_loads(first_newborn, report);  // impulse / dt, by cause; energies
+  remove_crushed_floes(report);          // sigma > sigma_c
   return report;
 }
 

@@ -7,6 +7,7 @@
 #include "brash/io/checkpoint.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "edge_contact.hpp"
+#include "energy_ledger.hpp"
 #include "floe_population.hpp"
 #include "ice_field.hpp"
 #include "sheet_tiles.hpp"
@@ -26,7 +27,7 @@ struct Simulation::Impl {
   Vec2 centre;  ///< of the structure [m]
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
-  double work = 0.0;           ///< done by the structure [J]
+  EnergyLedger energy;
   std::vector<io::FloeRecord> initial_births;
   StageTimes times;
 
@@ -46,7 +47,7 @@ struct Simulation::Impl {
   std::vector<EdgeContact> contacts_within_range(double& share, StepReport& report);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   void remove_crushed_floes(StepReport& report);
-  void collect_loads(StepReport& report);
+  void collect_loads(std::int64_t first_newborn, StepReport& report);
   StepReport step();
   io::Checkpoint checkpoint() const;
 

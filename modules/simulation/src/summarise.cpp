@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -82,6 +83,39 @@ nlohmann::ordered_json json_of(const geometry::Ledger& ledger) {
           {"closes", ledger.closes()}};
 }
 
+EnergyBalance energy_balance(std::span<const io::LoadRow> rows) {
+  if (rows.empty()) return {};
+  double largest = 0.0;
+  double before = 0.0;
+  for (const io::LoadRow& row : rows) {
+    largest = std::max(largest, std::abs(row.energy_error - before));
+    before = row.energy_error;
+  }
+  const io::LoadRow& end = rows.back();
+  return {.work = end.work,
+          .birth_energy = end.birth_energy,
+          .kinetic_energy = end.kinetic_energy,
+          .potential_energy = end.potential_energy,
+          .removed_energy = end.removed_energy,
+          .losses = end.losses,
+          .error = end.energy_error,
+          .largest_step_error = largest};
+}
+
+nlohmann::ordered_json json_of(const EnergyBalance& e) {
+  nlohmann::ordered_json losses;
+  io::EnergyLosses::visit(
+      [&](const char* cause, const char*, double io::EnergyLosses::*loss) { losses[cause] = e.losses.*loss; });
+  return {{"work", e.work},
+          {"birth_energy", e.birth_energy},
+          {"kinetic_energy", e.kinetic_energy},
+          {"potential_energy", e.potential_energy},
+          {"removed_energy", e.removed_energy},
+          {"losses", losses},
+          {"energy_error", e.error},
+          {"largest_step_error", e.largest_step_error}};
+}
+
 }  // namespace
 
 RunSummary summarise(const io::Case& resolved, const io::RunResults& results, RunSummary s) {
@@ -122,6 +156,7 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
   s.n_floes_born = static_cast<int>(results.floes.size());
   s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);
   s.fastest_floe = fastest(results.frames);
+  s.energy = energy_balance(results.loads);
   return s;
 }
 
@@ -150,7 +185,8 @@ std::string to_json(const RunSummary& s) {
       {"n_outlines_refused", s.n_outlines_refused},
       {"n_steps_too_long", s.n_steps_too_long},
       {"fastest_floe", s.fastest_floe},
-      {"ledger", json_of(s.ledger)}};
+      {"ledger", json_of(s.ledger)},
+      {"energy", json_of(s.energy)}};
   return json.dump(2) + "\n";
 }
 

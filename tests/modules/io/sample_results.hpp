@@ -19,6 +19,9 @@ inline brash::io::RunResults sample_results() {
     row.potential_energy = 0.25;
     row.work = 1e3 * i;
     row.birth_energy = 0.125;
+    row.removed_energy = 0.5 * i;
+    row.losses = {1.5, 2.5 * i, 3.5, 4.5, 5.5, 6.5, 7.5, -8.5, 9.5};
+    row.energy_error = -1e-3 * i;
     row.area_sheet = 2500.0 - i;
     row.area_floes = i;
     row.area_crushed = 1e-9;

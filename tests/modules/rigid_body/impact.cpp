@@ -180,6 +180,67 @@ BOOST_AUTO_TEST_CASE(The_reported_loads_are_the_change_of_momentum) {
   BOOST_TEST(contacts > 30u);
 }
 
+BOOST_AUTO_TEST_CASE(The_work_of_the_contacts_of_two_floes_is_the_change_of_their_kinetic_energy) {
+  for (const double e : {0.0, 0.4}) {
+    WorldSettings settings;
+    settings.ice_ice = {.friction = 0.3, .restitution = e, .crushing_pressure = 0.2e6};
+    World world(settings);
+    // No spin before the impact, so that only contacts change energies. The second is born first: a pair is turned.
+    const BodyId second = add_floe(world, rectangle({1.99, 0.3}, {4, 1.6}), 0.33, {{-1.2, 0.1, 0.05}, {}});
+    const BodyId first = add_floe(world, rectangle({0, 0}, {2, 1}), 0.25, {{0.8, -0.4, 0}, {}}, 0.5);
+    const double energy = world.kinetic_energy();
+    const double energy_of_first = world.kinetic_energy(first);
+    const double dt = 0.01;
+    world.step(dt);
+    BOOST_REQUIRE(!world.contacts().empty());
+    double work = 0.0;
+    double work_on_first = 0.0;
+    double friction = 0.0;
+    for (const ContactLoad& c : world.contacts()) {
+      BOOST_TEST((c.body == second && c.other == first));
+      BOOST_TEST(normal_power(c) <= 0.0);
+      friction += friction_power(c);
+      work += dt * (normal_power(c) + friction_power(c));
+      work_on_first -= dt * dot(c.normal_force * c.normal + c.friction_force, c.other_velocity);
+    }
+    BOOST_TEST(work < -1.0);
+    BOOST_TEST(friction < 0.0);  // of all points: the others may turn the slip of one against its friction
+    // Round-off of energies of 500 J.
+    BOOST_TEST(std::abs(world.kinetic_energy() - energy - work) < 1e-9);
+    BOOST_TEST(std::abs(world.kinetic_energy(first) - energy_of_first - work_on_first) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(Loads_contacts_and_a_moving_structure_work_at_the_mean_of_the_velocities_of_the_step) {
+  WorldSettings settings;
+  settings.ice_structure = {.friction = 0.25, .restitution = 0.1, .crushing_pressure = 0.3e6};
+  World world(settings);
+  const BodyId wall = add_structure(world, box({-1, -2, -1}, {0.0, 2, 1}));
+  // Round in the plan's axes and spun about the vertical only: no gyroscopic moment, whose numerical loss is no work.
+  const BodyId floe = add_floe(world, rectangle({0.001, -1}, {2.001, 1}), 0.3, {{-0.5, 0.2, 0}, {0, 0, 0.4}});
+  const double dt = 0.01;
+  const Vec3 velocity{0.7, 0, 0};
+  double given = 0.0;
+  double lost = 0.0;
+  const double before = world.kinetic_energy();
+  for (int i = 0; i < 20; ++i) {
+    const Wrench load{{-900.0, 150.0, 0.0}, {0.0, 0.0, 120.0}};
+    world.apply(floe, load);
+    push(world, wall, velocity, dt);
+    world.step(dt);
+    const Twist mean = world.mean_twist(floe);
+    given += dt * (dot(load.force, mean.linear) + dot(load.moment, mean.angular));
+    for (const ContactLoad& c : world.contacts()) {
+      BOOST_TEST((c.other_velocity == velocity));
+      given += dt * dot(c.normal_force * c.normal + c.friction_force, velocity);
+      lost -= dt * (normal_power(c) + friction_power(c));
+    }
+  }
+  BOOST_TEST(lost > 10.0);
+  // Round-off of 20 sums of 500 J; the faces are vertical to rounding.
+  BOOST_TEST(std::abs(world.kinetic_energy() - before - given + lost) < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(Contacts_between_floes_take_energy_and_leave_momentum) {
   for (const double pressure : {0.05e6, 0.5e6}) {
     WorldSettings settings;

@@ -12,8 +12,45 @@
 
 namespace brash::io {
 
+/// Where the structure's work has gone since the start, besides into the floes' energies [J]. Positive: taken from the
+/// structure and the floes. Each is forces times velocities, none is a remainder (docs/theory/dynamics.md, Energy).
+struct EnergyLosses {
+  double edge = 0.0;                ///< the structure's work against the sheet's edge: crushing and its friction
+  double structure_contact = 0.0;   ///< normal forces between floes and structure: crushing and impact
+  double structure_friction = 0.0;  ///< slip between floes and structure
+  double sheet_contact = 0.0;       ///< likewise between floes and the fixed sheet
+  double sheet_friction = 0.0;
+  double floe_contact = 0.0;  ///< likewise between floes
+  double floe_friction = 0.0;
+  double drag = 0.0;           ///< form and rotational drag; negative where a current pushes
+  double skin_friction = 0.0;  ///< of the water; negative where a current pulls
+
+  /// Calls `visit(name, meaning, member)` for each: one list serves files, checkpoints and sums.
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit("edge", "crushing and its friction at the sheet's edge", &EnergyLosses::edge);
+    visit("structure_contact", "crushing and impact between floes and structure", &EnergyLosses::structure_contact);
+    visit("structure_friction", "friction between floes and structure", &EnergyLosses::structure_friction);
+    visit("sheet_contact", "crushing and impact between floes and sheet", &EnergyLosses::sheet_contact);
+    visit("sheet_friction", "friction between floes and sheet", &EnergyLosses::sheet_friction);
+    visit("floe_contact", "crushing and impact between floes", &EnergyLosses::floe_contact);
+    visit("floe_friction", "friction between floes", &EnergyLosses::floe_friction);
+    visit("drag", "form and rotational drag of the water", &EnergyLosses::drag);
+    visit("skin_friction", "skin friction of the water", &EnergyLosses::skin_friction);
+  }
+  double total() const {
+    double sum = 0.0;
+    visit([&](const char*, const char*, double EnergyLosses::*loss) { sum += this->*loss; });
+    return sum;
+  }
+
+  friend bool operator==(const EnergyLosses&, const EnergyLosses&) = default;
+};
+
 /// Load on the structure over a step, in load axes: x as the ice drifts against the structure (against its motion),
-/// y to starboard, z upwards; moments about the structure's origin on the waterplane.
+/// y to starboard, z upwards; moments about the structure's origin on the waterplane. The energies of a row satisfy
+///
+///   work + birth_energy = kinetic_energy + potential_energy + losses.total() + removed_energy + energy_error.
 struct LoadRow {
   double time = 0.0;              ///< [s]
   Wrench total;                   ///< [N], [N m]
@@ -22,8 +59,13 @@ struct LoadRow {
   Wrench floe_friction;           ///< friction of floes
   double kinetic_energy = 0.0;    ///< of all floes [J]
   double potential_energy = 0.0;  ///< of all floes in gravity and buoyancy, against floating at rest [J]
-  double work = 0.0;              ///< done by the structure since the start [J]
-  double birth_energy = 0.0;      ///< kinetic energy injected at births since the start [J]
+  double work = 0.0;              ///< done by the structure on the ice since the start [J]
+  /// Of floes at their birth, and what they gained in their first step that no load explains, since the start [J].
+  double birth_energy = 0.0;
+  double removed_energy = 0.0;  ///< kinetic and potential energy of deleted floes since the start [J]
+  EnergyLosses losses;
+  /// What the balance lacks: errors of the integration in time since the start; positive where energy vanished [J].
+  double energy_error = 0.0;
   /// The ledger in m2, as doubles of the exact areas.
   double area_sheet = 0.0;
   double area_floes = 0.0;

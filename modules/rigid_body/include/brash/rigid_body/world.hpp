@@ -64,7 +64,21 @@ struct ContactLoad {
   double area = 0.0;          ///< the point's share of the overlap's area normal to `normal` [m2]
   double depth = 0.0;         ///< extent of the overlap along the normal [m]
   bool at_bound = false;      ///< the crushing bound was reached
+  /// Velocities of the two bodies at the point, each the mean of those at the start and the end of the step [m/s]. A
+  /// force of the step times such a mean is its share of the change of kinetic energy, exactly (dynamics.md, E2).
+  Vec3 body_velocity{};
+  Vec3 other_velocity{};
 };
+
+/// Power of the normal force on both bodies together [W]; negative: kinetic energy lost to crushing and impact.
+constexpr double normal_power(const ContactLoad& c) {
+  return c.normal_force * dot(c.normal, c.body_velocity - c.other_velocity);
+}
+
+/// Power of friction on both bodies together [W]; negative: kinetic energy lost to slip.
+constexpr double friction_power(const ContactLoad& c) {
+  return dot(c.friction_force, c.body_velocity - c.other_velocity);
+}
 
 enum class BodyKind { kFloe, kStructure, kSheet };
 
@@ -111,9 +125,13 @@ class World {
   std::vector<BodyId> floes() const;  ///< sorted
   Pose pose(BodyId id) const;
   Twist twist(BodyId id) const;
+  /// Mean of the velocities at the start and the end of the last step; at rest before the first.
+  Twist mean_twist(BodyId id) const;
   void set_state(BodyId id, const Pose& pose, const Twist& twist);
   /// Kinetic energy of all floes, added mass included [J].
   double kinetic_energy() const;
+  /// Kinetic energy of one floe, added mass included [J].
+  double kinetic_energy(BodyId id) const;
 
  private:
   struct Impl;

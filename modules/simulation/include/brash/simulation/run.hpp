@@ -17,6 +17,18 @@ struct LoadSplit {
   double floe_friction = 0.0;
 };
 
+/// The structure's work and where it is at the end of a run [J]; signs and terms are those of io::LoadRow.
+struct EnergyBalance {
+  double work = 0.0;
+  double birth_energy = 0.0;
+  double kinetic_energy = 0.0;
+  double potential_energy = 0.0;
+  double removed_energy = 0.0;
+  io::EnergyLosses losses;
+  double error = 0.0;
+  double largest_step_error = 0.0;  ///< of all steps, in magnitude
+};
+
 /// What a run amounts to; everything here follows from the case and its seed.
 struct RunSummary {
   double statistics_from = 0.0;    ///< loads are summarised from here on [s]
@@ -40,6 +52,7 @@ struct RunSummary {
   int n_steps_too_long = 0;
   double fastest_floe = 0.0;  ///< largest speed of any floe between two frames [m/s]
   geometry::Ledger ledger;
+  EnergyBalance energy;
 };
 
 /// A finished run: results as written, their summary, and where the wall time went.

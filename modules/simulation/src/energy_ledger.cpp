@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "energy_ledger.hpp"
+
+namespace brash::simulation {
+namespace {
+
+using rigid_body::BodyKind;
+using rigid_body::ContactLoad;
+using rigid_body::World;
+
+double power(const Wrench& load, const Twist& twist) {
+  return dot(load.force, twist.linear) + dot(load.moment, twist.angular);
+}
+
+void book(io::EnergyLosses& losses, BodyKind other, const ContactLoad& contact, double dt) {
+  const double normal = -dt * rigid_body::normal_power(contact);
+  const double friction = -dt * rigid_body::friction_power(contact);
+  const auto add = [&](double& of_contact, double& of_friction) {
+    of_contact += normal;
+    of_friction += friction;
+  };
+  if (other == BodyKind::kStructure) add(losses.structure_contact, losses.structure_friction);
+  if (other == BodyKind::kSheet) add(losses.sheet_contact, losses.sheet_friction);
+  if (other == BodyKind::kFloe) add(losses.floe_contact, losses.floe_friction);
+}
+
+}  // namespace
+
+void EnergyLedger::book_structure(double edge_force, double floe_force, double advance) {
+  work_ += (edge_force + floe_force) * advance;
+  losses_.edge += edge_force * advance;
+}
+
+void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
+  const auto is_newborn = [&](BodyId body) {
+    const auto floe = floes.floes().find(body);
+    return floe != floes.floes().end() && floe->second.id >= first_newborn;
+  };
+  double received = 0.0;  // by the newborn, from contacts and drag
+  for (const ContactLoad& contact : world.contacts()) {
+    book(losses_, world.kind(contact.other), contact, dt);
+    const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
+    if (is_newborn(contact.body)) received += dt * dot(force, contact.body_velocity);
+    if (is_newborn(contact.other)) received -= dt * dot(force, contact.other_velocity);
+  }
+  double held = 0.0;  // by the newborn, after their first step
+  for (const auto& [body, floe] : floes.floes()) {
+    const Twist twist = world.mean_twist(body);
+    const double drag = dt * power(floe.drag, twist);
+    const double skin_friction = dt * power(floe.skin_friction, twist);
+    losses_.drag -= drag;
+    losses_.skin_friction -= skin_friction;
+    if (floe.id < first_newborn) continue;
+    received += drag + skin_friction;
+    held += floes.energy(world, body);
+  }
+  birth_ += held - received;
+}
+
+void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {
+  removed_ += floes.energy(world, body);
+}
+
+void EnergyLedger::report(const World& world, const FloePopulation& floes, io::LoadRow& row) const {
+  row.kinetic_energy = world.kinetic_energy();
+  row.potential_energy = floes.potential_energy(world);
+  row.work = work_;
+  row.birth_energy = birth_;
+  row.removed_energy = removed_;
+  row.losses = losses_;
+  row.energy_error = work_ + birth_ - row.kinetic_energy - row.potential_energy - losses_.total() - removed_;
+}
+
+}  // namespace brash::simulation

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "brash/io/results.hpp"
+#include "brash/rigid_body/world.hpp"
+#include "floe_population.hpp"
+
+namespace brash::simulation {
+
+/// Where the structure's work goes: sums since the start of the run, each from loads and the mean velocities of the
+/// step (docs/theory/dynamics.md, Energy). It only looks; nothing in a run depends on it.
+class EnergyLedger {
+ public:
+  /// The structure moved by `advance` [m] against `edge_force` from the sheet's edge and `floe_force` from floes [N].
+  void book_structure(double edge_force, double floe_force, double advance);
+
+  /// Contacts and water in the world's last step, `dt` [s] long. Floes from id `first_newborn` on were born before it.
+  void book_step(const rigid_body::World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt);
+
+  /// The floe `body` is about to be deleted.
+  void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
+
+  /// Fills the energies of a row.
+  void report(const rigid_body::World& world, const FloePopulation& floes, io::LoadRow& row) const;
+
+  /// Calls `visit(name, sum)` for every sum, by its name in a checkpoint.
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("work", self.work_);
+    visit("birth_energy", self.birth_);
+    visit("removed_energy", self.removed_);
+    io::EnergyLosses::visit([&](const char* cause, const char*, double io::EnergyLosses::*loss) {
+      visit(std::string("loss_") + cause, self.losses_.*loss);
+    });
+  }
+
+ private:
+  double work_ = 0.0;
+  double birth_ = 0.0;
+  double removed_ = 0.0;
+  io::EnergyLosses losses_;
+};
+
+}  // namespace brash::simulation

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paper's cone presses on ice: vertical over horizontal force is cot(angle + atan(friction)), by the failure room's
+// load ratios, by a floe's contact in the World, and by a step against the fixed edge.
+#include <boost/test/unit_test.hpp>
+
+#include "brash/failure/criterion.hpp"
+#include "brash/simulation/simulation.hpp"
+#include "brash/structure/cone.hpp"
+#include "floating_floe.hpp"
+
+namespace {
+
+using namespace brash;
+using rigid_body::ContactLoad;
+using rigid_body::World;
+using simulation::testing::ice_and_water;
+
+constexpr double kAngle = radians(61.4);
+constexpr double kFriction = 0.027;
+constexpr double kPressure = 0.5e6;  // sigma_c R of Table 1's ice
+
+/// Vertical over horizontal force of a surface at `slope` on which ice slides down or up.
+double ratio(double slope) { return 1.0 / std::tan(slope + std::atan(kFriction)); }
+
+struct Pushed {
+  Vec3 force{};        ///< on the floe [N]
+  double slope = 0.0;  ///< of the facet ahead [rad]
+  std::size_t points = 0;
+};
+
+/// The first push of the cone on a floe of 1 m by 2 m at the waterline, one facet square on to the floe's edge.
+Pushed push_on_floe(double density_bound, bool downward, int facets) {
+  rigid_body::WorldSettings settings;
+  settings.ice_structure = {kFriction, 0.0, density_bound};
+  World world(settings);
+  const structure::Cone cone{kAngle, 13.6, 9.08, 5.68, downward, facets};
+  const std::vector<std::vector<Vec3>> hulls{structure::hull(cone)};
+  const double half_facet = kPi / facets;
+  const Pose ahead{{}, {std::cos(0.5 * half_facet), 0.0, 0.0, std::sin(0.5 * half_facet)}};
+  const BodyId body = world.add_structure(hulls, ahead);
+
+  const double h = 0.33;
+  const double top = h * (1.0 - 900.0 / 1025.0);
+  const double widest = downward ? top : top - h;
+  const double near = structure::radius_at(cone, widest) * std::cos(half_facet) - 0.004;  // 4 mm into the edge
+  const std::vector<std::vector<Vec2>> plan{{{near, -0.5}, {near + 2.0, -0.5}, {near + 2.0, 0.5}, {near, 0.5}}};
+  const rigid_body::PlacedPrism placed = rigid_body::place_prism(plan, plan, h, top - 0.5 * h);
+  world.add_floe(placed.prism, rigid_body::mass_properties(placed.prism, 900.0, 0.5), placed.pose);
+
+  const double dt = 1e-3;
+  Pose next = ahead;
+  next.position.x += 1.202 * dt;
+  world.move_structure(body, next, {{1.202, 0.0, 0.0}, {}});
+  world.step(dt);
+  Pushed result;
+  for (const ContactLoad& c : world.contacts()) result.force += c.normal_force * c.normal + c.friction_force;
+  result.points = world.contacts().size();
+  // Half a facet from the vertex the cone is as steep as its apothem: tan = tan(angle) / cos(pi / facets).
+  result.slope = std::atan(std::tan(kAngle) / std::cos(half_facet));
+  return result;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_load_ratios_of_the_paper_s_cone_are_0_511) {
+  const failure::LoadRatios ratios = failure::load_ratios(kAngle, kFriction, 0.0);
+  BOOST_TEST_MESSAGE("load_ratios: P / N = " << ratios.mu1 << ", cot(angle + atan mu) = " << ratio(kAngle));
+  BOOST_TEST(ratios.mu1 == ratio(kAngle), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(ratios.mu1 == 0.511, boost::test_tools::tolerance(1e-3));  // three digits
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_s_edge_met_head_on_by_the_cone_is_loaded_by_0_511) {
+  for (const bool downward : {true, false}) {
+    for (const double bound : {kPressure, std::numeric_limits<double>::infinity()}) {
+      for (const int facets : {64, 128}) {
+        const Pushed pushed = push_on_floe(bound, downward, facets);
+        BOOST_REQUIRE(pushed.points > 0u);
+        const double found = (downward ? -1.0 : 1.0) * pushed.force.z / pushed.force.x;
+        BOOST_TEST_MESSAGE((downward ? "downward" : "upward")
+                           << ", bound " << bound << " Pa, " << facets << " facets: vertical / horizontal = " << found
+                           << ", exact for the facet " << ratio(pushed.slope) << ", " << pushed.points << " points");
+        BOOST_TEST(pushed.force.x > 0.0);
+        // The facet's normal is found to 1e-9 of the hull's size; the floe does not stick, slip stays in its plane.
+        BOOST_TEST(found == ratio(pushed.slope), boost::test_tools::tolerance(1e-6));
+        BOOST_TEST(std::abs(pushed.force.y) < 1e-6 * pushed.force.x);
+        if (facets == 128) BOOST_TEST(found == 0.511, boost::test_tools::tolerance(1e-3));  // three digits
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_fixed_edge_met_head_on_is_loaded_by_0_511) {
+  // The level ice of the validation without its initial crack and too strong to break, at the first contact, which is
+  // a chord of a few centimetres ahead of the cone.
+  simulation::Simulation run(ice_and_water({"failure.model=wedge", "field.initial_crack=false",
+                                            "ice.flexural_strength=1e8", "time.step=0.001", "time.duration=1"}));
+  io::LoadRow row;
+  while (norm(row.crushing.force) == 0.0) row = run.step().loads;
+  const double found = row.crushing.force.z / row.crushing.force.x;
+  BOOST_TEST_MESSAGE("first contact with the sheet: vertical / horizontal = " << found);
+  BOOST_TEST(found == 0.511, boost::test_tools::tolerance(1e-3));  // three digits
+  BOOST_TEST(std::abs(row.crushing.force.y) < 1e-6 * row.crushing.force.x);
+}
