@@ -17,8 +17,8 @@ namespace brash::failure {
 namespace {
 
 constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
-/// A plate is solved where the superposition says more than the strength over this. The superposition is wrong by 3 %
-/// (95 % of its rows) and 60 % at worst.
+/// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is
+/// crushed (sigma/p >= 0.25) the superposition is wrong by 3 % (95 % of the rows of its model card) and 60 % at worst.
 constexpr double kPlateMargin = 2.0;
 /// The same for the outline, which may differ more from its trapezoid.
 constexpr double kOutlineMargin = 3.0;
