@@ -14,6 +14,7 @@
 #include "brash/meta_model/training.hpp"
 #include "commands.hpp"
 #include "failure_rows.hpp"
+#include "profile_card.hpp"
 
 namespace brash::cli {
 namespace {
@@ -78,6 +79,18 @@ void print_errors(const char* name, const meta_model::Errors& e) {
              100 * e.length_on_plateau);
 }
 
+/// Writes the card of the model file `output` beside it, by rename when whole; its path.
+std::string write_card(const std::string& output, const std::string& text) {
+  const fs::path card = fs::path(output).replace_extension(".md");
+  const fs::path partial = card.string() + ".partial";
+  std::ofstream stream(partial);
+  stream << text;
+  stream.close();
+  if (!stream) throw RunError(fmt::format("{}: cannot be written", partial.string()));
+  fs::rename(partial, card);
+  return card.string();
+}
+
 void train_network(const std::string& database_file, const std::string& output, meta_model::TrainingOptions options) {
   refuse_missing_folder(output);
   const database::Database data = database::read_database(database_file);
@@ -86,29 +99,23 @@ void train_network(const std::string& database_file, const std::string& output, 
   const meta_model::Trained trained = meta_model::train(samples, options);
   const std::string hash = trained.network.write(output);
 
-  const fs::path card = fs::path(output).replace_extension(".md");
-  const fs::path partial = card.string() + ".partial";
-  std::ofstream stream(partial);
-  stream << meta_model::model_card(
-      trained.network, trained.report, options,
-      {fs::path(output).filename().string(), hash, fs::path(database_file).filename().string()});
-  stream.close();
-  if (!stream) throw RunError(fmt::format("{}: cannot be written", partial.string()));
-  fs::rename(partial, card);
+  const std::string card = write_card(output, meta_model::model_card(trained.network, trained.report, options,
+                                                                     {fs::path(output).filename().string(), hash,
+                                                                      fs::path(database_file).filename().string()}));
 
   fmt::print("{:<11} {:>6} {:>6} {:>10} {:>10} {:>10} {:>12} {:>12} {:>11}\n", "part", "geom.", "rows", "stress rms",
              "median [%]", "95 % [%]", "length med.", "95 % [l_c]", "plateau [%]");
   print_errors("training", trained.report.train);
   print_errors("validation", trained.report.validation);
   print_errors("test", trained.report.test);
-  fmt::print("model       {}\nsha256      {}\ncard        {}\n", output, hash, card.string());
+  fmt::print("model       {}\nsha256      {}\ncard        {}\n", output, hash, card);
 }
 
-/// Every tenth geometry is left out of a first fit, to tell its errors; the model that is written holds all.
+/// Every eleventh geometry is left out of a first fit, to tell its errors; the model that is written holds all.
 void fit_profiles(const std::string& database_file, const std::string& output) {
   refuse_missing_folder(output);
   const database::Database data = database::read_database(database_file);
-  constexpr int kTestEvery = 10;
+  constexpr int kTestEvery = 11;  // odd: an even share of a Sobol sequence lies in one half of the box
   std::vector<meta_model::ProfileSample> all, kept;
   std::vector<const database::Record*> left_out;
   double thickness_over_lc = 0.0;
@@ -123,10 +130,20 @@ void fit_profiles(const std::string& database_file, const std::string& output) {
     }
   }
   const std::string hash = database::file_sha256(database_file);
-  print_profile_errors(meta_model::ProfileModel::fit(kept, thickness_over_lc, hash), left_out);
+  const auto tested = meta_model::ProfileModel::fit(kept, thickness_over_lc, hash);
+  print_profile_errors(tested, left_out);
   const auto model = meta_model::ProfileModel::fit(all, thickness_over_lc, hash);
   const std::string content = model.write(output);
-  fmt::print("modes       {}\nmodel       {}\nsha256      {}\n", model.n_modes(), output, content);
+  const std::string card =
+      write_card(output, profile_card(tested, left_out,
+                                      {.model_file = fs::path(output).filename().string(),
+                                       .content_sha256 = content,
+                                       .database_file = fs::path(database_file).filename().string(),
+                                       .data_sha256 = hash,
+                                       .n_geometries = all.size(),
+                                       .n_modes = model.n_modes()}));
+  fmt::print("modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", model.n_modes(), output, content,
+             card);
 }
 
 void add_database_command(CLI::App& failure) {

@@ -19,6 +19,18 @@
 #include "brash/plate/plate.hpp"
 
 namespace brash::cli {
+
+plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
+  plate::UnitProfiles unit;
+  unit.station = p.station;
+  for (std::size_t i = 0; i < p.station.size(); ++i) {
+    unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
+    unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
+    unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
+  }
+  return unit;
+}
+
 namespace {
 
 constexpr const char* kHeader = "b_lc,c_lc,theta_deg,mu1,mu2";
@@ -121,18 +133,6 @@ std::vector<Answer> infer_rows(const meta_model::Network& network, const std::ve
     answers.push_back({outputs[i], network.check(rows[i].input).inside()});
   }
   return answers;
-}
-
-/// The interpolated profiles as the plate solver would give them; no values at the roots.
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
-  plate::UnitProfiles unit;
-  unit.station = p.station;
-  for (std::size_t i = 0; i < p.station.size(); ++i) {
-    unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
-    unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
-    unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
-  }
-  return unit;
 }
 
 /// Interpolated unit profiles, superposed exactly; h / l_c as for the plate.

@@ -6,6 +6,7 @@
 
 #include "brash/database/database.hpp"
 #include "brash/meta_model/profile_model.hpp"
+#include "brash/plate/plate.hpp"
 
 namespace brash::cli {
 
@@ -17,6 +18,9 @@ struct PredictOptions {
 /// Reads rows `b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]` and prints them with `sigma_over_p,lbreak_over_lc,in_range`.
 /// @throws InputError with file, line and column of a row that cannot be read.
 void predict_rows(const PredictOptions& options);
+
+/// The interpolated profiles as the plate solver would give them; no values at the roots.
+plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p);
 
 meta_model::ProfileSample to_profile_sample(const database::Record& record);
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "failure_commands.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "brash/core/error.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kNetwork = BRASH_SOURCE_DIR "/experiments/failure_database/cone_network.json";
+const std::string kSuperposition = BRASH_SOURCE_DIR "/experiments/failure_database/cone_superposition.json";
+
+constexpr const char* kPlan = R"([design]
+geometries = 24
+rows_per_geometry = 2
+edge_share = 0.06
+[range]
+b_lc = { from = 0.0, to = 1.0, spacing = "quadratic" }
+c_lc = { from = 0.2, to = 1.0, spacing = "logarithmic" }
+theta_deg = { from = 0.0, to = 90.0, spacing = "linear" }
+mu1 = { from = 0.3, to = 1.0, spacing = "logarithmic" }
+mu2 = { from = -0.1, to = 0.1, spacing = "linear" }
+thickness_over_lc = 0.1
+[plate]
+poisson_ratio = 0.3
+theory = "reissner-mindlin"
+)";
+
+/// A folder of its own for each test, removed afterwards.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("brash_failure_commands_" + std::to_string(::getpid()));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+    return (path / name).string();
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream stream(path / name);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+};
+
+/// Runs `brash failure ARGUMENTS` without the program around it; what it throws comes through.
+void run(std::vector<std::string> arguments) {
+  CLI::App app;
+  add_failure_command(app);
+  arguments.insert(arguments.begin(), "failure");
+  std::reverse(arguments.begin(), arguments.end());
+  app.parse(arguments);
+}
+
+/// What `run` prints.
+std::string output_of(const Folder& folder, const std::vector<std::string>& arguments) {
+  const std::string file = (folder.path / "stdout").string();
+  std::fflush(stdout);
+  const int saved = ::dup(1);
+  BOOST_REQUIRE(std::freopen(file.c_str(), "w", stdout) != nullptr);
+  run(arguments);
+  std::fflush(stdout);
+  ::dup2(saved, 1);
+  ::close(saved);
+  return folder.read("stdout");
+}
+
+/// sigma/p of the only row of `text`, the sixth column.
+double stress_of(const std::string& text) {
+  std::string row = text.substr(text.find('\n') + 1);
+  for (int i = 0; i < 5; ++i) row = row.substr(row.find(',') + 1);
+  return std::stod(row);
+}
+
+BOOST_AUTO_TEST_CASE(the_models_that_come_with_the_program_predict_what_the_plate_gives) {
+  const Folder folder;
+  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.6,0.3,60,0.5,0.02\n");
+  const double plate = stress_of(output_of(folder, {"predict", "--model", "fem", "--in", rows}));
+  // Their 95 % errors there: 10 % (network) and 1.4 % (superposition), from the model cards.
+  BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", kNetwork, "--in", rows})) == plate,
+             boost::test_tools::tolerance(0.10));
+  BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", kSuperposition, "--in", rows})) == plate,
+             boost::test_tools::tolerance(0.014));
+}
+
+BOOST_AUTO_TEST_CASE(a_row_that_cannot_be_used_is_refused_with_its_line) {
+  const Folder folder;
+  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.6,0.3,60,0.5,0\n0.6,0,60,0.5,0\n");
+  BOOST_CHECK_EXCEPTION(run({"predict", "--model", kNetwork, "--in", rows}), InputError, [](const InputError& error) {
+    return std::string(error.what()).find("rows.csv:3: c_lc = 0 is not allowed") != std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {
+  const Folder folder;
+  const std::string plan = folder.write("plan.toml", kPlan);
+  const std::string database = (folder.path / "small.nc").string(), model = (folder.path / "small.json").string();
+  output_of(folder, {"database", plan, "-o", database});
+  const std::string printed = output_of(folder, {"train", database, "-o", model, "--superposition"});
+  BOOST_TEST(printed.find("small.md") != std::string::npos);
+  const std::string card = folder.read("small.md");
+  BOOST_TEST(card.find("# Model card: small.json") == 0u);
+  BOOST_TEST(card.find("24 geometries") != std::string::npos);
+  BOOST_TEST(card.find("| all | 4 | 2 |") != std::string::npos);  // geometries 10 and 21, two rows each
+  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.6,0.3,60,0.5,0.02\n");
+  BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
+}
+
+}  // namespace
+}  // namespace brash::cli
