@@ -27,11 +27,4 @@ constexpr bool is_on_segment(Point p, Point a, Point b) {
   return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && turn(a, b, p) == 0;
 }
 
-/// True when the closed segments `a`-`b` and `c`-`d` share a point.
-constexpr bool do_segments_meet(Point a, Point b, Point c, Point d) {
-  const int c_side = side(a, b, c), d_side = side(a, b, d), a_side = side(c, d, a), b_side = side(c, d, b);
-  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-  return is_on_segment(c, a, b) || is_on_segment(d, a, b) || is_on_segment(a, c, d) || is_on_segment(b, c, d);
-}
-
 }  // namespace brash::geometry
