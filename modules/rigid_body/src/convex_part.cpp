@@ -54,7 +54,7 @@ std::vector<int> loop_on(const Plane& plane, std::span<const Vec3> points, doubl
   }
   middle = middle / static_cast<double>(on.size());
   const auto [u, v] = plane_axes(plane.normal);
-  const auto angle = [&](int i) {
+  const auto angle = [&, u = u, v = v](int i) {  // clang 14 does not capture structured bindings
     const Vec3 r = points[static_cast<std::size_t>(i)] - middle;
     return std::atan2(dot(r, v), dot(r, u));
   };
