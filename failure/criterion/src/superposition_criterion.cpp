@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/meta_model/profile_model.hpp"
-#include "brash/plate/plate.hpp"
+#include "brash/failure/response_model.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
 namespace {
-
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
-  plate::UnitProfiles unit;
-  unit.station = p.station;
-  for (std::size_t i = 0; i < p.station.size(); ++i) {
-    unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
-    unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
-    unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
-  }
-  return unit;
-}
 
 /// Interpolated unit profiles, superposed for the case's mu1, mu2 and h / l_c; then the largest stress.
 class SuperpositionCriterion final : public BendingCriterion {

@@ -11,16 +11,13 @@
 namespace brash::cli {
 
 struct PredictOptions {
-  std::string model;  ///< model file, or `fem`
+  std::string model;  ///< as failure::make_response_model takes it
   std::string rows;   ///< CSV file; empty: standard input
 };
 
 /// Reads rows `b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]` and prints them with `sigma_over_p,lbreak_over_lc,in_range`.
 /// @throws InputError with file, line and column of a row that cannot be read.
 void predict_rows(const PredictOptions& options);
-
-/// The interpolated profiles as the plate solver would give them; no values at the roots.
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p);
 
 meta_model::ProfileSample to_profile_sample(const database::Record& record);
 

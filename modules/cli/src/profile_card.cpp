@@ -30,7 +30,7 @@ std::vector<JudgedRow> judge(const meta_model::ProfileModel& model,
   std::vector<JudgedRow> rows;
   for (const database::Record* record : records) {
     const meta_model::Geometry wanted{record->plate.depth, record->plate.contact_length, record->plate.angle};
-    const plate::UnitProfiles unit = to_unit_profiles(model.predict(model.clamp(wanted)));
+    const plate::UnitProfiles unit = failure::to_unit_profiles(model.predict(model.clamp(wanted)));
     for (const database::Row& row : record->rows) {
       const plate::Response r = plate::respond(unit, record->plate.thickness, row.load.mu1, row.load.mu2);
       rows.push_back(

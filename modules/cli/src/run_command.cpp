@@ -6,9 +6,9 @@
 #include <csignal>
 #include <memory>
 
-#include "brash/report/plan_view.hpp"
 #include "brash/simulation/run.hpp"
 #include "commands.hpp"
+#include "run_folder.hpp"
 #include "table.hpp"
 
 namespace brash::cli {
@@ -76,8 +76,7 @@ void run_case(const RunOptions& options) {
   if (!run.complete)
     throw Interrupted(fmt::format("interrupted at t = {} s; `brash run {} -o {} --resume` goes on from there",
                                   run.results.loads.back().time, options.case_file, directory));
-  io::write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
-  simulation::write_run(directory, options.case_file, resolved, run, {"plan.svg"});
+  write_run_folder(directory, options.case_file, resolved, run);
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
 }
 

@@ -7,7 +7,7 @@
 
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
-#include "result_columns.hpp"
+#include "brash/io/result_columns.hpp"
 #include "result_tables.hpp"
 
 namespace brash::io {
