@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brash/core/constants.hpp"
+#include "brash/failure/response_model.hpp"
 #include "failure_rows.hpp"
 
 namespace brash::cli {

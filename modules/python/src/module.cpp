@@ -14,8 +14,10 @@ PYBIND11_MODULE(_brash, m) {
       "A bug in the program: a broken contract, with its values.";
   py::register_exception<brash::RunError>(m, "RunError", PyExc_RuntimeError).doc() =
       "A run that cannot go on although its input was good.";
-  const auto& input_error = py::register_exception<brash::InputError>(m, "InputError", PyExc_ValueError);
-  py::register_exception<NotApplicable>(m, "NotApplicable", input_error.ptr());
+  auto& input_error = py::register_exception<brash::InputError>(m, "InputError", PyExc_ValueError);
+  input_error.doc() = "Bad input: the message names the place, the value, what is allowed and the remedy.";
+  py::register_exception<NotApplicable>(m, "NotApplicable", input_error.ptr()).doc() =
+      "Outside the range of a closed form, or data that a distribution does not fit.";
   add_case(m);
   add_results(m);
   add_simulation(m);
