@@ -101,6 +101,8 @@ void write_results(const std::string& directory, const Case& resolved, const Run
   write_file((folder / "events.csv").string(), events_csv(results));
 }
 
+std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
+
 RunResults read_results(const std::string& path) { return read_tables(NetcdfReader(path)); }
 
 }  // namespace brash::io
