@@ -43,12 +43,30 @@ std::vector<double> hann(std::size_t n) {
   return window;
 }
 
+/// Adds the squared transform of a segment, without its mean and under the window, to the lines of `power`.
+void add_power(std::span<const double> segment, const std::vector<double>& window, const RealTransform& transform,
+               std::vector<double>& power) {
+  const std::size_t n = segment.size();
+  const double mean = gsl_stats_mean(segment.data(), 1, n);
+  std::vector<double> data(n);
+  for (std::size_t i = 0; i < n; ++i) data[i] = window[i] * (segment[i] - mean);
+  transform(data);
+  power[0] += data[0] * data[0];
+  for (std::size_t k = 1; k < power.size(); ++k) {
+    const double real = data[2 * k - 1];
+    const double imaginary = 2 * k < n ? data[2 * k] : 0.0;
+    power[k] += real * real + imaginary * imaginary;
+  }
+}
+
 }  // namespace
 
 Spectrum welch_spectrum(std::span<const double> samples, double dt, std::size_t segment) {
-  BRASH_EXPECTS(segment >= 4 && segment <= samples.size(), segment, samples.size());
-  BRASH_EXPECTS(dt > 0.0, dt);
-  BRASH_EXPECTS(all_finite(samples));
+  return welch_spectrum(Pieces{samples}, dt, segment);
+}
+
+Spectrum welch_spectrum(const Pieces& pieces, double dt, std::size_t segment) {
+  BRASH_EXPECTS(segment >= 4 && dt > 0.0, segment, dt);
   quiet_gsl();
   const RealTransform transform(segment);
   const std::vector<double> window = hann(segment);
@@ -56,33 +74,29 @@ Spectrum welch_spectrum(std::span<const double> samples, double dt, std::size_t 
   for (const double w : window) window_power += w * w;
 
   Spectrum spectrum;
-  const std::size_t n_lines = segment / 2 + 1;
-  spectrum.density.assign(n_lines, 0.0);
+  spectrum.density.assign(segment / 2 + 1, 0.0);
   const std::size_t step = segment - segment / 2;
-  std::vector<double> data(segment);
-  for (std::size_t start = 0; start + segment <= samples.size(); start += step) {
-    const double mean = gsl_stats_mean(samples.data() + start, 1, segment);
-    for (std::size_t i = 0; i < segment; ++i) data[i] = window[i] * (samples[start + i] - mean);
-    transform(data);
-    spectrum.density[0] += data[0] * data[0];
-    for (std::size_t k = 1; k < n_lines; ++k) {
-      const double real = data[2 * k - 1];
-      const double imaginary = 2 * k < segment ? data[2 * k] : 0.0;
-      spectrum.density[k] += real * real + imaginary * imaginary;
+  std::size_t n_used = 0;  // pieces
+  for (const auto piece : pieces) {
+    BRASH_EXPECTS(all_finite(piece));
+    n_used += piece.size() >= segment ? 1 : 0;
+    for (std::size_t start = 0; start + segment <= piece.size(); start += step) {
+      add_power(piece.subspan(start, segment), window, transform, spectrum.density);
+      ++spectrum.n_segments;
     }
-    ++spectrum.n_segments;
   }
+  BRASH_EXPECTS(spectrum.n_segments > 0, segment);
 
   const double scale = dt / (window_power * static_cast<double>(spectrum.n_segments));
-  for (std::size_t k = 0; k < n_lines; ++k) {
+  for (std::size_t k = 0; k < spectrum.density.size(); ++k) {
     // Two-sided power on one side, except at zero and at the Nyquist frequency.
     const bool paired = k > 0 && 2 * k < segment;
     spectrum.density[k] *= paired ? 2.0 * scale : scale;
     spectrum.frequency.push_back(static_cast<double>(k) / (static_cast<double>(segment) * dt));
   }
-  // Neighbouring Hann windows share a correlation of 1/6, squared 1/36: nu = 2 K / (1 + 2 (K - 1)/K / 36).
+  // Neighbours in a piece share a correlation of 1/6, squared 1/36: nu = 2 K / (1 + 2 (K - pieces)/K / 36).
   const auto n = static_cast<double>(spectrum.n_segments);
-  spectrum.degrees_of_freedom = 36.0 * n * n / (19.0 * n - 1.0);
+  spectrum.degrees_of_freedom = 36.0 * n * n / (19.0 * n - static_cast<double>(n_used));
   return spectrum;
 }
 

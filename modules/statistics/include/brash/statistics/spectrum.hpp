@@ -24,6 +24,9 @@ struct Spectrum {
 /// @see P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70.
 Spectrum welch_spectrum(std::span<const double> samples, double dt, std::size_t segment);
 
+/// The same over all segments that lie within pieces of a history; at least one piece is as long as `segment`.
+Spectrum welch_spectrum(const Pieces& pieces, double dt, std::size_t segment);
+
 /// Factors that turn a density into its confidence interval: chi squared with the spectrum's degrees of freedom.
 Interval spectrum_factors(const Spectrum& spectrum, double confidence = 0.95);
 
