@@ -153,6 +153,17 @@ std::string extremes_text(const ordered_json& s) {
              fmt::format("{} blocks of {:.4g} s", blocks["blocks"].get<std::size_t>(), blocks["block"].get<double>()));
 }
 
+/// The largest number up to `n` without a prime factor above 5: a transform of such a length is fast.
+std::size_t fast_length(std::size_t n) {
+  for (; n > 1; --n) {
+    std::size_t rest = n;
+    for (const std::size_t factor : {2, 3, 5})
+      while (rest % factor == 0) rest /= factor;
+    if (rest == 1) break;
+  }
+  return n;
+}
+
 void write_spectrum(const std::string& file, const LoadHistory& load, double segment) {
   const auto spectrum = spectrum_of(load, segment);
   if (!spectrum) throw InputError("--spectrum: the history or the segment is shorter than 16 samples");
@@ -172,8 +183,8 @@ std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& load, double 
   std::size_t longest = 0;
   for (const auto& piece : load.even.pieces) longest = std::max(longest, piece.size());
   // An eighth of the history gives about 15 segments.
-  const std::size_t wanted =
-      segment > 0.0 ? static_cast<std::size_t>(std::round(segment / load.even.sampling.step)) : longest / 8;
+  const std::size_t wanted = segment > 0.0 ? static_cast<std::size_t>(std::round(segment / load.even.sampling.step))
+                                           : fast_length(longest / 8);
   if (wanted < 16 || wanted > longest) return std::nullopt;
   return statistics::welch_spectrum(load.even.views(), load.even.sampling.step, wanted);
 }

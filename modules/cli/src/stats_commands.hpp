@@ -36,6 +36,8 @@ std::string loads_text(const nlohmann::ordered_json& loads);
 
 /// `brash stats FILE`; callbacks throw InputError.
 void add_stats_command(CLI::App& app);
+/// `brash trend CAMPAIGN --along KEY`; callbacks throw InputError.
+void add_trend_command(CLI::App& app);
 /// `brash loads CASE.toml`
 void add_loads_command(CLI::App& app);
 
