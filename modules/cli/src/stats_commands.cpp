@@ -183,8 +183,8 @@ std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& load, double 
   std::size_t longest = 0;
   for (const auto& piece : load.even.pieces) longest = std::max(longest, piece.size());
   // An eighth of the history gives about 15 segments.
-  const std::size_t wanted = segment > 0.0 ? static_cast<std::size_t>(std::round(segment / load.even.sampling.step))
-                                           : fast_length(longest / 8);
+  const std::size_t given = static_cast<std::size_t>(std::round(segment / load.even.sampling.step));
+  const std::size_t wanted = fast_length(segment > 0.0 ? given : longest / 8);
   if (wanted < 16 || wanted > longest) return std::nullopt;
   return statistics::welch_spectrum(load.even.views(), load.even.sampling.step, wanted);
 }

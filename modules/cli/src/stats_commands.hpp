@@ -23,8 +23,8 @@ struct StatisticsSettings {
 /// Statistics of a load history, in the unit of the file; keys as in summary.json where both have them.
 nlohmann::ordered_json statistics_of(const LoadHistory& history, const StatisticsSettings& settings = {});
 
-/// Welch's spectrum over segments of `segment` [s], 0 for an eighth of the longest piece; nothing when that is fewer
-/// than 16 samples.
+/// Welch's spectrum over segments of `segment` [s], 0 for an eighth of the longest piece, shortened to a length that
+/// transforms fast (no prime factor above 5); nothing when that is fewer than 16 samples.
 std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& history, double segment);
 
 /// Closed-form loads for a case, SI, each with its source: Croasdale, Ralston with both yield criteria, Nevel's wedges.
@@ -36,6 +36,8 @@ std::string loads_text(const nlohmann::ordered_json& loads);
 
 /// `brash stats FILE`; callbacks throw InputError.
 void add_stats_command(CLI::App& app);
+/// `brash compare RUN MEASURED`; callbacks throw InputError.
+void add_compare_command(CLI::App& app);
 /// `brash trend CAMPAIGN --along KEY`; callbacks throw InputError.
 void add_trend_command(CLI::App& app);
 /// `brash loads CASE.toml`

@@ -123,6 +123,8 @@ double exact_jonckheere(const std::vector<std::vector<double>>& groups, double s
   return std::min(1.0, 2.0 * std::accumulate(of_j.begin(), end, 0.0));
 }
 
+double freedom_of(const Summary& s) { return std::max(1.0, s.effective_sample_size - 1.0); }
+
 /// Difference of two means from their variances (of the means) and degrees of freedom, after Welch and Satterthwaite.
 MeanComparison compare(double difference, double variance_a, double freedom_a, double variance_b, double freedom_b,
                        double confidence) {
@@ -205,23 +207,27 @@ MeanComparison compare_means(const Summary& a, const Summary& b, double confiden
   const auto variance = [](const Summary& s) {
     return s.standard_deviation * s.standard_deviation / s.effective_sample_size;
   };
-  const auto freedom = [](const Summary& s) { return std::max(1.0, s.effective_sample_size - 1.0); };
-  return compare(a.mean - b.mean, variance(a), freedom(a), variance(b), freedom(b), confidence);
+  return compare(a.mean - b.mean, variance(a), freedom_of(a), variance(b), freedom_of(b), confidence);
 }
 
-DeviationComparison compare_deviations(const Summary& a, const Summary& b, double confidence) {
+RatioComparison compare_ratio(const Summary& a, const Summary& b, double confidence) {
   BRASH_EXPECTS(a.mean > 0.0 && b.mean > 0.0, a.mean, b.mean);
-  // d ln(deviation) = d(variance) / (2 variance)
   const auto variance = [](const Summary& s) {
-    const double relative = s.standard_deviation / (2.0 * s.mean);
+    const double relative = s.standard_deviation / s.mean;
     return relative * relative / s.effective_sample_size;
   };
-  const auto freedom = [](const Summary& s) { return std::max(1.0, s.effective_sample_size - 1.0); };
   const MeanComparison logarithm =
-      compare(0.5 * std::log(a.mean / b.mean), variance(a), freedom(a), variance(b), freedom(b), confidence);
+      compare(std::log(a.mean / b.mean), variance(a), freedom_of(a), variance(b), freedom_of(b), confidence);
   return {std::exp(logarithm.difference),
           {std::exp(logarithm.interval.lower), std::exp(logarithm.interval.upper)},
           logarithm.test};
+}
+
+RatioComparison compare_deviations(const Summary& squares_a, const Summary& squares_b, double confidence) {
+  RatioComparison result = compare_ratio(squares_a, squares_b, confidence);
+  result.ratio = std::sqrt(result.ratio);
+  result.interval = {std::sqrt(result.interval.lower), std::sqrt(result.interval.upper)};
+  return result;
 }
 
 TestResult kolmogorov_smirnov(std::span<const double> a, std::span<const double> b) {

@@ -5,8 +5,10 @@
 #include <gsl/gsl_fft_real.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
@@ -106,6 +108,48 @@ Interval spectrum_factors(const Spectrum& spectrum, double confidence) {
   quiet_gsl();
   const double nu = spectrum.degrees_of_freedom;
   return {nu / gsl_cdf_chisq_Pinv(0.5 + 0.5 * confidence, nu), nu / gsl_cdf_chisq_Pinv(0.5 - 0.5 * confidence, nu)};
+}
+
+std::optional<SpectrumComparison> compare_spectra(const Spectrum& a, const Spectrum& b, double confidence) {
+  BRASH_EXPECTS(confidence > 0.0 && confidence < 1.0, confidence);
+  quiet_gsl();
+  const double lowest = b.frequency[1];
+  const double highest = std::min(a.frequency.back(), b.frequency.back()) * (1.0 + 1e-9);
+  SpectrumComparison result;
+  std::vector<double> of_a, of_b;
+  for (std::size_t k = 1, next = 1; k < a.frequency.size(); ++k) {
+    const double f = a.frequency[k];
+    if (f < lowest * (1.0 - 1e-9) || f > highest) continue;
+    while (next + 1 < b.frequency.size() && b.frequency[next] < f) ++next;
+    const double share =
+        std::clamp((f - b.frequency[next - 1]) / (b.frequency[next] - b.frequency[next - 1]), 0.0, 1.0);
+    of_a.push_back(a.density[k]);
+    of_b.push_back(b.density[next - 1] + share * (b.density[next] - b.density[next - 1]));
+    if (!(of_a.back() > 0.0 && of_b.back() > 0.0)) return std::nullopt;
+    result.frequency.push_back(f);
+    result.ratio.push_back(of_a.back() / of_b.back());
+  }
+  const std::size_t n = result.ratio.size();
+  if (n < 3) return std::nullopt;
+
+  const double nu_a = a.degrees_of_freedom, nu_b = b.degrees_of_freedom;
+  result.band = {gsl_cdf_fdist_Pinv(0.5 - 0.5 * confidence, nu_a, nu_b),
+                 gsl_cdf_fdist_Pinv(0.5 + 0.5 * confidence, nu_a, nu_b)};
+  const double sum_a = std::accumulate(of_a.begin(), of_a.end(), 0.0);
+  const double sum_b = std::accumulate(of_b.begin(), of_b.end(), 0.0);
+  const auto is_outside = [&](double ratio) { return ratio < result.band.lower || ratio > result.band.upper; };
+  std::vector<double> log_a(n), log_b(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double one = 1.0 / static_cast<double>(n);
+    if (is_outside(result.ratio[k])) result.outside += one;
+    if (is_outside(result.ratio[k] * sum_b / sum_a)) result.shape_outside += one;
+    result.mean_frequency_a += result.frequency[k] * of_a[k] / sum_a;
+    result.mean_frequency_b += result.frequency[k] * of_b[k] / sum_b;
+    log_a[k] = std::log(of_a[k]);
+    log_b[k] = std::log(of_b[k]);
+  }
+  result.shape_correlation = gsl_stats_correlation(log_a.data(), 1, log_b.data(), 1, n);
+  return result;
 }
 
 }  // namespace brash::statistics

@@ -44,18 +44,22 @@ MeanComparison compare_means(std::span<const double> a, std::span<const double> 
 /// Two correlated histories: their effective sample sizes take the place of the counts.
 MeanComparison compare_means(const Summary& a, const Summary& b, double confidence = 0.95);
 
-/// Ratio of two deviations with its interval, and the test that it is one.
-struct DeviationComparison {
-  double ratio = 1.0;  ///< deviation of a over that of b
+/// Ratio of two positive quantities with its interval, and the test that it is one.
+struct RatioComparison {
+  double ratio = 1.0;  ///< of a over b
   Interval interval;   ///< at the stated confidence
   TestResult test;     ///< t of the logarithm, two-sided
 };
 
-/// Two correlated histories. The error of a variance is that of the mean of the squared deviations, with their own
-/// effective sample size; ln of the ratio is taken as Student's, with Welch's degrees of freedom.
+/// Ratio of the means of two correlated histories, both positive. Its logarithm is taken as Student's with the relative
+/// errors of both, Welch's degrees of freedom and the effective sample sizes in place of the counts.
+RatioComparison compare_ratio(const Summary& a, const Summary& b, double confidence = 0.95);
+
+/// Ratio of the deviations of two correlated histories: the root of the ratio of the mean squared deviations, whose
+/// errors follow from their own effective sample sizes.
 ///
 /// @param squares_a, squares_b  summaries of the squared deviations from the mean; their means are positive.
-DeviationComparison compare_deviations(const Summary& squares_a, const Summary& squares_b, double confidence = 0.95);
+RatioComparison compare_deviations(const Summary& squares_a, const Summary& squares_b, double confidence = 0.95);
 
 /// Kolmogorov and Smirnov's test that two independent samples have one distribution. Statistic: the largest distance
 /// of the two shares; exact p without ties, too large with them.
