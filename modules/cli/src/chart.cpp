@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -38,10 +39,17 @@ std::vector<double> ticks(const ChartAxis& axis) {
     return values;
   }
   const double span = axis.upper - axis.lower, decade = std::pow(10.0, std::floor(std::log10(span)));
-  const double step = span / decade >= 5.0 ? decade : span / decade >= 2.0 ? 0.5 * decade : 0.2 * decade;
+  const double step = decade * (span / decade >= 5.0 ? 2.0 : span / decade >= 2.0 ? 0.5 : 0.25);
   for (double i = std::ceil(axis.lower / step - 1e-9); i * step <= axis.upper + 1e-9 * span; i += 1.0)
-    values.push_back(i * step);
+    values.push_back(i == 0.0 ? 0.0 : i * step);
   return values;
+}
+
+/// A number as a tick shows it: thousands from 1000 on, powers of ten as such.
+std::string tick_text(const ChartAxis& axis, double value) {
+  if (axis.logarithmic) return fmt::format("{:.0e}", value);
+  if (std::max(std::abs(axis.lower), std::abs(axis.upper)) >= 1e4) return fmt::format("{:.6g}k", value / 1e3 + 0.0);
+  return fmt::format("{:.6g}", value + 0.0);
 }
 
 std::string text_at(double x, double y, const std::string& text, const std::string& attributes) {
@@ -103,14 +111,14 @@ void Chart::words(double x, double y, const std::string& text, const std::string
 }
 
 std::string Chart::frame() const {
-  std::string svg = text_at(left_, top_ - 8.0, title_, "font-weight=\"bold\"");
+  std::string svg = text_at(left_, top_ - 8.0, title_, "style=\"font-weight:bold\"");
   for (const double value : ticks(x_)) {
     svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}v{2:.1f}\" class=\"grid\"/>\n", page_x(value), top_, height_);
-    svg += text_at(page_x(value), top_ + height_ + 15.0, fmt::format("{:.6g}", value), "text-anchor=\"middle\"");
+    svg += text_at(page_x(value), top_ + height_ + 15.0, tick_text(x_, value), "text-anchor=\"middle\"");
   }
   for (const double value : y_.label.empty() ? std::vector<double>{} : ticks(y_)) {
     svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}h{2:.1f}\" class=\"grid\"/>\n", left_, page_y(value), width_);
-    svg += text_at(left_ - 5.0, page_y(value) + 4.0, fmt::format("{:.6g}", value), "text-anchor=\"end\"");
+    svg += text_at(left_ - 5.0, page_y(value) + 4.0, tick_text(y_, value), "text-anchor=\"end\"");
   }
   svg += text_at(left_ + 0.5 * width_, top_ + height_ + 31.0, x_.label, "text-anchor=\"middle\"");
   if (!y_.label.empty()) {
