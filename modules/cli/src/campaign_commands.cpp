@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "campaign_commands.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "brash/campaign/campaign.hpp"
+#include "brash/core/error.hpp"
+#include "commands.hpp"
+
+namespace brash::cli {
+namespace {
+
+using campaign::Counts;
+
+struct CampaignOptions {
+  std::string plan_file;
+  std::string directory;
+  std::vector<std::string> overrides;
+  int n_jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  bool status = false;
+  bool resume = false;
+  bool quick = false;
+  bool json = false;
+};
+
+/// The path of this program: it starts itself for each case.
+std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::string counts_text(const Counts& counts) {
+  return fmt::format("{} of {} cases done, {} failed, {} missing", counts.n_done, counts.n_cases, counts.n_failed,
+                     counts.n_missing());
+}
+
+void print_status(const Counts& counts, bool as_json) {
+  if (as_json) {
+    const nlohmann::ordered_json json{{"n_cases", counts.n_cases},
+                                      {"n_done", counts.n_done},
+                                      {"n_failed", counts.n_failed},
+                                      {"n_missing", counts.n_missing()}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\n", counts_text(counts));
+  }
+}
+
+/// A line on a terminal with the time left; silent elsewhere.
+class CampaignProgress {
+ public:
+  ~CampaignProgress() {
+    if (on_terminal_) fmt::print(stderr, "\r\033[K");
+  }
+  void show(const Counts& counts, std::size_t n_running) {
+    if (!on_terminal_) return;
+    using std::chrono::steady_clock;
+    const int finished = counts.n_done + counts.n_failed;
+    if (first_finished_ < 0) first_finished_ = finished;
+    const double wall = std::chrono::duration<double>(steady_clock::now() - start_).count();
+    fmt::print(stderr, "\r\033[K{}, {} running", counts_text(counts), n_running);
+    if (finished > first_finished_)
+      fmt::print(stderr, ", {:.0f} s left", wall * counts.n_missing() / (finished - first_finished_));
+  }
+
+ private:
+  bool on_terminal_ = isatty(STDERR_FILENO) != 0;
+  int first_finished_ = -1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The means of each setting, of the two columns that people look at first.
+std::string means_table(const std::string& summary_file) {
+  const auto summary = nlohmann::ordered_json::parse(std::ifstream(summary_file));
+  std::string text = fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
+  for (const auto& setting : summary.at("settings")) {
+    const std::string name = setting.at("setting");
+    std::string shown = name;
+    for (const char* const column : {"horizontal.mean", "vertical.mean"}) {
+      if (!setting.at("statistics").contains(column)) continue;
+      const auto& statistic = setting.at("statistics").at(column);
+      if (statistic.at("mean").is_null()) continue;
+      text += fmt::format("{:<36} {:>4}  {:<16} {:>12.6g}", shown, statistic.at("n").get<int>(), column,
+                          statistic.at("mean").get<double>());
+      if (const auto& interval = statistic.at("mean_95"); !interval.is_null())
+        text += fmt::format("  [{:.6g}, {:.6g}]", interval[0].get<double>(), interval[1].get<double>());
+      text += '\n';
+      shown.clear();
+    }
+  }
+  return text;
+}
+
+void run_campaign(const CampaignOptions& options) {
+  const io::CampaignPlan plan = io::read_campaign_plan(
+      options.plan_file,
+      {.quick = options.quick, .overrides = options.overrides, .known_columns = campaign::known_columns()});
+  if (options.status) {
+    print_status(campaign::count(plan, options.directory), options.json);
+    return;
+  }
+  Counts counts;
+  {
+    CampaignProgress progress;
+    counts = campaign::run_local(
+        plan, options.plan_file, options.directory,
+        {.program = this_program(),
+         .n_workers = options.n_jobs,
+         .resume = options.resume,
+         .progress = [&](const Counts& now, std::size_t n_running) { progress.show(now, n_running); }});
+  }
+  if (counts.n_missing() > 0)
+    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
+  if (!options.json) fmt::print("{}\n", means_table(options.directory + "/summary.json"));
+  print_status(counts, options.json);
+  if (!options.json) fmt::print("results in {}\n", options.directory);
+  if (counts.n_failed > 0)
+    throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
+}
+
+/// Set by a request to end; the case then keeps a checkpoint after its step.
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+void run_one_case(const campaign::CaseTask& task) {
+  // Without the process that started it, nobody would look at its results.
+  const pid_t parent = ::getppid();
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) std::raise(SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt);
+  try {
+    if (campaign::run_case(task, [] { return interrupted != 0; }) == campaign::CaseEnd::kInterrupted)
+      throw Interrupted("interrupted");
+  } catch (const StorageError& error) {
+    throw CaseNotStored(error.what());
+  } catch (const std::bad_alloc&) {
+    throw CaseNotStored(task.folder + ": there is not enough memory for the case\n  remedy:  fewer --jobs at once");
+  }
+}
+
+void add_case_command(CLI::App& app) {
+  auto task = std::make_shared<campaign::CaseTask>();
+  CLI::App* command = app.add_subcommand("campaign-case", "Run one case of a campaign");
+  command->group("");  // not shown: campaigns start it
+  command->add_option("case", task->case_file)->required();
+  command->add_option("folder", task->folder)->required();
+  command->add_option("--replicate", task->replicate)->required();
+  command->add_option("--keep", task->keep)->required();
+  command->callback([task] { run_one_case(*task); });
+}
+
+}  // namespace
+
+void add_campaign_commands(CLI::App& app) {
+  auto options = std::make_shared<CampaignOptions>();
+  CLI::App* command = app.add_subcommand("campaign", "Run a case over a grid of settings, with replicates");
+  command->add_option("plan", options->plan_file, "plan (TOML)")->required();
+  command->add_option("-o,--output", options->directory, "folder of the results")->required();
+  command->add_option("--jobs", options->n_jobs, "cases at once [as many as there are cores]")
+      ->check(CLI::Range(1, 100000));
+  command->add_flag("--status", options->status, "count the cases done, failed and missing; run nothing");
+  command->add_flag("--resume", options->resume, "go on with what the folder holds");
+  command->add_flag("--quick", options->quick, "the small variant that the plan's [quick] describes");
+  command->add_option("--set", options->overrides, "section.key=value, for every case")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "the counts as JSON");
+  command->footer("Example: brash campaign experiments/velocity/plan.toml -o results/velocity --jobs 2");
+  command->callback([options] { run_campaign(*options); });
+  add_case_command(app);
+}
+
+}  // namespace brash::cli
