@@ -44,7 +44,8 @@ struct Simulation::Impl {
   void initial_crack();
   std::vector<io::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
   void advance_through_ice(StepReport& report);
-  std::vector<EdgeContact> contacts_within_range(double& share, StepReport& report);
+  std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
+  bool crush_passed_ice();
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   void remove_crushed_floes(StepReport& report);
   void collect_loads(std::int64_t first_newborn, StepReport& report);
