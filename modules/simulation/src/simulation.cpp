@@ -61,7 +61,8 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
       world(world_settings(c)),
       tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
       floes(resolved),
-      centre{-c.structure.start_distance, 0.0} {
+      centre{-c.structure.start_distance, 0.0},
+      watchdog(resolved) {
   const std::vector<Vec3> hull = structure::hull(cone);
   structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
 }
@@ -245,7 +246,8 @@ StepReport Simulation::Impl::step() {
   }
   ++n_steps;
   collect_loads(first_newborn, report);  // impulse / dt, by cause; energies
-  remove_crushed_floes(report);          // sigma > sigma_c
+  watchdog.look({world, floes, energy, field.ledger(), report.loads});
+  remove_crushed_floes(report);  // sigma > sigma_c
   return report;
 }
 

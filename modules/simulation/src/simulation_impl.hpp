@@ -11,6 +11,7 @@
 #include "floe_population.hpp"
 #include "ice_field.hpp"
 #include "sheet_tiles.hpp"
+#include "watchdog.hpp"
 
 namespace brash::simulation {
 
@@ -28,6 +29,7 @@ struct Simulation::Impl {
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   EnergyLedger energy;
+  Watchdog watchdog;
   std::vector<io::FloeRecord> initial_births;
   StageTimes times;
 
