@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
@@ -19,12 +18,6 @@ constexpr double kSolver = 1e-6;
 double contact_loss(const io::EnergyLosses& l) {
   return l.structure_contact + l.structure_friction + l.sheet_contact + l.sheet_friction + l.floe_contact +
          l.floe_friction;
-}
-
-double radius(const Floe& floe) {
-  double largest = 0.0;
-  for (const Vec2 vertex : floe.prism.rings.front()) largest = std::max(largest, norm(vertex));
-  return std::hypot(largest, 0.5 * floe.prism.thickness);
 }
 
 }  // namespace
@@ -47,16 +40,15 @@ void Watchdog::look(const Watched& now) {
   before_ = now.row;
 }
 
-/// No floe is deeper or higher than the structure reaches, or farther from the field than the field is large, its own
-/// size and its drift in a current aside.
+/// No floe is farther from the field than the field is large, or farther below or above the structure than the
+/// structure is high; its drift in a current aside.
 void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
   const io::Case& c = *case_;
-  const double size = radius(floe);
-  const double aside = c.field.length + c.field.width + size + norm(c.water.current) * time;
+  const double aside = c.field.length + c.field.width + norm(c.water.current) * time;
   const double keel = -c.structure.height_under_water;
   const bool in_plan =
       place.x >= -aside && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;
-  if (in_plan && place.z >= keel - size && place.z <= keel + c.structure.height + size) return;
+  if (in_plan && place.z >= keel - c.structure.height && place.z <= keel + 2.0 * c.structure.height) return;
   throw RunError(fmt::format("floe {} is at ({:.6g}, {:.6g}, {:.6g}) m, where nothing can have brought it", floe.id,
                              place.x, place.y, place.z));
 }
