@@ -48,7 +48,6 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "area", c.contact.area);
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
-  visit("contact", "rebuild_interval", c.contact.rebuild_interval);
   visit("contact", "stiffness", c.contact.stiffness);
   visit("contact", "delete_crushed", c.contact.delete_crushed);
   visit("hydrodynamics", "form_drag", c.hydrodynamics.form_drag);

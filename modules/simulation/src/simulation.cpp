@@ -28,8 +28,7 @@ rigid_body::WorldSettings world_settings(const io::Case& c) {
   return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
           .iterations = c.contact.iterations,
-          .collision_margin = c.contact.margin,
-          .rebuild_interval = c.contact.rebuild_interval};
+          .collision_margin = c.contact.margin};
 }
 
 /// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).

@@ -79,7 +79,6 @@ struct ContactSection {
   std::string area = "surface";  ///< surface | projected (physics: contact area A)
   double margin = 0.005;
   int iterations = 50;
-  int rebuild_interval = 50;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
 

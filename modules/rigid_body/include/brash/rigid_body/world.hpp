@@ -26,9 +26,6 @@ struct WorldSettings {
   ContactLaw ice_ice;
   int iterations = 50;              ///< sequential impulses a step, at most
   double collision_margin = 0.005;  ///< [m], > 0; Bullet's hulls are inset by it, so that surfaces meet where they are
-  /// Steps between rebuilds of the broad phase (0: never). Results do not depend on it: everything else is found anew
-  /// from poses and velocities in every step (docs/decisions/0004).
-  int rebuild_interval = 50;
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
