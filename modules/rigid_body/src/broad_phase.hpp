@@ -19,7 +19,8 @@ struct PartPair {
 /// Sweep and prune (Bullet's 32-bit btAxisSweep3) over the parts' boxes.
 class BroadPhase {
  public:
-  BroadPhase();
+  /// @param reach  how near parts are neighbours [m].
+  explicit BroadPhase(double reach);
   void add(Part& part);
   void remove(Part& part);
   void move(Part& part);
@@ -28,10 +29,14 @@ class BroadPhase {
   /// Overlapping pairs with at least one floe, sorted by (rank, part) of the first and the second body. Boxes are
   /// compared in full precision, so the answer is a function of the boxes and not of the sweep's history.
   const std::vector<PartPair>& pairs();
+  /// Pairs with at least one floe whose boxes come within the reach of each other, in no order.
+  const std::vector<PartPair>& near_pairs();
 
  private:
   void reset(unsigned capacity);
+  void collect(double reach);
 
+  double reach_;
   unsigned capacity_ = 0;
   std::vector<Part*> parts_;
   std::unique_ptr<bt32BitAxisSweep3> sweep_;

@@ -56,12 +56,13 @@ struct Contact {
 }  // namespace
 
 struct World::Impl {
-  explicit Impl(const WorldSettings& s) : settings(s) {}
+  explicit Impl(const WorldSettings& s) : settings(s), broad_phase(s.reach) {}
 
   WorldSettings settings;
   std::map<BodyId, std::unique_ptr<Body>> bodies;
   std::uint32_t next_index = 0;
   int steps = 0;
+  bool neighbours_known = false;  ///< of the bodies' present places
   BroadPhase broad_phase;
   NarrowPhase narrow_phase;
   BoundedSolver solver;
@@ -77,6 +78,7 @@ struct World::Impl {
     return second.kind == BodyKind::kStructure ? settings.ice_structure : settings.ice_ice;
   }
   std::vector<Body*> canonical_order();
+  void find_neighbours();
   void predict(const std::vector<Body*>& order, double dt);
   void find_contacts(double dt);
   void add_contact(const PartPair& pair, double dt);
@@ -93,6 +95,7 @@ Body& World::Impl::get(BodyId id) {
 }
 
 BodyId World::Impl::insert(std::unique_ptr<Body> body) {
+  neighbours_known = false;
   const BodyId id{next_index++, 0};
   body->id = id;
   body->next_pose = body->pose;
@@ -109,6 +112,31 @@ std::vector<Body*> World::Impl::canonical_order() {
   std::sort(order.begin(), order.end(), [](const Body* a, const Body* b) { return comes_before(*a, *b); });
   for (std::size_t i = 0; i < order.size(); ++i) order[i]->rank = static_cast<int>(i);
   return order;
+}
+
+/// Each floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
+void World::Impl::find_neighbours() {
+  for (const auto& [id, body] : bodies) {
+    body->near.clear();
+    if (body->kind == BodyKind::kSheet) continue;
+    for (const auto& part : body->parts) {
+      update(part->now, body->pose);
+      broad_phase.move(*part);
+    }
+  }
+  for (const auto& [first, second] : broad_phase.near_pairs()) {
+    first->body->near.push_back(second);
+    if (second->body->is_floe()) second->body->near.push_back(first);
+  }
+  const auto key = [](const Part* part) {
+    const auto& [lower, upper] = std::tie(part->now.lower, part->now.upper);
+    return std::tuple(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, part->body->id, part->number);
+  };
+  for (const auto& [id, body] : bodies) {
+    std::sort(body->near.begin(), body->near.end(), [&](const Part* a, const Part* b) { return key(a) < key(b); });
+    body->near.erase(std::unique(body->near.begin(), body->near.end()), body->near.end());
+  }
+  neighbours_known = true;
 }
 
 /// Velocities with the applied loads and the gyroscopic moment, before contacts.
@@ -256,8 +284,8 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
 }
 
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {
-  BRASH_EXPECTS(settings.iterations > 0 && settings.collision_margin > 0.0, settings.iterations,
-                settings.collision_margin);
+  BRASH_EXPECTS(settings.iterations > 0 && settings.collision_margin > 0.0 && settings.reach >= 0.0,
+                settings.iterations, settings.collision_margin, settings.reach);
   for (const ContactLaw& law : {settings.ice_structure, settings.ice_ice})
     BRASH_EXPECTS(
         law.friction >= 0.0 && law.restitution >= 0.0 && law.restitution <= 1.0 && law.crushing_pressure > 0.0,
@@ -300,6 +328,7 @@ BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose
 }
 
 void World::remove(BodyId id) {
+  impl_->neighbours_known = false;
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
   impl_->bodies.erase(id);
 }
@@ -321,6 +350,7 @@ void World::apply(BodyId id, const Wrench& wrench) {
 
 void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
+  impl_->neighbours_known = false;
   if (impl_->settings.rebuild_interval > 0 && impl_->steps++ % impl_->settings.rebuild_interval == 0) {
     std::vector<Part*> parts;
     for (const auto& [id, body] : impl_->bodies)
@@ -337,6 +367,14 @@ void World::step(double dt) {
 }
 
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
+void World::neighbours(BodyId id, std::vector<Solid>& solids) {
+  const Body& body = impl_->get(id);
+  BRASH_EXPECTS(body.is_floe(), id.index);
+  if (!impl_->neighbours_known) impl_->find_neighbours();
+  solids.clear();
+  for (const Part* part : body.near) solids.emplace_back(part->now.planes);
+}
+
 BodyKind World::kind(BodyId id) const { return impl_->get(id).kind; }
 bool World::contains(BodyId id) const { return impl_->bodies.contains(id); }
 
@@ -354,6 +392,7 @@ Twist World::mean_twist(BodyId id) const { return impl_->get(id).mean_twist; }
 void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
   BRASH_EXPECTS(body.kind != BodyKind::kSheet && is_finite(pose, twist), id.index);
+  impl_->neighbours_known = false;
   body.pose = pose;
   body.next_pose = pose;
   body.twist = twist;

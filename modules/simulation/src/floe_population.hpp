@@ -43,6 +43,9 @@ struct FloeState {
   double peak_compression = 0.0;
 };
 
+/// Gap in which neighbours shade a floe's faces, Water::shading_gap [m]; 0 when they do not.
+double shading_gap(const io::Case& resolved);
+
 /// All floes present: births, water, the stress that decides about crushing, deaths.
 class FloePopulation {
  public:
@@ -80,6 +83,7 @@ class FloePopulation {
 
   const io::Case* case_;
   hydrodynamics::Water water_;
+  std::vector<Solid> neighbours_;  ///< scratch of apply_water
   std::map<BodyId, Floe> floes_;
   std::int64_t next_id_ = 0;
 };

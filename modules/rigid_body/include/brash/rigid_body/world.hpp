@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/core/ids.hpp"
+#include "brash/core/plane.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
 
@@ -29,6 +30,7 @@ struct WorldSettings {
   /// Steps between rebuilds of the broad phase (0: never). Results do not depend on it: everything else is found anew
   /// from poses and velocities in every step (docs/decisions/0004).
   int rebuild_interval = 50;
+  double reach = 0.0;  ///< how near bodies are neighbours [m]
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
@@ -119,6 +121,10 @@ class World {
 
   /// Contacts of the last step, sorted by (body, other, point).
   const std::vector<ContactLoad>& contacts() const;
+
+  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within the reach of those of floe `id`, where
+  /// they are now; in an order that their places give. The spans hold until the world changes.
+  void neighbours(BodyId id, std::vector<Solid>& solids);
 
   BodyKind kind(BodyId id) const;
   bool contains(BodyId id) const;
