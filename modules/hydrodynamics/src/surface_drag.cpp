@@ -56,15 +56,26 @@ class Integral {
     const Piece wet = where_negative(whole, [&](Vec3 p) { return plane_.height(p); });
     if (wet.n < 3) return;
     // Where the surface moves against its normal it is on the lee side: no form drag there.
-    const auto leading = [&](Vec3 p) { return dot(normal, velocity_at(relative_, p)); };
-    add_half(where_negative(wet, [&](Vec3 p) { return -leading(p); }), normal, true);
-    if (skin_ > 0.0) add_half(where_negative(wet, leading), normal, false);
+    const auto against = [&](Vec3 p) { return -dot(normal, velocity_at(relative_, p)); };
+    bool leads = false, lees = false;
+    for (std::size_t i = 0; i < wet.n; ++i) {
+      const double speed = against(wet.corners[i]);
+      leads |= speed < 0.0;
+      lees |= speed > 0.0;
+    }
+    if (leads && lees) {
+      add_side(where_negative(wet, against), normal, true);
+      add_side(where_negative(wet, [&](Vec3 p) { return -against(p); }), normal, false);
+    } else {
+      add_side(wet, normal, leads);
+    }
   }
 
   SurfaceDrag result;
 
  private:
-  void add_half(const Piece& piece, Vec3 normal, bool leads) {
+  void add_side(const Piece& piece, Vec3 normal, bool leads) {
+    if (!leads && skin_ == 0.0) return;
     for (std::size_t i = 2; i < piece.n; ++i)
       for_each_point(piece.corners[0], piece.corners[i - 1], piece.corners[i], [&](Vec3 point, double weight) {
         const double share = weight * shade_.open_share(point, normal);

@@ -28,7 +28,7 @@ btVector3 upper(const Part& part, double reach) {
 
 }  // namespace
 
-BroadPhase::BroadPhase(double reach) : reach_(reach) { reset(1024); }
+BroadPhase::BroadPhase() { reset(1024); }
 
 void BroadPhase::reset(unsigned capacity) {
   capacity_ = capacity;
@@ -41,7 +41,7 @@ void BroadPhase::add(Part& part) {
     rebuild(std::vector<Part*>(parts_));
   }
   const bool floe = part.body->is_floe();
-  part.proxy = sweep_->createProxy(lower(part, reach_), upper(part, reach_), CONVEX_HULL_SHAPE_PROXYTYPE,
+  part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE,
                                    &part, floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
   parts_.push_back(&part);
 }
@@ -53,7 +53,7 @@ void BroadPhase::remove(Part& part) {
 }
 
 void BroadPhase::move(Part& part) {
-  sweep_->setAabb(part.proxy, lower(part, reach_), upper(part, reach_), nullptr);
+  sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr);
 }
 
 void BroadPhase::rebuild(std::vector<Part*> parts) {
@@ -62,13 +62,13 @@ void BroadPhase::rebuild(std::vector<Part*> parts) {
   for (Part* part : parts) add(*part);
 }
 
-void BroadPhase::collect(double reach) {
+void BroadPhase::collect(double distance) {
   pairs_.clear();
   const btBroadphasePairArray& found = sweep_->getOverlappingPairCache()->getOverlappingPairArray();
   for (int i = 0; i < found.size(); ++i) {
     auto* a = static_cast<Part*>(found[i].m_pProxy0->m_clientObject);
     auto* b = static_cast<Part*>(found[i].m_pProxy1->m_clientObject);
-    if (a->body == b->body || !within_reach(a->now, b->now, reach)) continue;
+    if (a->body == b->body || !within_reach(a->now, b->now, distance)) continue;
     const auto order = [](const Part& p) { return std::tuple(!p.body->is_floe(), p.body->rank, p.number); };
     if (order(*b) < order(*a)) std::swap(a, b);
     pairs_.push_back({a, b});
@@ -76,7 +76,7 @@ void BroadPhase::collect(double reach) {
 }
 
 const std::vector<PartPair>& BroadPhase::near_pairs() {
-  collect(reach_);
+  collect(reach);
   return pairs_;
 }
 

@@ -19,8 +19,7 @@ struct PartPair {
 /// Sweep and prune (Bullet's 32-bit btAxisSweep3) over the parts' boxes.
 class BroadPhase {
  public:
-  /// @param reach  how near parts are neighbours [m].
-  explicit BroadPhase(double reach);
+  BroadPhase();
   void add(Part& part);
   void remove(Part& part);
   void move(Part& part);
@@ -29,14 +28,15 @@ class BroadPhase {
   /// Overlapping pairs with at least one floe, sorted by (rank, part) of the first and the second body. Boxes are
   /// compared in full precision, so the answer is a function of the boxes and not of the sweep's history.
   const std::vector<PartPair>& pairs();
+  /// How near the boxes of a pair may be to be known to near_pairs() [m]; from the next move of the parts on.
+  double reach = 0.0;
   /// Pairs with at least one floe whose boxes come within the reach of each other, in no order.
   const std::vector<PartPair>& near_pairs();
 
  private:
   void reset(unsigned capacity);
-  void collect(double reach);
+  void collect(double distance);
 
-  double reach_;
   unsigned capacity_ = 0;
   std::vector<Part*> parts_;
   std::unique_ptr<bt32BitAxisSweep3> sweep_;

@@ -56,7 +56,7 @@ struct Contact {
 }  // namespace
 
 struct World::Impl {
-  explicit Impl(const WorldSettings& s) : settings(s), broad_phase(s.reach) {}
+  explicit Impl(const WorldSettings& s) : settings(s) {}
 
   WorldSettings settings;
   std::map<BodyId, std::unique_ptr<Body>> bodies;
@@ -78,7 +78,8 @@ struct World::Impl {
     return second.kind == BodyKind::kStructure ? settings.ice_structure : settings.ice_ice;
   }
   std::vector<Body*> canonical_order();
-  void find_neighbours();
+  void find_neighbours(double reach);
+  void place(Body& body);
   void predict(const std::vector<Body*>& order, double dt);
   void find_contacts(double dt);
   void add_contact(const PartPair& pair, double dt);
@@ -114,16 +115,21 @@ std::vector<Body*> World::Impl::canonical_order() {
   return order;
 }
 
+/// Parts and their boxes follow a new pose.
+void World::Impl::place(Body& body) {
+  body.place_parts();
+  for (const auto& part : body.parts) broad_phase.move(*part);
+  neighbours_known = false;
+}
+
 /// Each floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
-void World::Impl::find_neighbours() {
-  for (const auto& [id, body] : bodies) {
-    body->near.clear();
-    if (body->kind == BodyKind::kSheet) continue;
-    for (const auto& part : body->parts) {
-      update(part->now, body->pose);
-      broad_phase.move(*part);
-    }
+void World::Impl::find_neighbours(double reach) {
+  if (reach != broad_phase.reach) {
+    broad_phase.reach = reach;
+    for (const auto& [id, body] : bodies)
+      for (const auto& part : body->parts) broad_phase.move(*part);
   }
+  for (const auto& [id, body] : bodies) body->near.clear();
   for (const auto& [first, second] : broad_phase.near_pairs()) {
     first->body->near.push_back(second);
     if (second->body->is_floe()) second->body->near.push_back(first);
@@ -145,7 +151,6 @@ void World::Impl::predict(const std::vector<Body*>& order, double dt) {
     if (body->kind == BodyKind::kSheet) continue;
     if (body->kind == BodyKind::kStructure && !body->moved) body->twist = {};
     body->update_bullet();
-    for (const auto& part : body->parts) broad_phase.move(*part);
     if (!body->is_floe()) continue;
     btRigidBody& b = *body->bullet;
     b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
@@ -266,6 +271,7 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
   for (Body* body : order) {
     if (body->kind == BodyKind::kStructure) {
       body->pose = body->next_pose;
+      if (body->moved) place(*body);
       body->moved = false;
     }
     if (!body->is_floe()) continue;
@@ -280,12 +286,13 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
     body->pose = advanced(body->pose, body->twist, dt);
     body->load = {};
     BRASH_EXPECTS(is_finite(body->pose, body->twist), "state of body", body->id.index, "is not finite");
+    place(*body);
   }
 }
 
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {
-  BRASH_EXPECTS(settings.iterations > 0 && settings.collision_margin > 0.0 && settings.reach >= 0.0,
-                settings.iterations, settings.collision_margin, settings.reach);
+  BRASH_EXPECTS(settings.iterations > 0 && settings.collision_margin > 0.0, settings.iterations,
+                settings.collision_margin);
   for (const ContactLaw& law : {settings.ice_structure, settings.ice_ice})
     BRASH_EXPECTS(
         law.friction >= 0.0 && law.restitution >= 0.0 && law.restitution <= 1.0 && law.crushing_pressure > 0.0,
@@ -350,7 +357,6 @@ void World::apply(BodyId id, const Wrench& wrench) {
 
 void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
-  impl_->neighbours_known = false;
   if (impl_->settings.rebuild_interval > 0 && impl_->steps++ % impl_->settings.rebuild_interval == 0) {
     std::vector<Part*> parts;
     for (const auto& [id, body] : impl_->bodies)
@@ -367,10 +373,10 @@ void World::step(double dt) {
 }
 
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
-void World::neighbours(BodyId id, std::vector<Solid>& solids) {
+void World::neighbours(BodyId id, double reach, std::vector<Solid>& solids) {
   const Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.is_floe(), id.index);
-  if (!impl_->neighbours_known) impl_->find_neighbours();
+  BRASH_EXPECTS(body.is_floe() && reach >= 0.0, id.index, reach);
+  if (!impl_->neighbours_known || reach != impl_->broad_phase.reach) impl_->find_neighbours(reach);
   solids.clear();
   for (const Part* part : body.near) solids.emplace_back(part->now.planes);
 }
@@ -392,10 +398,10 @@ Twist World::mean_twist(BodyId id) const { return impl_->get(id).mean_twist; }
 void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
   BRASH_EXPECTS(body.kind != BodyKind::kSheet && is_finite(pose, twist), id.index);
-  impl_->neighbours_known = false;
   body.pose = pose;
   body.next_pose = pose;
   body.twist = twist;
+  impl_->place(body);
 }
 
 double World::kinetic_energy() const {

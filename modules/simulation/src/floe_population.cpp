@@ -16,6 +16,12 @@ namespace {
 
 using hydrodynamics::DragLaw;
 
+/// Water::shading_gap of a case [m].
+double shading_gap(const io::Case& resolved) {
+  const io::HydrodynamicsSection& h = resolved.hydrodynamics;
+  return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
+}
+
 /// Weight and buoyancy: m g z - rho_w g V z_B, zero for a massless point at the surface [J].
 double potential(const Floe& floe, const Pose& pose, double water_density) {
   const hydrodynamics::Displacement wet = hydrodynamics::displacement(floe.prism, pose);
@@ -42,11 +48,6 @@ double largest_compression(const std::array<double, 6>& s) {
 }
 
 }  // namespace
-
-double shading_gap(const io::Case& resolved) {
-  const io::HydrodynamicsSection& h = resolved.hydrodynamics;
-  return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
-}
 
 FloePopulation::FloePopulation(const io::Case& resolved)
     : case_(&resolved),
@@ -104,7 +105,8 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
 
 void FloePopulation::apply_water(rigid_body::World& world, double dt) {
   for (auto& [body, floe] : floes_) {
-    if (water_.shading_gap > 0.0) world.neighbours(body, neighbours_);
+    if (water_.shading_gap > 0.0)
+      world.neighbours(body, hydrodynamics::kShadingReach * water_.shading_gap, neighbours_);
     const hydrodynamics::StepInertia step{
         .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
     const hydrodynamics::WaterLoad load =

@@ -43,9 +43,6 @@ struct FloeState {
   double peak_compression = 0.0;
 };
 
-/// Gap in which neighbours shade a floe's faces, Water::shading_gap [m]; 0 when they do not.
-double shading_gap(const io::Case& resolved);
-
 /// All floes present: births, water, the stress that decides about crushing, deaths.
 class FloePopulation {
  public:

@@ -29,8 +29,7 @@ rigid_body::WorldSettings world_settings(const io::Case& c) {
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
           .iterations = c.contact.iterations,
           .collision_margin = c.contact.margin,
-          .rebuild_interval = c.contact.rebuild_interval,
-          .reach = hydrodynamics::kShadingReach * shading_gap(c)};
+          .rebuild_interval = c.contact.rebuild_interval};
 }
 
 /// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).

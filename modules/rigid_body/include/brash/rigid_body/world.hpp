@@ -30,7 +30,6 @@ struct WorldSettings {
   /// Steps between rebuilds of the broad phase (0: never). Results do not depend on it: everything else is found anew
   /// from poses and velocities in every step (docs/decisions/0004).
   int rebuild_interval = 50;
-  double reach = 0.0;  ///< how near bodies are neighbours [m]
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
@@ -122,9 +121,10 @@ class World {
   /// Contacts of the last step, sorted by (body, other, point).
   const std::vector<ContactLoad>& contacts() const;
 
-  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within the reach of those of floe `id`, where
-  /// they are now; in an order that their places give. The spans hold until the world changes.
-  void neighbours(BodyId id, std::vector<Solid>& solids);
+  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`, where
+  /// they are now; in an order that their places give. The spans hold until the world changes. All floes of a world are
+  /// sought at once, so ask for one reach.
+  void neighbours(BodyId id, double reach, std::vector<Solid>& solids);
 
   BodyKind kind(BodyId id) const;
   bool contains(BodyId id) const;
