@@ -87,6 +87,9 @@ struct ContactSection {
 
 /// [hydrodynamics]
 struct HydrodynamicsSection {
+  std::string drag = "surface";  ///< surface | paper
+  bool shading = true;
+  double shading_gap = 0.5;  ///< in ice thicknesses
   double form_drag = 1.0;
   double rotational_drag = 1.0;
   double skin_friction = 0.005;
