@@ -34,20 +34,21 @@ void Arrangement::gather(std::span<const Point> region, std::span<const Crack> c
   segments_.reserve(4 * (region.size() + cracks.size()));
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Point next = region[i + 1 == region.size() ? 0 : i + 1];
-    if (region[i] != next) segments_.push_back({region[i], next, Source::kRegion});
+    if (region[i] != next) segments_.emplace_back(region[i], next, Source::kRegion);
   }
   for (const Crack& crack : cracks) {
     box_.add(crack.from);
     box_.add(crack.to);
-    if (crack.from != crack.to) segments_.push_back({crack.from, crack.to, Source::kCrack});
+    if (crack.from != crack.to) segments_.emplace_back(crack.from, crack.to, Source::kCrack);
   }
   safe_box_ = box_.grown(kSafeMargin);
   const std::size_t n_cutters = segments_.size();
   boundary_.query(box_.grown(kGatherMargin), [&](int id) {
-    segments_.push_back({boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id});
+    segments_.emplace_back(boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id);
   });
+  // In an order that the plan gives, not the history of the ids.
   std::sort(segments_.begin() + static_cast<std::ptrdiff_t>(n_cutters), segments_.end(),
-            [](const Segment& a, const Segment& b) { return a.edge < b.edge; });
+            [](const Segment& a, const Segment& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
 }
 
 void Arrangement::add_crossings() {
@@ -59,31 +60,25 @@ void Arrangement::add_crossings() {
   for (const Segment& s : segments_) {
     if (s.source != Source::kRegion) continue;
     region.push_back(&s);
-    widest = std::max(widest, std::abs(s.to.x - s.from.x));
+    widest = std::max(widest, s.box.high.x - s.box.low.x);
   }
-  std::sort(region.begin(), region.end(), [](const Segment* a, const Segment* b) {
-    return std::min(a->from.x, a->to.x) < std::min(b->from.x, b->to.x);
-  });
+  const auto left_of = [](const Segment* s, std::int64_t x) { return s->box.low.x < x; };
+  std::sort(region.begin(), region.end(), [&](const Segment* a, const Segment* b) { return left_of(a, b->box.low.x); });
+  const auto cross = [](const Segment& a, const Segment& b) {
+    return a.box.overlaps(b.box) && exact::cross_properly(a.from, a.to, b.from, b.to);
+  };
   const auto add = [&](const Segment& a, const Segment& b) {
-    if (!Box::of(a.from, a.to).overlaps(Box::of(b.from, b.to))) return;
-    if (exact::cross_properly(a.from, a.to, b.from, b.to)) {
-      crossings_.push_back(exact::rounded_crossing(a.from, a.to, b.from, b.to));
-    }
+    if (cross(a, b)) crossings_.push_back(exact::rounded_crossing(a.from, a.to, b.from, b.to));
   };
   for (const Segment& s : segments_) {
     if (s.source == Source::kRegion) continue;
-    const Box box = Box::of(s.from, s.to);
-    auto it = std::lower_bound(region.begin(), region.end(), box.low.x - widest,
-                               [](const Segment* a, std::int64_t x) { return std::min(a->from.x, a->to.x) < x; });
-    for (; it != region.end() && std::min((*it)->from.x, (*it)->to.x) <= box.high.x; ++it) add(s, **it);
+    auto it = std::lower_bound(region.begin(), region.end(), s.box.low.x - widest, left_of);
+    for (; it != region.end() && (*it)->box.low.x <= s.box.high.x; ++it) add(s, **it);
   }
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Segment& a = *region[i];
-    const std::int64_t high = std::max(a.from.x, a.to.x);
-    for (std::size_t j = i + 1; j < region.size() && std::min(region[j]->from.x, region[j]->to.x) <= high; ++j) {
-      const Segment& b = *region[j];
-      BRASH_EXPECTS(!exact::cross_properly(a.from, a.to, b.from, b.to), "the region crosses itself", a.from.x,
-                    a.from.y);
+    for (std::size_t j = i + 1; j < region.size() && region[j]->box.low.x <= a.box.high.x; ++j) {
+      BRASH_EXPECTS(!cross(a, *region[j]), "the region crosses itself", a.from.x, a.from.y);
     }
   }
   for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -201,9 +196,10 @@ void Arrangement::route_all() {
     const int to = s.to_node;
     chain.assign(1, from);
     route(from, to, false, 0, chain);
-    for (std::size_t i = 1; i < chain.size(); ++i) graph_.add(chain[i - 1], chain[i], s.source);
+    int added = -1;
+    for (std::size_t i = 1; i < chain.size(); ++i) added = graph_.add(chain[i - 1], chain[i], s.source);
     if (s.source != Source::kSheet) continue;
-    active_.push_back({s.edge, from, to, chain.size() > 2});
+    active_.push_back({s.edge, from, to, chain.size() == 2 ? added : -1});
     if (chain.size() == 2) continue;
     twice_moved_ -= exact::cross(s.from, s.to);
     for (std::size_t i = 1; i < chain.size(); ++i) twice_moved_ += exact::cross(nodes_[chain[i - 1]], nodes_[chain[i]]);
@@ -239,8 +235,7 @@ void Arrangement::activate_around(const std::vector<int>& nodes) {
     if (std::binary_search(known.begin(), known.end(), id)) continue;
     const int from = node_or_new(boundary_.edge(id).from);
     const int to = node_or_new(boundary_.edge(id).to);
-    graph_.add(from, to, Source::kSheet);
-    active_.push_back({id, from, to, false});
+    active_.push_back({id, from, to, graph_.add(from, to, Source::kSheet)});
   }
 }
 

@@ -16,12 +16,12 @@ namespace brash::geometry {
 /// in whose pixel it comes (iterated snap rounding), so edges meet in nodes only and neighbours share them exactly.
 class Arrangement {
  public:
-  /// A sheet edge that takes part; it became one edge of the graph unless it was split, moved or cancelled.
+  /// A sheet edge that takes part.
   struct ActiveEdge {
     int id;
     int from;  ///< Node.
     int to;
-    bool is_split;
+    int added;  ///< Its number in the graph; -1 when it has been split or moved.
   };
 
   Arrangement(const FreeEdges& boundary, std::span<const Point> region, std::span<const Crack> cracks);
@@ -38,8 +38,8 @@ class Arrangement {
     return static_cast<std::size_t>(node) >= n_sorted_ || is_free_of_cracks_[node] != 0;
   }
 
-  bool has_ice_left(int h) const { return sheet_left_[h] != 0; }
-  bool is_region_left(int h) const { return region_left_[h] != 0; }
+  bool has_ice_left(int h) const { return left_[h].ice != 0; }
+  bool is_region_left(int h) const { return left_[h].region != 0; }
   bool is_piece_left(int h) const { return has_ice_left(h) && is_region_left(h); }
   bool is_sheet_left(int h) const { return has_ice_left(h) && !is_region_left(h); }
   /// True for a half-edge of the free edge as it is after the region has gone.
@@ -47,12 +47,21 @@ class Arrangement {
 
  private:
   struct Segment {
+    Segment(Point a, Point b, Source of, int sheet_edge = -1)
+        : from(a), to(b), box(exact::Box::of(a, b)), source(of), edge(sheet_edge) {}
+
     Point from;
     Point to;
+    exact::Box box;
     Source source;
-    int edge = -1;  ///< Of the sheet.
+    int edge;  ///< Of the sheet.
     int from_node = -1;
     int to_node = -1;
+  };
+  /// How often ice and region cover a face: 0 or 1 once all is labelled.
+  struct Cover {
+    int ice;
+    int region;
   };
 
   void gather(std::span<const Point> region, std::span<const Crack> cracks);
@@ -63,10 +72,13 @@ class Arrangement {
   void route(int from, int to, bool is_moved, int depth, std::vector<int>& chain);
   std::vector<int> nodes_met(int from, int to, bool is_moved);
   void activate_around(const std::vector<int>& nodes);
+  /// True when all free edges at the node take part; it may not be so outside the safe box.
+  bool is_complete_at(Point node) const { return safe_box_.contains(node); }
   void label();
+  void label_group(int start, std::vector<int>& group);
+  void check_labels() const;
   bool is_in_ice(Point p) const;
   bool is_in_region(Point p) const;
-  void spread(std::vector<std::int8_t>& left, std::vector<int>& known, bool for_sheet) const;
 
   const FreeEdges& boundary_;
   exact::Box box_;       ///< Of the region and the cracks.
@@ -78,8 +90,7 @@ class Arrangement {
   std::vector<Point> crossings_;
   std::vector<ActiveEdge> active_;
   PlanarGraph graph_;
-  std::vector<std::int8_t> sheet_left_;
-  std::vector<std::int8_t> region_left_;
+  std::vector<Cover> left_;  ///< Of the face left of each half-edge.
   Int128 twice_moved_ = 0;
   std::int64_t n_rounded_ = 0;
 };

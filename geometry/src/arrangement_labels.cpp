@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <limits>
 
 #include "arrangement.hpp"
 #include "brash/core/contract.hpp"
@@ -8,30 +9,9 @@ namespace brash::geometry {
 
 namespace {
 
-constexpr std::int8_t kUnknown = -128;
+constexpr int kUnknown = std::numeric_limits<int>::min();
 
 }  // namespace
-
-/// Carries the label left of the half-edges in `known` over twins and around nodes to all that hang together.
-void Arrangement::spread(std::vector<std::int8_t>& left, std::vector<int>& known, bool for_sheet) const {
-  const auto set = [&](int h, int value) {
-    BRASH_EXPECTS(value == 0 || value == 1, for_sheet, value, graph_.from(h).x, graph_.from(h).y);
-    if (left[h] == kUnknown) {
-      left[h] = static_cast<std::int8_t>(value);
-      known.push_back(h);
-    }
-    BRASH_EXPECTS(left[h] == value, for_sheet, value, graph_.from(h).x, graph_.from(h).y);
-  };
-  while (!known.empty()) {
-    const int h = known.back();
-    known.pop_back();
-    const int across = PlanarGraph::twin(h);
-    set(across, left[h] - (for_sheet ? graph_[h].sheet : graph_[h].region));
-    // The sector left of h at its origin is right of the next half-edge there. Outside the safe box edges are missing.
-    if (safe_box_.contains(graph_.from(h))) set(PlanarGraph::twin(graph_[h].counter_clockwise), left[h]);
-    if (safe_box_.contains(graph_.to(h))) set(graph_[across].clockwise, left[h]);
-  }
-}
 
 bool Arrangement::is_in_ice(Point p) const {
   // Against the edges as they are now: those that took part may have moved or cancelled each other.
@@ -64,38 +44,53 @@ bool Arrangement::is_in_region(Point p) const {
 }
 
 void Arrangement::label() {
-  sheet_left_.assign(graph_.size(), kUnknown);
-  region_left_.assign(graph_.size(), kUnknown);
-  std::vector<int> sheet_known;
-  std::vector<int> region_known;
-  sheet_known.reserve(2 * graph_.size());
-  region_known.reserve(2 * graph_.size());
+  left_.assign(graph_.size(), {kUnknown, kUnknown});
+  std::vector<int> group;
+  group.reserve(graph_.size());
   for (int h = 0; h < graph_.size(); ++h) {
-    if (graph_[h].sheet != 0) {
-      sheet_left_[h] = graph_[h].sheet > 0 ? 1 : 0;
-      sheet_known.push_back(h);
-    }
-    const bool leaves = !safe_box_.contains(graph_.from(h)) || !safe_box_.contains(graph_.to(h));
-    if (graph_[h].region != 0 || leaves) {
-      BRASH_EXPECTS(graph_[h].region == 0 || !leaves, graph_.from(h).x, graph_.from(h).y);
-      region_left_[h] = graph_[h].region > 0 ? 1 : 0;
-      region_known.push_back(h);
-    }
+    if (left_[h].ice == kUnknown) label_group(h, group);
   }
-  spread(sheet_left_, sheet_known, true);
-  spread(region_left_, region_known, false);
-  // What hangs together with no sheet edge lies wholly in ice or in water; the same for the region.
+  check_labels();
+}
+
+/// Labels all that hangs together with `start`: first relative to the face left of it, then so that the least is 0.
+void Arrangement::label_group(int start, std::vector<int>& group) {
+  Cover least{0, 0};
+  Cover most{0, 0};
+  group.clear();
+  const auto reach = [&](int h, Cover cover) {
+    if (left_[h].ice != kUnknown) return;
+    left_[h] = cover;
+    least = {std::min(least.ice, cover.ice), std::min(least.region, cover.region)};
+    most = {std::max(most.ice, cover.ice), std::max(most.region, cover.region)};
+    group.push_back(h);
+  };
+  reach(start, {0, 0});
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const int h = group[i];
+    const Cover here = left_[h];
+    reach(PlanarGraph::twin(h), {here.ice - graph_[h].sheet, here.region - graph_[h].region});
+    if (is_complete_at(graph_.to(h))) reach(graph_.next_in_face(h), here);
+  }
+  // A group without a free edge lies wholly in ice or in water; the same for the region.
+  Cover base{-least.ice, -least.region};
+  if (least.ice == most.ice) base.ice = is_in_ice(graph_.from(start)) ? 1 : 0;
+  if (least.region == most.region) base.region = is_in_region(graph_.from(start)) ? 1 : 0;
+  for (const int h : group) left_[h] = {left_[h].ice + base.ice, left_[h].region + base.region};
+}
+
+/// Throws unless every label is 0 or 1, agrees with what its edge parts and is the same all round its face.
+void Arrangement::check_labels() const {
   for (int h = 0; h < graph_.size(); ++h) {
-    if (sheet_left_[h] == kUnknown) {
-      sheet_left_[h] = is_in_ice(graph_.from(h)) ? 1 : 0;
-      sheet_known.push_back(h);
-      spread(sheet_left_, sheet_known, true);
-    }
-    if (region_left_[h] == kUnknown) {
-      region_left_[h] = is_in_region(graph_.from(h)) ? 1 : 0;
-      region_known.push_back(h);
-      spread(region_left_, region_known, false);
-    }
+    const Cover here = left_[h];
+    const Cover across = left_[PlanarGraph::twin(h)];
+    const bool is_complete = is_complete_at(graph_.to(h));
+    const Cover next = is_complete ? left_[graph_.next_in_face(h)] : here;
+    const bool agrees = here.ice - across.ice == graph_[h].sheet && here.region - across.region == graph_[h].region &&
+                        next.ice == here.ice && next.region == here.region;
+    BRASH_EXPECTS(agrees && (here.ice | 1) == 1 && (here.region | 1) == 1, here.ice, here.region, across.ice,
+                  across.region, graph_.from(h).x, graph_.from(h).y);
+    BRASH_EXPECTS(is_complete || graph_[h].region == 0, graph_.to(h).x, graph_.to(h).y);
   }
 }
 

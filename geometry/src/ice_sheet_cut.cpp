@@ -63,7 +63,7 @@ SheetChange change_of(const Arrangement& arrangement, const FreeEdges& boundary)
 
   // Old edges that are still there stay; the others go.
   for (const Arrangement::ActiveEdge& e : arrangement.active()) {
-    const int h = e.is_split ? -1 : graph.find(e.from, e.to);
+    const int h = e.added < 0 ? -1 : graph.half_edge_of(e.added);
     if (h >= 0 && arrangement.is_new_sheet_edge(h)) {
       BRASH_EXPECTS(refs[h] == kNone, graph.from(h).x, graph.from(h).y);
       refs[h] = e.id;
