@@ -91,34 +91,31 @@ void Arrangement::add_crossings() {
 }
 
 void Arrangement::sort_nodes() {
-  // Ends of segments, sorted with the place where their node's number goes; consecutive segments share one.
+  // Ends of segments with the place where their node's number goes; consecutive segments share one.
   struct End {
     Point at;
     int* node;
-    bool is_of_crack;
   };
   std::vector<End> ends;
   ends.reserve(2 * segments_.size() + crossings_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     Segment& s = segments_[i];
-    const bool is_crack = s.source == Source::kCrack;
-    const bool is_shared = i > 0 && s.from == segments_[i - 1].to && s.source == segments_[i - 1].source;
-    if (!is_shared) ends.push_back({s.from, &s.from_node, is_crack});
-    ends.push_back({s.to, &s.to_node, is_crack});
+    const bool is_shared = i > 0 && s.from == segments_[i - 1].to;
+    if (!is_shared) ends.push_back({s.from, &s.from_node});
+    ends.push_back({s.to, &s.to_node});
   }
-  for (const Point p : crossings_) ends.push_back({p, nullptr, true});
-  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  for (const Point p : crossings_) ends.push_back({p, nullptr});
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+    return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y;
+  });
   nodes_.reserve(ends.size() + 8);
-  is_free_of_cracks_.reserve(ends.size());
   for (std::size_t i = 0; i < ends.size();) {
     bool is_given = false;
     nodes_.push_back(ends[i].at);
-    is_free_of_cracks_.push_back(0);
     for (; i < ends.size() && ends[i].at == nodes_.back(); ++i) {
       if (ends[i].node == nullptr) continue;
       *ends[i].node = static_cast<int>(nodes_.size()) - 1;
       is_given = true;
-      if (!ends[i].is_of_crack) is_free_of_cracks_.back() = 1;
     }
     if (!is_given) ++n_rounded_;
   }
@@ -128,6 +125,15 @@ void Arrangement::sort_nodes() {
   n_sorted_ = nodes_.size();
 }
 
+std::vector<char> Arrangement::nodes_without_cracks() const {
+  std::vector<char> is_there(nodes_.size(), 0);
+  for (const Segment& s : segments_) {
+    if (s.source != Source::kCrack) is_there[s.from_node] = is_there[s.to_node] = 1;
+  }
+  for (std::size_t node = n_sorted_; node < nodes_.size(); ++node) is_there[node] = 1;
+  return is_there;
+}
+
 int Arrangement::node_at(Point p) const {
   const auto sorted_end = nodes_.begin() + static_cast<std::ptrdiff_t>(n_sorted_);
   auto it = std::lower_bound(nodes_.begin(), sorted_end, p);
@@ -135,18 +141,19 @@ int Arrangement::node_at(Point p) const {
   return it == nodes_.end() ? -1 : static_cast<int>(it - nodes_.begin());
 }
 
-std::vector<int> Arrangement::nodes_met(int from, int to, bool is_moved) {
+/// Puts the nodes in whose pixels the edge comes on top of the targets, the nearest last.
+void Arrangement::add_nodes_met(int from, int to, bool is_moved, int depth) {
   const Point a = nodes_[from];
   const Point b = nodes_[to];
   const Box box = Box::of(a, b);
-  std::vector<int> met;
+  const auto n_before = static_cast<std::ptrdiff_t>(targets_.size());
   // Nodes are sorted by x: those of the box stand between the ends, give or take nodes straight above and below.
   const int n = static_cast<int>(n_sorted_);
   int first = std::min({from, to, n});
   while (first > 0 && nodes_[first - 1].x >= box.low.x) --first;
   for (int i = first; i < n && nodes_[i].x <= box.high.x; ++i) {
     if (nodes_[i].y < box.low.y || nodes_[i].y > box.high.y || i == from || i == to) continue;
-    if (exact::meets_pixel(a, b, nodes_[i])) met.push_back(i);
+    if (exact::meets_pixel(a, b, nodes_[i])) targets_.push_back({i, depth});
   }
   if (is_moved && !(safe_box_.contains(a) && safe_box_.contains(b))) {
     // A moved edge may come to vertices of sheet edges that took no part so far.
@@ -158,31 +165,35 @@ std::vector<int> Arrangement::nodes_met(int from, int to, bool is_moved) {
         node = static_cast<int>(nodes_.size());
         nodes_.push_back(p);
       }
-      met.push_back(node);
+      targets_.push_back({node, depth});
     });
   }
-  if (met.size() < 2) return met;
-  std::sort(met.begin(), met.end(), [&](int i, int j) {
-    const Int128 di = exact::dot(a, b, nodes_[i]);
-    const Int128 dj = exact::dot(a, b, nodes_[j]);
-    return di != dj ? di < dj : i < j;
+  const auto begin = targets_.begin() + n_before;
+  if (targets_.end() - begin < 2) return;
+  std::sort(begin, targets_.end(), [&](const Target& s, const Target& t) {
+    const Int128 to_s = exact::dot(a, b, nodes_[s.node]);
+    const Int128 to_t = exact::dot(a, b, nodes_[t.node]);
+    return to_s != to_t ? to_s > to_t : s.node > t.node;
   });
-  met.erase(std::unique(met.begin(), met.end()), met.end());
-  return met;
+  const auto is_same = [](const Target& s, const Target& t) { return s.node == t.node; };
+  targets_.erase(std::unique(begin, targets_.end(), is_same), targets_.end());
 }
 
-void Arrangement::route(int from, int to, bool is_moved, int depth, std::vector<int>& chain) {
-  BRASH_EXPECTS(depth < kMaxDepth, nodes_[from].x, nodes_[from].y, nodes_[to].x, nodes_[to].y);
-  const std::vector<int> met = nodes_met(from, to, is_moved);
-  int last = from;
-  for (const int node : met) {
-    route(last, node, true, depth + 1, chain);
-    last = node;
-  }
-  if (met.empty()) {
-    chain.push_back(to);
-  } else {
-    route(last, to, true, depth + 1, chain);
+/// The nodes that the edge has to go through, its ends included.
+void Arrangement::route(int from, int to, std::vector<int>& chain) {
+  chain.assign(1, from);
+  targets_.assign(1, {to, 0});
+  for (bool is_moved = false; !targets_.empty();) {
+    const Target next = targets_.back();
+    const std::size_t n_targets = targets_.size();
+    BRASH_EXPECTS(next.depth < kMaxDepth, nodes_[from].x, nodes_[from].y, nodes_[to].x, nodes_[to].y);
+    add_nodes_met(chain.back(), next.node, is_moved, next.depth + 1);
+    if (targets_.size() > n_targets) {
+      is_moved = true;
+    } else {
+      chain.push_back(next.node);
+      targets_.pop_back();
+    }
   }
 }
 
@@ -194,8 +205,7 @@ void Arrangement::route_all() {
   for (const Segment& s : segments_) {
     const int from = s.from_node;
     const int to = s.to_node;
-    chain.assign(1, from);
-    route(from, to, false, 0, chain);
+    route(from, to, chain);
     int added = -1;
     for (std::size_t i = 1; i < chain.size(); ++i) added = graph_.add(chain[i - 1], chain[i], s.source);
     if (s.source != Source::kSheet) continue;

@@ -33,10 +33,8 @@ class Arrangement {
   /// Twice the area that leading sheet edges through nodes added to the ice.
   Int128 twice_moved() const { return twice_moved_; }
   std::int64_t n_rounded() const { return n_rounded_; }
-  /// True when the node is there without any crack: it ends an edge of the sheet or of the region.
-  bool is_free_of_cracks(int node) const {
-    return static_cast<std::size_t>(node) >= n_sorted_ || is_free_of_cracks_[node] != 0;
-  }
+  /// For each node whether it is there without any crack: it ends an edge of the sheet or of the region.
+  std::vector<char> nodes_without_cracks() const;
 
   bool has_ice_left(int h) const { return left_[h].ice != 0; }
   bool is_region_left(int h) const { return left_[h].region != 0; }
@@ -58,6 +56,10 @@ class Arrangement {
     int from_node = -1;
     int to_node = -1;
   };
+  struct Target {
+    int node;
+    int depth;
+  };
   /// How often ice and region cover a face: 0 or 1 once all is labelled.
   struct Cover {
     int ice;
@@ -69,14 +71,12 @@ class Arrangement {
   void sort_nodes();
   int node_at(Point p) const;
   void route_all();
-  void route(int from, int to, bool is_moved, int depth, std::vector<int>& chain);
-  std::vector<int> nodes_met(int from, int to, bool is_moved);
+  void route(int from, int to, std::vector<int>& chain);
+  void add_nodes_met(int from, int to, bool is_moved, int depth);
   void activate_around(const std::vector<int>& nodes);
-  /// True when all free edges at the node take part; it may not be so outside the safe box.
-  bool is_complete_at(Point node) const { return safe_box_.contains(node); }
   void label();
-  void label_group(int start, std::vector<int>& group);
-  void check_labels() const;
+  void label_group(int start, const std::vector<char>& is_complete, std::vector<int>& group);
+  void check_labels(const std::vector<char>& is_complete) const;
   bool is_in_ice(Point p) const;
   bool is_in_region(Point p) const;
 
@@ -85,8 +85,8 @@ class Arrangement {
   exact::Box safe_box_;  ///< Every sheet edge that comes here takes part.
   std::vector<Segment> segments_;
   std::vector<Point> nodes_;  ///< Sorted up to n_sorted_, then nodes outside the safe box.
+  std::vector<Target> targets_;  ///< Where the edge that is being routed has to go, the next one last.
   std::size_t n_sorted_ = 0;
-  std::vector<char> is_free_of_cracks_;  ///< Of the sorted nodes.
   std::vector<Point> crossings_;
   std::vector<ActiveEdge> active_;
   PlanarGraph graph_;

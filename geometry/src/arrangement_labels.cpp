@@ -45,52 +45,55 @@ bool Arrangement::is_in_region(Point p) const {
 
 void Arrangement::label() {
   left_.assign(graph_.size(), {kUnknown, kUnknown});
+  // Outside the safe box edges are missing: what lies between two edges at a node there is no single face.
+  std::vector<char> is_complete(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) is_complete[i] = safe_box_.contains(nodes_[i]) ? 1 : 0;
   std::vector<int> group;
   group.reserve(graph_.size());
   for (int h = 0; h < graph_.size(); ++h) {
-    if (left_[h].ice == kUnknown) label_group(h, group);
+    if (left_[h].ice == kUnknown) label_group(h, is_complete, group);
   }
-  check_labels();
+  check_labels(is_complete);
 }
 
-/// Labels all that hangs together with `start`: first relative to the face left of it, then so that the least is 0.
-void Arrangement::label_group(int start, std::vector<int>& group) {
-  Cover least{0, 0};
-  Cover most{0, 0};
-  group.clear();
-  const auto reach = [&](int h, Cover cover) {
+/// Labels all that hangs together with `start`: first relative to the face left of it, then absolutely.
+void Arrangement::label_group(int start, const std::vector<char>& is_complete, std::vector<int>& group) {
+  const auto reach = [&](int h, int ice, int region) {
     if (left_[h].ice != kUnknown) return;
-    left_[h] = cover;
-    least = {std::min(least.ice, cover.ice), std::min(least.region, cover.region)};
-    most = {std::max(most.ice, cover.ice), std::max(most.region, cover.region)};
+    left_[h] = {ice, region};
     group.push_back(h);
   };
-  reach(start, {0, 0});
+  group.clear();
+  reach(start, 0, 0);
+  Cover base{kUnknown, kUnknown};  // Of the face left of `start`.
   for (std::size_t i = 0; i < group.size(); ++i) {
     const int h = group[i];
+    const PlanarGraph::HalfEdge& edge = graph_[h];
     const Cover here = left_[h];
-    reach(PlanarGraph::twin(h), {here.ice - graph_[h].sheet, here.region - graph_[h].region});
-    if (is_complete_at(graph_.to(h))) reach(graph_.next_in_face(h), here);
+    if (edge.sheet > 0) base.ice = 1 - here.ice;
+    if (edge.region > 0) base.region = 1 - here.region;
+    reach(PlanarGraph::twin(h), here.ice - edge.sheet, here.region - edge.region);
+    if (is_complete[edge.to]) reach(graph_.next_in_face(h), here.ice, here.region);
   }
   // A group without a free edge lies wholly in ice or in water; the same for the region.
-  Cover base{-least.ice, -least.region};
-  if (least.ice == most.ice) base.ice = is_in_ice(graph_.from(start)) ? 1 : 0;
-  if (least.region == most.region) base.region = is_in_region(graph_.from(start)) ? 1 : 0;
+  if (base.ice == kUnknown) base.ice = is_in_ice(graph_.from(start)) ? 1 : 0;
+  if (base.region == kUnknown) base.region = is_in_region(graph_.from(start)) ? 1 : 0;
   for (const int h : group) left_[h] = {left_[h].ice + base.ice, left_[h].region + base.region};
 }
 
 /// Throws unless every label is 0 or 1, agrees with what its edge parts and is the same all round its face.
-void Arrangement::check_labels() const {
+void Arrangement::check_labels(const std::vector<char>& is_complete) const {
   for (int h = 0; h < graph_.size(); ++h) {
+    const PlanarGraph::HalfEdge& edge = graph_[h];
     const Cover here = left_[h];
     const Cover across = left_[PlanarGraph::twin(h)];
-    const bool is_complete = is_complete_at(graph_.to(h));
-    const Cover next = is_complete ? left_[graph_.next_in_face(h)] : here;
-    const bool agrees = here.ice - across.ice == graph_[h].sheet && here.region - across.region == graph_[h].region &&
+    const Cover next = is_complete[edge.to] ? left_[graph_.next_in_face(h)] : here;
+    const bool is_binary = (here.ice == 0 || here.ice == 1) && (here.region == 0 || here.region == 1);
+    const bool agrees = here.ice - across.ice == edge.sheet && here.region - across.region == edge.region &&
                         next.ice == here.ice && next.region == here.region;
-    BRASH_EXPECTS(agrees && (here.ice | 1) == 1 && (here.region | 1) == 1, here.ice, here.region, across.ice,
-                  across.region, graph_.from(h).x, graph_.from(h).y);
-    BRASH_EXPECTS(is_complete || graph_[h].region == 0, graph_.to(h).x, graph_.to(h).y);
+    BRASH_EXPECTS(is_binary && agrees, here.ice, here.region, across.ice, across.region, next.ice, next.region,
+                  graph_.from(h).x, graph_.from(h).y);
+    BRASH_EXPECTS(is_complete[edge.to] || edge.region == 0, graph_.to(h).x, graph_.to(h).y);
   }
 }
 
