@@ -42,13 +42,9 @@ void Arrangement::gather(std::span<const Point> region, std::span<const Crack> c
     if (crack.from != crack.to) segments_.emplace_back(crack.from, crack.to, Source::kCrack);
   }
   safe_box_ = box_.grown(kSafeMargin);
-  const std::size_t n_cutters = segments_.size();
   boundary_.query(box_.grown(kGatherMargin), [&](int id) {
     segments_.emplace_back(boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id);
   });
-  // In an order that the plan gives, not the history of the ids.
-  std::sort(segments_.begin() + static_cast<std::ptrdiff_t>(n_cutters), segments_.end(),
-            [](const Segment& a, const Segment& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
 }
 
 void Arrangement::add_crossings() {
@@ -152,7 +148,8 @@ void Arrangement::add_nodes_met(int from, int to, bool is_moved, int depth) {
   int first = std::min({from, to, n});
   while (first > 0 && nodes_[first - 1].x >= box.low.x) --first;
   for (int i = first; i < n && nodes_[i].x <= box.high.x; ++i) {
-    if (nodes_[i].y < box.low.y || nodes_[i].y > box.high.y || i == from || i == to) continue;
+    const std::int64_t y = nodes_[i].y;
+    if (y < box.low.y || y > box.high.y || i == from || i == to) continue;
     if (exact::meets_pixel(a, b, nodes_[i])) targets_.push_back({i, depth});
   }
   if (is_moved && !(safe_box_.contains(a) && safe_box_.contains(b))) {
@@ -179,38 +176,38 @@ void Arrangement::add_nodes_met(int from, int to, bool is_moved, int depth) {
   targets_.erase(std::unique(begin, targets_.end(), is_same), targets_.end());
 }
 
-/// The nodes that the edge has to go through, its ends included.
-void Arrangement::route(int from, int to, std::vector<int>& chain) {
-  chain.assign(1, from);
-  targets_.assign(1, {to, 0});
-  for (bool is_moved = false; !targets_.empty();) {
+/// Leads a segment through the nodes that wait as targets and those it meets on the way.
+/// @return all nodes it goes through, its ends included.
+std::vector<int> Arrangement::route(const Segment& s) {
+  std::vector<int> chain{s.from_node};
+  while (!targets_.empty()) {
     const Target next = targets_.back();
     const std::size_t n_targets = targets_.size();
-    BRASH_EXPECTS(next.depth < kMaxDepth, nodes_[from].x, nodes_[from].y, nodes_[to].x, nodes_[to].y);
-    add_nodes_met(chain.back(), next.node, is_moved, next.depth + 1);
-    if (targets_.size() > n_targets) {
-      is_moved = true;
-    } else {
-      chain.push_back(next.node);
-      targets_.pop_back();
-    }
+    BRASH_EXPECTS(next.depth < kMaxDepth, s.from.x, s.from.y, s.to.x, s.to.y);
+    add_nodes_met(chain.back(), next.node, true, next.depth + 1);
+    if (targets_.size() > n_targets) continue;
+    chain.push_back(next.node);
+    targets_.pop_back();
   }
+  return chain;
 }
 
 void Arrangement::route_all() {
-  std::vector<int> chain;
   std::vector<int> outside;
   graph_.reserve(2 * segments_.size());
   active_.reserve(segments_.size());
   for (const Segment& s : segments_) {
-    const int from = s.from_node;
-    const int to = s.to_node;
-    route(from, to, chain);
-    int added = -1;
-    for (std::size_t i = 1; i < chain.size(); ++i) added = graph_.add(chain[i - 1], chain[i], s.source);
+    targets_.assign(1, {s.to_node, 0});
+    add_nodes_met(s.from_node, s.to_node, false, 1);
+    if (targets_.size() == 1) {
+      const int added = graph_.add(s.from_node, s.to_node, s.source);
+      if (s.source == Source::kSheet) active_.push_back({s.edge, s.from_node, s.to_node, added});
+      continue;
+    }
+    const std::vector<int> chain = route(s);
+    for (std::size_t i = 1; i < chain.size(); ++i) graph_.add(chain[i - 1], chain[i], s.source);
     if (s.source != Source::kSheet) continue;
-    active_.push_back({s.edge, from, to, chain.size() == 2 ? added : -1});
-    if (chain.size() == 2) continue;
+    active_.push_back({s.edge, s.from_node, s.to_node, -1});
     twice_moved_ -= exact::cross(s.from, s.to);
     for (std::size_t i = 1; i < chain.size(); ++i) twice_moved_ += exact::cross(nodes_[chain[i - 1]], nodes_[chain[i]]);
     for (const int node : chain) {

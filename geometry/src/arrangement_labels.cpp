@@ -99,10 +99,6 @@ void Arrangement::check_labels(const std::vector<char>& is_complete) const {
 
 std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const Crack> cracks) {
   if (cracks.empty()) return {};
-  // In doubled coordinates the middle of two grid points is one too.
-  Ring doubled;
-  doubled.reserve(region.size());
-  for (const Point p : region) doubled.push_back({2 * p.x, 2 * p.y});
   std::vector<Crack> inside;
   for (const Crack& crack : cracks) {
     Ring stops{crack.from, crack.to};
@@ -124,7 +120,7 @@ std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const 
     for (std::size_t i = 1; i < stops.size(); ++i) {
       const Point p = stops[i - 1];
       const Point q = stops[i];
-      if (p != q && exact::winding(doubled, {p.x + q.x, p.y + q.y}) == 1) inside.push_back({p, q});
+      if (p != q && exact::winding(region, {p.x + q.x, p.y + q.y}, 2) == 1) inside.push_back({p, q});
     }
   }
   return inside;

@@ -12,16 +12,16 @@ namespace brash::geometry {
 void PlanarGraph::join_coincident() {
   // For each node a list, by `clockwise`, of the edges to larger nodes.
   std::vector<int> newest(nodes_->size(), -1);
-  half_.clear();
-  half_.reserve(2 * raw_.size());
+  half_.resize(2 * raw_.size());
+  int n = 0;
   for (Raw& e : raw_) {
     const auto [low, high] = std::minmax(e.from, e.to);
     int along = newest[low];
     while (along >= 0 && half_[along].to != high) along = half_[along].clockwise;
     if (along < 0) {
-      along = size();
-      half_.push_back({low, high, -1, newest[low], 0, 0, false});
-      half_.push_back({high, low, -1, -1, 0, 0, false});
+      along = n;
+      half_[n++] = {.from = low, .to = high, .clockwise = newest[low]};
+      half_[n++] = {.from = high, .to = low};
       newest[low] = along;
     }
     e.half_edge = e.from == low ? along : twin(along);
@@ -31,6 +31,7 @@ void PlanarGraph::join_coincident() {
     if (e.source == Source::kRegion) ++with.region, --against.region;
     if (e.source == Source::kCrack) with.crack = against.crack = true;
   }
+  half_.resize(n);
 }
 
 void PlanarGraph::drop_cancelled() {
