@@ -101,9 +101,8 @@ void Arrangement::sort_nodes() {
     ends.push_back({s.to, &s.to_node});
   }
   for (const Point p : crossings_) ends.push_back({p, nullptr});
-  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
-    return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y;
-  });
+  std::sort(ends.begin(), ends.end(),
+            [](const End& a, const End& b) { return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y; });
   nodes_.reserve(ends.size() + 8);
   for (std::size_t i = 0; i < ends.size();) {
     bool is_given = false;

@@ -84,7 +84,7 @@ class Arrangement {
   exact::Box box_;       ///< Of the region and the cracks.
   exact::Box safe_box_;  ///< Every sheet edge that comes here takes part.
   std::vector<Segment> segments_;
-  std::vector<Point> nodes_;  ///< Sorted up to n_sorted_, then nodes outside the safe box.
+  std::vector<Point> nodes_;     ///< Sorted up to n_sorted_, then nodes outside the safe box.
   std::vector<Target> targets_;  ///< Where the edge that is being routed has to go, the next one last.
   std::size_t n_sorted_ = 0;
   std::vector<Point> crossings_;
