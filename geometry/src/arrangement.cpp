@@ -42,7 +42,8 @@ void Arrangement::gather(std::span<const Point> region, std::span<const Crack> c
     if (crack.from != crack.to) segments_.emplace_back(crack.from, crack.to, Source::kCrack);
   }
   safe_box_ = box_.grown(kSafeMargin);
-  boundary_.query(box_.grown(kGatherMargin), [&](int id) {
+  gather_box_ = box_.grown(kGatherMargin);
+  boundary_.query(gather_box_, [&](int id) {
     segments_.emplace_back(boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id);
   });
 }
@@ -218,15 +219,15 @@ void Arrangement::route_all() {
 
 /// The links at a vertex can be made anew only when all edges there take part.
 void Arrangement::activate_around(const std::vector<int>& nodes) {
-  if (nodes.empty()) return;
-  std::vector<int> known;
-  for (const ActiveEdge& e : active_) known.push_back(e.id);
-  std::sort(known.begin(), known.end());
   std::vector<int> fresh;
+  const auto add = [&](int id) {
+    const Box box = Box::of(boundary_.edge(id).from, boundary_.edge(id).to);
+    if (!gather_box_.overlaps(box)) fresh.push_back(id);
+  };
   for (const int node : nodes) {
     for (const int out : boundary_.starting_at(nodes_[node])) {
-      fresh.push_back(out);
-      fresh.push_back(boundary_.edge(out).previous);
+      add(out);
+      add(boundary_.edge(out).previous);
     }
   }
   std::sort(fresh.begin(), fresh.end());
@@ -238,7 +239,6 @@ void Arrangement::activate_around(const std::vector<int>& nodes) {
     return static_cast<int>(nodes_.size()) - 1;
   };
   for (const int id : fresh) {
-    if (std::binary_search(known.begin(), known.end(), id)) continue;
     const int from = node_or_new(boundary_.edge(id).from);
     const int to = node_or_new(boundary_.edge(id).to);
     active_.push_back({id, from, to, graph_.add(from, to, Source::kSheet)});

@@ -81,8 +81,9 @@ class Arrangement {
   bool is_in_region(Point p) const;
 
   const FreeEdges& boundary_;
-  exact::Box box_;       ///< Of the region and the cracks.
-  exact::Box safe_box_;  ///< Every sheet edge that comes here takes part.
+  exact::Box box_;         ///< Of the region and the cracks.
+  exact::Box safe_box_;    ///< Every sheet edge that comes here takes part, wherever routing leads it.
+  exact::Box gather_box_;  ///< Sheet edges whose boxes come here take part from the start.
   std::vector<Segment> segments_;
   std::vector<Point> nodes_;     ///< Sorted up to n_sorted_, then nodes outside the safe box.
   std::vector<Target> targets_;  ///< Where the edge that is being routed has to go, the next one last.

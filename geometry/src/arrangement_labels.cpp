@@ -33,9 +33,10 @@ bool Arrangement::is_in_ice(Point p) const {
 
 bool Arrangement::is_in_region(Point p) const {
   // Against the region's boundary as it was led through the nodes; stretches that ran back on themselves are gone.
+  if (!box_.contains(p)) return false;
   int turns = 0;
-  for (int h = 0; h < graph_.size(); ++h) {
-    if (graph_[h].region > 0 && exact::meets_ray(graph_.from(h), graph_.to(h), p)) {
+  for (int h = 0; h < graph_.size(); h += 2) {
+    if (graph_[h].region != 0 && exact::meets_ray(graph_.from(h), graph_.to(h), p)) {
       turns += graph_[h].region * (graph_.from(h).y < graph_.to(h).y ? 1 : -1);
     }
   }
