@@ -176,10 +176,10 @@ void Arrangement::add_nodes_met(int from, int to, bool is_moved, int depth) {
   targets_.erase(std::unique(begin, targets_.end(), is_same), targets_.end());
 }
 
-/// Leads a segment through the nodes that wait as targets and those it meets on the way.
-/// @return all nodes it goes through, its ends included.
-std::vector<int> Arrangement::route(const Segment& s) {
-  std::vector<int> chain{s.from_node};
+/// Leads a segment through the nodes that wait as targets and those it meets on the way: `chain` holds them all, the
+/// segment's ends included.
+void Arrangement::route(const Segment& s, std::vector<int>& chain) {
+  chain.assign(1, s.from_node);
   while (!targets_.empty()) {
     const Target next = targets_.back();
     const std::size_t n_targets = targets_.size();
@@ -189,11 +189,14 @@ std::vector<int> Arrangement::route(const Segment& s) {
     chain.push_back(next.node);
     targets_.pop_back();
   }
-  return chain;
 }
 
 void Arrangement::route_all() {
+  std::vector<int> chain;
   std::vector<int> outside;
+  chain.reserve(16);
+  outside.reserve(16);
+  targets_.reserve(16);
   graph_.reserve(2 * segments_.size());
   active_.reserve(segments_.size());
   for (const Segment& s : segments_) {
@@ -204,7 +207,7 @@ void Arrangement::route_all() {
       if (s.source == Source::kSheet) active_.push_back({s.edge, s.from_node, s.to_node, added});
       continue;
     }
-    const std::vector<int> chain = route(s);
+    route(s, chain);
     for (std::size_t i = 1; i < chain.size(); ++i) graph_.add(chain[i - 1], chain[i], s.source);
     if (s.source != Source::kSheet) continue;
     active_.push_back({s.edge, s.from_node, s.to_node, -1});

@@ -71,7 +71,7 @@ class Arrangement {
   void sort_nodes();
   int node_at(Point p) const;
   void route_all();
-  std::vector<int> route(const Segment& s);
+  void route(const Segment& s, std::vector<int>& chain);
   void add_nodes_met(int from, int to, bool is_moved, int depth);
   void activate_around(const std::vector<int>& nodes);
   void label();

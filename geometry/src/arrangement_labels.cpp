@@ -101,8 +101,11 @@ void Arrangement::check_labels(const std::vector<char>& is_complete) const {
 std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const Crack> cracks) {
   if (cracks.empty()) return {};
   std::vector<Crack> inside;
+  inside.reserve(2 * cracks.size());
+  Ring stops;
+  stops.reserve(16);
   for (const Crack& crack : cracks) {
-    Ring stops{crack.from, crack.to};
+    stops.assign({crack.from, crack.to});
     const exact::Box reach = exact::Box::of(crack.from, crack.to);
     for (std::size_t i = 0; i < region.size(); ++i) {
       const Point a = region[i];

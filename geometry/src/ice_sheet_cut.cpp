@@ -106,6 +106,7 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
   }
   const PlanarGraph& graph = arrangement->graph();
   std::vector<Ring> rings;
+  rings.reserve(pieces.cycles.size());
   Int128 twice_pieces = 0;
   for (const std::vector<int>& cycle : pieces.cycles) {
     rings.push_back(graph.ring_of(cycle));

@@ -65,6 +65,7 @@ void PlanarGraph::order_around_nodes() {
     ++degree[half_[h].from];
   }
   std::vector<int> out;
+  out.reserve(16);
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     if (degree[node] < 3) continue;
     out.clear();
@@ -147,6 +148,7 @@ bool holds(const Ring& outline, const exact::Box& box, const Ring& hole) {
 
 std::vector<Polygon> polygons_of(std::vector<Ring> loops) {
   std::vector<Polygon> polygons;
+  polygons.reserve(loops.size());
   std::vector<Ring> holes;
   for (Ring& loop : loops) {
     // The loops of one traced chain bound the same face: one outline and the holes that touch it, or holes only.

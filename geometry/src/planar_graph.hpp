@@ -77,6 +77,7 @@ class PlanarGraph {
 template <typename IsActive>
 std::vector<std::vector<int>> PlanarGraph::trace(IsActive&& is_active) const {
   std::vector<std::vector<int>> cycles;
+  cycles.reserve(8);
   std::vector<char> seen(half_.size(), 0);
   std::vector<int> cycle;
   cycle.reserve(half_.size());
