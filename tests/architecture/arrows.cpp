@@ -38,6 +38,7 @@ const std::map<std::string, Room> kRooms{
      {"modules/simulation",
       {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "io", "statistics"},
       {"Eigen", "json"}}},
+    {"campaign", {"modules/campaign", {"core", "io", "simulation", "statistics"}, {"json"}}},
 };
 
 /// How the include line of each third-party library begins.

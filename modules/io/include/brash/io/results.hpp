@@ -150,6 +150,10 @@ struct RunResults {
 /// @throws RunError naming the file and the system's reason.
 void write_results(const std::string& directory, const Case& resolved, const RunResults& results);
 
+/// Writes history.csv alone.
+/// @throws StorageError naming the file and the system's reason.
+void write_history(const std::string& directory, const RunResults& results);
+
 /// Reads what write_results wrote into run.nc.
 /// @throws InputError naming the file and what it lacks.
 RunResults read_results(const std::string& path);
@@ -176,7 +180,7 @@ void write_manifest(const std::string& directory, const Case& resolved, const st
 std::string sha256_of_file(const std::string& path);
 
 /// Writes `text` to `path` by rename when whole; missing folders are made.
-/// @throws RunError naming the file and the system's reason.
+/// @throws StorageError naming the file and the system's reason.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace brash::io
