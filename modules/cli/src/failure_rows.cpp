@@ -15,21 +15,11 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/failure/unit_profiles.hpp"
 #include "brash/meta_model/network.hpp"
 #include "brash/plate/plate.hpp"
 
 namespace brash::cli {
-
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
-  plate::UnitProfiles unit;
-  unit.station = p.station;
-  for (std::size_t i = 0; i < p.station.size(); ++i) {
-    unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
-    unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
-    unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
-  }
-  return unit;
-}
 
 namespace {
 
@@ -135,14 +125,14 @@ std::vector<Answer> infer_rows(const meta_model::Network& network, const std::ve
   return answers;
 }
 
-/// Interpolated unit profiles, superposed exactly; h / l_c as for the plate.
+/// Interpolated unit profiles, superposed; h / l_c as for the plate.
 std::vector<Answer> superpose_rows(const meta_model::ProfileModel& model, const std::vector<PredictedRow>& rows) {
   std::vector<Answer> answers;
   for (const PredictedRow& row : rows) {
-    const meta_model::Geometry wanted{row.input.b_lc, row.input.c_lc, row.input.theta};
-    const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : model.thickness_over_lc();
-    const plate::Response r =
-        plate::respond(to_unit_profiles(model.predict(model.clamp(wanted))), thickness, row.input.mu1, row.input.mu2);
+    const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : kUsualThickness;
+    const meta_model::Geometry wanted{row.input.b_lc, row.input.c_lc, row.input.theta, thickness};
+    const plate::Response r = plate::respond(failure::to_unit_profiles(model.predict(model.clamp(wanted))), thickness,
+                                             row.input.mu1, row.input.mu2);
     answers.push_back({{r.sigma_over_p, r.lbreak_over_lc}, model.check(wanted).inside()});
   }
   return answers;
@@ -156,27 +146,12 @@ std::vector<Answer> answer(const std::string& model, const std::vector<Predicted
   return infer_rows(meta_model::Network::read(model), rows);
 }
 
-/// Order statistic at `share` of the values.
-double quantile(std::vector<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
-
-void print_line(const char* name, const std::vector<double>& stress, const std::vector<double>& length) {
-  if (stress.empty()) return;
-  fmt::print(
-      "{:<24} {:>6} rows  stress error median {:.2f} %, 95 % {:.2f} %, max {:.2f} %; "
-      "length error median {:.4f}, 95 % {:.4f} l_c\n",
-      name, stress.size(), 100 * quantile(stress, 0.5), 100 * quantile(stress, 0.95), 100 * quantile(stress, 1.0),
-      quantile(length, 0.5), quantile(length, 0.95));
-}
-
 }  // namespace
 
 meta_model::ProfileSample to_profile_sample(const database::Record& record) {
   const plate::UnitProfiles& unit = record.profiles;
-  meta_model::ProfileSample sample{{record.plate.depth, record.plate.contact_length, record.plate.angle}, {}};
+  const plate::WedgePlate& g = record.plate;
+  meta_model::ProfileSample sample{{g.depth, g.contact_length, g.angle, g.thickness}, {}};
   meta_model::Profiles& p = sample.profiles;
   p.station = unit.station;
   for (std::size_t i = 0; i < unit.station.size(); ++i) {
@@ -187,25 +162,6 @@ meta_model::ProfileSample to_profile_sample(const database::Record& record) {
     p.tangential_xy.push_back(unit.tangential[i].xy);
   }
   return sample;
-}
-
-void print_profile_errors(const meta_model::ProfileModel& model, const std::vector<const database::Record*>& records) {
-  constexpr double kStressThatMatters = 0.25;  // below this sigma/p the ice is crushed before it bends
-  std::vector<double> stress, length, stress_that_matters, length_there;
-  for (const database::Record* record : records) {
-    const plate::UnitProfiles unit = to_unit_profiles(
-        model.predict(model.clamp({record->plate.depth, record->plate.contact_length, record->plate.angle})));
-    for (const database::Row& row : record->rows) {
-      const plate::Response r = plate::respond(unit, record->plate.thickness, row.load.mu1, row.load.mu2);
-      stress.push_back(std::abs(r.sigma_over_p / row.response.sigma_over_p - 1.0));
-      length.push_back(std::abs(r.lbreak_over_lc - row.response.lbreak_over_lc));
-      if (row.response.sigma_over_p < kStressThatMatters) continue;
-      stress_that_matters.push_back(stress.back());
-      length_there.push_back(length.back());
-    }
-  }
-  print_line("test", stress, length);
-  print_line("test, sigma/p >= 0.25", stress_that_matters, length_there);
 }
 
 void predict_rows(const PredictOptions& options) {

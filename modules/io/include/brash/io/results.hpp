@@ -175,10 +175,6 @@ struct Volatile {
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context);
 
-/// SHA-256 of a file's bytes, 64 hexadecimal digits.
-/// @throws RunError when the file cannot be read.
-std::string sha256_of_file(const std::string& path);
-
 /// Writes `text` to `path` by rename when whole; missing folders are made.
 /// @throws StorageError naming the file and the system's reason.
 void write_file(const std::string& path, const std::string& text);
