@@ -216,7 +216,10 @@ void add_train_command(CLI::App& failure) {
 void add_predict_command(CLI::App& failure) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = failure.add_subcommand("predict", "Predict stress and breaking length for rows of inputs");
-  command->add_option("--model", options->model, "model file, or fem: solve the plate")->required();
+  command
+      ->add_option("--model", options->model,
+                   "model file; network or superposition: the one that comes with the program; fem: solve the plate")
+      ->required();
   command->add_option("--in", options->rows,
                       "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");
   command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");

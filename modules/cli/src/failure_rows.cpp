@@ -15,7 +15,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
-#include "brash/failure/unit_profiles.hpp"
+#include "brash/failure/response_model.hpp"
 #include "brash/meta_model/network.hpp"
 #include "brash/plate/plate.hpp"
 
@@ -97,55 +97,6 @@ std::vector<PredictedRow> read_rows(std::istream& stream, const std::string& nam
   return rows;
 }
 
-/// The plate itself; every row is in range that the plate theory can hold.
-std::vector<Answer> solve_rows(const std::vector<PredictedRow>& rows) {
-  std::vector<Answer> answers;
-  for (const PredictedRow& row : rows) {
-    const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : kUsualThickness;
-    const auto profiles = plate::solve(
-        {.depth = row.input.b_lc, .contact_length = row.input.c_lc, .angle = row.input.theta, .thickness = thickness});
-    if (!profiles) throw RunError(fmt::format("row `{}`: {}", row.text, profiles.error().what));
-    const plate::Response r = plate::respond(*profiles, thickness, row.input.mu1, row.input.mu2);
-    answers.push_back({{r.sigma_over_p, r.lbreak_over_lc}, true});
-  }
-  return answers;
-}
-
-/// The network, inputs moved into its range, the stress scaled by Eq. 19 where the row states l_c / h.
-std::vector<Answer> infer_rows(const meta_model::Network& network, const std::vector<PredictedRow>& rows) {
-  std::vector<meta_model::Input> inputs;
-  for (const PredictedRow& row : rows) inputs.push_back(network.clamp(row.input));
-  std::vector<meta_model::Output> outputs(rows.size());
-  network.predict(inputs, outputs);
-  std::vector<Answer> answers;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].lc_over_h > 0.0) outputs[i].sigma_over_p *= rows[i].lc_over_h * network.thickness_over_lc();
-    answers.push_back({outputs[i], network.check(rows[i].input).inside()});
-  }
-  return answers;
-}
-
-/// Interpolated unit profiles, superposed; h / l_c as for the plate.
-std::vector<Answer> superpose_rows(const meta_model::ProfileModel& model, const std::vector<PredictedRow>& rows) {
-  std::vector<Answer> answers;
-  for (const PredictedRow& row : rows) {
-    const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : kUsualThickness;
-    const meta_model::Geometry wanted{row.input.b_lc, row.input.c_lc, row.input.theta, thickness};
-    const plate::Response r = plate::respond(failure::to_unit_profiles(model.predict(model.clamp(wanted))), thickness,
-                                             row.input.mu1, row.input.mu2);
-    answers.push_back({{r.sigma_over_p, r.lbreak_over_lc}, model.check(wanted).inside()});
-  }
-  return answers;
-}
-
-std::vector<Answer> answer(const std::string& model, const std::vector<PredictedRow>& rows) {
-  if (model == "fem") return solve_rows(rows);
-  if (meta_model::model_format(model) == meta_model::kProfileFormat) {
-    return superpose_rows(meta_model::ProfileModel::read(model), rows);
-  }
-  return infer_rows(meta_model::Network::read(model), rows);
-}
-
 }  // namespace
 
 meta_model::ProfileSample to_profile_sample(const database::Record& record) {
@@ -174,10 +125,13 @@ void predict_rows(const PredictOptions& options) {
     if (!file) throw InputError(fmt::format("{}: cannot be read; give a CSV file that exists", options.rows));
     rows = read_rows(file, options.rows, header);
   }
-  const std::vector<Answer> answers = answer(options.model, rows);
+  const auto model = failure::make_response_model(options.model);
+  std::vector<failure::ModelResponse> answers;
+  for (const PredictedRow& row : rows)
+    answers.push_back(model->respond(row.input, row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : 0.0));
   fmt::print("{},sigma_over_p,lbreak_over_lc,in_range\n", header);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    fmt::print("{},{:.6g},{:.6g},{}\n", rows[i].text, answers[i].output.sigma_over_p, answers[i].output.lbreak_over_lc,
+    fmt::print("{},{:.6g},{:.6g},{}\n", rows[i].text, answers[i].sigma_over_p, answers[i].lbreak_over_lc,
                answers[i].in_range);
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brash/core/error.hpp"
+#include "brash/core/own_path.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
@@ -32,12 +33,20 @@ Json described(const std::filesystem::path& file, const std::string& name) {
 
 }  // namespace
 
+std::string sha256_of_program() {
+  const std::filesystem::path path = own_path();
+  // The link still leads to the running program after a new one has taken its name.
+  constexpr const char* kLink = "/proc/self/exe";
+  std::error_code ignored;
+  return sha256_of_file(std::filesystem::read_symlink(kLink, ignored) == path ? kLink : path.string());
+}
+
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context) {
   const std::filesystem::path folder(directory);
   Json manifest;
   manifest["format"] = "brash-manifest-1";
-  manifest["program"] = {{"name", "brash"}, {"version", kVersion}};
+  manifest["program"] = {{"name", "brash"}, {"version", kVersion}, {"sha256", sha256_of_program()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   manifest["glibc"] = gnu_get_libc_version();
   manifest["case"] = {{"name", resolved.name}, {"toml", to_toml(resolved)}};

@@ -107,7 +107,7 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
 /// The model file that `make_criterion(model, file, ...)` reads; empty when that model reads none.
 ///
 /// With an empty `file` it is `cone_<model>.json` in the folder that the environment variable BRASH_MODEL_PATH names,
-/// else in the folder of the build.
+/// else with the sources for a program in the build tree and in share/brash/models for an installed one.
 std::string model_path(const std::string& model, const std::string& file);
 
 }  // namespace brash::failure
