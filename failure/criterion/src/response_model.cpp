@@ -3,6 +3,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/failure/criterion.hpp"
+#include "brash/failure/unit_profiles.hpp"
 
 namespace brash::failure {
 namespace {
@@ -43,8 +44,8 @@ class SuperpositionResponse final : public ResponseModel {
   explicit SuperpositionResponse(const std::string& file) : model_(meta_model::ProfileModel::read(file)) {}
 
   ModelResponse respond(const meta_model::Input& x, double thickness_over_lc) const override {
-    const meta_model::Geometry wanted{x.b_lc, x.c_lc, x.theta};
-    const double h = thickness_over_lc > 0.0 ? thickness_over_lc : model_.thickness_over_lc();
+    const double h = thickness_over_lc > 0.0 ? thickness_over_lc : kUsualThickness;
+    const meta_model::Geometry wanted{x.b_lc, x.c_lc, x.theta, h};
     const plate::Response r = plate::respond(to_unit_profiles(model_.predict(model_.clamp(wanted))), h, x.mu1, x.mu2);
     return {r.sigma_over_p, r.lbreak_over_lc, model_.check(wanted).inside()};
   }
@@ -54,17 +55,6 @@ class SuperpositionResponse final : public ResponseModel {
 };
 
 }  // namespace
-
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
-  plate::UnitProfiles unit;
-  unit.station = p.station;
-  for (std::size_t i = 0; i < p.station.size(); ++i) {
-    unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
-    unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
-    unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
-  }
-  return unit;
-}
 
 std::unique_ptr<ResponseModel> make_response_model(const std::string& model) {
   if (model == "fem") return std::make_unique<PlateResponse>();

@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/failure/response_model.hpp"
+#include <algorithm>
+
+#include "brash/failure/unit_profiles.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
+
+plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
+  plate::UnitProfiles unit;
+  unit.station = p.station;
+  for (std::size_t i = 0; i < p.station.size(); ++i) {
+    unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
+    unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
+    unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
+  }
+  return unit;
+}
+
 namespace {
 
 /// Interpolated unit profiles, superposed for the case's mu1, mu2 and h / l_c; then the largest stress.
@@ -12,11 +26,12 @@ class SuperpositionCriterion final : public BendingCriterion {
       : model_(meta_model::ProfileModel::read(file)),
         l_c_(characteristic_length(ice)),
         thickness_over_lc_(ice.thickness / l_c_),
+        shear_thickness_(std::clamp(thickness_over_lc_, model_.range()[0].h_lc, model_.range()[1].h_lc)),
         strength_(ice.flexural_strength) {}
 
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
-    const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle};
+    const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle, shear_thickness_};
     const meta_model::RangeCheck range = model_.check(wanted);
     const meta_model::Geometry used = model_.clamp(wanted);
     const plate::Response r =
@@ -27,7 +42,7 @@ class SuperpositionCriterion final : public BendingCriterion {
     return {.fails = sigma > strength_,
             .sigma_max = sigma,
             .breaking_length = r.lbreak_over_lc * l_c_,
-            .below_range = range.below,
+            .below_range = range.below || shear_thickness_ != thickness_over_lc_,
             .above_range = range.above};
   }
 
@@ -35,6 +50,7 @@ class SuperpositionCriterion final : public BendingCriterion {
   meta_model::ProfileModel model_;
   double l_c_;
   double thickness_over_lc_;
+  double shear_thickness_;  ///< the same moved into the model's range: no shorter step brings it there
   double strength_;
 };
 

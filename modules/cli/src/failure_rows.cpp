@@ -20,17 +20,25 @@
 #include "brash/plate/plate.hpp"
 
 namespace brash::cli {
+
 namespace {
 
 constexpr const char* kHeader = "b_lc,c_lc,theta_deg,mu1,mu2";
 constexpr const char* kThickness = ",lc_over_h";
 constexpr std::size_t kColumns = 5;
 constexpr std::array<const char*, kColumns + 1> kNames{"b_lc", "c_lc", "theta_deg", "mu1", "mu2", "lc_over_h"};
+/// h / l_c of rows that do not state it: that of the paper's validation case, rounded.
+constexpr double kUsualThickness = 0.1;
 
 struct PredictedRow {
   std::string text;  ///< as it was read
   meta_model::Input input;
   double lc_over_h = 0.0;  ///< 0: not stated
+};
+
+struct Answer {
+  meta_model::Output output;
+  bool in_range = true;
 };
 
 std::string without_line_end(std::string line) {
@@ -89,27 +97,12 @@ std::vector<PredictedRow> read_rows(std::istream& stream, const std::string& nam
   return rows;
 }
 
-/// Order statistic at `share` of the values.
-double quantile(std::vector<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
-
-void print_line(const char* name, const std::vector<double>& stress, const std::vector<double>& length) {
-  if (stress.empty()) return;
-  fmt::print(
-      "{:<24} {:>6} rows  stress error median {:.2f} %, 95 % {:.2f} %, max {:.2f} %; "
-      "length error median {:.4f}, 95 % {:.4f} l_c\n",
-      name, stress.size(), 100 * quantile(stress, 0.5), 100 * quantile(stress, 0.95), 100 * quantile(stress, 1.0),
-      quantile(length, 0.5), quantile(length, 0.95));
-}
-
 }  // namespace
 
 meta_model::ProfileSample to_profile_sample(const database::Record& record) {
   const plate::UnitProfiles& unit = record.profiles;
-  meta_model::ProfileSample sample{{record.plate.depth, record.plate.contact_length, record.plate.angle}, {}};
+  const plate::WedgePlate& g = record.plate;
+  meta_model::ProfileSample sample{{g.depth, g.contact_length, g.angle, g.thickness}, {}};
   meta_model::Profiles& p = sample.profiles;
   p.station = unit.station;
   for (std::size_t i = 0; i < unit.station.size(); ++i) {
@@ -120,25 +113,6 @@ meta_model::ProfileSample to_profile_sample(const database::Record& record) {
     p.tangential_xy.push_back(unit.tangential[i].xy);
   }
   return sample;
-}
-
-void print_profile_errors(const meta_model::ProfileModel& model, const std::vector<const database::Record*>& records) {
-  constexpr double kStressThatMatters = 0.25;  // below this sigma/p the ice is crushed before it bends
-  std::vector<double> stress, length, stress_that_matters, length_there;
-  for (const database::Record* record : records) {
-    const plate::UnitProfiles unit = failure::to_unit_profiles(
-        model.predict(model.clamp({record->plate.depth, record->plate.contact_length, record->plate.angle})));
-    for (const database::Row& row : record->rows) {
-      const plate::Response r = plate::respond(unit, record->plate.thickness, row.load.mu1, row.load.mu2);
-      stress.push_back(std::abs(r.sigma_over_p / row.response.sigma_over_p - 1.0));
-      length.push_back(std::abs(r.lbreak_over_lc - row.response.lbreak_over_lc));
-      if (row.response.sigma_over_p < kStressThatMatters) continue;
-      stress_that_matters.push_back(stress.back());
-      length_there.push_back(length.back());
-    }
-  }
-  print_line("test", stress, length);
-  print_line("test, sigma/p >= 0.25", stress_that_matters, length_there);
 }
 
 void predict_rows(const PredictOptions& options) {

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "brash/database/database.hpp"
 #include "brash/meta_model/profile_model.hpp"
-#include "brash/plate/plate.hpp"
 
 namespace brash::cli {
 
 struct PredictOptions {
-  std::string model;  ///< as failure::make_response_model takes it
+  std::string model;  ///< model file, or `fem`
   std::string rows;   ///< CSV file; empty: standard input
 };
 
@@ -19,9 +17,7 @@ struct PredictOptions {
 /// @throws InputError with file, line and column of a row that cannot be read.
 void predict_rows(const PredictOptions& options);
 
+/// What a solved record teaches a ProfileModel.
 meta_model::ProfileSample to_profile_sample(const database::Record& record);
-
-/// Prints the errors of `model` on the rows of records that it has not seen.
-void print_profile_errors(const meta_model::ProfileModel& model, const std::vector<const database::Record*>& records);
 
 }  // namespace brash::cli

@@ -9,19 +9,14 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/own_path.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
-#include "sha256.hpp"
 
 namespace brash::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-[[noreturn]] void fail_to_hash(const std::string& path, const std::string& reason) {
-  throw RunError(
-      fmt::format("{}: cannot be hashed: {}\n  remedy:  check that the file is there and may be read", path, reason));
-}
 
 /// The first line `model name : ...` of /proc/cpuinfo, or "unknown".
 std::string cpu_name() {
@@ -32,26 +27,11 @@ std::string cpu_name() {
 }
 
 Json described(const std::filesystem::path& file, const std::string& name) {
-  std::error_code reason;
-  const std::uintmax_t n_bytes = std::filesystem::file_size(file, reason);
-  if (reason) fail_to_hash(file.string(), reason.message());
-  return {{"path", name}, {"bytes", n_bytes}, {"sha256", sha256_of_file(file.string())}};
+  const std::string digest = sha256_of_file(file.string());
+  return {{"path", name}, {"bytes", std::filesystem::file_size(file)}, {"sha256", digest}};
 }
 
 }  // namespace
-
-std::string sha256_of_file(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail_to_hash(path, std::generic_category().message(errno));
-  Sha256 digest;
-  std::vector<char> block(1 << 16);
-  do {
-    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-    digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});
-  } while (stream);
-  if (stream.bad()) fail_to_hash(path, "it cannot be read");
-  return digest.hexadecimal();
-}
 
 std::string sha256_of_program() {
   const std::filesystem::path path = own_path();

@@ -62,7 +62,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   return parse_case(read_case_text(path), path, overrides);
 }
 
-std::string read_case_text(const std::string& path) { return read_toml_text(path, "case file"); }
+std::string read_case_text(const std::string& path) { return read_text(path, "case file"); }
 
 Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
   return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string());

@@ -18,7 +18,7 @@ constexpr const char* kTomlAllowed =
 
 }  // namespace
 
-std::string read_toml_text(const std::string& path, const std::string& kind) {
+std::string read_text(const std::string& path, const std::string& kind) {
   constexpr std::streamsize kLargest = 1 << 20;
   const auto refuse_file = [&](std::string what, std::string remedy) {
     refuse({{{path, 1, 1, ""},
@@ -137,7 +137,7 @@ Place place_in(const CaseSource& source, const std::string& name, const toml::so
 }  // namespace
 
 CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides, const std::string& kind) {
-  return parse_source(read_toml_text(path, kind), path, overrides);
+  return parse_source(read_text(path, kind), path, overrides);
 }
 
 CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {

@@ -101,11 +101,11 @@ void write_results(const std::string& directory, const Case& resolved, const Run
   write_file((folder / "events.csv").string(), events_csv(results));
 }
 
-std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
-
 void write_history(const std::string& directory, const RunResults& results) {
   write_file((std::filesystem::path(directory) / "history.csv").string(), history_csv(results.loads));
 }
+
+std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
 
 RunResults read_results(const std::string& path) { return read_tables(NetcdfReader(path)); }
 

@@ -5,13 +5,8 @@
 #include <string>
 
 #include "brash/meta_model/network.hpp"
-#include "brash/meta_model/profile_model.hpp"
-#include "brash/plate/plate.hpp"
 
 namespace brash::failure {
-
-/// The interpolated profiles as the plate solver would give them; no values at the roots.
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p);
 
 /// What a failure model says of one row of the inputs of Eq. 17.
 struct ModelResponse {
@@ -26,7 +21,7 @@ class ResponseModel {
   virtual ~ResponseModel() = default;
 
   /// @param input              b_lc >= 0, c_lc > 0, theta in [0, pi), mu1 > 0, all finite.
-  /// @param thickness_over_lc  h / l_c [-], > 0; 0: that of the training rows, 0.1 for the plate itself.
+  /// @param thickness_over_lc  h / l_c [-], > 0; 0: that of the training rows, 0.1 for plate and superposition.
   /// @throws RunError when the plate cannot be solved.
   virtual ModelResponse respond(const meta_model::Input& input, double thickness_over_lc = 0.0) const = 0;
 };

@@ -178,10 +178,6 @@ struct Volatile {
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context);
 
-/// SHA-256 of a file's bytes, 64 hexadecimal digits.
-/// @throws RunError when the file cannot be read.
-std::string sha256_of_file(const std::string& path);
-
 /// SHA-256 of the program, or of the Python module, that this code runs in.
 std::string sha256_of_program();
 
