@@ -41,8 +41,8 @@ void BroadPhase::add(Part& part) {
     rebuild(std::vector<Part*>(parts_));
   }
   const bool floe = part.body->is_floe();
-  part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE,
-                                   &part, floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
+  part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
+                                   floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
   parts_.push_back(&part);
 }
 
@@ -52,9 +52,7 @@ void BroadPhase::remove(Part& part) {
   parts_.erase(std::find(parts_.begin(), parts_.end(), &part));
 }
 
-void BroadPhase::move(Part& part) {
-  sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr);
-}
+void BroadPhase::move(Part& part) { sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr); }
 
 void BroadPhase::rebuild(std::vector<Part*> parts) {
   parts_.clear();
