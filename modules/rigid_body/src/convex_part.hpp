@@ -5,15 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "brash/core/plane.hpp"
 #include "brash/core/vec.hpp"
 
 namespace brash::rigid_body {
-
-/// Half-space dot(normal, x) <= offset, `normal` a unit vector out of the solid.
-struct Plane {
-  Vec3 normal{};
-  double offset = 0.0;
-};
 
 /// A convex solid: its faces' planes, its vertices, and each face as a loop of vertices (counter-clockwise from
 /// outside).

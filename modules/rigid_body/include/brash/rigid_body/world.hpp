@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/core/ids.hpp"
+#include "brash/core/plane.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
 
@@ -116,6 +117,11 @@ class World {
 
   /// Contacts of the last step, sorted by (body, other, point).
   const std::vector<ContactLoad>& contacts() const;
+
+  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`, where
+  /// they are now; in an order that their places give. The spans hold until the world changes. All floes of a world are
+  /// sought at once, so ask for one reach.
+  void neighbours(BodyId id, double reach, std::vector<Solid>& solids);
 
   BodyKind kind(BodyId id) const;
   bool contains(BodyId id) const;
