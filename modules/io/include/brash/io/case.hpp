@@ -63,8 +63,8 @@ struct FieldSection {
 
 /// [failure]
 struct FailureSection {
-  std::string model = "network";  ///< network | superposition | plate | plate-outline | wedge
-  std::string file;               ///< model file, absolute; empty: the model that comes with the program
+  std::string model = "superposition";  ///< network | superposition | plate | plate-outline | wedge
+  std::string file;                     ///< model file, absolute; empty: the model that comes with the program
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
