@@ -9,6 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
 #include "brash/io/table.hpp"
@@ -172,12 +173,12 @@ void write_campaign_manifest(const Folder& folder, const std::string& plan_file,
   Json manifest{{"format", "brash-campaign-manifest-1"},
                 {"program", {{"name", "brash"}, {"version", kVersion}}},
                 {"glibc", gnu_get_libc_version()},
-                {"plan", {{"path", plan_file}, {"sha256", io::sha256_of_file(plan_file)}}},
+                {"plan", {{"path", plan_file}, {"sha256", sha256_of_file(plan_file)}}},
                 {"cases_made_by", makers(folder, rows)},
                 {"outputs", Json::array()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   for (const char* const name : {"campaign.csv", "campaign.nc", "summary.json"})
-    manifest["outputs"].push_back({{"path", name}, {"sha256", io::sha256_of_file(folder.directory() + "/" + name)}});
+    manifest["outputs"].push_back({{"path", name}, {"sha256", sha256_of_file(folder.directory() + "/" + name)}});
   io::write_file(folder.directory() + "/manifest.json",
                  manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

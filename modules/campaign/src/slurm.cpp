@@ -78,7 +78,9 @@ std::string output_option(const std::string& folder, const char* pattern) {
   return option + "/" + pattern;
 }
 
-Json json_of(const Job& job) { return {{"command", job.command}, {"messages", job.messages}, {"record", job.record}}; }
+Json json_of(const Job& job) {
+  return {{"command", job.command}, {"messages", job.messages}, {"result", job.result}, {"record", job.record}};
+}
 
 /// The jobs in `n` parts, consecutive ones together, none empty.
 Json parts(const std::vector<Job>& jobs, std::size_t n) {
@@ -155,7 +157,8 @@ bool run_chunk(const std::string& list_file, std::size_t chunk) {
   if (!list.is_array() || chunk >= list.size())
     throw InputError(fmt::format("{}: has no part {} of a list of jobs", list_file, chunk));
   std::vector<Job> jobs;
-  for (const Json& job : list[chunk]) jobs.push_back({0, job.at("command"), job.at("messages"), job.at("record")});
+  for (const Json& job : list[chunk])
+    jobs.push_back({0, job.at("command"), job.at("messages"), job.at("result"), job.at("record")});
   return run_jobs(1, jobs);
 }
 
