@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
+#include <string>
 
 namespace brash::cli {
 
@@ -12,9 +13,13 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Writes report.html of the run or campaign in `directory`. @return its path.
+std::string write_report(const std::string& directory);
+
 // Each adds one command to `app`; the command's callback does the work and throws InputError or RunError.
 void add_run_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_schema_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 
 }  // namespace brash::cli

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   brash::cli::add_failure_command(app);
   brash::cli::add_loads_command(app);
   brash::cli::add_stats_command(app);
+  brash::cli::add_report_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

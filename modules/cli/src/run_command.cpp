@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "brash/report/plan_view.hpp"
+#include "brash/report/report.hpp"
 #include "brash/simulation/run.hpp"
 #include "commands.hpp"
 #include "table.hpp"
@@ -79,6 +80,7 @@ void run_case(const RunOptions& options) {
   io::write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
   simulation::write_run(directory, options.case_file, resolved, run, {"plan.svg"});
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
+  if (report::has_page()) fmt::print("report in  {}\n", write_report(directory));
 }
 
 }  // namespace

@@ -15,10 +15,7 @@ namespace brash::cli {
 /// @param return_period  of the level that peaks over a threshold give [s].
 nlohmann::ordered_json statistics_of(const LoadHistory& history, double return_period);
 
-/// Closed-form loads for a case, SI, each with its source: Croasdale, Ralston with both yield criteria, Nevel's wedges.
-nlohmann::ordered_json closed_form_loads(const io::Case& resolved);
-
-/// The same as text for a reader.
+/// The same, and closed-form loads, as text for a reader.
 std::string statistics_text(const nlohmann::ordered_json& statistics);
 std::string loads_text(const nlohmann::ordered_json& loads);
 

@@ -49,7 +49,11 @@ std::string resolve_file(const std::string& file, const CaseSource& source) {
 }  // namespace
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  const CaseSource source = read_source(path, overrides);
+  return parse_case(read_case_text(path), path, overrides);
+}
+
+Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  const CaseSource source = parse_source(text, path, overrides);
   Case result = case_from(validated(source));
   result.name = std::filesystem::path(path).stem().string();
   result.failure.file = resolve_file(result.failure.file, source);

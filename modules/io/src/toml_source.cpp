@@ -20,7 +20,9 @@ constexpr const char* kTomlAllowed =
   refuse({{{file, 1, 1, ""}, "case file", "", std::move(what), std::move(allowed), "", std::move(remedy)}});
 }
 
-std::string read_text(const std::string& path) {
+}  // namespace
+
+std::string read_case_text(const std::string& path) {
   constexpr std::streamsize kLargest = 1 << 20;
   const char* const allowed = "a readable TOML file of at most 1 MiB";
   std::error_code ignored;
@@ -38,6 +40,8 @@ std::string read_text(const std::string& path) {
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }
+
+namespace {
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -150,9 +154,9 @@ Place place_in(const CaseSource& source, const std::string& name, const toml::so
 
 }  // namespace
 
-CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides) {
-  CaseSource source{path, parse(path, read_text(path)), {}};
-  for (const std::string& text : overrides) apply_override(source, text);
+CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  CaseSource source{path, parse(path, text), {}};
+  for (const std::string& change : overrides) apply_override(source, change);
   return source;
 }
 

@@ -19,9 +19,9 @@ struct CaseSource {
   std::map<std::string, std::string> overridden;
 };
 
-/// Reads a case file and applies `section.key=value` overrides.
-/// @throws InputError  unreadable, larger than 1 MiB, nested too deeply, not TOML, a malformed override.
-CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides);
+/// Reads the text of a case file, named `path` in messages, and applies `section.key=value` overrides.
+/// @throws InputError  nested too deeply, not TOML, a malformed override.
+CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
 
 /// Where `section` was written; the start of the file when it was not.
 Place place_of(const CaseSource& source, const std::string& section);
