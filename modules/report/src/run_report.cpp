@@ -23,14 +23,15 @@ constexpr double kPlaceUnit = 1e-3;     ///< of poses and sheets [m]
 constexpr double kAttitudeUnit = 5e-5;  ///< of quaternions; half a millimetre at 5 m
 constexpr double kForceUnit = 10.0;     ///< of contact forces [N]
 
-/// Every column of `rows` as a block named `of`.column.
+/// Every column of `rows` as a block named `of`.column; loads in single precision.
 template <typename Row>
 void add_columns(Blocks& blocks, const std::string& of, const std::vector<Row>& rows) {
   io::Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
     std::vector<double> values;
     values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(static_cast<double>(member(row)));
-    if constexpr (std::is_same_v<Row, io::LoadRow>)
+    const bool drawn_only = std::is_same_v<Row, io::LoadRow> && name != "time";
+    if (drawn_only)
       blocks.add_single(of + '.' + name, values);
     else
       blocks.add(of + '.' + name, values);

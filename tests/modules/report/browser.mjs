@@ -28,6 +28,15 @@ export function readCsv(path) {
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
 }
 
+/** Waits until `holds` does in the page, half a minute at most. The page's policy forbids what Playwright's own wait does. */
+export async function until(page, holds) {
+  for (let i = 0; i < 600; ++i) {
+    if (await page.evaluate(holds)) return;
+    await new Promise((done) => setTimeout(done, 50));
+  }
+  throw new Error(`still waiting for ${holds}`);
+}
+
 /** Opens pages in one browser. Everything that goes wrong in them, and every request, is written down. */
 export async function browse({ width = 1366, height = 768, dark = false } = {}) {
   const { chromium } = createRequire(join(BRASH_PACKAGES, "package.json"))("playwright-core");
@@ -44,13 +53,13 @@ export async function browse({ width = 1366, height = 768, dark = false } = {}) 
     async open(file) {
       const page = await context.newPage();
       page.on("console", (message) => {
-        // SwiftShader says that reading pixels is slow.
-        if (["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver Message/.test(message.text()))
+        // Reading pixels back, as the tests do, is slow, and the browser says so.
+        if (["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver Message|willReadFrequently/.test(message.text()))
           complaints.push(message.text());
       });
       page.on("pageerror", (error) => complaints.push(String(error)));
       await page.goto(pathToFileURL(file).href);
-      await page.waitForFunction(() => window.brashReport?.readyAfter > 0);
+      await until(page, () => window.brashReport?.readyAfter > 0);
       return page;
     },
     async close() {

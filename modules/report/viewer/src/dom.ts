@@ -35,20 +35,20 @@ export function section(id: string, title: string, ...children: Child[]): HTMLEl
   return el("section", { id, "aria-labelledby": `${id}-title` }, el("h2", { id: `${id}-title` }, title), ...children);
 }
 
-/** A table; cells that are numbers by their class align right. */
+const kNumeric = /^([−\d.,: ]|to|%|×|[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]|–)*$/;
+
+/** A table; columns that hold nothing but numbers align right. */
 export function table(head: string[], rows: Child[][], attributes: Attributes = {}): HTMLElement {
-  const cell = (tag: "td" | "th", child: Child) => {
-    const numeric = typeof child === "string" && /^[−-]?[\d.,  ]+([ ×].*)?$/.test(child);
-    return el(tag, { class: numeric ? "number" : undefined }, child);
-  };
+  const numeric = (rows[0] ?? []).map((_, i) => rows.every((row) => typeof row[i] === "string" && kNumeric.test(row[i] as string)));
+  const cell = (tag: "td" | "th", child: Child, i: number) => el(tag, { class: numeric[i] ? "number" : undefined }, child);
   return el(
     "div",
     { class: "table" },
     el(
       "table",
       attributes,
-      head.length > 0 && el("thead", {}, el("tr", {}, ...head.map((text) => el("th", { scope: "col" }, text)))),
-      el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((child) => cell("td", child))))),
+      head.length > 0 && el("thead", {}, el("tr", {}, ...head.map((text, i) => cell("th", text, i)))),
+      el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((child, i) => cell("td", child, i))))),
     ),
   );
 }

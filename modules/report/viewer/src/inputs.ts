@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import { axis, Chart } from "./charts";
 import type { InputValue, Run } from "./data";
 import { css, el, section, table } from "./dom";
-import { bytes, kJ, kN, number, percent, seconds } from "./format";
+import { bytes, degrees, kJ, kN, number, percent, seconds } from "./format";
 import type { Manifest, RunData, Schema } from "./types";
 
 export function closedFormsSection(data: RunData): HTMLElement {
@@ -83,13 +83,20 @@ export function ledgerSection(run: Run): HTMLElement {
       el("div", {}, energyTable(run.data))));
 }
 
+/** A value as text: numbers rounded for the eye, angles in degrees as well; the exact text is its tooltip. */
+function shown({ value, text, unit }: InputValue): HTMLElement {
+  const rounded = typeof value === "number" ? number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : text;
+  const angle = unit === "rad" && typeof value === "number" ? ` = ${degrees(value)}°` : "";
+  return el("span", { class: "value", title: text }, rounded, unit && el("small", {}, ` ${unit}${angle}`));
+}
+
 function inputRows(inputs: Record<string, Record<string, InputValue>>, schema: Schema): HTMLElement[] {
   return Object.entries(inputs).map(([name, keys]) => {
     const described = schema.properties?.[name];
     return el("details", { open: true },
       el("summary", {}, el("code", {}, `[${name}]`), ` ${described?.description ?? ""}`),
-      table([], Object.entries(keys).map(([key, { text, unit }]) => [
-        el("code", {}, key), el("span", { class: "value" }, text, unit && el("small", {}, ` ${unit}`)),
+      table([], Object.entries(keys).map(([key, input]) => [
+        el("code", {}, key), shown(input),
         el("span", { class: "meaning" }, described?.properties?.[key]?.description ?? ""),
       ])));
   });

@@ -9,9 +9,9 @@ import type { Player } from "./player";
 
 const kCauses: [string, string, string][] = [
   ["", "total", "--accent"],
-  ["crushing_", "crushing at the edge", "--red"],
-  ["floe_normal_", "floes, normal", "--teal"],
-  ["floe_friction_", "floes, friction", "--ochre"],
+  ["crushing_", "crushing", "--red"],
+  ["floe_normal_", "floes", "--teal"],
+  ["floe_friction_", "friction", "--ochre"],
 ];
 
 export interface Peak {
@@ -33,7 +33,7 @@ export class LoadHistory {
     private readonly player: Player,
     private readonly onPeak: (peak: Peak) => void,
   ) {
-    this.chart = new Chart(300, () => this.make());
+    this.chart = new Chart(250, () => this.make());
     this.chart.keepsRange = true;
     const choose = el(
       "select",
@@ -49,7 +49,7 @@ export class LoadHistory {
         el("button", { type: "button", click: () => this.zoom(2), title: "Zoom out" }, "−"),
         el("button", { type: "button", click: () => this.showAll(), title: "The whole history" }, "all")),
       this.chart.element,
-      el("p", { class: "hint" }, "Click a peak for the crack behind it. Drag to zoom, double-click for all; ticks below are cracks."),
+      el("p", { class: "hint" }, "Click a peak for the crack behind it; drag to zoom. Ticks: cracks. Dashes: mean."),
     );
     player.onChange(() => this.keepInView());
   }
@@ -163,6 +163,11 @@ export class LoadHistory {
       const time = plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x");
       this.choose(time, 6 * (plot.posToVal(1, "x") - plot.posToVal(0, "x")));
     });
+  }
+
+  /** The largest load of the history. */
+  chooseLargest(): void {
+    this.choose(0.5 * this.run.duration, this.run.duration);
   }
 
   choose(time: number, reach: number): void {

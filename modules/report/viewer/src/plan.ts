@@ -29,16 +29,17 @@ function drawing(box: Box, label: string, ...children: (Node | false)[]): SVGSVG
   const [width, height] = [box.x1 - box.x0, box.y1 - box.y0];
   return svg(
     "svg",
-    { viewBox: `${box.x0} ${-box.y1} ${width} ${height}`, role: "img", "aria-label": label, class: "plan" },
+    { viewBox: `${box.x0} ${-box.y1} ${width} ${height}`, style: `--ratio: ${(width / height).toFixed(4)}`, role: "img", "aria-label": label, class: "plan" },
     svg("rect", { class: "open", x: box.x0, y: -box.y1, width, height }),
     ...children,
   );
 }
 
-/** Lines every so many metres along the frame, with numbers; about eight along x. */
-function ruler(box: Box): SVGGElement {
+/** Lines every so many metres along the frame, with numbers; about eight along x.
+ * @param lettering width of the drawing over the height of its letters. */
+function ruler(box: Box, lettering: number): SVGGElement {
   const step = [0.2, 0.5, 1, 2, 5, 10, 20, 50, 100].find((s) => (box.x1 - box.x0) / s <= 9) ?? 200;
-  const size = (box.x1 - box.x0) / 62;
+  const size = (box.x1 - box.x0) / lettering;
   const group = svg("g", { class: "ruler", "font-size": size });
   const text = (x: number, y: number, n: number, anchor: string) =>
     svg("text", { x, y, "text-anchor": anchor }, String(Number(n.toFixed(1))).replace("-", "−"));
@@ -115,7 +116,7 @@ export class PlanView {
       svg("circle", { class: "structure", cx: end, cy: 0, r: radius }),
       this.overlay,
       marks,
-      ruler(box),
+      ruler(box, 62),
     );
   }
 
@@ -131,7 +132,7 @@ function eventMarks(run: Run, event: number): SVGElement[] {
   return [
     svg("circle", { class: "reach", cx: at("x"), cy: -at("y"), r: at("l_break") }),
     svg("path", { class: "trapezoid", d: path([trapezoidOf(run, event)]) }),
-    svg("circle", { class: "at", cx: at("x"), cy: -at("y"), r: 0.07 }),
+    svg("circle", { class: "at", cx: at("x"), cy: -at("y"), r: 0.03 * at("l_break") }),
   ];
 }
 
@@ -154,6 +155,6 @@ export function eventFigure(run: Run, event: number): SVGSVGElement {
     svg("path", { class: "sheet", d: path(run.sheets[before]), "fill-rule": "evenodd" }),
     pieces,
     ...eventMarks(run, event),
-    ruler(box),
+    ruler(box, 24),
   );
 }

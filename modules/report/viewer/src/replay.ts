@@ -104,7 +104,7 @@ export class Replay {
           el("button", { type: "button", title: `View (${i + 1})`, click: () => scene.look(name) }, name))),
       el("label", {}, "floes by ", colour),
       tick("follow", true, (on) => (scene.follow = on)),
-      tick("see through", false, (on) => scene.setSeeThrough(on)),
+      tick("see through", true, (on) => scene.setSeeThrough(on)),
     );
   }
 
@@ -118,15 +118,19 @@ export class Replay {
 }
 
 /** Keys that work wherever the focus is, but in fields. */
-export function bindKeys(player: Player, replay: Replay, step: number): void {
+export function bindKeys(player: Player, replay: Replay, frames: ArrayLike<number>): void {
   const names = Object.keys(kViews);
+  const frame = (direction: 1 | -1) => {
+    const times = Array.from(frames).filter((time) => direction * (time - player.time) > 1e-9);
+    return times.length > 0 ? (direction > 0 ? times[0] : times[times.length - 1]) : player.time + direction * player.duration;
+  };
   document.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
     if (event.ctrlKey || event.metaKey || event.altKey || target.closest("select, input:not([type=range])")) return;
     const onButton = target.closest("button, a, summary") !== null;
     const actions: Record<string, () => void> = {
-      ArrowLeft: () => player.seek(player.time - (event.shiftKey ? 1 : step)),
-      ArrowRight: () => player.seek(player.time + (event.shiftKey ? 1 : step)),
+      ArrowLeft: () => player.seek(event.shiftKey ? player.time - 1 : frame(-1)),
+      ArrowRight: () => player.seek(event.shiftKey ? player.time + 1 : frame(1)),
       "[": () => player.setSpeed(kSpeeds[Math.max(0, kSpeeds.indexOf(player.speed) - 1)]),
       "]": () => player.setSpeed(kSpeeds[Math.min(kSpeeds.length - 1, kSpeeds.indexOf(player.speed) + 1)]),
       ",": () => player.seek(0),

@@ -48,8 +48,7 @@ export function showRun(run: Run, parent: HTMLElement): RunReport {
   const plan = new PlanView(run, choose);
   const replay = new Replay(run, player);
   const loads = new LoadHistory(run, player, (peak) => choose(peak.event, peak));
-  const frames = run.column("frame.time");
-  bindKeys(player, replay, frames.length > 1 ? frames[1] - frames[0] : 0.1);
+  bindKeys(player, replay, run.column("frame.time"));
 
   const still = el("img", { class: "still", alt: "Replay at the time of printing" });
   replay.element.prepend(still);
@@ -68,6 +67,6 @@ export function showRun(run: Run, parent: HTMLElement): RunReport {
     inputsSection(run),
     citeSection(run),
   );
-  player.seek(Math.min(run.duration, run.data.summary.statistics_from));
+  if (run.column("load.time").length > 0) loads.chooseLargest();
   return { player, replay, loads, choose };
 }

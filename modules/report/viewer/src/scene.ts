@@ -23,11 +23,11 @@ export interface View {
 }
 
 export const kViews: Record<string, View> = {
-  Bow: { from: [4.3, -3.1, 2.35], at: [0.75, 0, -0.15] },
-  Wake: { from: [-3.4, -3.0, 3.1], at: [0.3, 0, -0.1] },
-  Above: { from: [0.75, -0.01, 6.4], at: [0.75, 0, 0] },
+  Bow: { from: [4.1, -3.0, 2.5], at: [0.45, 0, -0.1] },
+  Wake: { from: [-3.7, -2.7, 2.9], at: [-0.15, 0.05, -0.2] },
+  Above: { from: [0.35, -0.01, 6.2], at: [0.35, 0, 0] },
   Side: { from: [0.5, -4.6, 0.42], at: [0.5, 0, -0.1] },
-  Below: { from: [3.4, -3.0, -2.0], at: [0.3, 0, -0.25] },
+  Below: { from: [3.1, -2.7, -1.9], at: [0.1, 0, -0.3] },
 };
 
 /** Triangles and edges of plan polygons between two heights, every ring once at the top and once at the bottom. */
@@ -180,19 +180,21 @@ export class ReplayScene {
     this.controls.addEventListener("change", () => this.draw());
     this.structureX = this.structurePlace(0).x;
     this.setTheme();
-    this.look("Bow");
+    this.look("Wake");
+    this.setSeeThrough(true);
   }
 
   /** Takes the colours of the page's theme. */
   setTheme(): void {
     for (const name of [
-      "sky", "water", "ice", "floe", "initial", "crushed", "newborn", "structure", "line", "young", "old", "calm", "loaded",
+      "sky", "water", "deep", "ice", "floe", "initial", "crushed", "newborn", "structure", "line", "young", "old", "calm", "loaded",
     ])
       this.palette[name] = new Color(css(`--scene-${name}`));
     this.scene.background = this.palette.sky;
     this.scene.fog = new Fog(this.palette.sky, 70, 260);
     this.materials.sheet.color = this.palette.ice;
     this.materials.water.color = this.palette.water;
+    this.materials.deep.color = this.palette.deep;
     this.materials.structure.color = this.palette.structure;
     this.materials.edges.color = this.palette.line;
     this.materials.waterline.color = this.palette.line;
@@ -202,7 +204,7 @@ export class ReplayScene {
   setSeeThrough(on: boolean): void {
     const material = this.materials.structure;
     material.transparent = on;
-    material.opacity = on ? 0.28 : 1;
+    material.opacity = on ? 0.34 : 1;
     material.depthWrite = !on;
     material.needsUpdate = true;
     this.draw();
@@ -382,10 +384,13 @@ export class ReplayScene {
     }
   }
 
+  /** A tinted surface over the dark of the deep, which is seen from above only. */
   private addWater(): void {
-    this.materials.water = new MeshBasicMaterial({ transparent: true, opacity: 0.62, side: DoubleSide, depthWrite: false });
-    const water = new Mesh(new PlaneGeometry(1200, 1200), this.materials.water);
-    this.scene.add(water);
+    this.materials.water = new MeshBasicMaterial({ transparent: true, opacity: 0.5, side: DoubleSide, depthWrite: false });
+    this.materials.deep = new MeshBasicMaterial({});
+    const deep = new Mesh(new PlaneGeometry(1200, 1200), this.materials.deep);
+    deep.position.z = -30;
+    this.scene.add(deep, new Mesh(new PlaneGeometry(1200, 1200), this.materials.water));
   }
 
   private addStructure(): void {
@@ -413,7 +418,7 @@ export class ReplayScene {
   }
 
   private addLights(): void {
-    const sun = new DirectionalLight(0xffffff, 1.9);
+    const sun = new DirectionalLight(0xffffff, 1.85);
     sun.position.set(-14, -26, 34);
     sun.castShadow = true;
     const reach = 3.4 * this.radius;
@@ -423,7 +428,7 @@ export class ReplayScene {
     sun.shadow.normalBias = 0.02;
     // The sun goes with the structure: its shadow covers what happens.
     this.structure.add(sun, sun.target);
-    this.scene.add(new HemisphereLight(0xffffff, 0x9fb4c2, 1.35), new AmbientLight(0xffffff, 0.55));
+    this.scene.add(new HemisphereLight(0xffffff, 0x9db4c3, 1.3), new AmbientLight(0xffffff, 0.55));
   }
 }
 

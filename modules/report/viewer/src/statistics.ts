@@ -147,7 +147,7 @@ export function statisticsSection(run: Run): HTMLElement {
         el("p", { class: "note" },
           `From ${seconds(s.statistics_from)} s on. ` +
             (s.horizontal.long_enough ? "" : "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain. ") +
-            (Number.isFinite(measured) ? `${String(run.inputs.reference?.source?.value ?? "reference")}: ${kN(measured)} kN; this run is ${percent(s.horizontal.mean / measured - 1)} off.` : ""))),
+            (Number.isFinite(measured) ? `Reference (${String(run.inputs.reference?.source?.value ?? "")}): ${kN(measured)} kN; the mean of this run is ${percent(s.horizontal.mean / measured - 1)} away.` : ""))),
       el("div", { class: "charts" }, ...charts.map((chart) => chart && chart.element))),
   );
 }
