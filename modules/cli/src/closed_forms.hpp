@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
 #include "brash/io/case.hpp"
@@ -15,5 +16,8 @@ tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(co
 /// Ralston's plastic plate for the structure and ice of `resolved`; one layer of ice rides along the whole cone.
 tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const io::Case& resolved,
                                                                           standards::Yield yield);
+
+/// Closed-form loads for a case, SI, each with its source: Croasdale, Ralston with both yield criteria, Nevel's wedges.
+nlohmann::ordered_json closed_form_loads(const io::Case& resolved);
 
 }  // namespace brash::cli
