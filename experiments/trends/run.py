@@ -9,6 +9,7 @@ import json
 import math
 import subprocess
 import sys
+from fnmatch import fnmatch
 from pathlib import Path
 
 import numpy as np
@@ -72,9 +73,8 @@ def monotone(brash, experiment, text, along, of, where="", rises=True):
     command += ["--where", where] * bool(where)
     trend = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)["trends"][0]
     test = trend["jonckheere_terpstra"]
-    speed = float(where.rsplit("-", 1)[1]) if "speed" in where else None
-    rows = study.read_rows(recorded(experiment))
-    values = study.groups([r for r in rows if speed is None or r[SPEED] == speed], along, of)
+    rows = [row for row in study.read_rows(recorded(experiment)) if fnmatch(row["setting"], where or "*")]
+    values = study.groups(rows, along, of)
     groups = list(values.values())
     return Claim(experiment, text, test["p"], change_text(groups[0], groups[-1]), (test["z"] > 0) == rises)
 
