@@ -21,18 +21,18 @@ struct Room {
 };
 
 const std::map<std::string, Room> kRooms{
-    {"core", {"modules/core", {}, {}}},
+    {"core", {"modules/core", {}, {"openssl"}}},
     {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
-    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json", "openssl"}}},
-    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json", "openssl"}}},
+    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json"}}},
+    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "plate", "meta_model"}, {}}},
     {"structure", {"modules/structure", {"core"}, {}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {"Eigen"}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
-    {"statistics", {"modules/statistics", {"core"}, {"gsl", "openssl"}}},
+    {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
-    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson", "openssl"}}},
+    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
     {"report", {"modules/report", {"core", "io"}, {}}},
     {"simulation",
      {"modules/simulation",

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "collect.hpp"
+
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "brash/campaign/campaign.hpp"
-#include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
 #include "brash/io/table.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
 #include "columns.hpp"
-#include "schedule.hpp"
 
 namespace brash::campaign {
 namespace {
@@ -184,15 +184,13 @@ void write_campaign_manifest(const Folder& folder, const std::string& plan_file,
 
 }  // namespace
 
-void collect(const io::CampaignPlan& plan, const std::string& plan_file, const std::string& directory) {
-  const Folder folder(plan, directory);
-  const Schedule schedule(plan, folder);
-  if (schedule.counts().n_missing() > 0) throw RunError(directory + ": cases are missing; `--resume` runs them");
+void collect(const Campaign& campaign, const Folder& folder, const Schedule& schedule) {
+  const io::CampaignPlan& plan = campaign.plan;
   const std::vector<Row> rows = read_rows(plan, folder, schedule);
-  io::write_file(directory + "/campaign.csv", csv(plan, folder, rows));
-  io::write_table(directory + "/campaign.nc", table(plan, rows));
-  io::write_file(directory + "/summary.json", summary(plan, rows, schedule));
-  write_campaign_manifest(folder, plan_file, rows);
+  io::write_file(campaign.directory + "/campaign.csv", csv(plan, folder, rows));
+  io::write_table(campaign.directory + "/campaign.nc", table(plan, rows));
+  io::write_file(campaign.directory + "/summary.json", summary(plan, rows, schedule));
+  write_campaign_manifest(folder, campaign.plan_file, rows);
 }
 
 }  // namespace brash::campaign

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "brash/core/error.hpp"
 #include "brash/io/results.hpp"
@@ -65,15 +63,11 @@ void Folder::prepare(bool resume) const {
   }
 }
 
-void Folder::record_failure(const CaseKey& key, int exit_code, int signal, const std::string& error) const {
-  nlohmann::ordered_json record{
-      {"case", id(key)}, {"setting", plan_.settings[key.setting].name}, {"replicate", key.replicate}, {"error", error}};
-  if (signal != 0)
-    record["signal"] = sigabbrev_np(signal);
-  else
-    record["exit_code"] = exit_code;
-  io::write_file(failure_record(key), record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  fs::remove_all(partial_folder(key));
+Job Folder::job_of(const CaseKey& key, const std::string& program) const {
+  return {.command = {program, "campaign-case", setting_file(key.setting), case_folder(key), "--replicate",
+                      std::to_string(key.replicate), "--keep", plan_.keep},
+          .messages = case_folder(key) + ".part/messages.txt",
+          .record = failure_record(key)};
 }
 
 }  // namespace brash::campaign

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "brash/campaign/pool.hpp"
 #include "brash/io/campaign_plan.hpp"
 
 namespace brash::campaign {
@@ -25,7 +27,6 @@ class Folder {
   /// "angle-50deg-r0003"
   std::string id(const CaseKey& key) const;
   std::string case_folder(const CaseKey& key) const { return directory_ + "/cases/" + id(key); }
-  std::string partial_folder(const CaseKey& key) const { return case_folder(key) + ".part"; }
   std::string failure_record(const CaseKey& key) const { return case_folder(key) + ".failed"; }
   std::string setting_file(std::size_t setting) const {
     return directory_ + "/settings/" + plan_.settings[setting].resolved.name + ".toml";
@@ -38,8 +39,8 @@ class Folder {
   /// @throws InputError when a setting of that name is there already and differs, or when cases are there and `resume`
   ///         is false.
   void prepare(bool resume) const;
-  /// Writes down that a case failed by itself, and removes what it left.
-  void record_failure(const CaseKey& key, int exit_code, int signal, const std::string& error) const;
+  /// The process that runs a case.
+  Job job_of(const CaseKey& key, const std::string& program) const;
 
  private:
   const io::CampaignPlan& plan_;

@@ -12,7 +12,7 @@ class FolderLock {
   /// @param what     is locked, for the message.
   /// @param patience how long to wait for another process that is about to end [s].
   /// @throws InputError naming the process that holds it. @throws StorageError when the file cannot be made.
-  FolderLock(const std::string& path, const std::string& what, double patience);
+  FolderLock(const std::string& path, const std::string& what, double patience = 0.0);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -6,19 +6,28 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "brash/core/error.hpp"
+#include "brash/io/results.hpp"
+#include "folder.hpp"
 
 extern char** environ;  // POSIX
 
 namespace brash::campaign {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr int kInterruptedExit = 3;
 constexpr int kWakeSignals[] = {SIGCHLD, SIGINT, SIGTERM, SIGHUP};
 
 /// While it lives, the signals that a pool waits for stay pending instead of acting.
@@ -81,6 +90,10 @@ class Streams {
 };
 
 pid_t start(const Job& job, const sigset_t& mask) {
+  std::error_code reason;
+  const fs::path folder = fs::path(job.messages).parent_path();
+  fs::create_directories(folder, reason);
+  if (reason) throw StorageError(fmt::format("{}: cannot be made: {}", folder.string(), reason.message()));
   std::vector<char*> arguments;
   for (const std::string& argument : job.command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
@@ -135,6 +148,35 @@ class Running {
   std::map<pid_t, Job> jobs_;
 };
 
+/// The end of what a process said, without trailing blanks.
+std::string last_words(const std::string& file) {
+  constexpr std::size_t kMost = 4000;
+  std::string text = read_text(file);
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text.size() > kMost ? text.substr(text.size() - kMost) : text;
+}
+
+/// Writes down that a job failed by itself, and removes what it left.
+void record_failure(const Job& job, const Exit& exit, const std::string& error) {
+  nlohmann::ordered_json record{{"case", fs::path(job.record).stem().string()}, {"error", error}};
+  if (exit.signal != 0)
+    record["signal"] = sigabbrev_np(exit.signal);
+  else
+    record["exit_code"] = exit.code;
+  io::write_file(job.record, record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  fs::remove_all(fs::path(job.messages).parent_path());
+}
+
+void judge(const Job& job, const Exit& exit) {
+  constexpr int kFromOutside[] = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
+  if (exit == Exit{} || exit.code == kInterruptedExit || std::ranges::count(kFromOutside, exit.signal) > 0) return;
+  std::string error = last_words(job.messages);
+  if (exit.code == kStorageExit) throw StorageError(error);
+  if (exit.signal != 0) error += fmt::format("{}ended by SIG{}", error.empty() ? "" : "\n", sigabbrev_np(exit.signal));
+  if (job.record.empty()) throw RunError(error);
+  record_failure(job, exit, error);
+}
+
 }  // namespace
 
 bool run_pool(int n_workers, const PoolCalls& calls) {
@@ -153,9 +195,25 @@ bool run_pool(int n_workers, const PoolCalls& calls) {
       interrupted = true;
       running.ask_to_end();
     }
-    while (const auto ended = running.take_ended()) calls.ended(ended->first, ended->second);
+    while (const auto ended = running.take_ended()) {
+      judge(ended->first, ended->second);
+      calls.ended(ended->first);
+    }
     if (calls.idle) calls.idle(running.size());
   }
+}
+
+bool run_jobs(int n_workers, const std::vector<Job>& jobs, const std::function<void(std::size_t)>& progress) {
+  std::size_t n_started = 0;
+  std::size_t n_ended = 0;
+  const auto next = [&]() -> std::optional<Job> {
+    if (n_started == jobs.size()) return {};
+    return jobs[n_started++];
+  };
+  const auto ended = [&](const Job&) {
+    if (progress) progress(++n_ended);
+  };
+  return run_pool(n_workers, {next, ended});
 }
 
 }  // namespace brash::campaign

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -28,7 +29,10 @@ struct CampaignOptions {
   std::string plan_file;
   std::string directory;
   std::vector<std::string> overrides;
-  int n_jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int n_jobs = 0;  ///< 0: not given
+  std::string on = "local";
+  std::vector<std::string> sbatch;
+  bool wait = false;
   bool status = false;
   bool resume = false;
   bool quick = false;
@@ -100,27 +104,75 @@ std::string means_table(const std::string& summary_file) {
   return text;
 }
 
+Counts run_here(const campaign::Campaign& campaign, int n_jobs) {
+  CampaignProgress progress;
+  const int n_workers = n_jobs > 0 ? n_jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return campaign::run_local(campaign, n_workers,
+                             [&](const Counts& now, std::size_t n_running) { progress.show(now, n_running); });
+}
+
+/// This command as a collector gives it again.
+std::vector<std::string> collector_command(const campaign::Campaign& campaign, const CampaignOptions& options) {
+  std::vector<std::string> command{campaign.program, "campaign", campaign.plan_file, "-o", campaign.directory,
+                                   "--on",           "slurm",    "--resume"};
+  const auto add = [&](const char* option, const std::string& value) {
+    command.push_back(fmt::format("{}={}", option, value));
+  };
+  if (options.quick) command.push_back("--quick");
+  if (options.n_jobs > 0) add("--jobs", std::to_string(options.n_jobs));
+  for (const std::string& text : options.overrides) add("--set", text);
+  for (const std::string& text : options.sbatch) add("--sbatch", text);
+  return command;
+}
+
+/// Waits until nothing of the campaign is in the queue. @return the counts then.
+Counts wait_for_slurm(const campaign::Campaign& campaign) {
+  CampaignProgress progress;
+  const std::string folder = campaign::slurm_folder(campaign.directory);
+  while (campaign::is_in_queue(folder)) {
+    progress.show(campaign::count(campaign.plan, campaign.directory), 0);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+  return campaign::count(campaign.plan, campaign.directory);
+}
+
+Counts run_under_slurm(campaign::Campaign& campaign, const CampaignOptions& options) {
+  // The jobs run in folders of their own choice.
+  campaign.directory = std::filesystem::absolute(campaign.directory).lexically_normal().string();
+  campaign.plan_file = std::filesystem::absolute(campaign.plan_file).lexically_normal().string();
+  constexpr int kTasks = 100;
+  const Counts counts = campaign::run_slurm(campaign, {.folder = {},
+                                                       .name = {},
+                                                       .program = {},
+                                                       .n_tasks = options.n_jobs > 0 ? options.n_jobs : kTasks,
+                                                       .sbatch = options.sbatch,
+                                                       .collector = collector_command(campaign, options)});
+  return options.wait ? wait_for_slurm(campaign) : counts;
+}
+
 void run_campaign(const CampaignOptions& options) {
-  const io::CampaignPlan plan = io::read_campaign_plan(
-      options.plan_file,
-      {.quick = options.quick, .overrides = options.overrides, .known_columns = campaign::known_columns()});
+  campaign::Campaign campaign{
+      .plan = io::read_campaign_plan(
+          options.plan_file,
+          {.quick = options.quick, .overrides = options.overrides, .known_columns = campaign::known_columns()}),
+      .plan_file = options.plan_file,
+      .directory = options.directory,
+      .resume = options.resume,
+      .program = this_program()};
   if (options.status) {
-    print_status(campaign::count(plan, options.directory), options.json);
+    print_status(campaign::count(campaign.plan, options.directory), options.json);
     return;
   }
-  Counts counts;
-  {
-    CampaignProgress progress;
-    counts = campaign::run_local(
-        plan, options.plan_file, options.directory,
-        {.program = this_program(),
-         .n_workers = options.n_jobs,
-         .resume = options.resume,
-         .progress = [&](const Counts& now, std::size_t n_running) { progress.show(now, n_running); }});
+  const bool here = options.on == "local";
+  const Counts counts = here ? run_here(campaign, options.n_jobs) : run_under_slurm(campaign, options);
+  if (counts.n_missing() > 0 && !here && !options.wait) {
+    fmt::print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
+    return;
   }
-  if (counts.n_missing() > 0)
+  const std::string summary = campaign.directory + "/summary.json";
+  if (counts.n_missing() > 0 || !std::filesystem::exists(summary))
     throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
-  if (!options.json) fmt::print("{}\n", means_table(options.directory + "/summary.json"));
+  if (!options.json) fmt::print("{}\n", means_table(summary));
   print_status(counts, options.json);
   if (!options.json) fmt::print("results in {}\n", options.directory);
   if (counts.n_failed > 0)
@@ -147,6 +199,18 @@ void run_one_case(const campaign::CaseTask& task) {
   }
 }
 
+void add_chunk_command(CLI::App& app) {
+  auto list_file = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("campaign-chunk", "Run the part of a list of jobs that a Slurm task has");
+  command->group("");  // not shown: Slurm's tasks start it
+  command->add_option("list", *list_file)->required();
+  command->callback([list_file] {
+    const char* const task = std::getenv("SLURM_ARRAY_TASK_ID");
+    if (task == nullptr) throw InputError("campaign-chunk: is run by the tasks of a Slurm array");
+    if (!campaign::run_chunk(*list_file, std::stoul(task))) throw Interrupted("interrupted");
+  });
+}
+
 void add_case_command(CLI::App& app) {
   auto task = std::make_shared<campaign::CaseTask>();
   CLI::App* command = app.add_subcommand("campaign-case", "Run one case of a campaign");
@@ -165,8 +229,17 @@ void add_campaign_commands(CLI::App& app) {
   CLI::App* command = app.add_subcommand("campaign", "Run a case over a grid of settings, with replicates");
   command->add_option("plan", options->plan_file, "plan (TOML)")->required();
   command->add_option("-o,--output", options->directory, "folder of the results")->required();
-  command->add_option("--jobs", options->n_jobs, "cases at once [as many as there are cores]")
+  command->add_option("--on", options->on, "where the cases run")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  command
+      ->add_option("--jobs", options->n_jobs,
+                   "cases at once [as many as there are cores]; under Slurm, tasks of the array [100]")
       ->check(CLI::Range(1, 100000));
+  command->add_option("--sbatch", options->sbatch, "an option for Slurm's sbatch, as in --sbatch=--partition=short")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--wait", options->wait, "under Slurm, stay until it is over");
   command->add_flag("--status", options->status, "count the cases done, failed and missing; run nothing");
   command->add_flag("--resume", options->resume, "go on with what the folder holds");
   command->add_flag("--quick", options->quick, "the small variant that the plan's [quick] describes");
@@ -177,6 +250,7 @@ void add_campaign_commands(CLI::App& app) {
   command->footer("Example: brash campaign experiments/velocity/plan.toml -o results/velocity --jobs 2");
   command->callback([options] { run_campaign(*options); });
   add_case_command(app);
+  add_chunk_command(app);
 }
 
 }  // namespace brash::cli

@@ -59,7 +59,13 @@ Case resolve(const CaseSource& source, const std::string& name) {
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  return resolve(read_source(path, overrides), std::filesystem::path(path).stem().string());
+  return parse_case(read_case_text(path), path, overrides);
+}
+
+std::string read_case_text(const std::string& path) { return read_text(path, "case file"); }
+
+Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string());
 }
 
 }  // namespace brash::io

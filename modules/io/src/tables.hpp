@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "netcdf_file.hpp"
-#include "result_columns.hpp"
+#include "brash/io/result_columns.hpp"
 
 namespace brash::io {
 

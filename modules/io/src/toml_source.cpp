@@ -16,6 +16,8 @@ namespace {
 constexpr const char* kTomlAllowed =
     "TOML 1.0: lines `key = value` under a line `[section]`, each key and section once";
 
+}  // namespace
+
 std::string read_text(const std::string& path, const std::string& kind) {
   constexpr std::streamsize kLargest = 1 << 20;
   const auto refuse_file = [&](std::string what, std::string remedy) {
@@ -41,6 +43,8 @@ std::string read_text(const std::string& path, const std::string& kind) {
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }
+
+namespace {
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -133,8 +137,12 @@ Place place_in(const CaseSource& source, const std::string& name, const toml::so
 }  // namespace
 
 CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides, const std::string& kind) {
-  CaseSource source{path, parse(path, read_text(path, kind)), {}};
-  for (const std::string& text : overrides) apply_override(source, text);
+  return parse_source(read_text(path, kind), path, overrides);
+}
+
+CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  CaseSource source{path, parse(path, text), {}};
+  for (const std::string& change : overrides) apply_override(source, change);
   return source;
 }
 

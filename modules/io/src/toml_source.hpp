@@ -23,6 +23,10 @@ struct CaseSource {
 /// @throws InputError  unreadable, larger than 1 MiB, nested too deeply, not TOML, a malformed override.
 CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides,
                        const std::string& kind = "case file");
+/// The text of a file of at most 1 MiB. @throws InputError when it is unreadable or larger.
+std::string read_text(const std::string& path, const std::string& kind);
+/// As read_source() for a text; `path` names it in messages.
+CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
 /// Applies one `section.key=value` override. @throws InputError when it is malformed.
 void apply_override(CaseSource& source, const std::string& text);
 /// Puts `value`, written at `place`, in place of that of `section.key`.

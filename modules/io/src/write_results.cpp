@@ -7,7 +7,7 @@
 
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
-#include "result_columns.hpp"
+#include "brash/io/result_columns.hpp"
 #include "result_tables.hpp"
 
 namespace brash::io {
@@ -104,6 +104,8 @@ void write_results(const std::string& directory, const Case& resolved, const Run
 void write_history(const std::string& directory, const RunResults& results) {
   write_file((std::filesystem::path(directory) / "history.csv").string(), history_csv(results.loads));
 }
+
+std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
 
 RunResults read_results(const std::string& path) { return read_tables(NetcdfReader(path)); }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/campaign/slurm.hpp"
 #include "brash/io/campaign_plan.hpp"
 
 namespace brash::campaign {
@@ -25,31 +26,35 @@ struct Counts {
 /// Counts the cases of `plan` in `directory`, which need not exist.
 Counts count(const io::CampaignPlan& plan, const std::string& directory);
 
-/// What surrounds a campaign on this machine.
-struct LocalOptions {
-  std::string program;  ///< path of the `brash` command, whose `campaign-case` runs one case
-  int n_workers = 1;
+/// A campaign in its folder.
+struct Campaign {
+  io::CampaignPlan plan;
+  std::string plan_file;  ///< as given, hashed into the manifest
+  std::string directory;
   bool resume = false;  ///< goes on with the cases that `directory` holds; without it there may be none
-  /// Called now and then with the number of cases that are running.
-  std::function<void(const Counts&, std::size_t n_running)> progress = {};
+  std::string program;  ///< path of the `brash` command, whose `campaign-case` runs one case
 };
 
-/// Runs what is missing of `plan` in processes on this machine; when none is missing, writes campaign.csv, campaign.nc,
-/// summary.json and manifest.json into `directory`. Done cases are left alone.
+/// Told now and then how far a campaign is, and how many cases are running.
+using Progress = std::function<void(const Counts&, std::size_t n_running)>;
+
+/// Runs what is missing in `n_workers` processes on this machine; when none is missing, writes campaign.csv,
+/// campaign.nc, summary.json and manifest.json. Done cases are left alone.
 ///
-/// @param plan_file  path of the plan as given, hashed into the manifest.
 /// @return the counts; cases are missing when it was interrupted or a case was killed from outside.
-/// @throws InputError when another process works in `directory`, or it holds another campaign. @throws RunError when
-///         the system refuses a file or a process.
-Counts run_local(const io::CampaignPlan& plan, const std::string& plan_file, const std::string& directory,
-                 const LocalOptions& options);
+/// @throws InputError when another process works in the folder, or it holds another campaign. @throws RunError when the
+///         system refuses a file or a process.
+Counts run_local(const Campaign& campaign, int n_workers, const Progress& progress = {});
 
-/// Writes the tables of a campaign that has no case missing.
-/// @throws RunError naming the file and the reason. @throws InputError when a case's summary cannot be read.
-void collect(const io::CampaignPlan& plan, const std::string& plan_file, const std::string& directory);
+/// Submits what is missing to Slurm, with a collector that calls this again; when none is missing, writes the tables.
+///
+/// @param slurm  `folder`, `name` and `program` are set here.
+/// @return the counts at submission.
+/// @throws as run_local and submit do.
+Counts run_slurm(const Campaign& campaign, SlurmOptions slurm);
 
-/// Exit code of `brash campaign-case` when the system, not the case, is at fault: the case stays missing.
-inline constexpr int kStorageExit = 4;
+/// The folder of what concerns Slurm in the folder of a campaign.
+std::string slurm_folder(const std::string& directory);
 
 /// How a case ends for the process that runs it.
 enum class CaseEnd {

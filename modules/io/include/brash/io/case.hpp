@@ -79,7 +79,6 @@ struct ContactSection {
   std::string area = "surface";  ///< surface | projected (physics: contact area A)
   double margin = 0.005;
   int iterations = 50;
-  int rebuild_interval = 50;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
 
@@ -88,6 +87,9 @@ struct ContactSection {
 
 /// [hydrodynamics]
 struct HydrodynamicsSection {
+  std::string drag = "surface";  ///< surface | paper
+  bool shading = true;
+  double shading_gap = 0.5;  ///< in ice thicknesses
   double form_drag = 1.0;
   double rotational_drag = 1.0;
   double skin_friction = 0.005;
@@ -115,7 +117,7 @@ struct RandomSection {
 /// [output]
 struct OutputSection {
   double frames_per_second = 15.0;
-  double checkpoint_interval = 5.0;  ///< simulated time between checkpoints [s]; 0 keeps none
+  double checkpoint_interval = 5.0;       ///< simulated time between checkpoints [s]; 0 keeps none
   std::optional<double> statistics_from;  ///< [s]; absent: when the structure's centre passes the initial edge
 
   friend bool operator==(const OutputSection&, const OutputSection&) = default;
@@ -154,6 +156,13 @@ struct Case {
 /// @throws InputError that lists everything wrong, each with file, line, column (or the override), key, value, what is
 ///         allowed, the nearest known name and the remedy.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The text of a case file.
+/// @throws InputError when it is unreadable or larger than 1 MiB.
+std::string read_case_text(const std::string& path);
+
+/// As read_case() for a text; `path` names it in messages, gives the case its name and is where a model file is sought.
+Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The resolved case as TOML in SI, every key that has a value written; reading it gives the same case.
 std::string to_toml(const Case& resolved);

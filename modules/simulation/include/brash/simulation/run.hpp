@@ -78,7 +78,9 @@ struct RunOptions {
 };
 
 /// Runs `resolved` to its end, or to where it is interrupted.
-/// @throws InputError when the checkpoint is of another case. @throws RunError when the ledger does not close.
+/// @throws InputError when the checkpoint is of another case.
+/// @throws RunError when a step fails or is no physics (docs/theory/simulation.md): the step, the reason, and where the
+///         state before it is kept.
 Run run(const io::Case& resolved, const RunOptions& options = {});
 
 /// What is kept of a run: its summary, its load history as well, or all results.
