@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record]
+"""Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record|--check]
 
 Reads recorded.csv of the experiments beside this one and runs nothing but `brash trend`. The claims, and what would
 confirm or refute them, are those of README.md. p-values are adjusted together by Holm's method.
 """
+import argparse
 import json
 import math
 import subprocess
@@ -168,7 +169,10 @@ def ratio_text():
 
 
 def main():
-    parser = study.arguments(__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--brash", type=Path, default=study.ROOT / "build" / "release" / "bin" / "brash")
+    parser.add_argument("--record", action="store_true", help="also rewrite trends.md")
+    parser.add_argument("--check", action="store_true", help="fail when trends.md is not what the recorded numbers say")
     options = parser.parse_args()
     listed = claims(options.brash)
     adjusted = holm([claim.p for claim in listed])
@@ -180,6 +184,9 @@ def main():
     print(text)
     if options.record:
         (HERE / "trends.md").write_text(text, encoding="utf-8")
+    if options.check and (HERE / "trends.md").read_text(encoding="utf-8") != text:
+        print("trends.md says something else: run experiments/trends/run.py --record")
+        return 1
     return 0
 
 

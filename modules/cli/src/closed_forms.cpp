@@ -39,4 +39,23 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
   return standards::ralston(input);
 }
 
+std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const io::Case& c) {
+  if (!c.hull.length) return std::nullopt;  // all keys or none
+  standards::LindqvistInput input;
+  input.length = *c.hull.length;
+  input.breadth = *c.hull.breadth;
+  input.draught = *c.hull.draught;
+  input.stem_angle = *c.hull.stem_angle;
+  input.waterline_angle = *c.hull.waterline_angle;
+  input.speed = c.structure.speed;
+  input.thickness = c.ice.thickness;
+  input.flexural_strength = c.ice.flexural_strength;
+  input.youngs_modulus = c.ice.youngs_modulus;
+  input.poisson_ratio = c.ice.poisson_ratio;
+  input.friction = c.ice.friction_structure;
+  input.ice_density = c.ice.density;
+  input.water_density = c.water.density;
+  return standards::lindqvist(input);
+}
+
 }  // namespace brash::cli

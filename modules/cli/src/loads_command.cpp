@@ -15,10 +15,22 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kKilo = 1e3;
+constexpr const char* kPeak = "peak of one breaking event";
 
 ordered_json refused(const char* method, const char* source, const standards::NotApplicable& why) {
   return {{"method", method}, {"source", source}, {"not_applicable", why.reason}};
 }
+
+// Where each method holds; docs/theory/standards.md.
+constexpr const char* kCroasdaleApplies =
+    "wide slopes, width well above the characteristic length, at low speed; the slope steeper than the friction angle "
+    "and "
+    "less steep than its complement, in-plane compression below the flexural strength";
+constexpr const char* kRalstonApplies =
+    "cones at low speed with one layer of ice on the whole slope; upper bound; friction that does not lock the ice";
+constexpr const char* kNevelApplies = "narrow wedges, loaded over at most 0.6 characteristic lengths from the tip";
+constexpr const char* kLindqvistApplies =
+    "icebreaking bows in continuous motion; friction that does not lock the ice under the bow";
 
 ordered_json croasdale_json(const io::Case& c) {
   constexpr const char* kMethod = "elastic beam, no rubble, weight in air";
@@ -27,6 +39,8 @@ ordered_json croasdale_json(const io::Case& c) {
   if (!load) return refused(kMethod, kSource, load.error());
   return {{"method", kMethod},
           {"source", kSource},
+          {"kind", kPeak},
+          {"applies_to", kCroasdaleApplies},
           {"horizontal", load->horizontal},
           {"vertical", load->vertical},
           {"components",
@@ -35,6 +49,7 @@ ordered_json croasdale_json(const io::Case& c) {
             {"H_R", load->ride_up},
             {"H_L", load->lifting},
             {"H_T", load->turning}}},
+          {"force_ratio", load->force_ratio},
           {"in_plane_factor", load->in_plane_factor},
           {"characteristic_length", load->characteristic_length},
           {"crack_length", load->crack_length}};
@@ -49,9 +64,15 @@ ordered_json ralston_json(const io::Case& c, standards::Yield yield) {
   if (!load) return refused(method.c_str(), kSource, load.error());
   return {{"method", method},
           {"source", kSource},
+          {"kind", kPeak},
+          {"applies_to", kRalstonApplies},
           {"horizontal", load->horizontal},
           {"vertical", load->vertical},
-          {"components", {{"H_B", load->breaking_horizontal}, {"H_R", load->ride_horizontal}}},
+          {"components",
+           {{"H_B", load->breaking_horizontal},
+            {"H_R", load->ride_horizontal},
+            {"V_B", load->breaking_vertical},
+            {"V_R", load->ride_vertical}}},
           {"radius_ratio", load->radius_ratio}};
 }
 
@@ -68,17 +89,29 @@ ordered_json nevel_json(const io::Case& c, int wedges) {
   // Friction on the slope inclines the force by atan(mu) from its normal.
   const double inclination = c.structure.angle + std::atan(c.ice.friction_structure);
   ordered_json out{{"method", fmt::format("one break of {} wedges, loaded over one thickness", wedges)},
-                   {"source", "Nevel 1972, narrow wedges"}};
+                   {"source", "Nevel 1972, narrow wedges"},
+                   {"kind", kPeak}};
   if (inclination >= 0.5 * kPi) {
     out["not_applicable"] = "the ice locks: tan(slope) >= 1/friction";
     return out;
   }
+  out["applies_to"] = kNevelApplies;
   const double vertical = wedges * load.vertical;
   out["horizontal"] = vertical * std::tan(inclination);
   out["vertical"] = vertical;
   out["components"] = {{"P of one wedge", load.vertical}};
   out["in_range"] = load.in_range;
   return out;
+}
+
+ordered_json lindqvist_json(const standards::LindqvistLoad& load) {
+  return {{"method", "ship's hull at the structure's speed"},
+          {"source", "Lindqvist 1989"},
+          {"kind", "mean"},
+          {"applies_to", kLindqvistApplies},
+          {"horizontal", load.total},
+          {"components", {{"R_c", load.crushing}, {"R_b", load.bending}, {"R_s", load.submersion}}},
+          {"components_at", "zero speed"}};
 }
 
 }  // namespace
@@ -90,7 +123,10 @@ ordered_json closed_form_loads(const io::Case& c) {
   loads.push_back(ralston_json(c, standards::Yield::kJohansen));
   for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges)
     loads.push_back(nevel_json(c, wedges));
-  return {{"case", c.name}, {"kind", "peaks of one breaking event, not means"}, {"loads", loads}};
+  if (const auto hull = lindqvist_of(c))
+    loads.push_back(*hull ? lindqvist_json(**hull)
+                          : refused("ship's hull at the structure's speed", "Lindqvist 1989", hull->error()));
+  return {{"case", c.name}, {"kind", "peaks of one breaking event; a ship's is a mean"}, {"loads", loads}};
 }
 
 std::string loads_text(const ordered_json& loads) {
@@ -103,8 +139,10 @@ std::string loads_text(const ordered_json& loads) {
                           load["not_applicable"].get<std::string>());
       continue;
     }
-    text += fmt::format("  {:10.1f}{:10.1f}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo,
-                        load["vertical"].get<double>() / kKilo, method, source, "");
+    const std::string vertical =
+        load.contains("vertical") ? fmt::format("{:.1f}", load["vertical"].get<double>() / kKilo) : "-";
+    text += fmt::format("  {:10.1f}{:>10}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo, vertical, method,
+                        source, "");
     std::string separator;
     for (const auto& [name, value] : load["components"].items()) {
       text += fmt::format("{}{} {:.1f}", separator, name, value.get<double>() / kKilo);
@@ -122,7 +160,8 @@ void add_loads_command(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("loads", "Closed-form loads for a case: ISO 19906, Ralston, Nevel");
+  CLI::App* command =
+      app.add_subcommand("loads", "Closed-form loads for a case: ISO 19906, Ralston, Nevel; Lindqvist for a [hull]");
   command->add_option("case", options->case_file, "case file (TOML)")->required();
   command->add_option("--set", options->overrides, "section.key=value")->take_all()->allow_extra_args(false);
   command->add_flag("--json", options->json, "as JSON, SI");
