@@ -12,7 +12,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kKilo = 1e3;
-
 }  // namespace
 
 std::string loads_text(const ordered_json& loads) {
@@ -25,8 +24,10 @@ std::string loads_text(const ordered_json& loads) {
                           load["not_applicable"].get<std::string>());
       continue;
     }
-    text += fmt::format("  {:10.1f}{:10.1f}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo,
-                        load["vertical"].get<double>() / kKilo, method, source, "");
+    const std::string vertical =
+        load.contains("vertical") ? fmt::format("{:.1f}", load["vertical"].get<double>() / kKilo) : "-";
+    text += fmt::format("  {:10.1f}{:>10}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo, vertical, method,
+                        source, "");
     std::string separator;
     for (const auto& [name, value] : load["components"].items()) {
       text += fmt::format("{}{} {:.1f}", separator, name, value.get<double>() / kKilo);
@@ -44,7 +45,8 @@ void add_loads_command(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("loads", "Closed-form loads for a case: ISO 19906, Ralston, Nevel");
+  CLI::App* command =
+      app.add_subcommand("loads", "Closed-form loads for a case: ISO 19906, Ralston, Nevel; Lindqvist for a [hull]");
   command->add_option("case", options->case_file, "case file (TOML)")->required();
   command->add_option("--set", options->overrides, "section.key=value")->take_all()->allow_extra_args(false);
   command->add_flag("--json", options->json, "as JSON, SI");
