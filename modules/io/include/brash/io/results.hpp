@@ -13,7 +13,7 @@
 namespace brash::io {
 
 /// Where the structure's work has gone since the start, besides into the floes' energies [J]. Positive: taken from the
-/// structure and the floes. Each is forces times velocities, none is a remainder (docs/theory/dynamics.md, Energy).
+/// structure and the floes. Each is forces times velocities, none is a remainder (docs/theory/dynamics.md, (E1)).
 struct EnergyLosses {
   double edge = 0.0;                ///< the structure's work against the sheet's edge: crushing and its friction
   double structure_contact = 0.0;   ///< normal forces between floes and structure: crushing and impact

@@ -88,7 +88,7 @@ enum class BodyKind { kFloe, kStructure, kSheet };
 /// through apply(). An unknown or removed id, and a state that is not finite after a step, are broken contracts.
 ///
 /// Contacts of breakable ice act while the parts overlap: nothing at first touch, then up to the crushing pressure
-/// times the area of the overlap (docs/theory/dynamics.md).
+/// times the area of the overlap (docs/theory/dynamics.md, (C1)).
 class World {
  public:
   explicit World(const WorldSettings& settings);
