@@ -21,23 +21,24 @@ struct Room {
 };
 
 const std::map<std::string, Room> kRooms{
-    {"core", {"modules/core", {}, {}}},
+    {"core", {"modules/core", {}, {"openssl"}}},
     {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
-    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json", "openssl"}}},
-    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json", "openssl"}}},
+    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json"}}},
+    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "plate", "meta_model"}, {}}},
     {"structure", {"modules/structure", {"core"}, {}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {"Eigen"}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
-    {"statistics", {"modules/statistics", {"core"}, {"gsl", "openssl"}}},
+    {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
-    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson", "openssl"}}},
-    {"report", {"modules/report", {"core", "io"}, {}}},
+    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
+    {"report", {"modules/report", {"core", "io", "statistics"}, {"json", "zlib"}}},
     {"simulation",
      {"modules/simulation",
       {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "io", "statistics"},
       {"Eigen", "json"}}},
+    {"campaign", {"modules/campaign", {"core", "io", "simulation", "statistics"}, {"json"}}},
 };
 
 /// How the include line of each third-party library begins.
@@ -47,6 +48,7 @@ const std::map<std::string, std::regex> kLibraries{
     {"netcdf", std::regex("^netcdf")},     {"toml", std::regex("^toml")},
     {"udunits", std::regex("^udunits2")},  {"json", std::regex("^nlohmann/")},
     {"valijson", std::regex("^valijson")}, {"openssl", std::regex("^openssl/")},
+    {"zlib", std::regex("^zlib\\.h")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

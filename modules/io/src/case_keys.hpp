@@ -48,7 +48,6 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "area", c.contact.area);
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
-  visit("contact", "rebuild_interval", c.contact.rebuild_interval);
   visit("contact", "stiffness", c.contact.stiffness);
   visit("contact", "delete_crushed", c.contact.delete_crushed);
   visit("hydrodynamics", "drag", c.hydrodynamics.drag);
@@ -67,6 +66,11 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("output", "statistics_from", c.output.statistics_from);
   visit("reference", "mean_horizontal", c.reference.mean_horizontal);
   visit("reference", "source", c.reference.source);
+  visit("hull", "length", c.hull.length);
+  visit("hull", "breadth", c.hull.breadth);
+  visit("hull", "draught", c.hull.draught);
+  visit("hull", "stem_angle", c.hull.stem_angle);
+  visit("hull", "waterline_angle", c.hull.waterline_angle);
 }
 
 }  // namespace brash::io

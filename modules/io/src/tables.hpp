@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "brash/io/result_columns.hpp"
 #include "netcdf_file.hpp"
-#include "result_columns.hpp"
 
 namespace brash::io {
 

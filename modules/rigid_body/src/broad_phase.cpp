@@ -28,18 +28,19 @@ btVector3 upper(const Part& part, double reach) {
 
 }  // namespace
 
-BroadPhase::BroadPhase() { reset(1024); }
+BroadPhase::BroadPhase() { grow(); }
 
-void BroadPhase::reset(unsigned capacity) {
-  capacity_ = capacity;
-  sweep_ = std::make_unique<bt32BitAxisSweep3>(-kReach, kReach, capacity, nullptr, true);
+/// Room for twice as many parts: the sweep cannot grow, so all are sorted into a new one.
+void BroadPhase::grow() {
+  capacity_ *= 2;
+  sweep_ = std::make_unique<bt32BitAxisSweep3>(-kReach, kReach, capacity_, nullptr, true);
+  const std::vector<Part*> parts = std::move(parts_);
+  parts_.clear();
+  for (Part* part : parts) add(*part);
 }
 
 void BroadPhase::add(Part& part) {
-  if (parts_.size() + 2 > capacity_) {
-    capacity_ *= 2;
-    rebuild(std::vector<Part*>(parts_));
-  }
+  if (parts_.size() + 2 > capacity_) grow();
   const bool floe = part.body->is_floe();
   part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
                                    floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
@@ -53,12 +54,6 @@ void BroadPhase::remove(Part& part) {
 }
 
 void BroadPhase::move(Part& part) { sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr); }
-
-void BroadPhase::rebuild(std::vector<Part*> parts) {
-  parts_.clear();
-  reset(capacity_);
-  for (Part* part : parts) add(*part);
-}
 
 void BroadPhase::collect(double distance) {
   pairs_.clear();

@@ -61,7 +61,6 @@ struct World::Impl {
   WorldSettings settings;
   std::map<BodyId, std::unique_ptr<Body>> bodies;
   std::uint32_t next_index = 0;
-  int steps = 0;
   bool neighbours_known = false;  ///< of the bodies' present places
   BroadPhase broad_phase;
   NarrowPhase narrow_phase;
@@ -357,12 +356,6 @@ void World::apply(BodyId id, const Wrench& wrench) {
 
 void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
-  if (impl_->settings.rebuild_interval > 0 && impl_->steps++ % impl_->settings.rebuild_interval == 0) {
-    std::vector<Part*> parts;
-    for (const auto& [id, body] : impl_->bodies)
-      for (const auto& part : body->parts) parts.push_back(part.get());
-    impl_->broad_phase.rebuild(std::move(parts));
-  }
   const std::vector<Body*> order = impl_->canonical_order();
   impl_->predict(order, dt);
   impl_->find_contacts(dt);

@@ -63,8 +63,8 @@ struct FieldSection {
 
 /// [failure]
 struct FailureSection {
-  std::string model = "network";  ///< network | superposition | plate | plate-outline | wedge
-  std::string file;               ///< model file, absolute; empty: the model that comes with the program
+  std::string model = "superposition";  ///< network | superposition | plate | plate-outline | wedge
+  std::string file;                     ///< model file, absolute; empty: the model that comes with the program
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
@@ -79,7 +79,6 @@ struct ContactSection {
   std::string area = "surface";  ///< surface | projected (physics: contact area A)
   double margin = 0.005;
   int iterations = 50;
-  int rebuild_interval = 50;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
 
@@ -118,7 +117,7 @@ struct RandomSection {
 /// [output]
 struct OutputSection {
   double frames_per_second = 15.0;
-  double checkpoint_interval = 5.0;  ///< simulated time between checkpoints [s]; 0 keeps none
+  double checkpoint_interval = 5.0;       ///< simulated time between checkpoints [s]; 0 keeps none
   std::optional<double> statistics_from;  ///< [s]; absent: when the structure's centre passes the initial edge
 
   friend bool operator==(const OutputSection&, const OutputSection&) = default;
@@ -130,6 +129,17 @@ struct ReferenceSection {
   std::string source = "reference";
 
   friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
+};
+
+/// [hull]: a ship for the closed form of Lindqvist; the simulation does not see it. All keys or none.
+struct HullSection {
+  std::optional<double> length;  ///< at the waterline
+  std::optional<double> breadth;
+  std::optional<double> draught;
+  std::optional<double> stem_angle;       ///< of the stem from the horizontal [rad]
+  std::optional<double> waterline_angle;  ///< of the waterline's entrance from the centre line [rad]
+
+  friend bool operator==(const HullSection&, const HullSection&) = default;
 };
 
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
@@ -146,6 +156,7 @@ struct Case {
   RandomSection random;
   OutputSection output;
   ReferenceSection reference;
+  HullSection hull;
 
   friend bool operator==(const Case&, const Case&) = default;
 };
@@ -157,6 +168,13 @@ struct Case {
 /// @throws InputError that lists everything wrong, each with file, line, column (or the override), key, value, what is
 ///         allowed, the nearest known name and the remedy.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The text of a case file.
+/// @throws InputError when it is unreadable or larger than 1 MiB.
+std::string read_case_text(const std::string& path);
+
+/// As read_case() for a text; `path` names it in messages, gives the case its name and is where a model file is sought.
+Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The resolved case as TOML in SI, every key that has a value written; reading it gives the same case.
 std::string to_toml(const Case& resolved);

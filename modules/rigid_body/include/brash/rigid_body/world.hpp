@@ -27,9 +27,6 @@ struct WorldSettings {
   ContactLaw ice_ice;
   int iterations = 50;              ///< sequential impulses a step, at most
   double collision_margin = 0.005;  ///< [m], > 0; Bullet's hulls are inset by it, so that surfaces meet where they are
-  /// Steps between rebuilds of the broad phase (0: never). Results do not depend on it: everything else is found anew
-  /// from poses and velocities in every step (docs/decisions/0004).
-  int rebuild_interval = 50;
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
@@ -91,7 +88,7 @@ enum class BodyKind { kFloe, kStructure, kSheet };
 /// through apply(). An unknown or removed id, and a state that is not finite after a step, are broken contracts.
 ///
 /// Contacts of breakable ice act while the parts overlap: nothing at first touch, then up to the crushing pressure
-/// times the area of the overlap (docs/theory/dynamics.md).
+/// times the area of the overlap (docs/theory/dynamics.md, (C1)).
 class World {
  public:
   explicit World(const WorldSettings& settings);

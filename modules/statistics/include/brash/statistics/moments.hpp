@@ -7,7 +7,7 @@
 
 namespace brash::statistics {
 
-/// Moments of a sample.
+/// Moments of a sample; docs/theory/statistics.md, (S1).
 struct Moments {
   std::size_t n = 0;
   double mean = 0.0;
@@ -20,6 +20,12 @@ struct Moments {
 
 /// @param samples  shape=(n,), n >= 2, finite.
 Moments moments(std::span<const double> samples);
+
+/// Moments of samples that stand for different times: sums over samples become weighted ones, and the variance keeps
+/// its factor n/(n - 1). Equal weights give the moments above.
+///
+/// @param weights  shape=(n,), > 0.
+Moments moments(std::span<const double> samples, std::span<const double> weights);
 
 /// Counts in bins of equal width.
 struct Histogram {

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/io/results.hpp"
+
+namespace brash::io {
+
+/// The columns of the rows that a run leaves. `visit(name, unit, meaning, member)` is called for each column, where
+/// `member(row)` is a reference to the value in `row`: one list serves the writing and the reading of every format.
+/// `dimension` and `prefix` are those of netCDF variables.
+template <typename Row>
+struct Columns;
+
+template <>
+struct Columns<LoadRow> {
+  static constexpr const char* dimension = "time";
+  static constexpr const char* prefix = "";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "time", "s", "end of the step", [](auto& row) -> auto& { return row.time; });
+    visit_wrench("", "total load on the structure", &LoadRow::total, visit);
+    visit_wrench("crushing_", "crushing at the sheet's edge", &LoadRow::crushing, visit);
+    visit_wrench("floe_normal_", "normal contact forces of floes", &LoadRow::floe_normal, visit);
+    visit_wrench("floe_friction_", "friction of floes", &LoadRow::floe_friction, visit);
+    visit_state(visit);
+  }
+
+ private:
+  template <typename Visit>
+  static void visit_wrench(const std::string& cause, const std::string& meaning, Wrench LoadRow::*w, Visit&& visit) {
+    visit(
+        cause + "Fx", "N", meaning + ", force along x", [w](auto& row) -> auto& { return (row.*w).force.x; });
+    visit(
+        cause + "Fy", "N", meaning + ", force along y", [w](auto& row) -> auto& { return (row.*w).force.y; });
+    visit(
+        cause + "Fz", "N", meaning + ", force along z", [w](auto& row) -> auto& { return (row.*w).force.z; });
+    visit(
+        cause + "Mx", "N m", meaning + ", moment about x", [w](auto& row) -> auto& { return (row.*w).moment.x; });
+    visit(
+        cause + "My", "N m", meaning + ", moment about y", [w](auto& row) -> auto& { return (row.*w).moment.y; });
+    visit(
+        cause + "Mz", "N m", meaning + ", moment about z", [w](auto& row) -> auto& { return (row.*w).moment.z; });
+  }
+
+  template <typename Visit>
+  static void visit_energy(Visit&& visit) {
+    visit(
+        "birth_energy", "J", "energy that floes had at birth or gained unexplained in their first step",
+        [](auto& row) -> auto& { return row.birth_energy; });
+    visit(
+        "removed_energy", "J", "kinetic and potential energy of deleted floes",
+        [](auto& row) -> auto& { return row.removed_energy; });
+    EnergyLosses::visit([&](const char* cause, const char* meaning, double EnergyLosses::*loss) {
+      visit(
+          std::string("loss_") + cause, "J",
+          std::string("energy lost since the start: ") + meaning, [loss](auto& row) -> auto& {
+            return row.losses.*loss;
+          });
+    });
+    visit(
+        "energy_error", "J", "work that no other energy accounts for",
+        [](auto& row) -> auto& { return row.energy_error; });
+  }
+
+  template <typename Visit>
+  static void visit_state(Visit&& visit) {
+    visit(
+        "kinetic_energy", "J", "kinetic energy of all floes", [](auto& row) -> auto& { return row.kinetic_energy; });
+    visit(
+        "potential_energy", "J", "energy of all floes in gravity and buoyancy, against floating at rest",
+        [](auto& row) -> auto& { return row.potential_energy; });
+    visit(
+        "work", "J", "work done by the structure since the start", [](auto& row) -> auto& { return row.work; });
+    visit_energy(visit);
+    visit(
+        "area_sheet", "m2", "ledger: area of the ice sheet", [](auto& row) -> auto& { return row.area_sheet; });
+    visit(
+        "area_floes", "m2", "ledger: area of the floes", [](auto& row) -> auto& { return row.area_floes; });
+    visit(
+        "area_crushed", "m2", "ledger: area crushed by the structure",
+        [](auto& row) -> auto& { return row.area_crushed; });
+    visit(
+        "area_deleted", "m2", "ledger: area of deleted floes", [](auto& row) -> auto& { return row.area_deleted; });
+    visit(
+        "area_brash", "m2", "ledger: area of pieces too small for a body",
+        [](auto& row) -> auto& { return row.area_brash; });
+    visit(
+        "area_snap", "m2", "ledger: area moved by rounding to the grid",
+        [](auto& row) -> auto& { return row.area_snap; });
+    visit(
+        "n_floes", "1", "number of floes", [](auto& row) -> auto& { return row.n_floes; });
+    visit(
+        "n_contacts", "1", "number of contact points", [](auto& row) -> auto& { return row.n_contacts; });
+  }
+};
+
+template <>
+struct Columns<CrackEvent> {
+  static constexpr const char* dimension = "event";
+  static constexpr const char* prefix = "event_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "time", "s", "time of the break", [](auto& row) -> auto& { return row.time; });
+    visit(
+        "x", "m", "collision point B on the free edge, x", [](auto& row) -> auto& { return row.at.x; });
+    visit(
+        "y", "m", "collision point B on the free edge, y", [](auto& row) -> auto& { return row.at.y; });
+    visit(
+        "b", "m", "depth of the fitted trapezoid", [](auto& row) -> auto& { return row.depth; });
+    visit(
+        "c", "m", "contact length", [](auto& row) -> auto& { return row.contact_length; });
+    visit(
+        "theta", "rad", "opening angle of the fitted trapezoid", [](auto& row) -> auto& { return row.angle; });
+    visit(
+        "mu1", "1", "out-of-plane over in-plane normal force", [](auto& row) -> auto& { return row.mu1; });
+    visit(
+        "mu2", "1", "in-plane friction over in-plane normal force", [](auto& row) -> auto& { return row.mu2; });
+    visit(
+        "p", "Pa", "pressure on the contact", [](auto& row) -> auto& { return row.pressure; });
+    visit(
+        "sigma_max", "Pa", "largest principal stress on the centre line",
+        [](auto& row) -> auto& { return row.sigma_max; });
+    visit(
+        "l_break", "m", "breaking length", [](auto& row) -> auto& { return row.breaking_length; });
+    visit(
+        "wedges", "1", "number of wedges drawn", [](auto& row) -> auto& { return row.wedges; });
+    visit(
+        "in_range", "1", "1 when the failure model's inputs were in its range",
+        [](auto& row) -> auto& { return row.in_range; });
+    visit(
+        "substeps", "1", "parts of the time step", [](auto& row) -> auto& { return row.substeps; });
+    visit(
+        "area_before", "m2", "area of the sheet before the break", [](auto& row) -> auto& { return row.area_before; });
+    visit(
+        "area_after", "m2", "area of the sheet after the break", [](auto& row) -> auto& { return row.area_after; });
+    visit(
+        "fit_error", "1", "error of the fitted trapezoid", [](auto& row) -> auto& { return row.fit_error; });
+    visit(
+        "pieces", "1", "number of pieces cut free", [](auto& row) -> auto& { return row.pieces; });
+    visit(
+        "tip_x", "m", "middle of the trapezoid's tip edge, x", [](auto& row) -> auto& { return row.tip.x; });
+    visit(
+        "tip_y", "m", "middle of the trapezoid's tip edge, y", [](auto& row) -> auto& { return row.tip.y; });
+    visit(
+        "towards_x", "1", "unit vector of the trapezoid's axis into the ice, x",
+        [](auto& row) -> auto& { return row.towards.x; });
+    visit(
+        "towards_y", "1", "unit vector of the trapezoid's axis into the ice, y",
+        [](auto& row) -> auto& { return row.towards.y; });
+  }
+};
+
+/// The seven numbers of a pose: place of the centre of mass, and unit quaternion from body to world.
+template <typename Visit, typename PoseOf>
+void visit_pose(const std::string& of, Visit&& visit, PoseOf pose) {
+  visit(
+      of + "x", "m", "place, x", [pose](auto& row) -> auto& { return pose(row).position.x; });
+  visit(
+      of + "y", "m", "place, y", [pose](auto& row) -> auto& { return pose(row).position.y; });
+  visit(
+      of + "z", "m", "place, z", [pose](auto& row) -> auto& { return pose(row).position.z; });
+  visit(
+      of + "qw", "1", "attitude, w of the quaternion", [pose](auto& row) -> auto& { return pose(row).rotation.w; });
+  visit(
+      of + "qx", "1", "attitude, x of the quaternion", [pose](auto& row) -> auto& { return pose(row).rotation.x; });
+  visit(
+      of + "qy", "1", "attitude, y of the quaternion", [pose](auto& row) -> auto& { return pose(row).rotation.y; });
+  visit(
+      of + "qz", "1", "attitude, z of the quaternion", [pose](auto& row) -> auto& { return pose(row).rotation.z; });
+}
+
+template <>
+struct Columns<FloeRecord> {
+  static constexpr const char* dimension = "floe";
+  static constexpr const char* prefix = "floe_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "id", "1", "name of the floe", [](auto& row) -> auto& { return row.id; });
+    visit(
+        "area", "m2", "area of the floe's plan", [](auto& row) -> auto& { return row.area; });
+    visit(
+        "birth", "s", "time of birth", [](auto& row) -> auto& { return row.birth; });
+    visit(
+        "death", "s", "time of death, or the end of the run", [](auto& row) -> auto& { return row.death; });
+    visit(
+        "end", "1", "how the floe ended", [](auto& row) -> auto& { return row.end; });
+    visit(
+        "peak_stress", "Pa", "largest contact stress of the deletion criterion",
+        [](auto& row) -> auto& { return row.peak_stress; });
+    visit_pose(
+        "birth_", visit, [](auto& row) -> auto& { return row.birth_pose; });
+  }
+};
+
+template <>
+struct Columns<CrackedSheet> {
+  static constexpr const char* dimension = "cracked_sheet";
+  static constexpr const char* prefix = "cracked_sheet_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "time", "s", "time of the cracks", [](auto& row) -> auto& { return row.time; });
+  }
+};
+
+template <>
+struct Columns<Frame> {
+  static constexpr const char* dimension = "frame";
+  static constexpr const char* prefix = "frame_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "time", "s", "time of the frame", [](auto& row) -> auto& { return row.time; });
+    visit_pose(
+        "structure_", visit, [](auto& row) -> auto& { return row.structure; });
+  }
+};
+
+template <>
+struct Columns<FloePose> {
+  static constexpr const char* dimension = "pose";
+  static constexpr const char* prefix = "pose_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "floe", "1", "floe_id of the floe", [](auto& row) -> auto& { return row.floe; });
+    visit_pose(
+        "", visit, [](auto& row) -> auto& { return row.pose; });
+    visit(
+        "contact_force", "N", "sum of the magnitudes of the normal forces on the floe in the step before",
+        [](auto& row) -> auto& { return row.contact_force; });
+  }
+};
+
+}  // namespace brash::io

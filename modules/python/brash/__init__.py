@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a structure breaks level ice. SI units and radians throughout; x along the structure's track, z upwards."""
+
+from ._brash import *  # noqa: F401,F403
+from ._brash import __version__  # noqa: F401
+
+# They are named as they are imported, also in tracebacks.
+for _value in list(globals().values()):
+    if getattr(_value, "__module__", "") == "brash._brash":
+        _value.__module__ = "brash"
