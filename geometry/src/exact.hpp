@@ -51,7 +51,7 @@ inline Box box_of(std::span<const Point> ring) {
 ///
 /// a and b are grid points, never on a pixel's side, so the segment reaches the pixel's rows and columns exactly when
 /// p is in its box. The line then meets the open pixel when 2|f| < |dx| + |dy|, f = turn(a, b, p); with equality it
-/// touches one corner, and only the lower left one belongs to the pixel.
+/// touches one corner, and only the lower left one belongs to the pixel; docs/theory/geometry.md, (1).
 inline bool meets_pixel(Point a, Point b, Point p) {
   if (!Box::of(a, b).contains(p)) return false;
   const std::int64_t dx = b.x - a.x;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
+#include <string>
 
 namespace brash::cli {
 
@@ -17,6 +18,8 @@ class CaseNotStored : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+/// Writes report.html of the run or campaign in `directory`. @return its path.
+std::string write_report(const std::string& directory);
 
 // Each adds one command to `app`; the command's callback does the work and throws InputError or RunError.
 void add_run_command(CLI::App& app);
@@ -26,5 +29,6 @@ void add_export_command(CLI::App& app);
 void add_rerun_command(CLI::App& app);
 /// Last of all: it lists what is there.
 void add_completion_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 
 }  // namespace brash::cli

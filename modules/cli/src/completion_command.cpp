@@ -11,6 +11,7 @@ namespace {
 void add_arms(const CLI::App& app, const std::string& path, std::string& arms, std::string& paths) {
   std::vector<std::string> words;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_group().empty()) continue;  // not shown
     words.push_back(command->get_name());
     const std::string below = path.empty() ? command->get_name() : path + ' ' + command->get_name();
     paths += fmt::format("{}\"{}\"", paths.empty() ? "" : "|", below);

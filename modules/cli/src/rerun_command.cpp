@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/failure/criterion.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
@@ -64,7 +65,7 @@ Manifest read_manifest(const std::string& path) {
 /// The hash of a file, or what stands for it when there is none.
 std::string hash_of(const fs::path& file) {
   std::error_code ignored;
-  return fs::is_regular_file(file, ignored) ? io::sha256_of_file(file.string()) : "no such file";
+  return fs::is_regular_file(file, ignored) ? sha256_of_file(file.string()) : "no such file";
 }
 
 /// Everything on which the run depends and that is not as it was, one line each.

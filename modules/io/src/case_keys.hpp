@@ -66,6 +66,11 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("output", "statistics_from", c.output.statistics_from);
   visit("reference", "mean_horizontal", c.reference.mean_horizontal);
   visit("reference", "source", c.reference.source);
+  visit("hull", "length", c.hull.length);
+  visit("hull", "breadth", c.hull.breadth);
+  visit("hull", "draught", c.hull.draught);
+  visit("hull", "stem_angle", c.hull.stem_angle);
+  visit("hull", "waterline_angle", c.hull.waterline_angle);
 }
 
 }  // namespace brash::io

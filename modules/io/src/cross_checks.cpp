@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace brash::io {
 namespace {
@@ -98,6 +100,20 @@ void check_field(const Case& c, Checks& checks) {
                  "lower the radius, or write 0 for the ice's own breaking length");
 }
 
+void check_hull(const Case& c, Checks& checks) {
+  const HullSection& h = c.hull;
+  const std::array<std::pair<const char*, bool>, 5> keys{{{"length", h.length.has_value()},
+                                                          {"breadth", h.breadth.has_value()},
+                                                          {"draught", h.draught.has_value()},
+                                                          {"stem_angle", h.stem_angle.has_value()},
+                                                          {"waterline_angle", h.waterline_angle.has_value()}}};
+  const auto written = std::ranges::find_if(keys, [](const auto& key) { return key.second; });
+  if (written == keys.end()) return;
+  for (const auto& [name, given] : keys)
+    checks.require(given, {"hull", name}, {"hull", written->first}, "is missing beside the hull's other keys",
+                   "all keys of the hull or none", "write it, or leave [hull] out");
+}
+
 void check_rest(const Case& c, Checks& checks) {
   checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
                  "the least number is above the largest", "[least, largest] with least <= largest",
@@ -123,6 +139,7 @@ std::vector<Problem> cross_check(const Case& resolved, const CaseSource& source)
   check_ice(resolved, checks);
   check_cone(resolved, checks);
   check_field(resolved, checks);
+  check_hull(resolved, checks);
   check_rest(resolved, checks);
   return checks.take();
 }

@@ -3,3 +3,8 @@
 
 from ._brash import *  # noqa: F401,F403
 from ._brash import __version__  # noqa: F401
+
+# They are named as they are imported, also in tracebacks.
+for _value in list(globals().values()):
+    if getattr(_value, "__module__", "") == "brash._brash":
+        _value.__module__ = "brash"

@@ -128,6 +128,15 @@ class Simulation:
     @property
     def ledger(self) -> dict[str, Fraction]: ...
 
+def campaign(
+    plan: Path,
+    output: Path,
+    jobs: int = 0,
+    resume: bool = False,
+    quick: bool = False,
+    program: Path | None = None,
+) -> dict[str, int]: ...
+
 class Polygon:
     def __init__(self, outline: ArrayLike, holes: Sequence[ArrayLike] = ()) -> None: ...
     @staticmethod

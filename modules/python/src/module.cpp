@@ -21,6 +21,7 @@ PYBIND11_MODULE(_brash, m) {
   add_case(m);
   add_results(m);
   add_simulation(m);
+  add_campaign(m);
   add_geometry(m);
   add_failure(m);
   add_statistics(m);

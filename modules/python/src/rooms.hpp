@@ -18,6 +18,7 @@ class NotApplicable : public InputError {
 void add_case(pybind11::module_& m);
 void add_simulation(pybind11::module_& m);
 void add_results(pybind11::module_& m);
+void add_campaign(pybind11::module_& m);
 void add_geometry(pybind11::module_& m);
 void add_failure(pybind11::module_& m);
 void add_statistics(pybind11::module_& m);

@@ -12,7 +12,7 @@
 namespace brash::simulation {
 
 /// Where the structure's work goes: sums since the start of the run, each from loads and the mean velocities of the
-/// step (docs/theory/dynamics.md, Energy). It only looks; nothing in a run depends on it.
+/// step (docs/theory/dynamics.md, (E1), (E3)). It only looks; nothing in a run depends on it.
 class EnergyLedger {
  public:
   /// The structure moved by `advance` [m] against `edge_force` from the sheet's edge and `floe_force` from floes [N].

@@ -22,7 +22,7 @@ double shading_gap(const io::Case& resolved) {
   return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
-/// Weight and buoyancy: m g z - rho_w g V z_B, zero for a massless point at the surface [J].
+/// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0 [J].
 double potential(const Floe& floe, const Pose& pose, double water_density) {
   const hydrodynamics::Displacement wet = hydrodynamics::displacement(floe.prism, pose);
   return floe.weight * pose.position.z - water_density * kGravity * wet.volume * wet.centre.z;
@@ -86,7 +86,8 @@ std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, cons
   if (!made) return std::nullopt;
   auto& [floe, pose] = *made;
   floe.id = next_id_++;
-  io::FloeRecord record{.id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time};
+  io::FloeRecord record{
+      .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
   const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
   floes_.emplace(body, std::move(floe));
   return record;

@@ -136,6 +136,17 @@ class Runs(unittest.TestCase):
         resumed = case.run(self.path / "stop", resume=True)
         np.testing.assert_array_equal(resumed.loads, case.run().loads)
 
+    def test_a_campaign_leaves_a_row_for_each_case(self):
+        plan = self.path / "plan.toml"
+        plan.write_text(f'[campaign]\ncase = "{CONE}"\nreplicates = 2\n[set]\ntime.duration = 0.1\n')
+        counts = brash.campaign(plan, self.path / "campaign", jobs=1)
+        self.assertEqual(counts, {"n_cases": 2, "n_done": 2, "n_failed": 0, "n_missing": 0})
+        self.assertEqual(len(pd.read_csv(self.path / "campaign/campaign.csv")), 2)
+        with self.assertRaises(brash.InputError):
+            brash.campaign(plan, self.path / "campaign", jobs=-1)
+        with self.assertRaisesRegex(brash.InputError, "none.toml"):
+            brash.campaign(self.path / "none.toml", self.path / "campaign")
+
     def test_bad_folders_and_files_are_refused(self):
         case = brash.Case.from_file(CONE, {"time.duration": 0.1})
         with self.assertRaises(brash.InputError):

@@ -19,7 +19,7 @@ struct Crack {
 };
 
 /// What one cut did. Afterwards sheet, pieces and detached parts tile the old sheet:
-/// `area before = area after + pieces + detached + snap`, exactly.
+/// `area before = area after + pieces + detached + snap`, exactly; docs/theory/geometry.md, (2).
 struct Cut {
   /// The ice inside the region, split by the cracks: one simple polygon a piece.
   std::vector<Polygon> pieces;

@@ -20,7 +20,7 @@ struct IceProperties {
   double water_density = 1025.0;      ///< rho_w [kg/m3]
 };
 
-/// l_c = (E h^3 / (12 rho_w g (1 - nu^2)))^(1/4) [m], Eq. 18 with the water's density.
+/// l_c = (E h^3 / (12 rho_w g (1 - nu^2)))^(1/4) [m], Eq. 18 with the water's density; docs/theory/failure.md, (1).
 double characteristic_length(const IceProperties& ice);
 
 /// F_n = sigma_c A R [N] on a contact of area `area` [m2], Eq. 15.
@@ -49,7 +49,7 @@ struct LoadRatios {
 /// @param friction  mu [-], >= 0.
 /// @param heading   H [rad]: direction of motion, counter-clockwise from the contact's plan normal (into the ice).
 ///                  On the port flank of a structure that moves along x (normal (0.6, 0.8)) it is negative.
-/// @see docs/theory/meta-model.md
+/// @see docs/theory/meta-model.md, (1)
 LoadRatios load_ratios(double slope, double friction, double heading);
 
 /// One contact, ready for the criterion.

@@ -66,7 +66,7 @@ struct PlateError {
 };
 
 /// Solves the floating plate for its three unit loads (one factorisation of each operator, three right-hand sides).
-/// @see docs/theory/failure.md
+/// @see docs/theory/failure.md, (2)
 tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const MeshOptions& options = {});
 
 /// A wide floating plate with a free edge of any shape around B; lengths over l_c, the frame of WedgePlate.
@@ -99,7 +99,7 @@ struct Response {
   double sigma_root_over_p = 0.0;    ///< bound on the principal stress at the re-entrant roots
 };
 
-/// Superposes the unit fields: exact in mu1 = P/N, mu2 = f/N and l_c/h = 1/plate.thickness.
+/// Superposes the unit fields, docs/theory/failure.md, (3): exact in P/N, f/N and l_c/h = 1/plate.thickness.
 ///
 /// @param thickness_over_lc  h / l_c [-], > 0; with shear-flexible profiles, that of the plate they were solved for.
 /// @param mu1  its sign says which surface P puts in tension and has no other effect.

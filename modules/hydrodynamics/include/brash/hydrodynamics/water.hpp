@@ -36,7 +36,7 @@ struct Displacement {
   Vec3 centre{};        ///< centre of buoyancy [m]; the origin when nothing is submerged
 };
 
-/// Volume below the waterplane and its centroid, exact to rounding for a prism in any attitude.
+/// Volume below the waterplane and its centroid, exact to rounding (docs/theory/hydrodynamics.md, (H1), (H2), (H3)).
 ///
 /// The wetted faces are clipped by the waterplane and joined to a point on it by signed cones (after Catto, 2006). Only
 /// `rings` and `thickness` are used, so outlines that are not convex and holes need no division into parts.
@@ -80,7 +80,7 @@ struct StepInertia {
 /// steady velocity, and it never reverses a motion.
 ///
 /// @param neighbours  convex bodies near the floe that may shade it, world frame.
-/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md.
+/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8).
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
                      const StepInertia& step = {}, std::span<const Solid> neighbours = {});
 

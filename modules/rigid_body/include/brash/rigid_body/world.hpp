@@ -88,7 +88,7 @@ enum class BodyKind { kFloe, kStructure, kSheet };
 /// through apply(). An unknown or removed id, and a state that is not finite after a step, are broken contracts.
 ///
 /// Contacts of breakable ice act while the parts overlap: nothing at first touch, then up to the crushing pressure
-/// times the area of the overlap (docs/theory/dynamics.md).
+/// times the area of the overlap (docs/theory/dynamics.md, (C1)).
 class World {
  public:
   explicit World(const WorldSettings& settings);
@@ -118,9 +118,9 @@ class World {
   /// Contacts of the last step, sorted by (body, other, point).
   const std::vector<ContactLoad>& contacts() const;
 
-  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`, where
-  /// they are now; in an order that their places give. The spans hold until the world changes. All floes of a world are
-  /// sought at once, so ask for one reach.
+  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`,
+  /// where they are now; in an order that their places give. The spans hold until the world changes. All floes of a
+  /// world are sought at once, so ask for one reach.
   void neighbours(BodyId id, double reach, std::vector<Solid>& solids);
 
   BodyKind kind(BodyId id) const;

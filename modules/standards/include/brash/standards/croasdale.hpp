@@ -62,7 +62,7 @@ struct CroasdaleLoad {
 /// mean. Outside: a slope at which friction locks the ice (tan a >= 1/mu or tan a <= mu), rubble as steep as the
 /// structure, ice that crushes before it bends (H_B >= sigma_f l h).
 ///
-/// @see ISO 19906, A.8.2.4.4; K. R. Croasdale, A. B. Cammaert, M. Metge, 1994.
+/// @see ISO 19906, A.8.2.4.4; K. R. Croasdale, A. B. Cammaert, M. Metge, 1994; docs/theory/standards.md, (L1), (L2).
 tl::expected<CroasdaleLoad, NotApplicable> croasdale(const CroasdaleInput& input);
 
 }  // namespace brash::standards

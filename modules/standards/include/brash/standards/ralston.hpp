@@ -61,7 +61,7 @@ struct RalstonLoad {
 /// peak. Outside: friction that locks the ice on the slope (mu g_r >= 1).
 ///
 /// @see T. D. Ralston, Ice force design considerations for conical offshore structures, POAC 1977; ISO 19906,
-/// A.8.2.4.4.
+/// A.8.2.4.4; docs/theory/standards.md, (L3).
 tl::expected<RalstonLoad, NotApplicable> ralston(const RalstonInput& input);
 
 }  // namespace brash::standards

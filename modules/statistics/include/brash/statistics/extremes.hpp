@@ -34,7 +34,7 @@ tl::expected<Gumbel, FitError> fit_gumbel(std::span<const double> maxima);
 /// Level exceeded by the maximum of one block in `return_period` (in blocks, > 1) on average.
 ///
 /// x = mu + beta y, y = -ln(-ln(1 - 1/return_period)); the interval is normal with the variance of the asymptotic
-/// distribution, (beta^2/n) [1 + 6/pi^2 (1 - gamma + y)^2].
+/// distribution, (beta^2/n) [1 + 6/pi^2 (1 - gamma + y)^2]; docs/theory/statistics.md, (S5).
 Estimate return_level(const Gumbel& fit, double return_period, double confidence = 0.95);
 
 /// Excesses over a threshold, F(y) = 1 - (1 + xi y/sigma)^(-1/xi), 1 - exp(-y/sigma) for xi = 0.
@@ -48,7 +48,7 @@ struct GeneralisedPareto {
 /// Maximum-likelihood fit to the independent peaks above `threshold`; at least 10 of them.
 ///
 /// The likelihood is reduced to one variable (Grimshaw, 1993). Only maxima with xi > -0.5 count, where the likelihood
-/// is regular; when there is none, the fit fails.
+/// is regular; when there is none, the fit fails; docs/theory/statistics.md, (S6).
 tl::expected<GeneralisedPareto, FitError> fit_generalised_pareto(std::span<const double> peaks, double threshold);
 
 /// Level exceeded once in `return_period` [s] on average when the peaks were counted in `duration` [s].

@@ -24,7 +24,7 @@ Interval mean_interval(std::span<const double> independent, double confidence = 
 /// Length of bootstrap blocks for a first-order process of this autocorrelation time: the length that minimises the
 /// error of the variance of the mean, L = (3/2 (tau - 1/(4 tau))^2 n)^(1/3), tau in samples; 1 for white noise.
 ///
-/// @see D. N. Politis, H. White, Econometric Reviews 23 (2004) 53.
+/// @see D. N. Politis, H. White, Econometric Reviews 23 (2004) 53; docs/theory/statistics.md, (S4).
 std::size_t block_length(double tau_in_samples, std::size_t n);
 
 /// How to bootstrap.

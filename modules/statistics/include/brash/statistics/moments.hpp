@@ -7,7 +7,7 @@
 
 namespace brash::statistics {
 
-/// Moments of a sample.
+/// Moments of a sample; docs/theory/statistics.md, (S1).
 struct Moments {
   std::size_t n = 0;
   double mean = 0.0;

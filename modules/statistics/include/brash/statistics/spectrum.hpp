@@ -22,7 +22,7 @@ struct Spectrum {
 ///
 /// @param samples  shape=(n,), evenly sampled every `dt` [s].
 /// @param segment  samples in a segment, 4 to n.
-/// @see P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70.
+/// @see P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; docs/theory/statistics.md, (S7).
 Spectrum welch_spectrum(std::span<const double> samples, double dt, std::size_t segment);
 
 /// The same over all segments that lie within pieces of a history; at least one piece is as long as `segment`.

@@ -47,7 +47,7 @@ struct AutocorrelationTime {
 /// Student's with n_eff - 1 degrees of freedom and the standard error s / sqrt(n_eff).
 ///
 /// @param samples  load history [N], shape=(n,), n >= 2, finite, evenly sampled every `dt` [s].
-/// @see docs/theory/statistics.md.
+/// @see docs/theory/statistics.md, (S3).
 Summary summarise(std::span<const double> samples, double dt);
 
 /// Autocorrelations rho_0 = 1, rho_1, ... of the samples about their mean, normalised by n; shape=(max_lag + 1,).
@@ -63,7 +63,7 @@ std::vector<double> autocorrelation(const Pieces& pieces, std::size_t max_lag);
 /// Integrated autocorrelation time with Sokal's automatic window: the first W with W >= 5 tau(W) / dt, and Wolff's
 /// correction for the mean being estimated from the same samples.
 ///
-/// tau = dt (1/2 + sum_{k=1}^{W} rho_k) (1 + (2 W + 1) / n), at least dt/2.
+/// tau = dt (1/2 + sum_{k=1}^{W} rho_k) (1 + (2 W + 1) / n), at least dt/2; docs/theory/statistics.md, (S2).
 ///
 /// @see A. Sokal, Monte Carlo methods in statistical mechanics, 1997; U. Wolff, Comput. Phys. Commun. 156 (2004) 143.
 AutocorrelationTime autocorrelation_time(std::span<const double> samples, double dt);

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What documents and headers refer to is there: pages, headings, numbered equations."""
+import os
+import pathlib
+import re
+import unittest
+
+SOURCE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+ROOMS = [SOURCE / name for name in ("geometry", "failure", "modules")]
+PAGES = {page.name: page for page in (SOURCE / "docs/theory").glob("*.md")}
+CODE = [file for room in ROOMS for pattern in ("*.hpp", "*.cpp") for file in room.rglob(pattern)]
+LABEL = r"[A-Z]?\d+[a-z]?"
+
+
+def equations_of(page):
+    """Numbers that stand at the end of a displayed equation: `(C1)` after blanks, or \\tag{C1}."""
+    text = page.read_text(encoding="utf-8")
+    plain = re.findall(rf"^ {{4,}}\S.* {{2,}}\(({LABEL})\)$", text, re.MULTILINE)
+    table = re.findall(rf"^\|.* {{2,}}\(({LABEL})\) \|$", text, re.MULTILINE)
+    return set(plain) | set(table) | set(re.findall(r"\\tag\{([^}]*)\}", text))
+
+
+def headings_of(page):
+    return {h.strip() for h in re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)}
+
+
+def comment_text(file):
+    """A file with its comments' line breaks undone, so that a reference may run over a line's end."""
+    return re.sub(r"\n\s*///? ?", " ", file.read_text(encoding="utf-8"))
+
+
+def references(file):
+    """(page, what): `docs/theory/x.md`, followed by `, (C1), (C2)` or `, Heading`, in the comments of a source."""
+    for match in re.finditer(r"(?:docs/theory/)?([a-z-]+\.md)((?:, \(?" + LABEL + r"\)?|, [A-Z][a-z]+)*)", comment_text(file)):
+        if match[1] in PAGES:
+            yield match[1], re.findall(rf"(?<=, )\(?({LABEL}|[A-Z][a-z]+)\b", match[2])
+
+
+class Links(unittest.TestCase):
+    def test_pages_headings_and_equations_that_code_refers_to_exist(self):
+        n_found = 0
+        for file in CODE:
+            for path in re.findall(r"docs/[\w/.-]+\.md", file.read_text(encoding="utf-8")):
+                self.assertTrue((SOURCE / path).is_file(), f"{file}: {path}")
+            for page, what in references(file):
+                known, headings = equations_of(PAGES[page]), headings_of(PAGES[page])
+                for label in what:
+                    n_found += 1
+                    self.assertTrue(label in known or any(h.startswith(label) for h in headings),
+                                    f"{file}: {page}, {label}")
+        self.assertGreater(n_found, 10)
+
+    def test_every_numbered_equation_is_cited_by_the_code_or_the_test_that_uses_it(self):
+        cited = {}
+        for file in [*CODE, *(SOURCE / "tests").rglob("*.?pp"), *(SOURCE / "tests").rglob("*.py")]:
+            for page, what in references(file):
+                cited.setdefault(page, set()).update(what)
+        for name, page in PAGES.items():
+            self.assertEqual(equations_of(page) - cited.get(name, set()), set(), f"{name}: equations that nobody cites")
+
+    def test_links_between_documents_resolve(self):
+        for page in [*(SOURCE / "docs").rglob("*.md"), *SOURCE.glob("*.md")]:
+            text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+            for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
+                if not target.startswith(("http:", "https:")):
+                    self.assertTrue((page.parent / target).exists(), f"{page}: {target}")
+
+
+if __name__ == "__main__":
+    unittest.main()

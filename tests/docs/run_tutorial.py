@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs what a tutorial tells its reader to run: files are written, commands and scripts run, in the order of the page.
+
+run_tutorial.py TUTORIAL.md SOURCES FOLDER
+
+A fence `sh` is a script of commands, each of which must succeed; `python` is a script, and all of a page are one session;
+`toml NAME`, `text NAME` are files. Other fences and indented blocks are not run.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+FENCE = re.compile(r"^```(\w+)[ ]*([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def main():
+    page, sources, folder = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / "experiments").symlink_to(sources / "experiments")
+    os.chdir(folder)
+    session = {"__name__": "__main__"}
+    n_run = 0
+    for kind, name, text in FENCE.findall(page.read_text(encoding="utf-8")):
+        if kind == "sh":
+            print(text, flush=True)
+            subprocess.run(["bash", "-euo", "pipefail", "-c", text], check=True)
+        elif kind == "python":
+            exec(compile(text, page.name, "exec"), session)
+        elif kind in ("toml", "text") and name:
+            pathlib.Path(name).write_text(text, encoding="utf-8")
+        else:
+            continue
+        n_run += 1
+    if n_run == 0:
+        sys.exit(f"{page}: nothing to run")
+
+
+if __name__ == "__main__":
+    main()
