@@ -181,6 +181,8 @@ bool is_over(const Job& job) { return fs::exists(job.result) || (!job.record.emp
 
 }  // namespace
 
+std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
+
 bool run_pool(int n_workers, const PoolCalls& calls) {
   const HeldSignals signals;
   Running running(signals.before());

@@ -39,9 +39,6 @@ struct CampaignOptions {
   bool json = false;
 };
 
-/// The path of this program: it starts itself for each case.
-std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
-
 std::string counts_text(const Counts& counts) {
   return fmt::format("{} of {} cases done, {} failed, {} missing", counts.n_done, counts.n_cases, counts.n_failed,
                      counts.n_missing());
@@ -158,7 +155,7 @@ void run_campaign(const CampaignOptions& options) {
       .plan_file = options.plan_file,
       .directory = options.directory,
       .resume = options.resume,
-      .program = this_program()};
+      .program = campaign::this_program()};
   if (options.status) {
     print_status(campaign::count(campaign.plan, options.directory), options.json);
     return;

@@ -8,6 +8,9 @@
 
 namespace brash::campaign {
 
+/// The path of the running program: `brash` starts itself for the parts of its work.
+std::string this_program();
+
 /// A process to start: no shell is involved.
 struct Job {
   std::size_t ticket = 0;            ///< the caller's own number for it

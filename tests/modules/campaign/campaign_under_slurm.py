@@ -18,18 +18,9 @@ import time
 from pathlib import Path
 
 import cluster
+from files import PLAN, different
 
-HERE = Path(__file__).resolve().parent
-PLAN = HERE / "plan.toml"
 SKIPPED = 77
-#: What may differ: times and hosts, locks, and what concerns Slurm.
-VOLATILE = {"manifest.json", "campaign.lock"}
-
-
-def files_of(folder):
-    """The bytes of every file of a campaign that must not depend on where it ran."""
-    files = (p for p in folder.rglob("*") if p.is_file() and p.name not in VOLATILE and folder / "slurm" not in p.parents)
-    return {str(p.relative_to(folder)): p.read_bytes() for p in files}
 
 
 def commands_with(word):
@@ -47,18 +38,22 @@ def commands_with(word):
 
 
 def parent_of(process):
-    try:
-        return int(Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[1])
-    except OSError:
-        return None
+    return int(Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[1])
 
 
-def is_below(process, ancestor):
-    while process not in (None, 0, 1):
-        if process == ancestor:
-            return True
-        process = parent_of(process)
-    return False
+def processes_on(node, folder):
+    """What runs on a node of the cluster in `folder`: the processes of its tasks, and Slurm's own that look after them."""
+    wanted = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={folder}/slurm.conf".encode()}
+    found = set()
+    for entry in Path("/proc").iterdir():
+        try:
+            if entry.name.isdigit() and wanted <= set((entry / "environ").read_bytes().split(b"\0")):
+                parent = parent_of(entry.name)
+                is_step = Path(f"/proc/{parent}/comm").read_text(encoding="utf-8").startswith("slurmstepd")
+                found |= {int(entry.name)} | ({parent} if is_step else set())
+        except OSError:
+            pass
+    return found
 
 
 class Campaign:
@@ -85,33 +80,26 @@ class Campaign:
 
 def kill_a_task(campaign):
     """Kills a process that runs a chunk, and so its task."""
-    tasks = commands_with(str(campaign.folder / "slurm" / "round-"))
-    if not tasks:
-        raise RuntimeError("no task is running")
+    end = time.monotonic() + 60
+    while not (tasks := commands_with(str(campaign.folder / "slurm" / "round-"))):
+        if time.monotonic() > end:
+            raise RuntimeError("no task is running")
+        time.sleep(0.01)
     os.kill(tasks[-1], signal.SIGKILL)
     print(f"killed a task (process {tasks[-1]})", flush=True)
 
 
-def kill_a_node(folder, campaign):
-    """Kills a node's daemon and everything that runs on the node; starts it again after the controller gave it up."""
-    daemon = cluster.process_of(folder, "right")
-    steps = [p for p in commands_with("slurmstepd") if process_runs_on(p, "right")]
-    children = [p for p in commands_with(str(campaign.folder)) if any(is_below(p, step) for step in steps)]
-    for process in [daemon, *steps, *children]:
+def kill_a_node(folder):
+    """Kills a node's daemon and everything that runs on the node."""
+    end = time.monotonic() + 60
+    while not (processes := processes_on("right", folder)) and time.monotonic() < end:
+        time.sleep(0.01)
+    for process in [cluster.process_of(folder, "right"), *processes]:
         try:
             os.kill(process, signal.SIGKILL)
         except ProcessLookupError:
             pass
-    print(f"killed the daemon of a node, {len(steps)} steps and {len(children)} processes on it", flush=True)
-
-
-def process_runs_on(process, node):
-    try:
-        variables = Path(f"/proc/{process}/environ").read_bytes().split(b"\0")
-    except OSError:
-        return False
-    return b"SLURMD_NODENAME=" + node.encode() in variables or f"/spool-{node}/".encode() in Path(
-        f"/proc/{process}/cmdline").read_bytes()
+    print(f"killed the daemon of a node and the {len(processes)} processes on it", flush=True)
 
 
 def kill_the_controller(folder):
@@ -121,12 +109,12 @@ def kill_the_controller(folder):
 
 def with_faults(campaign, folder, env):
     """Runs the campaign under Slurm while its parts are killed."""
-    waiting = subprocess.Popen([*campaign.command, "--on", "slurm", "--jobs", "20", "--wait"], env=env,
+    waiting = subprocess.Popen([*campaign.command, "--on", "slurm", "--jobs", "8", "--wait"], env=env,
                                stdout=subprocess.DEVNULL)
     campaign.wait_for(20)
     kill_a_task(campaign)
     campaign.wait_for(50)
-    kill_a_node(folder, campaign)
+    kill_a_node(folder)
     campaign.wait_for(80)
     kill_the_controller(folder)
     time.sleep(3)
@@ -161,10 +149,9 @@ def main():
         status = there.status()
         rounds = json.loads((there.folder / "slurm" / "submitted.json").read_text(encoding="utf-8"))
         print(f"{status}, {len(rounds)} rounds of jobs: {[r['n_jobs'] for r in rounds]}")
-        ours, theirs = files_of(here.folder), files_of(there.folder)
-        different = sorted(name for name in ours.keys() | theirs.keys() if ours.get(name) != theirs.get(name))
-        print(f"{len(ours)} files compared, different: {different or 'none'}")
-        sys.exit(0 if status["n_missing"] == status["n_failed"] == 0 and not different else 1)
+        faults_found = different(here.folder, there.folder)
+        print(f"different files: {faults_found or 'none'}")
+        sys.exit(0 if status["n_missing"] == status["n_failed"] == 0 and not faults_found else 1)
     finally:
         cluster.down(slurm)
 
