@@ -28,6 +28,8 @@ CASES = {"sheet": ["field.initial_crack=false"], "floes": ["field.initial_crack=
 # Nothing breaks and nothing is drawn at random but the number of the first floes, so another machine's last digits stay
 # last digits for the 0.5 s. 0.1 % is far above them and far below what a change of the contact model does.
 TOLERANCE = 1e-3
+# Changes below this share count as none: the overlap's outline lives on a grid of 1e-9 m.
+NO_CHANGE = 1e-6
 
 
 def simulate(brash, folder, case, step):
@@ -68,7 +70,7 @@ def check(row, recorded):
 
 
 def check_convergence(rows):
-    """From 10 ms on each refinement must change peak and impulse by less than the one before.
+    """From 10 ms on each refinement must change peak and impulse by less than the one before, or not at all.
 
     At first order the changes from 10 to 5, 2 and 1 ms are as 5 : 3 : 1; a peak that grows as 1/dt would change by
     ever more.
@@ -76,8 +78,9 @@ def check_convergence(rows):
     fine = [row for row in rows if row["step"] <= 0.01]
     wrong = []
     for key in ("peak_kN", "impulse_kNs"):
-        changes = np.abs(np.diff([row[key] for row in fine]))
-        if np.any(np.diff(changes) >= 0.0):
+        values = np.array([row[key] for row in fine])
+        changes = np.abs(np.diff(values))
+        if np.any((np.diff(changes) >= 0.0) & (changes[1:] > NO_CHANGE * values[-1])):
             wrong.append(f"{fine[0]['case']}: the changes of {key} do not fall with the step: {changes}")
     return wrong
 

@@ -34,20 +34,18 @@ void Arrangement::gather(std::span<const Point> region, std::span<const Crack> c
   segments_.reserve(4 * (region.size() + cracks.size()));
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Point next = region[i + 1 == region.size() ? 0 : i + 1];
-    if (region[i] != next) segments_.push_back({region[i], next, Source::kRegion});
+    if (region[i] != next) segments_.emplace_back(region[i], next, Source::kRegion);
   }
   for (const Crack& crack : cracks) {
     box_.add(crack.from);
     box_.add(crack.to);
-    if (crack.from != crack.to) segments_.push_back({crack.from, crack.to, Source::kCrack});
+    if (crack.from != crack.to) segments_.emplace_back(crack.from, crack.to, Source::kCrack);
   }
   safe_box_ = box_.grown(kSafeMargin);
-  const std::size_t n_cutters = segments_.size();
-  boundary_.query(box_.grown(kGatherMargin), [&](int id) {
-    segments_.push_back({boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id});
+  gather_box_ = box_.grown(kGatherMargin);
+  boundary_.query(gather_box_, [&](int id) {
+    segments_.emplace_back(boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id);
   });
-  std::sort(segments_.begin() + static_cast<std::ptrdiff_t>(n_cutters), segments_.end(),
-            [](const Segment& a, const Segment& b) { return a.edge < b.edge; });
 }
 
 void Arrangement::add_crossings() {
@@ -59,31 +57,25 @@ void Arrangement::add_crossings() {
   for (const Segment& s : segments_) {
     if (s.source != Source::kRegion) continue;
     region.push_back(&s);
-    widest = std::max(widest, std::abs(s.to.x - s.from.x));
+    widest = std::max(widest, s.box.high.x - s.box.low.x);
   }
-  std::sort(region.begin(), region.end(), [](const Segment* a, const Segment* b) {
-    return std::min(a->from.x, a->to.x) < std::min(b->from.x, b->to.x);
-  });
+  const auto left_of = [](const Segment* s, std::int64_t x) { return s->box.low.x < x; };
+  std::sort(region.begin(), region.end(), [&](const Segment* a, const Segment* b) { return left_of(a, b->box.low.x); });
+  const auto cross = [](const Segment& a, const Segment& b) {
+    return a.box.overlaps(b.box) && exact::cross_properly(a.from, a.to, b.from, b.to);
+  };
   const auto add = [&](const Segment& a, const Segment& b) {
-    if (!Box::of(a.from, a.to).overlaps(Box::of(b.from, b.to))) return;
-    if (exact::cross_properly(a.from, a.to, b.from, b.to)) {
-      crossings_.push_back(exact::rounded_crossing(a.from, a.to, b.from, b.to));
-    }
+    if (cross(a, b)) crossings_.push_back(exact::rounded_crossing(a.from, a.to, b.from, b.to));
   };
   for (const Segment& s : segments_) {
     if (s.source == Source::kRegion) continue;
-    const Box box = Box::of(s.from, s.to);
-    auto it = std::lower_bound(region.begin(), region.end(), box.low.x - widest,
-                               [](const Segment* a, std::int64_t x) { return std::min(a->from.x, a->to.x) < x; });
-    for (; it != region.end() && std::min((*it)->from.x, (*it)->to.x) <= box.high.x; ++it) add(s, **it);
+    auto it = std::lower_bound(region.begin(), region.end(), s.box.low.x - widest, left_of);
+    for (; it != region.end() && (*it)->box.low.x <= s.box.high.x; ++it) add(s, **it);
   }
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Segment& a = *region[i];
-    const std::int64_t high = std::max(a.from.x, a.to.x);
-    for (std::size_t j = i + 1; j < region.size() && std::min(region[j]->from.x, region[j]->to.x) <= high; ++j) {
-      const Segment& b = *region[j];
-      BRASH_EXPECTS(!exact::cross_properly(a.from, a.to, b.from, b.to), "the region crosses itself", a.from.x,
-                    a.from.y);
+    for (std::size_t j = i + 1; j < region.size() && region[j]->box.low.x <= a.box.high.x; ++j) {
+      BRASH_EXPECTS(!cross(a, *region[j]), "the region crosses itself", a.from.x, a.from.y);
     }
   }
   for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -96,34 +88,30 @@ void Arrangement::add_crossings() {
 }
 
 void Arrangement::sort_nodes() {
-  // Ends of segments, sorted with the place where their node's number goes; consecutive segments share one.
+  // Ends of segments with the place where their node's number goes; consecutive segments share one.
   struct End {
     Point at;
     int* node;
-    bool is_of_crack;
   };
   std::vector<End> ends;
   ends.reserve(2 * segments_.size() + crossings_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     Segment& s = segments_[i];
-    const bool is_crack = s.source == Source::kCrack;
-    const bool is_shared = i > 0 && s.from == segments_[i - 1].to && s.source == segments_[i - 1].source;
-    if (!is_shared) ends.push_back({s.from, &s.from_node, is_crack});
-    ends.push_back({s.to, &s.to_node, is_crack});
+    const bool is_shared = i > 0 && s.from == segments_[i - 1].to;
+    if (!is_shared) ends.push_back({s.from, &s.from_node});
+    ends.push_back({s.to, &s.to_node});
   }
-  for (const Point p : crossings_) ends.push_back({p, nullptr, true});
-  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  for (const Point p : crossings_) ends.push_back({p, nullptr});
+  std::sort(ends.begin(), ends.end(),
+            [](const End& a, const End& b) { return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y; });
   nodes_.reserve(ends.size() + 8);
-  is_free_of_cracks_.reserve(ends.size());
   for (std::size_t i = 0; i < ends.size();) {
     bool is_given = false;
     nodes_.push_back(ends[i].at);
-    is_free_of_cracks_.push_back(0);
     for (; i < ends.size() && ends[i].at == nodes_.back(); ++i) {
       if (ends[i].node == nullptr) continue;
       *ends[i].node = static_cast<int>(nodes_.size()) - 1;
       is_given = true;
-      if (!ends[i].is_of_crack) is_free_of_cracks_.back() = 1;
     }
     if (!is_given) ++n_rounded_;
   }
@@ -133,6 +121,15 @@ void Arrangement::sort_nodes() {
   n_sorted_ = nodes_.size();
 }
 
+std::vector<char> Arrangement::nodes_without_cracks() const {
+  std::vector<char> is_there(nodes_.size(), 0);
+  for (const Segment& s : segments_) {
+    if (s.source != Source::kCrack) is_there[s.from_node] = is_there[s.to_node] = 1;
+  }
+  for (std::size_t node = n_sorted_; node < nodes_.size(); ++node) is_there[node] = 1;
+  return is_there;
+}
+
 int Arrangement::node_at(Point p) const {
   const auto sorted_end = nodes_.begin() + static_cast<std::ptrdiff_t>(n_sorted_);
   auto it = std::lower_bound(nodes_.begin(), sorted_end, p);
@@ -140,18 +137,20 @@ int Arrangement::node_at(Point p) const {
   return it == nodes_.end() ? -1 : static_cast<int>(it - nodes_.begin());
 }
 
-std::vector<int> Arrangement::nodes_met(int from, int to, bool is_moved) {
+/// Puts the nodes in whose pixels the edge comes on top of the targets, the nearest last.
+void Arrangement::add_nodes_met(int from, int to, bool is_moved, int depth) {
   const Point a = nodes_[from];
   const Point b = nodes_[to];
   const Box box = Box::of(a, b);
-  std::vector<int> met;
+  const auto n_before = static_cast<std::ptrdiff_t>(targets_.size());
   // Nodes are sorted by x: those of the box stand between the ends, give or take nodes straight above and below.
   const int n = static_cast<int>(n_sorted_);
   int first = std::min({from, to, n});
   while (first > 0 && nodes_[first - 1].x >= box.low.x) --first;
   for (int i = first; i < n && nodes_[i].x <= box.high.x; ++i) {
-    if (nodes_[i].y < box.low.y || nodes_[i].y > box.high.y || i == from || i == to) continue;
-    if (exact::meets_pixel(a, b, nodes_[i])) met.push_back(i);
+    const std::int64_t y = nodes_[i].y;
+    if (y < box.low.y || y > box.high.y || i == from || i == to) continue;
+    if (exact::meets_pixel(a, b, nodes_[i])) targets_.push_back({i, depth});
   }
   if (is_moved && !(safe_box_.contains(a) && safe_box_.contains(b))) {
     // A moved edge may come to vertices of sheet edges that took no part so far.
@@ -163,48 +162,55 @@ std::vector<int> Arrangement::nodes_met(int from, int to, bool is_moved) {
         node = static_cast<int>(nodes_.size());
         nodes_.push_back(p);
       }
-      met.push_back(node);
+      targets_.push_back({node, depth});
     });
   }
-  if (met.size() < 2) return met;
-  std::sort(met.begin(), met.end(), [&](int i, int j) {
-    const Int128 di = exact::dot(a, b, nodes_[i]);
-    const Int128 dj = exact::dot(a, b, nodes_[j]);
-    return di != dj ? di < dj : i < j;
+  const auto begin = targets_.begin() + n_before;
+  if (targets_.end() - begin < 2) return;
+  std::sort(begin, targets_.end(), [&](const Target& s, const Target& t) {
+    const Int128 to_s = exact::dot(a, b, nodes_[s.node]);
+    const Int128 to_t = exact::dot(a, b, nodes_[t.node]);
+    return to_s != to_t ? to_s > to_t : s.node > t.node;
   });
-  met.erase(std::unique(met.begin(), met.end()), met.end());
-  return met;
+  const auto is_same = [](const Target& s, const Target& t) { return s.node == t.node; };
+  targets_.erase(std::unique(begin, targets_.end(), is_same), targets_.end());
 }
 
-void Arrangement::route(int from, int to, bool is_moved, int depth, std::vector<int>& chain) {
-  BRASH_EXPECTS(depth < kMaxDepth, nodes_[from].x, nodes_[from].y, nodes_[to].x, nodes_[to].y);
-  const std::vector<int> met = nodes_met(from, to, is_moved);
-  int last = from;
-  for (const int node : met) {
-    route(last, node, true, depth + 1, chain);
-    last = node;
-  }
-  if (met.empty()) {
-    chain.push_back(to);
-  } else {
-    route(last, to, true, depth + 1, chain);
+/// Leads a segment through the nodes that wait as targets and those it meets on the way: `chain` holds them all, the
+/// segment's ends included.
+void Arrangement::route(const Segment& s, std::vector<int>& chain) {
+  chain.assign(1, s.from_node);
+  while (!targets_.empty()) {
+    const Target next = targets_.back();
+    const std::size_t n_targets = targets_.size();
+    BRASH_EXPECTS(next.depth < kMaxDepth, s.from.x, s.from.y, s.to.x, s.to.y);
+    add_nodes_met(chain.back(), next.node, true, next.depth + 1);
+    if (targets_.size() > n_targets) continue;
+    chain.push_back(next.node);
+    targets_.pop_back();
   }
 }
 
 void Arrangement::route_all() {
   std::vector<int> chain;
   std::vector<int> outside;
+  chain.reserve(16);
+  outside.reserve(16);
+  targets_.reserve(16);
   graph_.reserve(2 * segments_.size());
   active_.reserve(segments_.size());
   for (const Segment& s : segments_) {
-    const int from = s.from_node;
-    const int to = s.to_node;
-    chain.assign(1, from);
-    route(from, to, false, 0, chain);
+    targets_.assign(1, {s.to_node, 0});
+    add_nodes_met(s.from_node, s.to_node, false, 1);
+    if (targets_.size() == 1) {
+      const int added = graph_.add(s.from_node, s.to_node, s.source);
+      if (s.source == Source::kSheet) active_.push_back({s.edge, s.from_node, s.to_node, added});
+      continue;
+    }
+    route(s, chain);
     for (std::size_t i = 1; i < chain.size(); ++i) graph_.add(chain[i - 1], chain[i], s.source);
     if (s.source != Source::kSheet) continue;
-    active_.push_back({s.edge, from, to, chain.size() > 2});
-    if (chain.size() == 2) continue;
+    active_.push_back({s.edge, s.from_node, s.to_node, -1});
     twice_moved_ -= exact::cross(s.from, s.to);
     for (std::size_t i = 1; i < chain.size(); ++i) twice_moved_ += exact::cross(nodes_[chain[i - 1]], nodes_[chain[i]]);
     for (const int node : chain) {
@@ -216,15 +222,15 @@ void Arrangement::route_all() {
 
 /// The links at a vertex can be made anew only when all edges there take part.
 void Arrangement::activate_around(const std::vector<int>& nodes) {
-  if (nodes.empty()) return;
-  std::vector<int> known;
-  for (const ActiveEdge& e : active_) known.push_back(e.id);
-  std::sort(known.begin(), known.end());
   std::vector<int> fresh;
+  const auto add = [&](int id) {
+    const Box box = Box::of(boundary_.edge(id).from, boundary_.edge(id).to);
+    if (!gather_box_.overlaps(box)) fresh.push_back(id);
+  };
   for (const int node : nodes) {
     for (const int out : boundary_.starting_at(nodes_[node])) {
-      fresh.push_back(out);
-      fresh.push_back(boundary_.edge(out).previous);
+      add(out);
+      add(boundary_.edge(out).previous);
     }
   }
   std::sort(fresh.begin(), fresh.end());
@@ -236,11 +242,9 @@ void Arrangement::activate_around(const std::vector<int>& nodes) {
     return static_cast<int>(nodes_.size()) - 1;
   };
   for (const int id : fresh) {
-    if (std::binary_search(known.begin(), known.end(), id)) continue;
     const int from = node_or_new(boundary_.edge(id).from);
     const int to = node_or_new(boundary_.edge(id).to);
-    graph_.add(from, to, Source::kSheet);
-    active_.push_back({id, from, to, false});
+    active_.push_back({id, from, to, graph_.add(from, to, Source::kSheet)});
   }
 }
 

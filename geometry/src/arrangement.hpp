@@ -16,12 +16,12 @@ namespace brash::geometry {
 /// in whose pixel it comes (iterated snap rounding), so edges meet in nodes only and neighbours share them exactly.
 class Arrangement {
  public:
-  /// A sheet edge that takes part; it became one edge of the graph unless it was split, moved or cancelled.
+  /// A sheet edge that takes part.
   struct ActiveEdge {
     int id;
     int from;  ///< Node.
     int to;
-    bool is_split;
+    int added;  ///< Its number in the graph; -1 when it has been split or moved.
   };
 
   Arrangement(const FreeEdges& boundary, std::span<const Point> region, std::span<const Crack> cracks);
@@ -33,13 +33,11 @@ class Arrangement {
   /// Twice the area that leading sheet edges through nodes added to the ice.
   Int128 twice_moved() const { return twice_moved_; }
   std::int64_t n_rounded() const { return n_rounded_; }
-  /// True when the node is there without any crack: it ends an edge of the sheet or of the region.
-  bool is_free_of_cracks(int node) const {
-    return static_cast<std::size_t>(node) >= n_sorted_ || is_free_of_cracks_[node] != 0;
-  }
+  /// For each node whether it is there without any crack: it ends an edge of the sheet or of the region.
+  std::vector<char> nodes_without_cracks() const;
 
-  bool has_ice_left(int h) const { return sheet_left_[h] != 0; }
-  bool is_region_left(int h) const { return region_left_[h] != 0; }
+  bool has_ice_left(int h) const { return left_[h].ice != 0; }
+  bool is_region_left(int h) const { return left_[h].region != 0; }
   bool is_piece_left(int h) const { return has_ice_left(h) && is_region_left(h); }
   bool is_sheet_left(int h) const { return has_ice_left(h) && !is_region_left(h); }
   /// True for a half-edge of the free edge as it is after the region has gone.
@@ -47,12 +45,25 @@ class Arrangement {
 
  private:
   struct Segment {
+    Segment(Point a, Point b, Source of, int sheet_edge = -1)
+        : from(a), to(b), box(exact::Box::of(a, b)), source(of), edge(sheet_edge) {}
+
     Point from;
     Point to;
+    exact::Box box;
     Source source;
-    int edge = -1;  ///< Of the sheet.
+    int edge;  ///< Of the sheet.
     int from_node = -1;
     int to_node = -1;
+  };
+  struct Target {
+    int node;
+    int depth;
+  };
+  /// How often ice and region cover a face: 0 or 1 once all is labelled.
+  struct Cover {
+    int ice;
+    int region;
   };
 
   void gather(std::span<const Point> region, std::span<const Crack> cracks);
@@ -60,26 +71,27 @@ class Arrangement {
   void sort_nodes();
   int node_at(Point p) const;
   void route_all();
-  void route(int from, int to, bool is_moved, int depth, std::vector<int>& chain);
-  std::vector<int> nodes_met(int from, int to, bool is_moved);
+  void route(const Segment& s, std::vector<int>& chain);
+  void add_nodes_met(int from, int to, bool is_moved, int depth);
   void activate_around(const std::vector<int>& nodes);
   void label();
+  void label_group(int start, const std::vector<char>& is_complete, std::vector<int>& group);
+  void check_labels(const std::vector<char>& is_complete) const;
   bool is_in_ice(Point p) const;
   bool is_in_region(Point p) const;
-  void spread(std::vector<std::int8_t>& left, std::vector<int>& known, bool for_sheet) const;
 
   const FreeEdges& boundary_;
-  exact::Box box_;       ///< Of the region and the cracks.
-  exact::Box safe_box_;  ///< Every sheet edge that comes here takes part.
+  exact::Box box_;         ///< Of the region and the cracks.
+  exact::Box safe_box_;    ///< Every sheet edge that comes here takes part, wherever routing leads it.
+  exact::Box gather_box_;  ///< Sheet edges whose boxes come here take part from the start.
   std::vector<Segment> segments_;
-  std::vector<Point> nodes_;  ///< Sorted up to n_sorted_, then nodes outside the safe box.
+  std::vector<Point> nodes_;     ///< Sorted up to n_sorted_, then nodes outside the safe box.
+  std::vector<Target> targets_;  ///< Where the edge that is being routed has to go, the next one last.
   std::size_t n_sorted_ = 0;
-  std::vector<char> is_free_of_cracks_;  ///< Of the sorted nodes.
   std::vector<Point> crossings_;
   std::vector<ActiveEdge> active_;
   PlanarGraph graph_;
-  std::vector<std::int8_t> sheet_left_;
-  std::vector<std::int8_t> region_left_;
+  std::vector<Cover> left_;  ///< Of the face left of each half-edge.
   Int128 twice_moved_ = 0;
   std::int64_t n_rounded_ = 0;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <limits>
 
 #include "arrangement.hpp"
 #include "brash/core/contract.hpp"
@@ -8,30 +9,9 @@ namespace brash::geometry {
 
 namespace {
 
-constexpr std::int8_t kUnknown = -128;
+constexpr int kUnknown = std::numeric_limits<int>::min();
 
 }  // namespace
-
-/// Carries the label left of the half-edges in `known` over twins and around nodes to all that hang together.
-void Arrangement::spread(std::vector<std::int8_t>& left, std::vector<int>& known, bool for_sheet) const {
-  const auto set = [&](int h, int value) {
-    BRASH_EXPECTS(value == 0 || value == 1, for_sheet, value, graph_.from(h).x, graph_.from(h).y);
-    if (left[h] == kUnknown) {
-      left[h] = static_cast<std::int8_t>(value);
-      known.push_back(h);
-    }
-    BRASH_EXPECTS(left[h] == value, for_sheet, value, graph_.from(h).x, graph_.from(h).y);
-  };
-  while (!known.empty()) {
-    const int h = known.back();
-    known.pop_back();
-    const int across = PlanarGraph::twin(h);
-    set(across, left[h] - (for_sheet ? graph_[h].sheet : graph_[h].region));
-    // The sector left of h at its origin is right of the next half-edge there. Outside the safe box edges are missing.
-    if (safe_box_.contains(graph_.from(h))) set(PlanarGraph::twin(graph_[h].counter_clockwise), left[h]);
-    if (safe_box_.contains(graph_.to(h))) set(graph_[across].clockwise, left[h]);
-  }
-}
 
 bool Arrangement::is_in_ice(Point p) const {
   // Against the edges as they are now: those that took part may have moved or cancelled each other.
@@ -53,9 +33,10 @@ bool Arrangement::is_in_ice(Point p) const {
 
 bool Arrangement::is_in_region(Point p) const {
   // Against the region's boundary as it was led through the nodes; stretches that ran back on themselves are gone.
+  if (!box_.contains(p)) return false;
   int turns = 0;
-  for (int h = 0; h < graph_.size(); ++h) {
-    if (graph_[h].region > 0 && exact::meets_ray(graph_.from(h), graph_.to(h), p)) {
+  for (int h = 0; h < graph_.size(); h += 2) {
+    if (graph_[h].region != 0 && exact::meets_ray(graph_.from(h), graph_.to(h), p)) {
       turns += graph_[h].region * (graph_.from(h).y < graph_.to(h).y ? 1 : -1);
     }
   }
@@ -64,50 +45,67 @@ bool Arrangement::is_in_region(Point p) const {
 }
 
 void Arrangement::label() {
-  sheet_left_.assign(graph_.size(), kUnknown);
-  region_left_.assign(graph_.size(), kUnknown);
-  std::vector<int> sheet_known;
-  std::vector<int> region_known;
-  sheet_known.reserve(2 * graph_.size());
-  region_known.reserve(2 * graph_.size());
+  left_.assign(graph_.size(), {kUnknown, kUnknown});
+  // Outside the safe box edges are missing: what lies between two edges at a node there is no single face.
+  std::vector<char> is_complete(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) is_complete[i] = safe_box_.contains(nodes_[i]) ? 1 : 0;
+  std::vector<int> group;
+  group.reserve(graph_.size());
   for (int h = 0; h < graph_.size(); ++h) {
-    if (graph_[h].sheet != 0) {
-      sheet_left_[h] = graph_[h].sheet > 0 ? 1 : 0;
-      sheet_known.push_back(h);
-    }
-    const bool leaves = !safe_box_.contains(graph_.from(h)) || !safe_box_.contains(graph_.to(h));
-    if (graph_[h].region != 0 || leaves) {
-      BRASH_EXPECTS(graph_[h].region == 0 || !leaves, graph_.from(h).x, graph_.from(h).y);
-      region_left_[h] = graph_[h].region > 0 ? 1 : 0;
-      region_known.push_back(h);
-    }
+    if (left_[h].ice == kUnknown) label_group(h, is_complete, group);
   }
-  spread(sheet_left_, sheet_known, true);
-  spread(region_left_, region_known, false);
-  // What hangs together with no sheet edge lies wholly in ice or in water; the same for the region.
+  check_labels(is_complete);
+}
+
+/// Labels all that hangs together with `start`: first relative to the face left of it, then absolutely.
+void Arrangement::label_group(int start, const std::vector<char>& is_complete, std::vector<int>& group) {
+  const auto reach = [&](int h, int ice, int region) {
+    if (left_[h].ice != kUnknown) return;
+    left_[h] = {ice, region};
+    group.push_back(h);
+  };
+  group.clear();
+  reach(start, 0, 0);
+  Cover base{kUnknown, kUnknown};  // Of the face left of `start`.
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const int h = group[i];
+    const PlanarGraph::HalfEdge& edge = graph_[h];
+    const Cover here = left_[h];
+    if (edge.sheet > 0) base.ice = 1 - here.ice;
+    if (edge.region > 0) base.region = 1 - here.region;
+    reach(PlanarGraph::twin(h), here.ice - edge.sheet, here.region - edge.region);
+    if (is_complete[edge.to]) reach(graph_.next_in_face(h), here.ice, here.region);
+  }
+  // A group without a free edge lies wholly in ice or in water; the same for the region.
+  if (base.ice == kUnknown) base.ice = is_in_ice(graph_.from(start)) ? 1 : 0;
+  if (base.region == kUnknown) base.region = is_in_region(graph_.from(start)) ? 1 : 0;
+  for (const int h : group) left_[h] = {left_[h].ice + base.ice, left_[h].region + base.region};
+}
+
+/// Throws unless every label is 0 or 1, agrees with what its edge parts and is the same all round its face.
+void Arrangement::check_labels(const std::vector<char>& is_complete) const {
   for (int h = 0; h < graph_.size(); ++h) {
-    if (sheet_left_[h] == kUnknown) {
-      sheet_left_[h] = is_in_ice(graph_.from(h)) ? 1 : 0;
-      sheet_known.push_back(h);
-      spread(sheet_left_, sheet_known, true);
-    }
-    if (region_left_[h] == kUnknown) {
-      region_left_[h] = is_in_region(graph_.from(h)) ? 1 : 0;
-      region_known.push_back(h);
-      spread(region_left_, region_known, false);
-    }
+    const PlanarGraph::HalfEdge& edge = graph_[h];
+    const Cover here = left_[h];
+    const Cover across = left_[PlanarGraph::twin(h)];
+    const Cover next = is_complete[edge.to] ? left_[graph_.next_in_face(h)] : here;
+    const bool is_binary = (here.ice == 0 || here.ice == 1) && (here.region == 0 || here.region == 1);
+    const bool agrees = here.ice - across.ice == edge.sheet && here.region - across.region == edge.region &&
+                        next.ice == here.ice && next.region == here.region;
+    BRASH_EXPECTS(is_binary && agrees, here.ice, here.region, across.ice, across.region, next.ice, next.region,
+                  graph_.from(h).x, graph_.from(h).y);
+    BRASH_EXPECTS(is_complete[edge.to] || edge.region == 0, graph_.to(h).x, graph_.to(h).y);
   }
 }
 
 std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const Crack> cracks) {
   if (cracks.empty()) return {};
-  // In doubled coordinates the middle of two grid points is one too.
-  Ring doubled;
-  doubled.reserve(region.size());
-  for (const Point p : region) doubled.push_back({2 * p.x, 2 * p.y});
   std::vector<Crack> inside;
+  inside.reserve(2 * cracks.size());
+  Ring stops;
+  stops.reserve(16);
   for (const Crack& crack : cracks) {
-    Ring stops{crack.from, crack.to};
+    stops.assign({crack.from, crack.to});
     const exact::Box reach = exact::Box::of(crack.from, crack.to);
     for (std::size_t i = 0; i < region.size(); ++i) {
       const Point a = region[i];
@@ -126,7 +124,7 @@ std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const 
     for (std::size_t i = 1; i < stops.size(); ++i) {
       const Point p = stops[i - 1];
       const Point q = stops[i];
-      if (p != q && exact::winding(doubled, {p.x + q.x, p.y + q.y}) == 1) inside.push_back({p, q});
+      if (p != q && exact::winding(region, {p.x + q.x, p.y + q.y}, 2) == 1) inside.push_back({p, q});
     }
   }
   return inside;

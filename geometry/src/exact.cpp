@@ -58,11 +58,12 @@ Point rounded_crossing(Point a, Point b, Point c, Point d) {
   return {a.x + scaled(b.x - a.x, numerator, denominator), a.y + scaled(b.y - a.y, numerator, denominator)};
 }
 
-int winding(std::span<const Point> ring, Point p) {
+int winding(std::span<const Point> ring, Point p, int scale) {
   int turns = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i];
-    const Point b = ring[i + 1 == ring.size() ? 0 : i + 1];
+  Point b{scale * ring.back().x, scale * ring.back().y};
+  for (const Point vertex : ring) {
+    const Point a = b;
+    b = {scale * vertex.x, scale * vertex.y};
     if (a.y <= p.y && p.y < b.y && side(a, b, p) > 0) ++turns;
     if (b.y <= p.y && p.y < a.y && side(a, b, p) < 0) --turns;
   }

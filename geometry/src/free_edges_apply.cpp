@@ -34,6 +34,8 @@ void FreeEdges::forget(int id) {
 std::vector<FreeEdges::Stretch> FreeEdges::stretches_of(const Change& change) {
   std::vector<Stretch> stretches;
   std::vector<int> ends;
+  stretches.reserve(change.links.size());
+  ends.reserve(change.links.size());
   for (const Link& link : change.links) {
     if (link.out >= 0) {
       stretches.push_back({link.out, -1, edges_[link.out].loop, 0, 0, false});
@@ -117,6 +119,7 @@ void FreeEdges::rebuild_loops(std::vector<Stretch>& stretches, const std::vector
   const auto trace = [&](int start) {
     std::vector<int> members;
     std::vector<int> fresh;
+    fresh.reserve(added.size());
     Loop loop{start, 0, 0};
     int id = start;
     do {
@@ -159,6 +162,7 @@ void FreeEdges::rebuild_loops(std::vector<Stretch>& stretches, const std::vector
 void FreeEdges::apply(const Change& change) {
   // The loops that are touched; they are named anew below.
   std::vector<int> touched;
+  touched.reserve(change.removed.size() + change.links.size());
   for (const int id : change.removed) touched.push_back(edges_[id].loop);
   for (const Link& link : change.links) {
     if (link.in >= 0) touched.push_back(edges_[link.in].loop);
@@ -171,6 +175,7 @@ void FreeEdges::apply(const Change& change) {
   std::vector<Stretch> stretches = stretches_of(change);
   for (const int loop : touched) loops_[loop] = Loop{};
   std::vector<int> added;
+  added.reserve(change.added.size());
   for (const Directed& directed : change.added) added.push_back(add_edge(directed));
   for (const Link& link : change.links) {
     const int in = link.in >= 0 ? link.in : added[~link.in];

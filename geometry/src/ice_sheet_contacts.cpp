@@ -30,10 +30,14 @@ double length_of(const std::vector<Vec2>& line) {
 }
 
 /// The longest run of free edge on the outline `cycle` of an overlap; there must be something else on it.
+/// Of equal ones it is the first after the cycle's smallest edge, so that the plan alone decides.
 std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<int>& cycle) {
   const std::size_t n = cycle.size();
   const auto is_free = [&](std::size_t i) { return graph[cycle[i % n]].sheet != 0; };
-  std::size_t first = 0;
+  const auto is_smaller = [&](int g, int h) {
+    return std::minmax({graph[g].from, graph[g].to}) < std::minmax({graph[h].from, graph[h].to});
+  };
+  auto first = static_cast<std::size_t>(std::min_element(cycle.begin(), cycle.end(), is_smaller) - cycle.begin());
   while (is_free(first)) ++first;
   std::vector<Vec2> longest;
   std::vector<Vec2> run;

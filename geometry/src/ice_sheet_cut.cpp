@@ -29,7 +29,6 @@ PieceCycles trace_pieces(const Arrangement& arrangement) {
     for (const int h : pieces.cycles[k]) cycle_of[h] = static_cast<int>(k);
   }
   std::vector<int> useless;
-  std::vector<char> ends_splitting(graph.n_nodes(), 0);
   bool is_any_in_ice = false;
   for (int h = 0; h < graph.size(); h += 2) {
     if (!graph[h].crack) continue;
@@ -37,17 +36,19 @@ PieceCycles trace_pieces(const Arrangement& arrangement) {
     const bool in_water = cycle_of[h] < 0 && cycle_of[h + 1] < 0;
     if (in_ice && cycle_of[h] != cycle_of[h + 1]) {
       pieces.splitting.push_back({graph.from(h), graph.to(h)});
-      ends_splitting[graph[h].from] = ends_splitting[graph[h].to] = 1;
     } else if (in_ice || in_water) {
       useless.push_back(h);
       is_dropped[h] = is_dropped[h + 1] = 1;
       is_any_in_ice = is_any_in_ice || in_ice;
     }
   }
-  const auto stays = [&](int node) { return ends_splitting[node] != 0 || arrangement.is_free_of_cracks(node); };
-  for (const int h : useless) {
-    pieces.has_traces = pieces.has_traces || !stays(graph[h].from) || !stays(graph[h].to);
+  if (useless.empty()) return pieces;
+  std::vector<char> stays = arrangement.nodes_without_cracks();
+  for (int h = 0; h < graph.size(); h += 2) {
+    const bool splits = graph[h].crack && cycle_of[h] >= 0 && cycle_of[h + 1] >= 0 && cycle_of[h] != cycle_of[h + 1];
+    if (splits) stays[graph[h].from] = stays[graph[h].to] = 1;
   }
+  for (const int h : useless) pieces.has_traces = pieces.has_traces || !stays[graph[h].from] || !stays[graph[h].to];
   if (is_any_in_ice) pieces.cycles = graph.trace(is_active);
   return pieces;
 }
@@ -58,12 +59,15 @@ SheetChange change_of(const Arrangement& arrangement, const FreeEdges& boundary)
   FreeEdges::Change& change = result.change;
   constexpr FreeEdges::Ref kNone = std::numeric_limits<int>::max();
   std::vector<FreeEdges::Ref> refs(graph.size(), kNone);
+  change.removed.reserve(arrangement.active().size());
+  change.added.reserve(graph.size() / 2);
+  change.links.reserve(graph.size() / 2);
   std::vector<char> is_touched(graph.n_nodes(), 0);
   const auto touch = [&](int from, int to) { is_touched[from] = is_touched[to] = 1; };
 
   // Old edges that are still there stay; the others go.
   for (const Arrangement::ActiveEdge& e : arrangement.active()) {
-    const int h = e.is_split ? -1 : graph.find(e.from, e.to);
+    const int h = e.added < 0 ? -1 : graph.half_edge_of(e.added);
     if (h >= 0 && arrangement.is_new_sheet_edge(h)) {
       BRASH_EXPECTS(refs[h] == kNone, graph.from(h).x, graph.from(h).y);
       refs[h] = e.id;
@@ -102,6 +106,7 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
   }
   const PlanarGraph& graph = arrangement->graph();
   std::vector<Ring> rings;
+  rings.reserve(pieces.cycles.size());
   Int128 twice_pieces = 0;
   for (const std::vector<int>& cycle : pieces.cycles) {
     rings.push_back(graph.ring_of(cycle));

@@ -10,85 +10,76 @@
 namespace brash::geometry {
 
 void PlanarGraph::join_coincident() {
-  const auto low = [](const Raw& e) { return std::min(e.from, e.to); };
-  const auto high = [](const Raw& e) { return std::max(e.from, e.to); };
-  // Sorted by the smaller node by counting, then the few at each node by the larger one.
-  std::vector<int> begin(nodes_->size() + 1, 0);
-  for (const Raw& e : raw_) ++begin[low(e) + 1];
-  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  std::vector<int> filled(begin.begin(), begin.end() - 1);
-  std::vector<Raw> sorted(raw_.size());
-  for (const Raw& e : raw_) sorted[filled[low(e)]++] = e;
-  raw_.swap(sorted);
-  for (std::size_t node = 0; node + 1 < begin.size(); ++node) {
-    if (begin[node + 1] - begin[node] < 2) continue;
-    std::sort(raw_.begin() + begin[node], raw_.begin() + begin[node + 1],
-              [&](const Raw& a, const Raw& b) { return high(a) < high(b); });
-  }
-  half_.clear();
-  half_.reserve(2 * raw_.size());
-  for (std::size_t i = 0; i < raw_.size();) {
-    HalfEdge along{low(raw_[i]), high(raw_[i]), -1, -1, 0, 0, false};
-    for (; i < raw_.size() && low(raw_[i]) == along.from && high(raw_[i]) == along.to; ++i) {
-      const int sense = raw_[i].from == along.from ? 1 : -1;
-      if (raw_[i].source == Source::kSheet) along.sheet = static_cast<std::int8_t>(along.sheet + sense);
-      if (raw_[i].source == Source::kRegion) along.region = static_cast<std::int8_t>(along.region + sense);
-      if (raw_[i].source == Source::kCrack) along.crack = true;
+  // For each node a list, by `clockwise`, of the edges to larger nodes.
+  std::vector<int> newest(nodes_->size(), -1);
+  half_.resize(2 * raw_.size());
+  int n = 0;
+  for (Raw& e : raw_) {
+    const auto [low, high] = std::minmax(e.from, e.to);
+    int along = newest[low];
+    while (along >= 0 && half_[along].to != high) along = half_[along].clockwise;
+    if (along < 0) {
+      along = n;
+      half_[n++] = {.from = low, .to = high, .clockwise = newest[low]};
+      half_[n++] = {.from = high, .to = low};
+      newest[low] = along;
     }
-    if (along.sheet == 0 && along.region == 0 && !along.crack) continue;
-    HalfEdge against = along;
-    std::swap(against.from, against.to);
-    against.sheet = static_cast<std::int8_t>(-along.sheet);
-    against.region = static_cast<std::int8_t>(-along.region);
-    half_.push_back(along);
-    half_.push_back(against);
+    e.half_edge = e.from == low ? along : twin(along);
+    HalfEdge& with = half_[e.half_edge];
+    HalfEdge& against = half_[twin(e.half_edge)];
+    if (e.source == Source::kSheet) ++with.sheet, --against.sheet;
+    if (e.source == Source::kRegion) ++with.region, --against.region;
+    if (e.source == Source::kCrack) with.crack = against.crack = true;
   }
+  half_.resize(n);
+}
+
+void PlanarGraph::drop_cancelled() {
+  const auto is_cancelled = [](const HalfEdge& h) { return h.sheet == 0 && h.region == 0 && !h.crack; };
+  if (std::none_of(half_.begin(), half_.end(), is_cancelled)) return;
+  std::vector<int> moved_to(half_.size(), -1);
+  int kept = 0;
+  for (int h = 0; h < size(); ++h) {
+    if (is_cancelled(half_[h])) continue;
+    half_[kept] = half_[h];
+    moved_to[h] = kept++;
+  }
+  half_.resize(kept);
+  for (Raw& e : raw_) e.half_edge = moved_to[e.half_edge];
 }
 
 void PlanarGraph::order_around_nodes() {
   const std::vector<Point>& nodes = *nodes_;
-  std::vector<int> begin(nodes.size() + 1, 0);
-  for (const HalfEdge& h : half_) ++begin[h.from + 1];
-  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  std::vector<int> out(half_.size());
-  std::vector<int> filled(begin.begin(), begin.end() - 1);
-  for (int h = 0; h < size(); ++h) out[filled[half_[h].from]++] = h;
+  // Rings in any order first: that is all there is to do where two meet.
+  std::vector<int> newest(nodes.size(), -1);
+  std::vector<int> degree(nodes.size(), 0);
+  const auto follow = [&](int h, int after) {
+    half_[h].counter_clockwise = after;
+    half_[after].clockwise = h;
+  };
+  for (int h = 0; h < size(); ++h) {
+    int& last = newest[half_[h].from];
+    follow(h, last < 0 ? h : half_[last].counter_clockwise);
+    if (last >= 0) follow(last, h);
+    last = h;
+    ++degree[half_[h].from];
+  }
+  std::vector<int> out;
+  out.reserve(16);
   for (std::size_t node = 0; node < nodes.size(); ++node) {
-    const auto first = out.begin() + begin[node];
-    const auto last = out.begin() + begin[node + 1];
-    if (last - first > 2) {
-      const Point o = nodes[node];
-      std::sort(first, last, [&](int a, int b) { return exact::angle_before(o, to(a), to(b)); });
-    }
-    for (auto it = first; it != last; ++it) {
-      const int following = it + 1 == last ? *first : *(it + 1);
-      half_[*it].counter_clockwise = following;
-      half_[following].clockwise = *it;
-    }
+    if (degree[node] < 3) continue;
+    out.clear();
+    for (int h = newest[node]; static_cast<int>(out.size()) < degree[node]; h = half_[h].clockwise) out.push_back(h);
+    std::sort(out.begin(), out.end(), [&](int a, int b) { return exact::angle_before(nodes[node], to(a), to(b)); });
+    for (std::size_t i = 0; i < out.size(); ++i) follow(out[i], out[i + 1 == out.size() ? 0 : i + 1]);
   }
 }
 
 void PlanarGraph::build(const std::vector<Point>& nodes) {
   nodes_ = &nodes;
   join_coincident();
+  drop_cancelled();
   order_around_nodes();
-}
-
-int PlanarGraph::find(int from, int to) const {
-  const std::pair<int, int> key{std::min(from, to), std::max(from, to)};
-  int low = 0;
-  int high = size() / 2;
-  while (low < high) {
-    const int middle = (low + high) / 2;
-    const HalfEdge& h = half_[2 * middle];
-    if (std::pair{h.from, h.to} < key) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  if (2 * low == size() || std::pair{half_[2 * low].from, half_[2 * low].to} != key) return -1;
-  return from < to ? 2 * low : 2 * low + 1;
 }
 
 Int128 PlanarGraph::twice_area(const std::vector<int>& cycle) const {
@@ -157,6 +148,7 @@ bool holds(const Ring& outline, const exact::Box& box, const Ring& hole) {
 
 std::vector<Polygon> polygons_of(std::vector<Ring> loops) {
   std::vector<Polygon> polygons;
+  polygons.reserve(loops.size());
   std::vector<Ring> holes;
   for (Ring& loop : loops) {
     // The loops of one traced chain bound the same face: one outline and the holes that touch it, or holes only.

@@ -26,27 +26,32 @@ class PlanarGraph {
   };
 
   void reserve(std::size_t n_edges) { raw_.reserve(n_edges); }
-  /// Adds the directed edge; coincident ones are joined by build(), opposite ones cancel.
-  void add(int from, int to, Source source) { raw_.push_back({from, to, source}); }
+  /// Adds the directed edge; coincident ones are joined by build(), opposite ones cancel. @return its number.
+  int add(int from, int to, Source source) {
+    raw_.push_back({from, to, source});
+    return static_cast<int>(raw_.size()) - 1;
+  }
   void build(const std::vector<Point>& nodes);
 
   static int twin(int half_edge) { return half_edge ^ 1; }
   const HalfEdge& operator[](int half_edge) const { return half_[half_edge]; }
   int size() const { return static_cast<int>(half_.size()); }
   std::size_t n_nodes() const { return nodes_->size(); }
-  /// The half-edge from one node to another, or -1.
-  int find(int from, int to) const;
+  /// The half-edge along the edge that add() gave this number; -1 when it has been cancelled.
+  int half_edge_of(int added) const { return raw_[added].half_edge; }
   Point from(int half_edge) const { return (*nodes_)[half_[half_edge].from]; }
   Point to(int half_edge) const { return (*nodes_)[half_[half_edge].to]; }
 
-  /// The half-edge that follows on the boundary of the face left of `half_edge`, where only active ones count.
+  /// The half-edge that follows on the boundary of the face left of `half_edge`.
+  int next_in_face(int half_edge) const { return half_[twin(half_edge)].clockwise; }
+  /// The same, where only active ones count.
   template <typename IsActive>
   int next_in_face(int half_edge, IsActive&& is_active) const {
-    int next = half_[twin(half_edge)].clockwise;
+    int next = next_in_face(half_edge);
     while (!is_active(next)) next = half_[next].clockwise;
     return next;
   }
-  /// All closed boundaries of the faces of the active half-edges, each from its smallest half-edge.
+  /// All closed boundaries of the faces of the active half-edges, in no particular order.
   template <typename IsActive>
   std::vector<std::vector<int>> trace(IsActive&& is_active) const;
 
@@ -58,8 +63,10 @@ class PlanarGraph {
     int from;
     int to;
     Source source;
+    int half_edge = -1;
   };
   void join_coincident();
+  void drop_cancelled();
   void order_around_nodes();
 
   std::vector<Raw> raw_;
@@ -70,6 +77,7 @@ class PlanarGraph {
 template <typename IsActive>
 std::vector<std::vector<int>> PlanarGraph::trace(IsActive&& is_active) const {
   std::vector<std::vector<int>> cycles;
+  cycles.reserve(8);
   std::vector<char> seen(half_.size(), 0);
   std::vector<int> cycle;
   cycle.reserve(half_.size());

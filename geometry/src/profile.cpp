@@ -109,16 +109,31 @@ std::optional<Profile> Profile::of_chain(std::span<const std::vector<Vec2>> edge
   if (!std::isfinite(foot.distance)) return std::nullopt;
   const std::vector<Vec2>& chain = edges[foot.line];
 
-  // From the foot towards +y (against the chain's sense) and towards -y to the window's sides, never stepping back.
+  // From the foot towards +y (against the chain's sense) and towards -y to the window's sides. The line never steps
+  // back; the chain may where depths are held on the window's border whatever it does: ahead of the tip line, as at the
+  // cusps on both sides of B, or deeper than the window.
+  const auto is_held = [&](double x0, double x1) { return std::max(x0, x1) <= 0.0 || std::min(x0, x1) >= reach; };
   const auto walk = [&](double sign, auto next_vertex) {
     std::vector<Vec2> points{foot.point};
-    while (sign * points.back().y < reach) {
+    for (Vec2 at = foot.point; sign * points.back().y < reach;) {
       const Vec2* next = next_vertex();
-      const double advance = next == nullptr ? -1.0 : sign * (next->y - points.back().y);
       // A chain that ends in the window is whole only where no other edge could go on from there.
       if (next == nullptr && edges.size() == 1) break;
-      if (advance < -kStepBack) return std::vector<Vec2>{};
-      points.push_back({next->x, advance > 0.0 ? next->y : points.back().y});
+      if (next == nullptr) return std::vector<Vec2>{};
+      const double furthest = points.back().y;
+      const double behind = sign * (furthest - at.y);
+      const double advance = sign * (next->y - furthest);
+      if (advance <= 0.0) {
+        if (advance < -kStepBack && !is_held(at.x, next->x)) return std::vector<Vec2>{};
+        points.push_back({next->x, furthest});
+      } else {
+        // Where the chain comes past the furthest place again.
+        const double x = at.x + behind / (behind + advance) * (next->x - at.x);
+        if (behind > kStepBack && !is_held(at.x, x)) return std::vector<Vec2>{};
+        points.push_back({x, furthest});
+        points.push_back(*next);
+      }
+      at = *next;
     }
     return points;
   };

@@ -21,23 +21,24 @@ struct Room {
 };
 
 const std::map<std::string, Room> kRooms{
-    {"core", {"modules/core", {}, {}}},
+    {"core", {"modules/core", {}, {"openssl"}}},
     {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
-    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json", "openssl"}}},
-    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json", "openssl"}}},
+    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json"}}},
+    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "plate", "meta_model"}, {}}},
     {"structure", {"modules/structure", {"core"}, {}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {"Eigen"}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
-    {"statistics", {"modules/statistics", {"core"}, {"gsl", "openssl"}}},
+    {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
-    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson", "openssl"}}},
+    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
     {"report", {"modules/report", {"core", "io", "statistics"}, {"json", "zlib"}}},
     {"simulation",
      {"modules/simulation",
       {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "io", "statistics"},
       {"Eigen", "json"}}},
+    {"campaign", {"modules/campaign", {"core", "io", "simulation", "statistics"}, {"json"}}},
 };
 
 /// How the include line of each third-party library begins.

@@ -104,6 +104,25 @@ BOOST_AUTO_TEST_CASE(an_overhang_is_seen_from_the_structure_and_flagged) {
   BOOST_TEST(degrees(fit.angle) < 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(an_overhang_ahead_of_the_tip_line_is_no_distortion) {
+  // A tooth between cusps; the tip of the next cusp stands 0.5 m ahead of B and leans over by `lean`.
+  const auto edge_leaning = [](double lean) {
+    return Polyline{{0.8, 9},    {0.8, 1.0},          {0.0, 0.2},   {0.0, -0.2},
+                    {0.8, -1.0}, {-0.5, -2.0 + lean}, {-0.5, -2.3}, {0.8, -9}};
+  };
+  // Upright, and with its side stepping back by 0.1 m at the front only.
+  Polyline leaning = edge_leaning(0.0);
+  leaning.insert(leaning.begin() + 5, {-0.1, -2.1});
+  const Trapezoid upright = fit_in_frame({edge_leaning(-0.1)}, 0.4, 3.0), fit = fit_in_frame({leaning}, 0.4, 3.0);
+  BOOST_TEST(!upright.reidentified);
+  BOOST_TEST(!fit.reidentified);
+  BOOST_TEST(fit.error < 0.1);
+
+  // The same step back behind the tip line hides ice from the structure.
+  leaning[5] = {0.1, -2.1};
+  BOOST_TEST(fit_in_frame({leaning}, 0.4, 3.0).reidentified);
+}
+
 BOOST_AUTO_TEST_CASE(seen_from_the_chord_the_crushed_tip_does_not_count) {
   // A sharp tooth of 60 deg, 1 m deep. The structure has crushed its tip down to a chord of 0.3 m.
   const double slope = std::tan(radians(30)), crushed = 0.15 / slope;

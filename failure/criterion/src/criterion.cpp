@@ -11,10 +11,13 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/own_path.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
 /// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is
@@ -27,6 +30,19 @@ void expect_valid(const IceProperties& ice) {
   BRASH_EXPECTS(ice.thickness > 0.0 && ice.youngs_modulus > 0.0, ice.thickness, ice.youngs_modulus);
   BRASH_EXPECTS(ice.poisson_ratio >= 0.0 && ice.poisson_ratio < 0.5, ice.poisson_ratio);
   BRASH_EXPECTS(ice.water_density > 0.0, ice.water_density);
+}
+
+/// Where the models that come with the program are: with the sources for a program in the build tree, else in
+/// share/brash/models of the installation.
+fs::path shipped_models() {
+  const fs::path program = own_path();
+  const bool in_build_tree = program.lexically_relative(BRASH_BUILD_DIR).string().rfind("..", 0) != 0;
+  for (fs::path folder = program.parent_path(); !in_build_tree && folder.has_relative_path();
+       folder = folder.parent_path()) {
+    if (std::error_code ignored; fs::is_directory(folder / "share/brash/models", ignored))
+      return folder / "share/brash/models";
+  }
+  return BRASH_MODEL_DIR;
 }
 
 std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exact, const IceProperties& ice,
@@ -72,9 +88,8 @@ std::string model_path(const std::string& model, const std::string& file) {
   if (model != "network" && model != "superposition") return "";
   if (!file.empty()) return file;
   const char* folder = std::getenv(kModelPathVariable);
-  return (std::filesystem::path(folder != nullptr && *folder != '\0' ? folder : BRASH_MODEL_DIR) /
-          ("cone_" + model + ".json"))
-      .string();
+  const fs::path models = folder != nullptr && *folder != '\0' ? folder : shipped_models();
+  return (models / ("cone_" + model + ".json")).string();
 }
 
 std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "brash/meta_model/profile_model.hpp"
-#include "brash/plate/plate.hpp"
+#include <algorithm>
+
+#include "brash/failure/unit_profiles.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
-namespace {
 
 plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
   plate::UnitProfiles unit;
@@ -17,6 +17,8 @@ plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
   return unit;
 }
 
+namespace {
+
 /// Interpolated unit profiles, superposed for the case's mu1, mu2 and h / l_c; then the largest stress.
 class SuperpositionCriterion final : public BendingCriterion {
  public:
@@ -24,11 +26,12 @@ class SuperpositionCriterion final : public BendingCriterion {
       : model_(meta_model::ProfileModel::read(file)),
         l_c_(characteristic_length(ice)),
         thickness_over_lc_(ice.thickness / l_c_),
+        shear_thickness_(std::clamp(thickness_over_lc_, model_.range()[0].h_lc, model_.range()[1].h_lc)),
         strength_(ice.flexural_strength) {}
 
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
-    const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle};
+    const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle, shear_thickness_};
     const meta_model::RangeCheck range = model_.check(wanted);
     const meta_model::Geometry used = model_.clamp(wanted);
     const plate::Response r =
@@ -39,7 +42,7 @@ class SuperpositionCriterion final : public BendingCriterion {
     return {.fails = sigma > strength_,
             .sigma_max = sigma,
             .breaking_length = r.lbreak_over_lc * l_c_,
-            .below_range = range.below,
+            .below_range = range.below || shear_thickness_ != thickness_over_lc_,
             .above_range = range.above};
   }
 
@@ -47,6 +50,7 @@ class SuperpositionCriterion final : public BendingCriterion {
   meta_model::ProfileModel model_;
   double l_c_;
   double thickness_over_lc_;
+  double shear_thickness_;  ///< the same moved into the model's range: no shorter step brings it there
   double strength_;
 };
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/database/database.hpp"
 #include "store.hpp"
 

@@ -32,9 +32,13 @@ class Sobol {
 /// Stretches [0, 1] by `edge_share` and folds what sticks out onto the ends.
 double with_ends(double u, double edge_share) { return std::clamp(0.5 + (u - 0.5) / (1.0 - edge_share), 0.0, 1.0); }
 
-double value_at(const Axis& axis, double u) {
+/// @param contact_length  c / l_c, of the same point.
+double value_at(const Axis& axis, double u, double contact_length) {
   if (u >= 1.0) return axis.to;
+  const double shift = 0.5 * contact_length;
   switch (axis.spacing) {
+    case Spacing::kByContact:
+      return (axis.from + shift) * std::pow((axis.to + shift) / (axis.from + shift), u) - shift;
     case Spacing::kLogarithmic:
       return axis.from * std::pow(axis.to / axis.from, u);
     case Spacing::kQuadratic:
@@ -52,14 +56,19 @@ std::vector<DesignPoint> design(const Plan& plan) {
   BRASH_EXPECTS(plan.edge_share >= 0.0 && plan.edge_share < 1.0, plan.edge_share);
   Sobol<4> geometries;
   Sobol<2> loads;
-  const auto at = [&plan](const Axis& axis, double u) { return value_at(axis, with_ends(u, plan.edge_share)); };
+  for (int i = 0; i < plan.first; ++i) geometries.next();
+  for (int i = 0; i < plan.first * plan.rows_per_geometry; ++i) loads.next();
+  const auto at = [&plan](const Axis& axis, double u, double contact_length = 0.0) {
+    return value_at(axis, with_ends(u, plan.edge_share), contact_length);
+  };
 
   std::vector<DesignPoint> points;
   for (int g = 0; g < plan.geometries; ++g) {
     const auto u = geometries.next();
+    const double contact_length = at(plan.c_lc, u[1]);
     DesignPoint point;
-    point.plate = {.depth = at(plan.b_lc, u[0]),
-                   .contact_length = at(plan.c_lc, u[1]),
+    point.plate = {.depth = std::max(plan.b_lc.from, at(plan.b_lc, u[0], contact_length)),
+                   .contact_length = contact_length,
                    .angle = at(plan.theta, u[2]),
                    .thickness = at(plan.thickness_over_lc, u[3]),
                    .poisson_ratio = plan.poisson_ratio,

@@ -14,7 +14,7 @@
 namespace brash::database {
 namespace {
 
-constexpr std::array<const char*, 3> kSpacingNames{"linear", "logarithmic", "quadratic"};
+constexpr std::array<const char*, 4> kSpacingNames{"linear", "logarithmic", "quadratic", "by-contact"};
 constexpr std::array<const char*, 2> kTheoryNames{"reissner-mindlin", "kirchhoff"};
 constexpr int kMostGeometries = 1'000'000;
 constexpr int kMostRows = 10'000;
@@ -104,6 +104,9 @@ Axis read_axis(Table& tables, const std::string& key, double least, double most,
   if (axis.spacing == Spacing::kLogarithmic && !(axis.from > 0.0)) {
     table.refuse(table.get("from"), "from", "must be > 0 with logarithmic spacing");
   }
+  if (axis.spacing == Spacing::kByContact && key != "b_lc") {
+    table.refuse(table.get("spacing"), "spacing", "\"by-contact\" is a spacing of `b_lc` only");
+  }
   table.refuse_unknown_keys();
   return axis;
 }
@@ -133,6 +136,7 @@ Plan read_plan(const std::string& path) {
   Table points = file.table("design");
   plan.geometries = points.whole("geometries", 1, kMostGeometries);
   plan.rows_per_geometry = points.whole("rows_per_geometry", 1, kMostRows);
+  if (points.find("first") != nullptr) plan.first = points.whole("first", 0, kMostGeometries);
   plan.edge_share = points.number_or("edge_share", plan.edge_share, 0.0, 0.5);
   points.refuse_unknown_keys();
 
@@ -158,8 +162,9 @@ Plan read_plan(const std::string& path) {
 }
 
 std::string to_text(const Plan& plan) {
-  return fmt::format("[design]\ngeometries = {}\nrows_per_geometry = {}\nedge_share = {}\n[range]\n", plan.geometries,
-                     plan.rows_per_geometry, plan.edge_share) +
+  return fmt::format("[design]\ngeometries = {}\n", plan.geometries) +
+         (plan.first > 0 ? fmt::format("first = {}\n", plan.first) : "") +
+         fmt::format("rows_per_geometry = {}\nedge_share = {}\n[range]\n", plan.rows_per_geometry, plan.edge_share) +
          axis_text("b_lc", plan.b_lc) + axis_text("c_lc", plan.c_lc) + axis_text("theta", plan.theta) +
          axis_text("thickness_over_lc", plan.thickness_over_lc) + axis_text("mu1", plan.mu1) +
          axis_text("mu2", plan.mu2) +

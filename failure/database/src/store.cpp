@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 
 namespace brash::database {

@@ -11,7 +11,4 @@ namespace brash::database {
 /// @throws RunError when it cannot be written.
 void write_database(const std::string& path, const Database& database);
 
-/// SHA-256 of `text`.
-std::string sha256(const std::string& text);
-
 }  // namespace brash::database

@@ -7,14 +7,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/meta_model/network.hpp"
-#include "sha256.hpp"
 
 namespace brash::meta_model {
 namespace {
 
-constexpr int kFormatVersion = 1;
 constexpr const char* kHashKey = "content_sha256";
 
 std::string content_hash(Json model) {
@@ -38,13 +37,13 @@ Json parse(const std::string& path) {
 
 }  // namespace
 
-Json read_model(const std::string& path, const std::string& format) {
+Json read_model(const std::string& path, const std::string& format, int version) {
   const Json model = parse(path);
   const Place place(path, model, "");
   place["format"].expect_text(format);
-  if (place["format_version"].number() != kFormatVersion) {
+  if (place["format_version"].number() != version) {
     place["format_version"].refuse(
-        fmt::format("is {}, this program reads {}", place["format_version"].number(), kFormatVersion));
+        fmt::format("is {}, this program reads {}", place["format_version"].number(), version));
   }
   const std::string stated = place[kHashKey].text(), found = content_hash(model);
   if (stated != found) {
@@ -53,9 +52,9 @@ Json read_model(const std::string& path, const std::string& format) {
   return model;
 }
 
-std::string write_model(const std::string& path, const std::string& format, Json model, int indentation) {
+std::string write_model(const std::string& path, const std::string& format, int version, Json model, int indentation) {
   model["format"] = format;
-  model["format_version"] = kFormatVersion;
+  model["format_version"] = version;
   model["program_version"] = kVersion;
   model[kHashKey] = content_hash(model);
   const std::string partial = fmt::format("{}.partial.{}", path, ::getpid());

@@ -77,10 +77,10 @@ class Place {
 
 /// Reads a model file and checks its format, version and content hash.
 /// @throws InputError naming file, place and what is wrong.
-Json read_model(const std::string& path, const std::string& format);
+Json read_model(const std::string& path, const std::string& format, int version);
 
 /// Adds format, version and content hash to `model`, writes it by rename when whole, and returns the hash.
 /// @throws RunError when it cannot be written.
-std::string write_model(const std::string& path, const std::string& format, Json model, int indentation);
+std::string write_model(const std::string& path, const std::string& format, int version, Json model, int indentation);
 
 }  // namespace brash::meta_model

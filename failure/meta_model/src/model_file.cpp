@@ -10,6 +10,8 @@
 namespace brash::meta_model {
 namespace {
 
+constexpr int kNetworkVersion = 1;
+
 constexpr std::array<const char*, kInputs> kInputNames{"b_lc", "c_lc", "theta", "mu1", "mu2"};
 constexpr std::array<const char*, kInputs> kInputUnits{"1", "1", "rad", "1", "1"};
 
@@ -98,12 +100,12 @@ NetworkParameters to_parameters(const Place& place) {
 }  // namespace
 
 Network Network::read(const std::string& path) {
-  const Json model = read_model(path, kNetworkFormat);
+  const Json model = read_model(path, kNetworkFormat, kNetworkVersion);
   return Network(to_parameters(Place(path, model, "")));
 }
 
 std::string Network::write(const std::string& path) const {
-  return write_model(path, kNetworkFormat, to_json(parameters_), 1);
+  return write_model(path, kNetworkFormat, kNetworkVersion, to_json(parameters_), 1);
 }
 
 }  // namespace brash::meta_model

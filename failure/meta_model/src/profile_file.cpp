@@ -8,29 +8,54 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-constexpr std::array<const char*, kGeometryInputs> kNames{"b_lc", "c_lc", "theta"};
+constexpr int kProfileVersion = 2;
+constexpr std::array<const char*, kGeometryInputs> kNames{"b_lc", "c_lc", "theta", "h_lc"};
 
-std::array<double, kGeometryInputs> to_array(const Geometry& g) { return {g.b_lc, g.c_lc, g.theta}; }
+std::array<double, kGeometryInputs> to_array(const Geometry& g) { return {g.b_lc, g.c_lc, g.theta, g.h_lc}; }
+
+Json list_of(const VectorXd& values) { return std::vector<double>(values.data(), values.data() + values.size()); }
 
 Json rows_of(const MatrixXd& matrix) {
   Json rows = Json::array();
-  for (Index i = 0; i < matrix.rows(); ++i) {
-    const Eigen::VectorXd row = matrix.row(i);
-    rows.push_back(std::vector<double>(row.data(), row.data() + row.size()));
-  }
+  for (Index i = 0; i < matrix.rows(); ++i) rows.push_back(list_of(matrix.row(i)));
   return rows;
 }
 
-MatrixXd read_matrix(const Place& place, std::size_t n_rows, std::size_t n_columns) {
-  const std::vector<double> values = place.matrix(n_rows, n_columns);
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(values.data(), static_cast<Index>(n_rows), static_cast<Index>(n_columns));
+VectorXd read_vector(const Place& place, Index size) {
+  const std::vector<double> values = place.numbers(static_cast<std::size_t>(size));
+  return Eigen::Map<const VectorXd>(values.data(), size);
 }
 
-Eigen::Vector3d read_vector3(const Place& place) {
-  const std::vector<double> v = place.numbers(kGeometryInputs);
-  return {v[0], v[1], v[2]};
+MatrixXd read_matrix(const Place& place, Index n_rows, Index n_columns) {
+  const std::vector<double> values =
+      place.matrix(static_cast<std::size_t>(n_rows), static_cast<std::size_t>(n_columns));
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(values.data(), n_rows, n_columns);
+}
+
+Json to_json(const FieldModel& field) {
+  const Interpolant& c = field.coefficients;
+  return {{"n_centres", c.centres.cols()},       {"n_modes", field.modes.cols()}, {"offset", list_of(c.offset)},
+          {"factor", list_of(c.factor)},         {"centres", rows_of(c.centres)}, {"weights", rows_of(c.weights)},
+          {"polynomial", rows_of(c.polynomial)}, {"mean", list_of(field.mean)},   {"modes", rows_of(field.modes)}};
+}
+
+FieldModel read_field(const Place& place, Index n_features, Index n_components) {
+  const auto n_centres = static_cast<Index>(place["n_centres"].count());
+  const auto n_modes = static_cast<Index>(place["n_modes"].count());
+  const Index n_values = n_components * kProfileStations;
+  FieldModel field{
+      .coefficients = {.offset = read_vector(place["offset"], n_features),
+                       .factor = read_vector(place["factor"], n_features),
+                       .centres = read_matrix(place["centres"], n_features, n_centres),
+                       .weights = read_matrix(place["weights"], n_modes, n_centres),
+                       .polynomial = read_matrix(place["polynomial"], n_modes, n_polynomial_terms(n_features))},
+      .mean = read_vector(place["mean"], n_values),
+      .modes = read_matrix(place["modes"], n_values, n_modes)};
+  if (!(field.coefficients.factor.array() > 0.0).all()) place["factor"].refuse("must be > 0");
+  return field;
 }
 
 void read_range(const Place& place, std::array<Geometry, 2>& range) {
@@ -43,8 +68,8 @@ void read_range(const Place& place, std::array<Geometry, 2>& range) {
     if (ends[0][i] > ends[1][i]) place[i]["lower"].refuse("exceeds `upper`");
     if (ends[0][i] < 0.0) place[i]["lower"].refuse("must be >= 0");
   }
-  place[std::size_t{1}]["lower"].positive();
-  for (std::size_t k = 0; k < 2; ++k) range[k] = {ends[k][0], ends[k][1], ends[k][2]};
+  for (const std::size_t i : {1, 3}) place[i]["lower"].positive();
+  for (std::size_t k = 0; k < 2; ++k) range[k] = {ends[k][0], ends[k][1], ends[k][2], ends[k][3]};
 }
 
 }  // namespace
@@ -53,48 +78,31 @@ std::string ProfileModel::write(const std::string& path) const {
   const Impl& m = *impl_;
   Json inputs = Json::array();
   const auto lower = to_array(m.range[0]), upper = to_array(m.range[1]);
-  for (int i = 0; i < kGeometryInputs; ++i) {
+  for (std::size_t i = 0; i < kGeometryInputs; ++i) {
     inputs.push_back({{"name", kNames[i]}, {"lower", lower[i]}, {"upper", upper[i]}});
   }
-  return write_model(path, kProfileFormat,
+  return write_model(path, kProfileFormat, kProfileVersion,
                      {{"inputs", inputs},
-                      {"thickness_over_lc", m.thickness_over_lc},
                       {"data_sha256", m.data_sha256},
                       {"reach", m.reach},
-                      {"n_centres", m.centres.cols()},
-                      {"n_modes", m.modes.cols()},
-                      {"n_values", m.modes.rows()},
-                      {"offset", std::vector<double>(m.offset.data(), m.offset.data() + kGeometryInputs)},
-                      {"factor", std::vector<double>(m.factor.data(), m.factor.data() + kGeometryInputs)},
-                      {"centres", rows_of(m.centres)},
-                      {"weights", rows_of(m.weights)},
-                      {"linear", rows_of(m.linear)},
-                      {"mean", std::vector<double>(m.mean.data(), m.mean.data() + m.mean.size())},
-                      {"modes", rows_of(m.modes)}},
+                      {"n_stations", kProfileStations},
+                      {"bending", to_json(m.bending)},
+                      {"membrane", to_json(m.membrane)}},
                      -1);
 }
 
 ProfileModel ProfileModel::read(const std::string& path) {
-  const Json model = read_model(path, kProfileFormat);
+  const Json model = read_model(path, kProfileFormat, kProfileVersion);
   const Place place(path, model, "");
   auto m = std::make_unique<Impl>();
   read_range(place["inputs"], m->range);
-  m->thickness_over_lc = place["thickness_over_lc"].positive();
   m->data_sha256 = place["data_sha256"].text();
   m->reach = place["reach"].positive();
-  const std::size_t n_centres = place["n_centres"].count(), n_modes = place["n_modes"].count();
-  if (place["n_values"].count() != kProfileValues) {
-    place["n_values"].refuse(fmt::format("must be {}", kProfileValues));
+  if (place["n_stations"].count() != kProfileStations) {
+    place["n_stations"].refuse(fmt::format("must be {}", kProfileStations));
   }
-  m->offset = read_vector3(place["offset"]);
-  m->factor = read_vector3(place["factor"]);
-  if (!(m->factor.array() > 0.0).all()) place["factor"].refuse("must be > 0");
-  m->centres = read_matrix(place["centres"], kGeometryInputs, n_centres);
-  m->weights = read_matrix(place["weights"], n_modes, n_centres);
-  m->linear = read_matrix(place["linear"], n_modes, kGeometryInputs + 1);
-  const std::vector<double> mean = place["mean"].numbers(kProfileValues);
-  m->mean = Eigen::Map<const Eigen::VectorXd>(mean.data(), kProfileValues);
-  m->modes = read_matrix(place["modes"], kProfileValues, n_modes);
+  m->bending = read_field(place["bending"], bending_features({}).size(), kBendingComponents);
+  m->membrane = read_field(place["membrane"], membrane_features({}).size(), kMembraneComponents);
   return ProfileModel(std::move(m));
 }
 

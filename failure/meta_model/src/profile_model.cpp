@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "profile_impl.hpp"
@@ -15,36 +14,20 @@
 namespace brash::meta_model {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
-using Index = Eigen::Index;
 
-/// Weights of the components in the modes: their share of the stress at mu1 = 0.5, mu2 = 0.3, h/l_c = 0.1.
-constexpr std::array<double, kProfileComponents> kShare{30.0, 30.0, 1.0, 1.0, 0.3};
 /// Modes are kept until the rest has this part of the variance; its root is the relative error they leave.
-constexpr double kVarianceLeft = 2e-7;
-/// Solved geometries nearer than this (in deviations of the features) are one point to the interpolation.
-constexpr double kSamePoint = 1e-5;
+constexpr double kVarianceLeft = 1e-6;
 /// Stations nearer than this over l_c are one station.
 constexpr double kSameStation = 1e-9;
-/// Keeps the logarithm of the depth finite; the depth below which profiles hardly depend on it.
-constexpr double kDepthShift = 0.1;
+/// Shear under mu2 <= 0.3 counts less than the stresses under N.
+constexpr double kTangentialShare = 0.3;
+/// How far the deviation of ln(h) reaches compared with the other features': bending depends little on it.
+constexpr double kThicknessLength = 4.0;
 
-Vector3d features_of(const Geometry& g) {
-  return {std::log(g.b_lc + kDepthShift), std::log(g.c_lc),
-          std::log1p(2.0 * g.b_lc * std::tan(0.5 * g.theta) / g.c_lc)};
-}
-
-/// Stations that follow the geometry: dense at the tip and behind the base line, x = b always among them.
-std::vector<double> stations_of(double b, double reach) {
-  std::vector<double> x;
-  for (int i = 0; i < kStationsBefore; ++i) x.push_back(b * std::pow(double(i) / kStationsBefore, 1.5));
-  for (int i = 0; i < kStationsBehind; ++i) x.push_back(b + (reach - b) * std::pow(i / (kStationsBehind - 1.0), 2));
-  return x;
-}
-
-double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) {
+double interpolate_at(const std::vector<double>& x, const std::vector<double>& y, double at) {
   const auto above = std::lower_bound(x.begin(), x.end(), at);
   if (above == x.begin()) return y.front();
   if (above == x.end()) return y.back();
@@ -52,67 +35,47 @@ double interpolate(const std::vector<double>& x, const std::vector<double>& y, d
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
-std::array<const std::vector<double>*, kProfileComponents> components_of(const Profiles& p) {
-  return {&p.bending_xx, &p.bending_yy, &p.normal_xx, &p.normal_yy, &p.tangential_xy};
-}
+/// A component of a profile and what it is multiplied with besides the shape's scale.
+struct Component {
+  std::vector<double> Profiles::*values;
+  double share;
+};
+constexpr std::array<Component, kBendingComponents> kBending{
+    {{&Profiles::bending_xx, 1.0}, {&Profiles::bending_yy, 1.0}}};
+constexpr std::array<Component, kMembraneComponents> kMembrane{
+    {{&Profiles::normal_xx, 1.0}, {&Profiles::normal_yy, 1.0}, {&Profiles::tangential_xy, kTangentialShare}}};
 
-/// The weighted profile of a sample on the stations that follow its geometry.
-VectorXd values_of(const ProfileSample& sample, double reach) {
-  const std::vector<double> x = stations_of(sample.geometry.b_lc, reach);
-  const auto components = components_of(sample.profiles);
-  VectorXd values(kProfileValues);
-  for (int k = 0; k < kProfileComponents; ++k) {
-    BRASH_EXPECTS(components[k]->size() == sample.profiles.station.size(), k, components[k]->size());
-    for (int i = 0; i < kProfileStations; ++i) {
-      values[k * kProfileStations + i] = kShare[k] * interpolate(sample.profiles.station, *components[k], x[i]);
+template <std::size_t N>
+VectorXd values_of(const Profiles& p, const std::array<Component, N>& components, const std::vector<double>& station,
+                   const std::vector<double>& scale) {
+  VectorXd values(static_cast<Index>(N * station.size()));
+  Index n = 0;
+  for (const Component& component : components) {
+    const std::vector<double>& y = p.*component.values;
+    BRASH_EXPECTS(y.size() == p.station.size(), y.size(), p.station.size());
+    for (std::size_t i = 0; i < station.size(); ++i) {
+      values(n++) = component.share * scale[i] * interpolate_at(p.station, y, station[i]);
     }
   }
   return values;
-}
-
-double cube(double r) { return r * r * r; }
-
-/// Distances to the power 3, shape=(n_centres,).
-VectorXd kernels(const MatrixXd& centres, const Vector3d& at) {
-  return (centres.colwise() - at).colwise().norm().unaryExpr(&cube);
 }
 
 std::array<Geometry, 2> range_of(std::span<const ProfileSample> samples) {
   Geometry low = samples.front().geometry, high = low;
   for (const ProfileSample& s : samples) {
     const Geometry& g = s.geometry;
-    low = {std::min(low.b_lc, g.b_lc), std::min(low.c_lc, g.c_lc), std::min(low.theta, g.theta)};
-    high = {std::max(high.b_lc, g.b_lc), std::max(high.c_lc, g.c_lc), std::max(high.theta, g.theta)};
+    low = {std::min(low.b_lc, g.b_lc), std::min(low.c_lc, g.c_lc), std::min(low.theta, g.theta),
+           std::min(low.h_lc, g.h_lc)};
+    high = {std::max(high.b_lc, g.b_lc), std::max(high.c_lc, g.c_lc), std::max(high.theta, g.theta),
+            std::max(high.h_lc, g.h_lc)};
   }
   return {low, high};
 }
 
-/// Indices of samples that differ from all before them; at b = 0 samples of different theta are the same problem.
-std::vector<Index> distinct(const MatrixXd& features) {
-  std::vector<Index> kept;
-  for (Index i = 0; i < features.cols(); ++i) {
-    const bool same = std::any_of(kept.begin(), kept.end(),
-                                  [&](Index j) { return (features.col(i) - features.col(j)).norm() < kSamePoint; });
-    if (!same) kept.push_back(i);
-  }
-  return kept;
-}
-
-/// Weights and linear part of the interpolation of `coefficients`, shape=(n_centres, n_modes).
-MatrixXd solve_interpolation(const MatrixXd& centres, const MatrixXd& coefficients) {
-  const Index n = centres.cols(), p = kGeometryInputs + 1;
-  MatrixXd system = MatrixXd::Zero(n + p, n + p);
-  for (Index i = 0; i < n; ++i) system.col(i).head(n) = kernels(centres, centres.col(i));
-  system.block(n, 0, 1, n).setOnes();
-  system.block(n + 1, 0, kGeometryInputs, n) = centres;
-  system.topRightCorner(n, p) = system.bottomLeftCorner(p, n).transpose();
-  MatrixXd right = MatrixXd::Zero(n + p, coefficients.cols());
-  right.topRows(n) = coefficients;
-  return system.partialPivLu().solve(right);
-}
-
-/// Six digits are more than the interpolation holds, and they keep the model file small.
-double to_six_digits(double value) { return std::stod(fmt::format("{:.5e}", value)); }
+/// Ten digits keep the interpolation, in which large weights cancel, to 1e-5, and the model file small.
+double to_ten_digits(double value) { return std::stod(fmt::format("{:.9e}", value)); }
+/// Five are more than the modes that are left out leave.
+double to_five_digits(double value) { return std::stod(fmt::format("{:.4e}", value)); }
 
 /// Principal modes of the centred columns of `values`, largest first.
 MatrixXd principal_modes(const MatrixXd& values) {
@@ -122,7 +85,44 @@ MatrixXd principal_modes(const MatrixXd& values) {
   double left = total;
   Index n = 0;
   while (n < variance.size() && left > kVarianceLeft * total) left -= variance[variance.size() - 1 - n++];
-  return solver.eigenvectors().rightCols(n).rowwise().reverse();
+  return solver.eigenvectors().rightCols(n).rowwise().reverse().unaryExpr(&to_five_digits);
+}
+
+/// @param features  shape=(n_features, n_samples); samples where they are the same are the same problem.
+FieldModel fit_field(const MatrixXd& features, const MatrixXd& values, const VectorXd& lengths) {
+  const std::vector<Index> kept = distinct_points(features);
+  MatrixXd centred = values(Eigen::all, kept);
+  FieldModel field;
+  field.mean = centred.rowwise().mean().unaryExpr(&to_five_digits);
+  centred.colwise() -= field.mean;
+  field.modes = principal_modes(centred);
+  field.coefficients = interpolate(features(Eigen::all, kept), field.modes.transpose() * centred, lengths);
+  field.coefficients.weights = field.coefficients.weights.unaryExpr(&to_ten_digits).eval();
+  return field;
+}
+
+/// Evaluates a field and writes its components into `p`.
+template <std::size_t N>
+void add_components(const FieldModel& field, const VectorXd& features, const std::array<Component, N>& components,
+                    const std::vector<double>& scale, Profiles& p) {
+  const VectorXd values = field.mean + field.modes * field.coefficients(features);
+  Index n = 0;
+  for (const Component& component : components) {
+    std::vector<double>& y = p.*component.values;
+    for (const double s : scale) y.push_back(values(n++) / (component.share * s));
+  }
+}
+
+/// Stations fall together where b is (nearly) 0: the last of them is enough.
+void drop_equal_stations(Profiles& p) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < p.station.size(); ++i) {
+    if (i + 1 == p.station.size() || p.station[i + 1] - p.station[i] >= kSameStation) kept.push_back(i);
+  }
+  for (auto* values : {&p.station, &p.bending_xx, &p.bending_yy, &p.normal_xx, &p.normal_yy, &p.tangential_xy}) {
+    for (std::size_t i = 0; i < kept.size(); ++i) (*values)[i] = (*values)[kept[i]];
+    values->resize(kept.size());
+  }
 }
 
 }  // namespace
@@ -132,8 +132,7 @@ ProfileModel::ProfileModel(ProfileModel&&) noexcept = default;
 ProfileModel& ProfileModel::operator=(ProfileModel&&) noexcept = default;
 ProfileModel::~ProfileModel() = default;
 
-ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, double thickness_over_lc,
-                               const std::string& data_sha256) {
+ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, const std::string& data_sha256) {
   constexpr std::size_t kFewest = 10;
   if (samples.size() < kFewest) {
     throw InputError(fmt::format("{} solved geometries, at least {} are needed; raise `geometries` in the plan",
@@ -141,69 +140,57 @@ ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, double th
   }
   auto impl = std::make_unique<Impl>();
   impl->range = range_of(samples);
-  impl->thickness_over_lc = thickness_over_lc;
   impl->data_sha256 = data_sha256;
-  impl->reach = samples.front().profiles.station.back();
-  for (const ProfileSample& s : samples) impl->reach = std::min(impl->reach, s.profiles.station.back());
+  const auto reach_of = [](const ProfileSample& s) { return s.profiles.station.back() - s.geometry.b_lc; };
+  impl->reach = reach_of(samples.front());
+  for (const ProfileSample& s : samples) impl->reach = std::min(impl->reach, reach_of(s));
 
   const auto n = static_cast<Index>(samples.size());
-  MatrixXd features(kGeometryInputs, n);
-  for (Index i = 0; i < n; ++i) features.col(i) = features_of(samples[static_cast<std::size_t>(i)].geometry);
-  impl->offset = features.rowwise().mean();
-  impl->factor = ((features.colwise() - impl->offset).rowwise().squaredNorm() / double(n)).cwiseSqrt();
-  BRASH_EXPECTS((impl->factor.array() > 0.0).all());
-  features = impl->factor.cwiseInverse().asDiagonal() * (features.colwise() - impl->offset);
-
-  const std::vector<Index> kept = distinct(features);
-  impl->centres = features(Eigen::all, kept);
-  MatrixXd values(kProfileValues, static_cast<Index>(kept.size()));
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    values.col(static_cast<Index>(i)) = values_of(samples[static_cast<std::size_t>(kept[i])], impl->reach);
+  MatrixXd of_bending(bending_features({}).size(), n), of_membrane(membrane_features({}).size(), n);
+  MatrixXd bending(kBendingComponents * kProfileStations, n), membrane(kMembraneComponents * kProfileStations, n);
+  for (Index i = 0; i < n; ++i) {
+    const ProfileSample& s = samples[static_cast<std::size_t>(i)];
+    const ProfileShape shape = shape_of(s.geometry, impl->reach);
+    of_bending.col(i) = bending_features(s.geometry);
+    of_membrane.col(i) = membrane_features(s.geometry);
+    bending.col(i) = values_of(s.profiles, kBending, shape.station, shape.bending);
+    membrane.col(i) = values_of(s.profiles, kMembrane, shape.station, shape.membrane);
   }
-  impl->mean = values.rowwise().mean();
-  values.colwise() -= impl->mean;
-  impl->modes = principal_modes(values);
-  const MatrixXd solution = solve_interpolation(impl->centres, (impl->modes.transpose() * values).transpose());
-  impl->weights = solution.topRows(values.cols()).transpose().unaryExpr(&to_six_digits);
-  impl->linear = solution.bottomRows(kGeometryInputs + 1).transpose();
-  impl->modes = impl->modes.unaryExpr(&to_six_digits).eval();
+  VectorXd lengths = VectorXd::Ones(of_bending.rows());
+  lengths.tail(1).setConstant(kThicknessLength);
+  impl->bending = fit_field(of_bending, bending, lengths);
+  impl->membrane = fit_field(of_membrane, membrane, VectorXd::Ones(of_membrane.rows()));
   return ProfileModel(std::move(impl));
 }
 
 Profiles ProfileModel::predict(const Geometry& geometry) const {
-  BRASH_EXPECTS(check(geometry).inside(), geometry.b_lc, geometry.c_lc, geometry.theta);
-  const Vector3d at = (features_of(geometry) - impl_->offset).cwiseQuotient(impl_->factor);
-  const VectorXd coefficients = impl_->weights * kernels(impl_->centres, at) + impl_->linear.col(0) +
-                                impl_->linear.rightCols(kGeometryInputs) * at;
-  const VectorXd values = impl_->mean + impl_->modes * coefficients;
-
-  // Stations fall together where b is (nearly) 0: one of them is enough.
-  const std::vector<double> x = stations_of(geometry.b_lc, impl_->reach);
+  BRASH_EXPECTS(check(geometry).inside(), geometry.b_lc, geometry.c_lc, geometry.theta, geometry.h_lc);
+  const ProfileShape shape = shape_of(geometry, impl_->reach);
   Profiles p;
-  const std::array<std::vector<double>*, kProfileComponents> components{&p.bending_xx, &p.bending_yy, &p.normal_xx,
-                                                                        &p.normal_yy, &p.tangential_xy};
-  for (int i = 0; i < kProfileStations; ++i) {
-    if (i + 1 < kProfileStations && x[i + 1] - x[i] < kSameStation) continue;
-    p.station.push_back(x[i]);
-    for (int k = 0; k < kProfileComponents; ++k) components[k]->push_back(values[k * kProfileStations + i] / kShare[k]);
-  }
+  p.station = shape.station;
+  add_components(impl_->bending, bending_features(geometry), kBending, shape.bending, p);
+  add_components(impl_->membrane, membrane_features(geometry), kMembrane, shape.membrane, p);
+  drop_equal_stations(p);
   return p;
 }
 
 RangeCheck ProfileModel::check(const Geometry& g) const {
   const auto& [low, high] = impl_->range;
-  return {.below = g.b_lc < low.b_lc || g.c_lc < low.c_lc || g.theta<low.theta, .above = g.b_lc> high.b_lc ||
-                   g.c_lc > high.c_lc || g.theta > high.theta};
+  return {.below = g.b_lc < low.b_lc || g.c_lc < low.c_lc || g.theta < low.theta ||
+                   g.h_lc<low.h_lc, .above = g.b_lc> high.b_lc || g.c_lc > high.c_lc || g.theta > high.theta ||
+                   g.h_lc > high.h_lc};
 }
 
 Geometry ProfileModel::clamp(const Geometry& g) const {
   const auto& [low, high] = impl_->range;
-  BRASH_EXPECTS(!std::isnan(g.b_lc) && !std::isnan(g.c_lc) && !std::isnan(g.theta));
+  BRASH_EXPECTS(!std::isnan(g.b_lc) && !std::isnan(g.c_lc) && !std::isnan(g.theta) && !std::isnan(g.h_lc));
   return {std::clamp(g.b_lc, low.b_lc, high.b_lc), std::clamp(g.c_lc, low.c_lc, high.c_lc),
-          std::clamp(g.theta, low.theta, high.theta)};
+          std::clamp(g.theta, low.theta, high.theta), std::clamp(g.h_lc, low.h_lc, high.h_lc)};
 }
 
-double ProfileModel::thickness_over_lc() const { return impl_->thickness_over_lc; }
-int ProfileModel::n_modes() const { return static_cast<int>(impl_->modes.cols()); }
+const std::array<Geometry, 2>& ProfileModel::range() const { return impl_->range; }
+int ProfileModel::n_modes() const {
+  return static_cast<int>(impl_->bending.modes.cols() + impl_->membrane.modes.cols());
+}
 
 }  // namespace brash::meta_model

@@ -34,7 +34,7 @@ Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) 
 
   Domain domain;
   domain.largest_size = options.far_size > 0.0 ? options.far_size : reach;
-  domain.segments = {{{0.0, 0.0}, {far.x, 0.0}, Side::kSymmetryY},
+  domain.segments = {{{0.0, 0.0}, {far.x, 0.0}, plate.split ? Side::kCrack : Side::kSymmetryY},
                      {{far.x, 0.0}, far, Side::kFar},
                      {far, {root.x, far.y}, Side::kFar},
                      {{root.x, far.y}, root, Side::kFree},

@@ -126,6 +126,24 @@ Eigen::MatrixXd shear(const ReferenceElement& element, const Eigen::Matrix2d& ja
   return strain.transpose() * gram * strain;
 }
 
+/// Work of the in-plane stress on the slope of the deflection: int s_ab d_a phi_i d_b phi_j, shape=(n_lagrange,
+/// n_lagrange). Negative where the stress is compressive.
+Eigen::MatrixXd slope_work(const ReferenceElement& element, const Eigen::Matrix2d& jacobian, const Field& stress,
+                           int triangle) {
+  const int n = element.n_lagrange();
+  const Eigen::Matrix2d inverse = jacobian.inverse();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+  // Slopes and stress are of degree k - 1 each.
+  for (const auto& point : triangle_rule((3 * (element.order() - 1)) / 2 + 1)) {
+    const Tensor2 s = stress.tensor(triangle, point.xi, point.eta);
+    const Eigen::MatrixX2d slope = element.gradients(point.xi, point.eta).topRows(n) * inverse;
+    Eigen::Matrix2d tensor;
+    tensor << s.xx, s.xy, s.xy, s.yy;
+    result += point.weight * jacobian.determinant() * slope * tensor * slope.transpose();
+  }
+  return result;
+}
+
 /// Integrals of the edge functions of a unit edge, end to end: those of a uniform load.
 Eigen::VectorXd edge_load(const ReferenceElement& element) {
   const int k = element.order();
@@ -219,6 +237,10 @@ tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, cons
     Eigen::MatrixXd stiffness = problem.shear_stiffness * shear(element, jacobian);
     stiffness.topLeftCorner(n, n) += jacobian.determinant() * element.mass();
     stiffness.bottomRightCorner(2 * m, 2 * m) += elasticity(element, jacobian, problem.poisson_ratio, m);
+    if (problem.in_plane_load != 0.0) {
+      stiffness.topLeftCorner(n, n) +=
+          problem.in_plane_load * slope_work(element, jacobian, *problem.in_plane_stress, static_cast<int>(triangle));
+    }
     Eigen::VectorXd load = Eigen::VectorXd::Zero(n + 2 * m);
     if (problem.pressure) {
       load.head(n) = problem.pressure(static_cast<int>(triangle)) * jacobian.determinant() * element.load();
@@ -239,7 +261,7 @@ tl::expected<std::vector<Field>, std::string> solve_membrane(const Mesh& mesh, i
   // Held: everything far away; across the centre line the displacement that is odd about it.
   const int odd = problem.antisymmetric ? 0 : 1;
   const auto [numbers, n_unknowns] = number_unknowns(mesh, nodes, 2, [odd](Side side, int component) {
-    return side == Side::kFar || (side == Side::kSymmetryY && component == odd);
+    return side == Side::kFar || ((side == Side::kSymmetryY || side == Side::kCrack) && component == odd);
   });
   const int n = element.n_lagrange();
   std::vector<int> interior;

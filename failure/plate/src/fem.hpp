@@ -13,12 +13,16 @@
 
 namespace brash::plate {
 
+class Field;
+
 /// Floating plate in units of k = 1, l_c = 1, hence D = 1.
 struct BendingProblem {
   double poisson_ratio = 0.3;
   double shear_stiffness = 0.0;                  ///< kappa G h l_c^2 / D
   double tip_line_load = 0.0;                    ///< P on the edges tagged kTip
   std::function<double(int triangle)> pressure;  ///< on the elements; empty for none
+  const Field* in_plane_stress = nullptr;        ///< on the same mesh, per unit of `in_plane_load`; tension positive
+  double in_plane_load = 0.0;                    ///< N / sqrt(k D); its stress acts on the slope of the bent plate
 };
 
 /// kappa G h l_c^2 / D = 5 (1 - nu) (l_c / h)^2 with Reissner's kappa = 5/6.

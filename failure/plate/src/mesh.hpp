@@ -11,7 +11,8 @@
 namespace brash::plate {
 
 /// What a stretch of the outline, or a line inside, is.
-enum class Side { kFree, kTip, kSymmetryY, kSymmetryX, kFar, kInterior };
+/// kCrack: a line of symmetry that carries no moments.
+enum class Side { kFree, kTip, kSymmetryY, kSymmetryX, kCrack, kFar, kInterior };
 
 /// A straight piece of the outline or a line that the mesh must contain.
 struct Segment {

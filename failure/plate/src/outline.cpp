@@ -22,11 +22,12 @@ tl::expected<UnitProfiles, PlateError> solve_outline(const OutlinePlate& plate, 
   if (!mesh) return failed(mesh.error());
   const double nu = plate.poisson_ratio;
   const double h = effective_thickness(plate.theory, plate.thickness);
-  const auto bending = solve_bending(*mesh, kOrder, {nu, shear_stiffness(nu, h), 1.0, {}});
-  if (!bending) return failed("bending: " + bending.error());
   const auto membrane = solve_membrane(*mesh, kOrder, {nu, {{1.0, 0.0}, {0.0, 1.0}}, false});
   if (!membrane) return failed("membrane: " + membrane.error());
   const auto& [normal, tangential] = std::pair<const Field&, const Field&>(membrane->front(), membrane->back());
+  const auto bending =
+      solve_bending(*mesh, kOrder, {nu, shear_stiffness(nu, h), 1.0, {}, &normal, plate.in_plane_load});
+  if (!bending) return tl::unexpected(PlateError{"bending: " + bending.error(), plate.in_plane_load > 0.0});
 
   UnitProfiles profiles;
   profiles.n_elements = static_cast<int>(mesh->triangles.size());

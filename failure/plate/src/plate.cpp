@@ -34,24 +34,27 @@ tl::expected<UnitProfiles, PlateError> solve_at_order(const WedgePlate& plate, c
   BRASH_EXPECTS(plate.angle >= 0.0 && plate.angle < std::numbers::pi, plate.angle);
   BRASH_EXPECTS(plate.thickness > 0.0, plate.thickness);
   BRASH_EXPECTS(plate.poisson_ratio >= 0.0 && plate.poisson_ratio < 0.5, plate.poisson_ratio);
+  BRASH_EXPECTS(plate.in_plane_load >= 0.0, plate.in_plane_load);
   const auto failed = [](const std::string& what) { return tl::unexpected(PlateError{what}); };
 
   const auto mesh = mesh_domain(half_of_wedge_plate(plate, options));
   if (!mesh) return failed(mesh.error());
   const double nu = plate.poisson_ratio;
   const double h = effective_thickness(plate.theory, plate.thickness);
-  const auto bending = solve_bending(*mesh, order, {nu, shear_stiffness(nu, h), 1.0, {}});
-  if (!bending) return failed("bending: " + bending.error());
   // A traction of 1 on the tip edge is the pressure p = N / h.
   const auto normal = solve_membrane(*mesh, order, {nu, {{1.0, 0.0}}, false});
   if (!normal) return failed("membrane, normal load: " + normal.error());
+  const auto bending =
+      solve_bending(*mesh, order, {nu, shear_stiffness(nu, h), 1.0, {}, &normal->front(), plate.in_plane_load});
+  if (!bending) return tl::unexpected(PlateError{"bending: " + bending.error(), plate.in_plane_load > 0.0});
   const auto tangential = solve_membrane(*mesh, order, {nu, {{0.0, 1.0}}, true});
   if (!tangential) return failed("membrane, tangential load: " + tangential.error());
 
   UnitProfiles profiles;
   profiles.n_elements = static_cast<int>(mesh->triangles.size());
   profiles.station = stations_of(plate);
-  profiles.bending = recover_tensor(*bending, profiles.station, Parity::kEven);
+  // Moments are smooth across the centre line only where the sheet is whole.
+  profiles.bending = recover_tensor(*bending, profiles.station, plate.split ? Parity::kNone : Parity::kEven);
   profiles.deflection = recover_deflection(*bending, profiles.station, Parity::kEven);
   profiles.normal = recover_tensor(normal->front(), profiles.station, Parity::kEven);
   profiles.tangential = recover_tensor(tangential->front(), profiles.station, Parity::kOdd);

@@ -13,6 +13,11 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A case of a campaign that the system, not the case, kept from its end. Exit code campaign::kStorageExit.
+class CaseNotStored : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 /// Writes report.html of the run or campaign in `directory`. @return its path.
 std::string write_report(const std::string& directory);
 
@@ -20,6 +25,10 @@ std::string write_report(const std::string& directory);
 void add_run_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_schema_command(CLI::App& app);
+void add_export_command(CLI::App& app);
+void add_rerun_command(CLI::App& app);
+/// Last of all: it lists what is there.
+void add_completion_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 
 }  // namespace brash::cli

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/database/database.hpp"
 #include "brash/meta_model/training.hpp"
 #include "commands.hpp"
@@ -44,7 +45,7 @@ void compute_database(const std::string& plan_file, const std::string& output) {
     throw Interrupted(fmt::format("stopped after {} of {} geometries; the same command goes on from here",
                                   progress.done, progress.total));
   }
-  fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, database::file_sha256(output),
+  fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, sha256_of_file(output),
              progress.total, progress.failed);
 }
 
@@ -95,7 +96,7 @@ void train_network(const std::string& database_file, const std::string& output, 
   refuse_missing_folder(output);
   const database::Database data = database::read_database(database_file);
   const auto samples = to_samples(database_file, data, options.thickness_over_lc);
-  options.data_sha256 = database::file_sha256(database_file);
+  options.data_sha256 = sha256_of_file(database_file);
   const meta_model::Trained trained = meta_model::train(samples, options);
   const std::string hash = trained.network.write(output);
 
@@ -111,39 +112,56 @@ void train_network(const std::string& database_file, const std::string& output, 
   fmt::print("model       {}\nsha256      {}\ncard        {}\n", output, hash, card);
 }
 
-/// Every eleventh geometry is left out of a first fit, to tell its errors; the model that is written holds all.
-void fit_profiles(const std::string& database_file, const std::string& output) {
+std::vector<meta_model::ProfileSample> to_profile_samples(const std::vector<const database::Record*>& records) {
+  std::vector<meta_model::ProfileSample> samples;
+  for (const database::Record* record : records) samples.push_back(to_profile_sample(*record));
+  return samples;
+}
+
+std::vector<const database::Record*> solved_records(const database::Database& data) {
+  std::vector<const database::Record*> records;
+  for (const database::Record& record : data.records) {
+    if (record.solved) records.push_back(&record);
+  }
+  return records;
+}
+
+/// Judged on the test database; without one, a fit without every eleventh geometry is judged on these instead.
+std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::ProfileModel& model,
+                                                              const std::vector<const database::Record*>& records,
+                                                              const database::Database& test, const std::string& name) {
+  if (!name.empty()) {
+    return {judge(model, solved_records(test)),
+            fmt::format("geometries that it has not seen (`{}`)", fs::path(name).filename().string())};
+  }
+  constexpr int kTestEvery = 11;  // odd: an even share of a Sobol sequence lies in one half of the box
+  std::vector<const database::Record*> kept, left_out;
+  for (const database::Record* record : records) {
+    (record->geometry % kTestEvery == kTestEvery - 1 ? left_out : kept).push_back(record);
+  }
+  return {judge(meta_model::ProfileModel::fit(to_profile_samples(kept), ""), left_out),
+          "every eleventh geometry, left out of a fit for this purpose; the model holds them all"};
+}
+
+void fit_profiles(const std::string& database_file, const std::string& test_file, const std::string& output) {
   refuse_missing_folder(output);
   const database::Database data = database::read_database(database_file);
-  constexpr int kTestEvery = 11;  // odd: an even share of a Sobol sequence lies in one half of the box
-  std::vector<meta_model::ProfileSample> all, kept;
-  std::vector<const database::Record*> left_out;
-  double thickness_over_lc = 0.0;
-  to_samples(database_file, data, thickness_over_lc);  // refuses data of several h / l_c
-  for (const database::Record& record : data.records) {
-    if (!record.solved) continue;
-    all.push_back(to_profile_sample(record));
-    if (record.geometry % kTestEvery == kTestEvery - 1) {
-      left_out.push_back(&record);
-    } else {
-      kept.push_back(all.back());
-    }
-  }
-  const std::string hash = database::file_sha256(database_file);
-  const auto tested = meta_model::ProfileModel::fit(kept, thickness_over_lc, hash);
-  print_profile_errors(tested, left_out);
-  const auto model = meta_model::ProfileModel::fit(all, thickness_over_lc, hash);
+  const database::Database test = test_file.empty() ? database::Database{} : database::read_database(test_file);
+  const auto records = solved_records(data);
+  const std::string hash = sha256_of_file(database_file);
+  const auto model = meta_model::ProfileModel::fit(to_profile_samples(records), hash);
   const std::string content = model.write(output);
+  const auto [rows, name] = judge_profiles(model, records, test, test_file);
   const std::string card =
-      write_card(output, profile_card(tested, left_out,
+      write_card(output, profile_card(model, rows,
                                       {.model_file = fs::path(output).filename().string(),
                                        .content_sha256 = content,
                                        .database_file = fs::path(database_file).filename().string(),
                                        .data_sha256 = hash,
-                                       .n_geometries = all.size(),
-                                       .n_modes = model.n_modes()}));
-  fmt::print("modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", model.n_modes(), output, content,
-             card);
+                                       .test = name,
+                                       .n_geometries = records.size()}));
+  fmt::print("{}modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", summary(rows), model.n_modes(),
+             output, content, card);
 }
 
 void add_database_command(CLI::App& failure) {
@@ -162,7 +180,7 @@ void add_database_command(CLI::App& failure) {
 
 void add_train_command(CLI::App& failure) {
   struct Options {
-    std::string database, output;
+    std::string database, output, test;
     meta_model::TrainingOptions training;
     bool superposition = false;
   };
@@ -174,6 +192,8 @@ void add_train_command(CLI::App& failure) {
       ->required();
   command->add_flag("--superposition", options->superposition,
                     "interpolate the unit profiles instead of training the network");
+  command->add_option("--test", options->test,
+                      "database (netCDF) that judges a superposition; without it every eleventh geometry does");
   command->add_option("--hidden", training.hidden, "hidden units of a network")
       ->capture_default_str()
       ->check(CLI::Range(1, 200));
@@ -186,7 +206,7 @@ void add_train_command(CLI::App& failure) {
   command->footer("Example: brash failure train cone.nc -o cone_network.json");
   command->callback([options] {
     if (options->superposition) {
-      fit_profiles(options->database, options->output);
+      fit_profiles(options->database, options->test, options->output);
     } else {
       train_network(options->database, options->output, options->training);
     }
@@ -196,7 +216,10 @@ void add_train_command(CLI::App& failure) {
 void add_predict_command(CLI::App& failure) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = failure.add_subcommand("predict", "Predict stress and breaking length for rows of inputs");
-  command->add_option("--model", options->model, "model file, or fem: solve the plate")->required();
+  command
+      ->add_option("--model", options->model,
+                   "model file; network or superposition: the one that comes with the program; fem: solve the plate")
+      ->required();
   command->add_option("--in", options->rows,
                       "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");
   command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");

@@ -15,21 +15,11 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/failure/response_model.hpp"
 #include "brash/meta_model/network.hpp"
 #include "brash/plate/plate.hpp"
 
 namespace brash::cli {
-
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
-  plate::UnitProfiles unit;
-  unit.station = p.station;
-  for (std::size_t i = 0; i < p.station.size(); ++i) {
-    unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
-    unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
-    unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
-  }
-  return unit;
-}
 
 namespace {
 
@@ -107,76 +97,12 @@ std::vector<PredictedRow> read_rows(std::istream& stream, const std::string& nam
   return rows;
 }
 
-/// The plate itself; every row is in range that the plate theory can hold.
-std::vector<Answer> solve_rows(const std::vector<PredictedRow>& rows) {
-  std::vector<Answer> answers;
-  for (const PredictedRow& row : rows) {
-    const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : kUsualThickness;
-    const auto profiles = plate::solve(
-        {.depth = row.input.b_lc, .contact_length = row.input.c_lc, .angle = row.input.theta, .thickness = thickness});
-    if (!profiles) throw RunError(fmt::format("row `{}`: {}", row.text, profiles.error().what));
-    const plate::Response r = plate::respond(*profiles, thickness, row.input.mu1, row.input.mu2);
-    answers.push_back({{r.sigma_over_p, r.lbreak_over_lc}, true});
-  }
-  return answers;
-}
-
-/// The network, inputs moved into its range, the stress scaled by Eq. 19 where the row states l_c / h.
-std::vector<Answer> infer_rows(const meta_model::Network& network, const std::vector<PredictedRow>& rows) {
-  std::vector<meta_model::Input> inputs;
-  for (const PredictedRow& row : rows) inputs.push_back(network.clamp(row.input));
-  std::vector<meta_model::Output> outputs(rows.size());
-  network.predict(inputs, outputs);
-  std::vector<Answer> answers;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].lc_over_h > 0.0) outputs[i].sigma_over_p *= rows[i].lc_over_h * network.thickness_over_lc();
-    answers.push_back({outputs[i], network.check(rows[i].input).inside()});
-  }
-  return answers;
-}
-
-/// Interpolated unit profiles, superposed exactly; h / l_c as for the plate.
-std::vector<Answer> superpose_rows(const meta_model::ProfileModel& model, const std::vector<PredictedRow>& rows) {
-  std::vector<Answer> answers;
-  for (const PredictedRow& row : rows) {
-    const meta_model::Geometry wanted{row.input.b_lc, row.input.c_lc, row.input.theta};
-    const double thickness = row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : model.thickness_over_lc();
-    const plate::Response r =
-        plate::respond(to_unit_profiles(model.predict(model.clamp(wanted))), thickness, row.input.mu1, row.input.mu2);
-    answers.push_back({{r.sigma_over_p, r.lbreak_over_lc}, model.check(wanted).inside()});
-  }
-  return answers;
-}
-
-std::vector<Answer> answer(const std::string& model, const std::vector<PredictedRow>& rows) {
-  if (model == "fem") return solve_rows(rows);
-  if (meta_model::model_format(model) == meta_model::kProfileFormat) {
-    return superpose_rows(meta_model::ProfileModel::read(model), rows);
-  }
-  return infer_rows(meta_model::Network::read(model), rows);
-}
-
-/// Order statistic at `share` of the values.
-double quantile(std::vector<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
-
-void print_line(const char* name, const std::vector<double>& stress, const std::vector<double>& length) {
-  if (stress.empty()) return;
-  fmt::print(
-      "{:<24} {:>6} rows  stress error median {:.2f} %, 95 % {:.2f} %, max {:.2f} %; "
-      "length error median {:.4f}, 95 % {:.4f} l_c\n",
-      name, stress.size(), 100 * quantile(stress, 0.5), 100 * quantile(stress, 0.95), 100 * quantile(stress, 1.0),
-      quantile(length, 0.5), quantile(length, 0.95));
-}
-
 }  // namespace
 
 meta_model::ProfileSample to_profile_sample(const database::Record& record) {
   const plate::UnitProfiles& unit = record.profiles;
-  meta_model::ProfileSample sample{{record.plate.depth, record.plate.contact_length, record.plate.angle}, {}};
+  const plate::WedgePlate& g = record.plate;
+  meta_model::ProfileSample sample{{g.depth, g.contact_length, g.angle, g.thickness}, {}};
   meta_model::Profiles& p = sample.profiles;
   p.station = unit.station;
   for (std::size_t i = 0; i < unit.station.size(); ++i) {
@@ -189,25 +115,6 @@ meta_model::ProfileSample to_profile_sample(const database::Record& record) {
   return sample;
 }
 
-void print_profile_errors(const meta_model::ProfileModel& model, const std::vector<const database::Record*>& records) {
-  constexpr double kStressThatMatters = 0.25;  // below this sigma/p the ice is crushed before it bends
-  std::vector<double> stress, length, stress_that_matters, length_there;
-  for (const database::Record* record : records) {
-    const plate::UnitProfiles unit = to_unit_profiles(
-        model.predict(model.clamp({record->plate.depth, record->plate.contact_length, record->plate.angle})));
-    for (const database::Row& row : record->rows) {
-      const plate::Response r = plate::respond(unit, record->plate.thickness, row.load.mu1, row.load.mu2);
-      stress.push_back(std::abs(r.sigma_over_p / row.response.sigma_over_p - 1.0));
-      length.push_back(std::abs(r.lbreak_over_lc - row.response.lbreak_over_lc));
-      if (row.response.sigma_over_p < kStressThatMatters) continue;
-      stress_that_matters.push_back(stress.back());
-      length_there.push_back(length.back());
-    }
-  }
-  print_line("test", stress, length);
-  print_line("test, sigma/p >= 0.25", stress_that_matters, length_there);
-}
-
 void predict_rows(const PredictOptions& options) {
   std::string header;
   std::vector<PredictedRow> rows;
@@ -218,10 +125,13 @@ void predict_rows(const PredictOptions& options) {
     if (!file) throw InputError(fmt::format("{}: cannot be read; give a CSV file that exists", options.rows));
     rows = read_rows(file, options.rows, header);
   }
-  const std::vector<Answer> answers = answer(options.model, rows);
+  const auto model = failure::make_response_model(options.model);
+  std::vector<failure::ModelResponse> answers;
+  for (const PredictedRow& row : rows)
+    answers.push_back(model->respond(row.input, row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : 0.0));
   fmt::print("{},sigma_over_p,lbreak_over_lc,in_range\n", header);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    fmt::print("{},{:.6g},{:.6g},{}\n", rows[i].text, answers[i].output.sigma_over_p, answers[i].output.lbreak_over_lc,
+    fmt::print("{},{:.6g},{:.6g},{}\n", rows[i].text, answers[i].sigma_over_p, answers[i].lbreak_over_lc,
                answers[i].in_range);
   }
 }

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "brash/database/database.hpp"
 #include "brash/meta_model/profile_model.hpp"
-#include "brash/plate/plate.hpp"
 
 namespace brash::cli {
 
@@ -19,12 +17,7 @@ struct PredictOptions {
 /// @throws InputError with file, line and column of a row that cannot be read.
 void predict_rows(const PredictOptions& options);
 
-/// The interpolated profiles as the plate solver would give them; no values at the roots.
-plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p);
-
+/// What a solved record teaches a ProfileModel.
 meta_model::ProfileSample to_profile_sample(const database::Record& record);
-
-/// Prints the errors of `model` on the rows of records that it has not seen.
-void print_profile_errors(const meta_model::ProfileModel& model, const std::vector<const database::Record*>& records);
 
 }  // namespace brash::cli

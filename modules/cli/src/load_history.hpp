@@ -2,16 +2,17 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "brash/statistics/history.hpp"
 
 namespace brash::cli {
 
-/// One evenly sampled column of a file.
+/// One column of a file against time.
 struct LoadHistory {
   std::string column;
-  double start = 0.0;  ///< time of the first sample [s]
-  double dt = 0.0;     ///< [s]
-  std::vector<double> samples;
+  statistics::History history;
+  statistics::EvenHistory even;
+  std::size_t n_missing = 0;  ///< rows of the file in which the column has no value
 };
 
 /// Which column to read and how.
@@ -20,15 +21,13 @@ struct HistoryChoice {
   double dt = 0.0;     ///< [s], for files without a column of times; 0: the file has one
   double from = 0.0;   ///< leave out samples before this time [s]
   bool has_from = false;
+  double longest_interval = 0.0;  ///< what is longer is a gap [s]; 0: five times the median
 };
 
-/// Reads a column of a run.nc, named as in history.csv, or of a CSV file: numbers separated by commas, semicolons, tabs
-/// or blanks; an optional first line of names; lines that begin with # are skipped. The times stand in the column
-/// `time`, `t` or `Time`, else in the first of several.
+/// Reads a column of a run.nc, named as in history.csv, or of any file that io::read_series reads.
 ///
-/// @throws InputError naming file, line and what is wrong: no such column, not a number, times that do not rise evenly
-/// (no
-///   step may differ from their mean by more than half), fewer than two samples.
+/// @throws InputError naming file, place and what is wrong: no such column, not a number, times that do not rise, fewer
+///   than two samples.
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice);
 
 }  // namespace brash::cli

@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
+#include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/version.hpp"
+#include "campaign_commands.hpp"
 #include "commands.hpp"
 #include "failure_commands.hpp"
 #include "geometry_commands.hpp"
@@ -28,12 +30,18 @@ int main(int argc, char** argv) {
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);
   brash::cli::add_schema_command(app);
+  brash::cli::add_campaign_commands(app);
   brash::cli::add_crack_command(app);
   brash::cli::add_fit_command(app);
   brash::cli::add_failure_command(app);
   brash::cli::add_loads_command(app);
   brash::cli::add_stats_command(app);
+  brash::cli::add_compare_command(app);
+  brash::cli::add_trend_command(app);
   brash::cli::add_report_command(app);
+  brash::cli::add_export_command(app);
+  brash::cli::add_rerun_command(app);
+  brash::cli::add_completion_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -44,6 +52,9 @@ int main(int argc, char** argv) {
   } catch (const brash::cli::Interrupted& stop) {
     fmt::print(stderr, "brash: {}\n", stop.what());
     return kInterrupted;
+  } catch (const brash::cli::CaseNotStored& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return brash::campaign::kStorageExit;
   } catch (const std::exception& error) {
     fmt::print(stderr, "brash: {}\n", error.what());
     return kFailed;

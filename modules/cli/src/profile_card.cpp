@@ -10,40 +10,10 @@
 #include <utility>
 
 #include "brash/core/constants.hpp"
-#include "failure_rows.hpp"
+#include "brash/failure/unit_profiles.hpp"
 
 namespace brash::cli {
 namespace {
-
-/// One row that the model has not seen, and its errors.
-struct JudgedRow {
-  const plate::WedgePlate* plate = nullptr;
-  double sigma_over_p = 0.0;
-  double stress_error = 0.0;  ///< size of predicted / computed - 1
-  double length_error = 0.0;  ///< over l_c
-  bool on_plateau = false;
-  bool in_range = false;
-};
-
-std::vector<JudgedRow> judge(const meta_model::ProfileModel& model,
-                             const std::vector<const database::Record*>& records) {
-  std::vector<JudgedRow> rows;
-  for (const database::Record* record : records) {
-    const meta_model::Geometry wanted{record->plate.depth, record->plate.contact_length, record->plate.angle};
-    const plate::UnitProfiles unit = to_unit_profiles(model.predict(model.clamp(wanted)));
-    for (const database::Row& row : record->rows) {
-      const plate::Response r = plate::respond(unit, record->plate.thickness, row.load.mu1, row.load.mu2);
-      rows.push_back(
-          {.plate = &record->plate,
-           .sigma_over_p = row.response.sigma_over_p,
-           .stress_error = std::abs(r.sigma_over_p / row.response.sigma_over_p - 1.0),
-           .length_error = std::abs(r.lbreak_over_lc - row.response.lbreak_over_lc),
-           .on_plateau = r.lbreak_over_lc >= row.response.plateau_from && r.lbreak_over_lc <= row.response.plateau_to,
-           .in_range = model.check(wanted).inside()});
-    }
-  }
-  return rows;
-}
 
 double quantile(std::vector<double> values, double share) {
   const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -62,7 +32,7 @@ std::string line(const char* name, const std::vector<JudgedRow>& rows) {
     geometries.insert(row.plate);
     if (row.on_plateau) ++on_plateau;
   }
-  return fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.4f} | {:.3f} | {:.3f} | {:.0f} |\n", name,
+  return fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.4f} | {:.3f} | {:.3f} | {:.1f} |\n", name,
                      rows.size(), geometries.size(), quantile(stress, 0.5), quantile(stress, 0.95),
                      quantile(stress, 0.99), quantile(stress, 1.0), quantile(length, 0.5), quantile(length, 0.95),
                      quantile(length, 0.99),
@@ -71,11 +41,10 @@ std::string line(const char* name, const std::vector<JudgedRow>& rows) {
 
 using Part = bool (*)(const JudgedRow&);
 /// Below sigma/p = 0.25 the ice is crushed before it bends.
-constexpr std::array<std::pair<const char*, Part>, 13> kParts{{
+constexpr std::array<std::pair<const char*, Part>, 14> kParts{{
     {"all", [](const JudgedRow&) { return true; }},
     {"sigma/p >= 0.25", [](const JudgedRow& r) { return r.sigma_over_p >= 0.25; }},
     {"sigma/p < 0.25 (crushed first)", [](const JudgedRow& r) { return r.sigma_over_p < 0.25; }},
-    {"inside the other geometries' box", [](const JudgedRow& r) { return r.in_range; }},
     {"b < 0.25 l_c", [](const JudgedRow& r) { return r.plate->depth < 0.25; }},
     {"0.25 l_c <= b < l_c", [](const JudgedRow& r) { return r.plate->depth >= 0.25 && r.plate->depth < 1.0; }},
     {"b >= l_c", [](const JudgedRow& r) { return r.plate->depth >= 1.0; }},
@@ -87,37 +56,82 @@ constexpr std::array<std::pair<const char*, Part>, 13> kParts{{
     {"45 deg <= theta < 90 deg",
      [](const JudgedRow& r) { return r.plate->angle >= radians(45.0) && r.plate->angle < radians(90.0); }},
     {"theta >= 90 deg", [](const JudgedRow& r) { return r.plate->angle >= radians(90.0); }},
+    {"h < 0.08 l_c", [](const JudgedRow& r) { return r.plate->thickness < 0.08; }},
+    {"h >= 0.12 l_c", [](const JudgedRow& r) { return r.plate->thickness >= 0.12; }},
 }};
 
 constexpr const char* kMustNot = R"(
 ## Must not be used for
 
-- geometries outside the box of the database: the program clamps them and says so; the errors do not hold there;
+- inputs outside the range above: the program clamps them and says so; the errors do not hold there;
 - a Poisson ratio other than that of the database, 0.3;
-- ice with h / l_c far from the value above, in so far as the shear flexibility matters;
 - anything within about one ice thickness of the contact: plate theory means nothing there;
 - radial cracks, cracks from the re-entrant roots, splitting or crushing.
 )";
 
 }  // namespace
 
-std::string profile_card(const meta_model::ProfileModel& tested, const std::vector<const database::Record*>& left_out,
+std::vector<JudgedRow> judge(const meta_model::ProfileModel& model,
+                             const std::vector<const database::Record*>& records) {
+  std::vector<JudgedRow> rows;
+  for (const database::Record* record : records) {
+    const plate::WedgePlate& g = record->plate;
+    const plate::UnitProfiles unit =
+        failure::to_unit_profiles(model.predict(model.clamp({g.depth, g.contact_length, g.angle, g.thickness})));
+    for (const database::Row& row : record->rows) {
+      const plate::Response r = plate::respond(unit, record->plate.thickness, row.load.mu1, row.load.mu2);
+      rows.push_back(
+          {.plate = &record->plate,
+           .sigma_over_p = row.response.sigma_over_p,
+           .stress_error = std::abs(r.sigma_over_p / row.response.sigma_over_p - 1.0),
+           .length_error = std::abs(r.lbreak_over_lc - row.response.lbreak_over_lc),
+           .on_plateau = r.lbreak_over_lc >= row.response.plateau_from && r.lbreak_over_lc <= row.response.plateau_to});
+    }
+  }
+  return rows;
+}
+
+std::string summary(const std::vector<JudgedRow>& rows) {
+  std::string text;
+  for (const auto& [name, holds] : {kParts[0], kParts[1]}) {
+    std::vector<double> stress;
+    double on_plateau = 0.0;
+    for (const JudgedRow& row : rows) {
+      if (!holds(row)) continue;
+      stress.push_back(100 * row.stress_error);
+      on_plateau += row.on_plateau ? 1.0 : 0.0;
+    }
+    if (stress.empty()) continue;
+    text += fmt::format(
+        "{:<18} {:>6} rows  stress error median {:.2f} %, 95 % {:.2f} %, 99 % {:.2f} %, max {:.1f} %; "
+        "place on the plateau {:.1f} %\n",
+        name, stress.size(), quantile(stress, 0.5), quantile(stress, 0.95), quantile(stress, 0.99),
+        quantile(stress, 1.0), 100.0 * on_plateau / static_cast<double>(stress.size()));
+  }
+  return text;
+}
+
+std::string profile_card(const meta_model::ProfileModel& model, const std::vector<JudgedRow>& rows,
                          const ProfileCardContext& context) {
   std::string text = fmt::format("# Model card: {}\n\n", context.model_file);
   text +=
       "Unit profiles on the centre line of a trapezoidal protrusion of a floating plate, interpolated between solved\n"
-      "geometries and superposed for mu1, mu2 and h.\n\n";
+      "geometries and superposed for mu1, mu2 and l_c / h.\n\n";
   text += fmt::format("- content hash of the model (SHA-256): `{}`\n- data: `{}`, SHA-256 `{}`\n",
                       context.content_sha256, context.database_file, context.data_sha256);
-  text += fmt::format("- h / l_c of the data: {}\n- {} geometries, {} modes\n", tested.thickness_over_lc(),
-                      context.n_geometries, context.n_modes);
-  text +=
-      "\n## Errors\n\nOf a fit without every eleventh geometry, on the geometries left out; the model holds them all. "
-      "Stress: size of predicted /\ncomputed - 1 [%]; length: size of predicted - computed l_break / l_c. `on plateau` "
-      "is the share [%] of rows whose\npredicted place has at least 99 % of the peak stress.\n\n"
+  const auto& [low, high] = model.range();
+  text += fmt::format("- {} geometries, {} modes\n\n## Range\n\n| input | from | to |\n|---|---|---|\n",
+                      context.n_geometries, model.n_modes());
+  text += fmt::format(
+      "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {} | {} |\n| h / l_c | {} | {} |\n", low.b_lc,
+      high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc, high.h_lc);
+  text += fmt::format(
+      "\n## Errors\n\nOn {}. Stress: size of predicted / computed - 1 [%];\nlength: size of predicted - computed "
+      "l_break / l_c. `on plateau` is the share [%] of rows whose predicted place has at\nleast 99 % of the peak "
+      "stress.\n\n"
       "| rows of | rows | geometries | stress median | 95 % | 99 % | max | length median | 95 % | 99 % | on plateau |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n";
-  const std::vector<JudgedRow> rows = judge(tested, left_out);
+      "|---|---|---|---|---|---|---|---|---|---|---|\n",
+      context.test);
   for (const auto& [name, holds] : kParts) {
     std::vector<JudgedRow> part;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(part), holds);

@@ -6,6 +6,8 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
+#include "damping.hpp"
+#include "surface_drag.hpp"
 #include "wetted_faces.hpp"
 
 namespace brash::hydrodynamics {
@@ -45,30 +47,20 @@ double average_length(const Prism& prism) {
   return (high.x - low.x + high.y - low.y + prism.thickness) / 3.0;
 }
 
-/// Form drag, Eq. 13: only faces that look along the velocity count. Body frame; the force acts at `centre`.
-Vec3 form_drag(const WettedFaces& faces, Vec3 centre, Vec3 velocity, const Water& water, const StepInertia& step) {
-  const double speed = norm(velocity);
-  if (speed == 0.0) return {};
+/// Eqs. 13 and 14 at one velocity for the whole floe, as dampers at that velocity: only faces that look along it count.
+Damping paper_drag(const Prism& prism, const WettedFaces& faces, const WettedBody& body, const Twist& relative,
+                   const Water& water) {
+  const Vec3 centre = body.volume_moment / body.volume;
+  const Vec3 velocity = velocity_at(relative, centre);
   double area_times_speed = 0.0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < faces.size(); ++i)
     area_times_speed += faces[i].area * std::max(0.0, dot(faces[i].normal, velocity));
-  }
-  const double damping = 0.5 * water.form_drag * water.density * area_times_speed;
-  // A push at the centre of buoyancy also turns the floe, which makes it yield more.
-  const Vec3 lever = cross(centre, velocity / speed);
-  const double mobility = 1.0 / step.mass + lever.x * lever.x / step.inertia.x + lever.y * lever.y / step.inertia.y +
-                          lever.z * lever.z / step.inertia.z;
-  return -damping / (1.0 + damping * step.dt * mobility) * velocity;
-}
-
-/// Rotational drag, Eq. 14, body frame.
-Vec3 rotational_drag(const Prism& prism, double wetted_area, Vec3 spin, const Water& water, const StepInertia& step) {
   const double l_avg = average_length(prism);
-  const double damping = 0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * wetted_area * norm(spin);
-  const auto about = [&](double component, double inertia) {
-    return -damping / (1.0 + damping * step.dt / inertia) * component;
-  };
-  return {about(spin.x, step.inertia.x), about(spin.y, step.inertia.y), about(spin.z, step.inertia.z)};
+  Damping damping;
+  damping.add(0.5 * water.form_drag * water.density * area_times_speed, centre);
+  damping.add_rotation(0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * body.area *
+                       norm(relative.angular));
+  return damping;
 }
 
 /// Skin friction on each wetted face by the velocity along it at its centroid; body frame, moment about the origin.
@@ -84,6 +76,8 @@ Wrench skin_friction(const WettedFaces& faces, const Twist& relative, const Wate
   }
   return total;
 }
+
+Wrench rotated(const Quaternion& q, const Wrench& w) { return {rotate(q, w.force), rotate(q, w.moment)}; }
 
 void check(const Prism& prism) {
   BRASH_EXPECTS(!prism.rings.empty() && prism.rings.front().size() >= 3, prism.rings.size());
@@ -101,7 +95,7 @@ Displacement displacement(const Prism& prism, const Pose& pose) {
 }
 
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
-                     const StepInertia& step) {
+                     const StepInertia& step, std::span<const Solid> neighbours) {
   check(prism);
   BRASH_EXPECTS(step.dt >= 0.0 && step.mass > 0.0, step.dt, step.mass);
   BRASH_EXPECTS(step.inertia.x > 0.0 && step.inertia.y > 0.0 && step.inertia.z > 0.0);
@@ -118,12 +112,18 @@ WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, c
   const Quaternion to_body_axes = conjugate(pose.rotation);
   const Twist relative{rotate(to_body_axes, twist.linear - Vec3{water.current.x, water.current.y, 0.0}),
                        rotate(to_body_axes, twist.angular)};
-  const Vec3 drag = form_drag(faces, centre, velocity_at(relative, centre), water, step);
-  const Vec3 braking = rotational_drag(prism, body.area, relative.angular, water, step);
-  load.drag = {rotate(pose.rotation, drag), rotate(pose.rotation, cross(centre, drag) + braking)};
+  const SurfaceDrag drag =
+      water.drag_law == DragLaw::kSurface
+          ? surface_drag(prism, plane, relative, water, Shade(prism, pose, neighbours, water.shading_gap))
+          : SurfaceDrag{paper_drag(prism, faces, body, relative, water), skin_friction(faces, relative, water)};
+  load.skin_friction = rotated(pose.rotation, drag.skin_friction);
 
-  const Wrench friction = skin_friction(faces, relative, water);
-  load.skin_friction = {rotate(pose.rotation, friction.force), rotate(pose.rotation, friction.moment)};
+  // The coefficient of the start of the step times the velocity at its end, as loads and drag alone give it.
+  Wrench others{{0.0, 0.0, -step.weight}, {}};
+  others += load.buoyancy;
+  others += load.skin_friction;
+  const Twist after = drag.form.velocity_after(relative, rotated(to_body_axes, others), step);
+  load.drag = rotated(pose.rotation, drag.form.load(after));
   return load;
 }
 

@@ -48,9 +48,11 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("contact", "area", c.contact.area);
   visit("contact", "margin", c.contact.margin);
   visit("contact", "iterations", c.contact.iterations);
-  visit("contact", "rebuild_interval", c.contact.rebuild_interval);
   visit("contact", "stiffness", c.contact.stiffness);
   visit("contact", "delete_crushed", c.contact.delete_crushed);
+  visit("hydrodynamics", "drag", c.hydrodynamics.drag);
+  visit("hydrodynamics", "shading", c.hydrodynamics.shading);
+  visit("hydrodynamics", "shading_gap", c.hydrodynamics.shading_gap);
   visit("hydrodynamics", "form_drag", c.hydrodynamics.form_drag);
   visit("hydrodynamics", "rotational_drag", c.hydrodynamics.rotational_drag);
   visit("hydrodynamics", "skin_friction", c.hydrodynamics.skin_friction);

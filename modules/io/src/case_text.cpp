@@ -59,7 +59,7 @@ std::string to_toml(const Case& resolved) {
   visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
     if (section != section_now) text += fmt::format("\n[{}]\n", section);
     section_now = section;
-    text += key_line(key, value, key_schemas(section).at(key).value("x-unit", "1"));
+    text += key_line(key, value, schema_of_cases().keys(section).at(key).value("x-unit", "1"));
   });
   return text;
 }
@@ -68,10 +68,11 @@ std::string case_template() {
   std::string text = commented(
       "A brash case with every key. A bare number is SI; a string is a quantity with a unit, such as \"33 cm\". Keys "
       "without a default are required and have the values of the validation case here; other lines may be removed.");
-  for (const auto& [section, section_schema] : section_schemas().items()) {
+  const Schema& schema = schema_of_cases();
+  for (const auto& [section, section_schema] : schema.sections().items()) {
     text += "\n" + commented(section_schema.at("description").get<std::string>()) + "[" + section + "]\n";
-    for (const auto& [key, key_schema] : key_schemas(section).items()) {
-      const bool required = is_required(section, key);
+    for (const auto& [key, key_schema] : schema.keys(section).items()) {
+      const bool required = schema.requires_key(section, key);
       text += commented(key_schema.at("description").get<std::string>());
       text += commented((required ? "Required: " : "Optional: ") + allowed_values(key_schema) + ".");
       const bool has_default = key_schema.contains("default");

@@ -12,9 +12,9 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "result_tables.hpp"
-#include "sha256.hpp"
 #include "tables.hpp"
 
 namespace brash::io {
@@ -105,11 +105,7 @@ std::map<std::string, Value> read_map(const NetcdfReader& file, const std::strin
 /// every damage to it.
 constexpr const char* kSealMark = "brash-sha256:";
 
-std::string seal_of(const std::string& bytes) {
-  Sha256 digest;
-  digest.add(bytes);
-  return kSealMark + digest.hexadecimal();
-}
+std::string seal_of(const std::string& bytes) { return kSealMark + sha256(bytes); }
 
 /// The bytes of the sealed file `path`, without the seal.
 std::string read_sealed(const std::string& path) {

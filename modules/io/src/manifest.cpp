@@ -8,19 +8,15 @@
 #include <vector>
 
 #include "brash/core/error.hpp"
+#include "brash/core/own_path.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/results.hpp"
-#include "sha256.hpp"
 
 namespace brash::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-[[noreturn]] void fail_to_hash(const std::string& path, const std::string& reason) {
-  throw RunError(
-      fmt::format("{}: cannot be hashed: {}\n  remedy:  check that the file is there and may be read", path, reason));
-}
 
 /// The first line `model name : ...` of /proc/cpuinfo, or "unknown".
 std::string cpu_name() {
@@ -31,25 +27,18 @@ std::string cpu_name() {
 }
 
 Json described(const std::filesystem::path& file, const std::string& name) {
-  std::error_code reason;
-  const std::uintmax_t n_bytes = std::filesystem::file_size(file, reason);
-  if (reason) fail_to_hash(file.string(), reason.message());
-  return {{"path", name}, {"bytes", n_bytes}, {"sha256", sha256_of_file(file.string())}};
+  const std::string digest = sha256_of_file(file.string());
+  return {{"path", name}, {"bytes", std::filesystem::file_size(file)}, {"sha256", digest}};
 }
 
 }  // namespace
 
-std::string sha256_of_file(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail_to_hash(path, std::generic_category().message(errno));
-  Sha256 digest;
-  std::vector<char> block(1 << 16);
-  do {
-    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-    digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});
-  } while (stream);
-  if (stream.bad()) fail_to_hash(path, "it cannot be read");
-  return digest.hexadecimal();
+std::string sha256_of_program() {
+  const std::filesystem::path path = own_path();
+  // The link still leads to the running program after a new one has taken its name.
+  constexpr const char* kLink = "/proc/self/exe";
+  std::error_code ignored;
+  return sha256_of_file(std::filesystem::read_symlink(kLink, ignored) == path ? kLink : path.string());
 }
 
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
@@ -57,7 +46,7 @@ void write_manifest(const std::string& directory, const Case& resolved, const st
   const std::filesystem::path folder(directory);
   Json manifest;
   manifest["format"] = "brash-manifest-1";
-  manifest["program"] = {{"name", "brash"}, {"version", kVersion}};
+  manifest["program"] = {{"name", "brash"}, {"version", kVersion}, {"sha256", sha256_of_program()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   manifest["glibc"] = gnu_get_libc_version();
   manifest["case"] = {{"name", resolved.name}, {"toml", to_toml(resolved)}};

@@ -72,6 +72,8 @@ void NetcdfWriter::describe(int variable, const std::string& name, const Meaning
   if (!meaning.unit.empty()) put("units", meaning.unit);
   put("long_name", meaning.long_name);
   for (const auto& [attribute, text] : meaning.more) put(attribute.c_str(), text);
+  if (!meaning.flags.empty())
+    check(nc_put_att_int(file_, variable, "flag_values", NC_INT, meaning.flags.size(), meaning.flags.data()), name);
   if (meaning.flag_values.empty()) return;
   check(
       nc_put_att_schar(file_, variable, "flag_values", NC_BYTE, meaning.flag_values.size(), meaning.flag_values.data()),

@@ -14,6 +14,7 @@ struct Meaning {
   std::string long_name;
   std::vector<std::pair<std::string, std::string>> more{};  ///< other text attributes
   std::vector<std::int8_t> flag_values{};                   ///< of an enumeration, with flag_meanings in `more`
+  std::vector<std::int32_t> flags{};                        ///< the same, of a variable of whole numbers
 };
 
 /// A netCDF-4 file that is being written, in memory: HDF5 does not survive a disk that is full. Its bytes depend on

@@ -5,6 +5,7 @@
 #include "brash/io/case.hpp"
 #include "case_keys.hpp"
 #include "cross_checks.hpp"
+#include "resolve.hpp"
 #include "schema.hpp"
 #include "validate.hpp"
 
@@ -32,34 +33,39 @@ Case case_from(const Json& document) {
     ++n_read;
   });
   std::size_t n_known = 0;
-  for (const OrderedJson& section : section_schemas()) n_known += section.at("properties").size();
+  for (const OrderedJson& section : schema_of_cases().sections()) n_known += section.at("properties").size();
   BRASH_EXPECTS(n_read == n_known, n_read, n_known);
   return result;
 }
 
-/// A model file is named relative to the case file, or to the working folder where an override names it.
+/// A model file is named relative to the file that names it, or to the working folder where the command line does.
 std::string resolve_file(const std::string& file, const CaseSource& source) {
   if (file.empty()) return file;
-  const std::filesystem::path base = source.overridden.contains("failure.file")
-                                         ? std::filesystem::path()
-                                         : std::filesystem::path(source.file).parent_path();
+  const Place named = place_of(source, "failure", "file");
+  const std::filesystem::path base =
+      named.override_text.empty() ? std::filesystem::path(named.file).parent_path() : std::filesystem::path();
   return std::filesystem::absolute(base / file).lexically_normal().string();
 }
 
 }  // namespace
 
-Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_case(read_case_text(path), path, overrides);
-}
-
-Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
-  const CaseSource source = parse_source(text, path, overrides);
-  Case result = case_from(validated(source));
-  result.name = std::filesystem::path(path).stem().string();
+Case resolve(const CaseSource& source, const std::string& name) {
+  Case result = case_from(validated(source, schema_of_cases()));
+  result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
   std::vector<Problem> problems = cross_check(result, source);
   if (!problems.empty()) refuse(std::move(problems));
   return result;
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_case(read_case_text(path), path, overrides);
+}
+
+std::string read_case_text(const std::string& path) { return read_text(path, "case file"); }
+
+Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string());
 }
 
 }  // namespace brash::io

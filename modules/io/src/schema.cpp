@@ -5,24 +5,44 @@
 
 #include <algorithm>
 
+#include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
+#include "schema_text.hpp"
 
 namespace brash::io {
 
-const OrderedJson& schema() {
-  static const OrderedJson parsed = OrderedJson::parse(kCaseSchemaText);
-  return parsed;
+namespace {
+
+bool lists(const OrderedJson& schema, const std::string& name) {
+  if (!schema.contains("required")) return false;
+  const OrderedJson& required = schema.at("required");
+  return std::find(required.begin(), required.end(), name) != required.end();
 }
 
-const OrderedJson& section_schemas() { return schema().at("properties"); }
+}  // namespace
 
-const OrderedJson& key_schemas(const std::string& section) { return section_schemas().at(section).at("properties"); }
+Schema::Schema(std::string kind, const char* text) : kind_(std::move(kind)), tree_(OrderedJson::parse(text)) {}
 
-bool is_required(const std::string& section, const std::string& key) {
-  const OrderedJson& section_schema = section_schemas().at(section);
-  if (!section_schema.contains("required")) return false;
-  const OrderedJson& required = section_schema.at("required");
-  return std::find(required.begin(), required.end(), key) != required.end();
+bool Schema::is_free(const OrderedJson& part) {
+  const std::string type = value_type(part);
+  return (type == "object" && !part.contains("properties")) ||
+         (type == "array" && value_type(part.at("items")) == "object");
+}
+
+bool Schema::requires_section(const std::string& section) const { return lists(tree_, section); }
+
+bool Schema::requires_key(const std::string& section, const std::string& key) const {
+  return lists(sections().at(section), key);
+}
+
+const Schema& schema_of_cases() {
+  static const Schema schema("case", kCaseSchemaText);
+  return schema;
+}
+
+const Schema& schema_of_plans() {
+  static const Schema schema("plan", kPlanSchemaText);
+  return schema;
 }
 
 std::string value_type(const OrderedJson& key_schema) {
@@ -96,12 +116,14 @@ std::string allowed_values(const OrderedJson& key_schema) {
   if (type == "number") return number_text(key_schema);
   if (type == "integer") return "a whole number" + range_text(key_schema);
   if (type == "boolean") return "true or false";
-  if (type == "array")
+  if (type == "array" && key_schema.contains("minItems"))
     return fmt::format("an array of {}, each {}", key_schema.at("minItems").get<int>(),
                        allowed_values(key_schema.at("items")));
+  if (type == "array") return "an array, each item " + allowed_values(key_schema.at("items"));
   return "a string";
 }
 
 std::string case_schema() { return kCaseSchemaText; }
+std::string plan_schema() { return kPlanSchemaText; }
 
 }  // namespace brash::io

@@ -9,16 +9,33 @@ namespace brash::io {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// The text of case.schema.json.
-extern const char* const kCaseSchemaText;
+/// What a strict TOML file may hold: sections of keys.
+class Schema {
+ public:
+  /// @param kind  what such a file is, "case" or "plan".
+  /// @param text  a JSON Schema.
+  Schema(std::string kind, const char* text);
 
-/// The schema, its keys in the order of the file.
-const OrderedJson& schema();
-/// The sections in the order of the file.
-const OrderedJson& section_schemas();
-/// The schemas of the keys of `section`, in the order of the file.
-const OrderedJson& key_schemas(const std::string& section);
-bool is_required(const std::string& section, const std::string& key);
+  const std::string& kind() const { return kind_; }
+  const OrderedJson& tree() const { return tree_; }
+  /// The sections in the order of the schema.
+  const OrderedJson& sections() const { return tree_.at("properties"); }
+  /// The schemas of the keys of `section`, in the order of the schema.
+  const OrderedJson& keys(const std::string& section) const { return sections().at(section).at("properties"); }
+  /// A part without listed keys: who reads the file checks it.
+  static bool is_free(const OrderedJson& part);
+  bool requires_section(const std::string& section) const;
+  bool requires_key(const std::string& section, const std::string& key) const;
+
+ private:
+  std::string kind_;
+  OrderedJson tree_;
+};
+
+/// The schema of case files, case.schema.json.
+const Schema& schema_of_cases();
+/// The schema of the plans of campaigns, plan.schema.json.
+const Schema& schema_of_plans();
 
 /// The JSON type of the values of `key_schema` that are not strings with a unit: "number", "integer", "array", ...
 std::string value_type(const OrderedJson& key_schema);

@@ -16,27 +16,30 @@ namespace {
 constexpr const char* kTomlAllowed =
     "TOML 1.0: lines `key = value` under a line `[section]`, each key and section once";
 
-[[noreturn]] void refuse_file(const std::string& file, std::string what, std::string allowed, std::string remedy) {
-  refuse({{{file, 1, 1, ""}, "case file", "", std::move(what), std::move(allowed), "", std::move(remedy)}});
-}
-
 }  // namespace
 
-std::string read_case_text(const std::string& path) {
+std::string read_text(const std::string& path, const std::string& kind) {
   constexpr std::streamsize kLargest = 1 << 20;
-  const char* const allowed = "a readable TOML file of at most 1 MiB";
+  const auto refuse_file = [&](std::string what, std::string remedy) {
+    refuse({{{path, 1, 1, ""},
+             kind,
+             "",
+             std::move(what),
+             "a readable TOML file of at most 1 MiB",
+             "",
+             std::move(remedy)}});
+  };
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    refuse_file(path, "is a folder", allowed, "name the case file in it");
+  if (std::filesystem::is_directory(path, ignored)) refuse_file("is a folder", fmt::format("name the {} in it", kind));
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
     const std::error_code reason(errno, std::generic_category());
-    refuse_file(path, "cannot be opened: " + reason.message(), allowed, "check the path and its permissions");
+    refuse_file("cannot be opened: " + reason.message(), "check the path and its permissions");
   }
   std::string text(static_cast<std::size_t>(kLargest) + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) refuse_file(path, "cannot be read", allowed, "check the file");
-  if (stream.gcount() > kLargest) refuse_file(path, "is larger than 1 MiB", allowed, "check that it is a case file");
+  if (stream.bad()) refuse_file("cannot be read", "check the file");
+  if (stream.gcount() > kLargest) refuse_file("is larger than 1 MiB", fmt::format("check that it is a {}", kind));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }
@@ -121,6 +124,28 @@ toml::table parse_override_value(const std::string& text) {
   return plain;
 }
 
+Place place_in(const std::string& file, const toml::source_region& region) {
+  const bool known = region.begin.line > 0;
+  return {file, known ? static_cast<int>(region.begin.line) : 1, known ? static_cast<int>(region.begin.column) : 1, ""};
+}
+
+Place place_in(const CaseSource& source, const std::string& name, const toml::source_region& region) {
+  const auto found = source.overridden.find(name);
+  return found != source.overridden.end() ? found->second : place_in(source.file, region);
+}
+
+}  // namespace
+
+CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides, const std::string& kind) {
+  return parse_source(read_text(path, kind), path, overrides);
+}
+
+CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  CaseSource source{path, parse(path, text), {}};
+  for (const std::string& change : overrides) apply_override(source, change);
+  return source;
+}
+
 void apply_override(CaseSource& source, const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string name = trimmed(text.substr(0, equals));
@@ -130,35 +155,23 @@ void apply_override(CaseSource& source, const std::string& text) {
   if (equals == std::string::npos || !has_name || name.find('.', dot + 1) != std::string::npos)
     refuse({{place, name, "", "is not an override", "section.key=value", "",
              "write it as --set ice.thickness=0.4 or --set 'ice.thickness=40 cm'"}});
+  const toml::table value = parse_override_value(trimmed(text.substr(equals + 1)));
+  replace_value(source, name.substr(0, dot), name.substr(dot + 1), *value.get("value"), place);
+}
 
-  const std::string section = name.substr(0, dot);
-  const std::string key = name.substr(dot + 1);
+void replace_value(CaseSource& source, const std::string& section, const std::string& key, const toml::node& value,
+                   const Place& place) {
   if (!source.tree.contains(section)) {
     source.tree.insert(section, toml::table{});
-    source.overridden[section] = text;
+    source.overridden[section] = place;
   }
   toml::table* const table = source.tree[section].as_table();
   if (table == nullptr) return;  // validation says that it should be a section
-  toml::table value = parse_override_value(trimmed(text.substr(equals + 1)));
-  table->insert_or_assign(key, std::move(*value.get("value")));
-  source.overridden[name] = text;
+  value.visit([&](const auto& typed) { table->insert_or_assign(key, typed); });
+  source.overridden[section + "." + key] = place;
 }
 
-Place place_in(const CaseSource& source, const std::string& name, const toml::source_region& region) {
-  const auto found = source.overridden.find(name);
-  if (found != source.overridden.end()) return {source.file, 0, 0, found->second};
-  const bool known = region.begin.line > 0;
-  return {source.file, known ? static_cast<int>(region.begin.line) : 1,
-          known ? static_cast<int>(region.begin.column) : 1, ""};
-}
-
-}  // namespace
-
-CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
-  CaseSource source{path, parse(path, text), {}};
-  for (const std::string& change : overrides) apply_override(source, change);
-  return source;
-}
+Place place_of(const std::string& file, const toml::node& node) { return place_in(file, node.source()); }
 
 Place place_of(const CaseSource& source, const std::string& section) {
   const toml::node* const node = source.tree.get(section);

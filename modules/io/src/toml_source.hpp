@@ -15,13 +15,25 @@ namespace brash::io {
 struct CaseSource {
   std::string file;
   toml::table tree;
-  /// "section.key" and sections that only an override wrote -> the override's text.
-  std::map<std::string, std::string> overridden;
+  /// "section.key" and sections that something else than the file wrote -> where that stands.
+  std::map<std::string, Place> overridden;
 };
 
-/// Reads the text of a case file, named `path` in messages, and applies `section.key=value` overrides.
-/// @throws InputError  nested too deeply, not TOML, a malformed override.
+/// Reads a case file, or another `kind` of file, and applies `section.key=value` overrides.
+/// @throws InputError  unreadable, larger than 1 MiB, nested too deeply, not TOML, a malformed override.
+CaseSource read_source(const std::string& path, const std::vector<std::string>& overrides,
+                       const std::string& kind = "case file");
+/// The text of a file of at most 1 MiB. @throws InputError when it is unreadable or larger.
+std::string read_text(const std::string& path, const std::string& kind);
+/// As read_source() for a text; `path` names it in messages.
 CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
+/// Applies one `section.key=value` override. @throws InputError when it is malformed.
+void apply_override(CaseSource& source, const std::string& text);
+/// Puts `value`, written at `place`, in place of that of `section.key`.
+void replace_value(CaseSource& source, const std::string& section, const std::string& key, const toml::node& value,
+                   const Place& place);
+/// The place of `node` in `file`; its start when it is not known.
+Place place_of(const std::string& file, const toml::node& node);
 
 /// Where `section` was written; the start of the file when it was not.
 Place place_of(const CaseSource& source, const std::string& section);

@@ -69,27 +69,31 @@ tl::expected<Json, ValueError> to_json(const toml::node& node, const OrderedJson
   if (const auto* value = node.as_array()) return array_to_json(*value, key_schema);
   if (node.is_table())
     return tl::unexpected(
-        ValueError{"is a table, not a value", "write one value; a case has sections and keys, no deeper"});
+        ValueError{"is a table, not a value", "write one value; below a section are keys, nothing deeper"});
   return tl::unexpected(ValueError{"is a date or time, not a value", "write a number, or a string in quotes"});
 }
 
 /// The schema as valijson checks it.
-const valijson::Schema& compiled_schema() {
+const valijson::Schema& compiled(const io::Schema& schema) {
   struct Compiled : valijson::Schema {
-    Compiled() {
-      const Json text = Json::parse(kCaseSchemaText);
+    explicit Compiled(const io::Schema& listed) {
+      const Json text = Json::parse(listed.tree().dump());
       valijson::SchemaParser(valijson::SchemaParser::kDraft7)
           .populateSchema(valijson::adapters::NlohmannJsonAdapter(text), *this);
     }
   };
-  static const Compiled compiled;
-  return compiled;
+  if (&schema == &schema_of_plans()) {
+    static const Compiled plans(schema_of_plans());
+    return plans;
+  }
+  static const Compiled cases(schema_of_cases());
+  return cases;
 }
 
 /// Reads a tree section by section, collecting what is wrong.
 class Reader {
  public:
-  explicit Reader(const CaseSource& source) : source_(source) {}
+  Reader(const CaseSource& source, const Schema& schema) : source_(source), schema_(schema) {}
 
   Json read() {
     for (const auto& [key, node] : source_.tree) {
@@ -105,14 +109,15 @@ class Reader {
 
  private:
   void read_section(const std::string& section, const toml::node& node) {
-    const std::vector<std::string> sections = names(section_schemas());
-    if (!section_schemas().contains(section)) {
+    const std::vector<std::string> sections = names(schema_.sections());
+    if (!schema_.sections().contains(section)) {
       const std::string nearest = nearest_name(section, sections);
       problems_.push_back({place_of(source_, section), "[" + section + "]", "", "is not a known section",
                            "sections " + list(sections), nearest.empty() ? "" : "[" + nearest + "]",
                            nearest.empty() ? "remove it, or name a known section" : "rename it, or remove it"});
       return;
     }
+    if (Schema::is_free(schema_.sections().at(section))) return;
     if (!node.is_table()) {
       problems_.push_back({place_of(source_, section), section, value_text(node), "must be a section",
                            fmt::format("a line `[{}]`, then lines `key = value`", section), "",
@@ -127,11 +132,12 @@ class Reader {
   }
 
   void read_key(const std::string& section, const std::string& name, const toml::key& key, const toml::node& node) {
-    if (!key_schemas(section).contains(name)) {
+    if (!schema_.keys(section).contains(name)) {
       problems_.push_back(unknown_key(section, name, key, node));
       return;
     }
-    const OrderedJson& key_schema = key_schemas(section).at(name);
+    const OrderedJson& key_schema = schema_.keys(section).at(name);
+    if (Schema::is_free(key_schema)) return;
     const tl::expected<Json, ValueError> value = to_json(node, key_schema);
     if (value)
       document_[section][name] = *value;
@@ -142,11 +148,11 @@ class Reader {
 
   Problem unknown_key(const std::string& section, const std::string& name, const toml::key& key,
                       const toml::node& node) {
-    const std::vector<std::string> keys = names(key_schemas(section));
+    const std::vector<std::string> keys = names(schema_.keys(section));
     // The same name in another section is nearer than a similar name in this one.
     std::string nearest;
-    for (const std::string& other : names(section_schemas()))
-      if (nearest.empty() && key_schemas(other).contains(name)) nearest = other + "." + name;
+    for (const std::string& other : names(schema_.sections()))
+      if (nearest.empty() && has_keys(other) && schema_.keys(other).contains(name)) nearest = other + "." + name;
     if (nearest.empty() && !nearest_name(name, keys).empty()) nearest = section + "." + nearest_name(name, keys);
 
     Problem problem{place_of(source_, section, name),
@@ -155,7 +161,9 @@ class Reader {
                     "is not a known key",
                     fmt::format("keys of [{}]: {}", section, list(keys)),
                     nearest,
-                    nearest.empty() ? "remove it; `brash schema` lists the keys" : "rename it, or remove it"};
+                    nearest.empty() ? fmt::format("remove it; `brash schema{}` lists the keys",
+                                                  schema_.kind() == "plan" ? " --plan" : "")
+                                    : "rename it, or remove it"};
     if (problem.place.override_text.empty() && key.source().begin.line > 0) {
       problem.place.line = static_cast<int>(key.source().begin.line);
       problem.place.column = static_cast<int>(key.source().begin.column);
@@ -165,10 +173,11 @@ class Reader {
 
   /// Reports required keys that nobody wrote.
   void add_missing() {
-    for (const std::string& section : names(section_schemas())) {
-      if (source_.tree.contains(section) && !source_.tree[section].is_table()) continue;
-      for (const auto& [key, key_schema] : key_schemas(section).items()) {
-        if (!is_required(section, key) || source_.tree[section][key].node() != nullptr) continue;
+    for (const std::string& section : names(schema_.sections())) {
+      if (!has_keys(section) || (source_.tree.contains(section) && !source_.tree[section].is_table())) continue;
+      if (!source_.tree.contains(section) && !schema_.requires_section(section)) continue;
+      for (const auto& [key, key_schema] : schema_.keys(section).items()) {
+        if (!schema_.requires_key(section, key) || source_.tree[section][key].node() != nullptr) continue;
         const std::string example = toml_text(key_schema.at("examples").front());
         problems_.push_back({place_of(source_, section), section + "." + key, "", "is missing",
                              allowed_values(key_schema), "",
@@ -179,10 +188,9 @@ class Reader {
 
   /// Checks types and ranges with valijson and reports each faulty key once.
   void check_schema() {
-    const valijson::Schema& compiled = compiled_schema();
     valijson::Validator validator(valijson::Validator::kStrongTypes);
     valijson::ValidationResults results;
-    if (validator.validate(compiled, valijson::adapters::NlohmannJsonAdapter(document_), &results)) return;
+    if (validator.validate(compiled(schema_), valijson::adapters::NlohmannJsonAdapter(document_), &results)) return;
 
     // The context is <root>, [section], [key], [index of an item]; shorter ones repeat what is reported already.
     std::set<std::pair<std::string, std::string>> faulty;
@@ -195,7 +203,7 @@ class Reader {
   }
 
   Problem wrong_value(const std::string& section, const std::string& key) const {
-    const OrderedJson& key_schema = key_schemas(section).at(key);
+    const OrderedJson& key_schema = schema_.keys(section).at(key);
     const Json& value = document_[section][key];
     const std::string type = value_type(key_schema);
     Problem problem{place_of(source_, section, key),
@@ -227,19 +235,24 @@ class Reader {
   }
 
   void add_defaults() {
-    for (const std::string& section : names(section_schemas()))
-      for (const auto& [key, key_schema] : key_schemas(section).items())
+    for (const std::string& section : names(schema_.sections())) {
+      if (!has_keys(section)) continue;
+      for (const auto& [key, key_schema] : schema_.keys(section).items())
         if (!document_[section].contains(key) && key_schema.contains("default"))
           document_[section][key] = Json::parse(key_schema.at("default").dump());
+    }
   }
 
+  bool has_keys(const std::string& section) const { return !Schema::is_free(schema_.sections().at(section)); }
+
   const CaseSource& source_;
+  const Schema& schema_;
   Json document_ = Json::object();
   std::vector<Problem> problems_;
 };
 
 }  // namespace
 
-nlohmann::json validated(const CaseSource& source) { return Reader(source).read(); }
+nlohmann::json validated(const CaseSource& source, const Schema& schema) { return Reader(source, schema).read(); }
 
 }  // namespace brash::io

@@ -3,12 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "schema.hpp"
 #include "toml_source.hpp"
 
 namespace brash::io {
 
-/// The case as JSON in SI, checked against the schema, with the defaults filled in.
+/// The file as JSON in SI, checked against `schema`, with the defaults filled in; without the schema's free parts.
 /// @throws InputError that lists what is wrong.
-nlohmann::json validated(const CaseSource& source);
+nlohmann::json validated(const CaseSource& source, const Schema& schema);
 
 }  // namespace brash::io

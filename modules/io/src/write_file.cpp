@@ -46,7 +46,7 @@ void write_file(const std::string& path, const std::string& text) {
   if (status == 0 && ::rename(partial.c_str(), path.c_str()) != 0) status = errno;
   if (status == 0) return;
   ::unlink(partial.c_str());
-  throw RunError(fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space",
+  throw StorageError(fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space",
                              path, std::generic_category().message(status)));
 }
 

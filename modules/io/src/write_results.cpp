@@ -97,9 +97,15 @@ void write_results(const std::string& directory, const Case& resolved, const Run
   const std::filesystem::path folder(directory);
   const std::string path = (folder / "run.nc").string();
   write_file(path, netcdf_bytes(path, resolved, results));
-  write_file((folder / "history.csv").string(), history_csv(results.loads));
+  write_history(directory, results);
   write_file((folder / "events.csv").string(), events_csv(results));
 }
+
+void write_history(const std::string& directory, const RunResults& results) {
+  write_file((std::filesystem::path(directory) / "history.csv").string(), history_csv(results.loads));
+}
+
+std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
 
 RunResults read_results(const std::string& path) { return read_tables(NetcdfReader(path)); }
 

@@ -31,9 +31,11 @@ void Body::make_bullet_body() {
   update_bullet();
 }
 
+void Body::place_parts() {
+  for (const auto& part : parts) update(part->now, pose);
+}
+
 void Body::update_bullet() {
-  if (kind != BodyKind::kSheet)
-    for (const auto& part : parts) update(part->now, pose);
   bullet->setWorldTransform(to_bullet(pose));
   bullet->setLinearVelocity(to_bullet(twist.linear));
   bullet->setAngularVelocity(to_bullet(twist.angular));

@@ -39,7 +39,8 @@ struct Body {
   Wrench load;     ///< for the next step
   Pose next_pose;  ///< of a structure
   bool moved = false;
-  int rank = 0;  ///< in the order of the step
+  int rank = 0;                   ///< in the order of the step
+  std::vector<const Part*> near;  ///< parts of other bodies within the world's reach
   std::vector<std::unique_ptr<Part>> parts;
   std::unique_ptr<btRigidBody> bullet;
 
@@ -47,7 +48,9 @@ struct Body {
   /// Adds a collision part, unless it is too thin for the margin.
   bool add_part(ConvexPart solid, double margin);
   void make_bullet_body();
-  /// Brings parts and Bullet's body to the present state.
+  /// Brings the parts to the present pose.
+  void place_parts();
+  /// Brings Bullet's body to the present state.
   void update_bullet();
   double kinetic_energy() const;
 };

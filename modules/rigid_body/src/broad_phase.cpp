@@ -13,28 +13,37 @@ const btVector3 kReach(2048.0, 2048.0, 512.0);
 constexpr int kMobile = 1;
 constexpr int kFixed = 2;
 
-bool boxes_overlap(const PlacedPart& a, const PlacedPart& b) {
-  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
-         a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+bool within_reach(const PlacedPart& a, const PlacedPart& b, double reach) {
+  return a.lower.x <= b.upper.x + reach && b.lower.x <= a.upper.x + reach && a.lower.y <= b.upper.y + reach &&
+         b.lower.y <= a.upper.y + reach && a.lower.z <= b.upper.z + reach && b.lower.z <= a.upper.z + reach;
+}
+
+/// Each box is larger than its part by half the reach, so that the sweep knows all neighbours.
+btVector3 lower(const Part& part, double reach) {
+  return to_bullet(part.now.lower) - btVector3(0.5 * reach, 0.5 * reach, 0.5 * reach);
+}
+btVector3 upper(const Part& part, double reach) {
+  return to_bullet(part.now.upper) + btVector3(0.5 * reach, 0.5 * reach, 0.5 * reach);
 }
 
 }  // namespace
 
-BroadPhase::BroadPhase() { reset(1024); }
+BroadPhase::BroadPhase() { grow(); }
 
-void BroadPhase::reset(unsigned capacity) {
-  capacity_ = capacity;
-  sweep_ = std::make_unique<bt32BitAxisSweep3>(-kReach, kReach, capacity, nullptr, true);
+/// Room for twice as many parts: the sweep cannot grow, so all are sorted into a new one.
+void BroadPhase::grow() {
+  capacity_ *= 2;
+  sweep_ = std::make_unique<bt32BitAxisSweep3>(-kReach, kReach, capacity_, nullptr, true);
+  const std::vector<Part*> parts = std::move(parts_);
+  parts_.clear();
+  for (Part* part : parts) add(*part);
 }
 
 void BroadPhase::add(Part& part) {
-  if (parts_.size() + 2 > capacity_) {
-    capacity_ *= 2;
-    rebuild(std::vector<Part*>(parts_));
-  }
+  if (parts_.size() + 2 > capacity_) grow();
   const bool floe = part.body->is_floe();
-  part.proxy = sweep_->createProxy(to_bullet(part.now.lower), to_bullet(part.now.upper), CONVEX_HULL_SHAPE_PROXYTYPE,
-                                   &part, floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
+  part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
+                                   floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
   parts_.push_back(&part);
 }
 
@@ -44,27 +53,28 @@ void BroadPhase::remove(Part& part) {
   parts_.erase(std::find(parts_.begin(), parts_.end(), &part));
 }
 
-void BroadPhase::move(Part& part) {
-  sweep_->setAabb(part.proxy, to_bullet(part.now.lower), to_bullet(part.now.upper), nullptr);
-}
+void BroadPhase::move(Part& part) { sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr); }
 
-void BroadPhase::rebuild(std::vector<Part*> parts) {
-  parts_.clear();
-  reset(capacity_);
-  for (Part* part : parts) add(*part);
-}
-
-const std::vector<PartPair>& BroadPhase::pairs() {
+void BroadPhase::collect(double distance) {
   pairs_.clear();
   const btBroadphasePairArray& found = sweep_->getOverlappingPairCache()->getOverlappingPairArray();
   for (int i = 0; i < found.size(); ++i) {
     auto* a = static_cast<Part*>(found[i].m_pProxy0->m_clientObject);
     auto* b = static_cast<Part*>(found[i].m_pProxy1->m_clientObject);
-    if (a->body == b->body || !boxes_overlap(a->now, b->now)) continue;
+    if (a->body == b->body || !within_reach(a->now, b->now, distance)) continue;
     const auto order = [](const Part& p) { return std::tuple(!p.body->is_floe(), p.body->rank, p.number); };
     if (order(*b) < order(*a)) std::swap(a, b);
     pairs_.push_back({a, b});
   }
+}
+
+const std::vector<PartPair>& BroadPhase::near_pairs() {
+  collect(reach);
+  return pairs_;
+}
+
+const std::vector<PartPair>& BroadPhase::pairs() {
+  collect(0.0);
   const auto key = [](const PartPair& p) {
     return std::tuple(p.first->body->rank, p.first->number, p.second->body->rank, p.second->number);
   };

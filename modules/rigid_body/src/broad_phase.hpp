@@ -23,16 +23,19 @@ class BroadPhase {
   void add(Part& part);
   void remove(Part& part);
   void move(Part& part);
-  /// Sorts all parts in anew, in the given order, and forgets the past.
-  void rebuild(std::vector<Part*> parts);
   /// Overlapping pairs with at least one floe, sorted by (rank, part) of the first and the second body. Boxes are
   /// compared in full precision, so the answer is a function of the boxes and not of the sweep's history.
   const std::vector<PartPair>& pairs();
+  /// How near the boxes of a pair may be to be known to near_pairs() [m]; from the next move of the parts on.
+  double reach = 0.0;
+  /// Pairs with at least one floe whose boxes come within the reach of each other, in no order.
+  const std::vector<PartPair>& near_pairs();
 
  private:
-  void reset(unsigned capacity);
+  void grow();
+  void collect(double distance);
 
-  unsigned capacity_ = 0;
+  unsigned capacity_ = 512;
   std::vector<Part*> parts_;
   std::unique_ptr<bt32BitAxisSweep3> sweep_;
   std::vector<PartPair> pairs_;

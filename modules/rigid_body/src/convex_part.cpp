@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 
@@ -72,6 +74,45 @@ std::vector<Vec3> distinct(std::span<const Vec3> points, double tolerance) {
   return kept;
 }
 
+/// A face through the point with the least x: there is one.
+Plane first_face(std::span<const Vec3> points, double tolerance) {
+  const auto first = std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.x < b.x; });
+  for (std::size_t j = 0; j < points.size(); ++j)
+    for (std::size_t k = j + 1; k < points.size(); ++k) {
+      std::optional<Plane> plane = plane_through(*first, points[j], points[k], tolerance);
+      if (plane && supports(*plane, points, tolerance)) return *plane;
+    }
+  BRASH_EXPECTS(false, "points in one plane", points.size());
+  return {};
+}
+
+/// The face on the other side of the edge from a to b (counter-clockwise) of `face`: the plane is turned about the edge
+/// until it meets a point.
+Plane face_beyond(const Plane& face, int a, int b, std::span<const Vec3> points, double tolerance) {
+  const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+  std::optional<Plane> best;
+  for (const Vec3& p : points) {
+    if (dot(face.normal, p) - face.offset >= -tolerance) continue;
+    if (!best || dot(best->normal, p) - best->offset > tolerance) best = plane_through(at(b), at(a), p, tolerance);
+  }
+  BRASH_EXPECTS(best.has_value(), a, b);
+  return *best;
+}
+
+/// The points on `plane` in ascending order, and the plane through the first three of them that are not in line: a face
+/// comes out the same from whichever side it was found.
+std::pair<std::vector<int>, Plane> settle(const Plane& plane, std::span<const Vec3> points, double tolerance) {
+  std::vector<int> on = loop_on(plane, points, tolerance);
+  std::sort(on.begin(), on.end());
+  const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(on[i])]; };
+  for (std::size_t j = 1; j < on.size(); ++j)
+    for (std::size_t k = j + 1; k < on.size(); ++k)
+      if (std::optional<Plane> settled = plane_through(at(0), at(j), at(k), tolerance))
+        return {on, dot(settled->normal, plane.normal) > 0.0 ? *settled : Plane{-settled->normal, -settled->offset}};
+  BRASH_EXPECTS(false, "a face of points in line", on.size());
+  return {};
+}
+
 }  // namespace
 
 std::array<Vec3, 2> plane_axes(Vec3 normal) {
@@ -123,22 +164,24 @@ ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top) {
 ConvexPart convex_hull(std::span<const Vec3> points) {
   BRASH_EXPECTS(points.size() >= 4, points.size());
   const double tolerance = kOnPlane * extent(points);
-  const std::vector<Vec3> p = distinct(points, tolerance);
   ConvexPart part;
-  const auto known = [&](const Plane& q) {
-    return std::any_of(part.planes.begin(), part.planes.end(), [&](const Plane& k) {
-      return norm(k.normal - q.normal) <= 1e-7 && std::abs(k.offset - q.offset) <= 10 * tolerance;
-    });
-  };
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::size_t j = i + 1; j < p.size(); ++j)
-      for (std::size_t k = j + 1; k < p.size(); ++k) {
-        std::optional<Plane> plane = plane_through(p[i], p[j], p[k], tolerance);
-        if (plane && supports(*plane, p, tolerance) && !known(*plane)) part.planes.push_back(*plane);
-      }
-  BRASH_EXPECTS(part.planes.size() >= 4, points.size(), part.planes.size());
-  part.vertices = p;
-  for (const Plane& plane : part.planes) part.faces.push_back(loop_on(plane, p, tolerance));
+  part.vertices = distinct(points, tolerance);
+
+  // From any face across each of its edges, until no face is new. A face is known by its points.
+  std::map<std::vector<int>, Plane> faces;
+  std::vector<Plane> open{first_face(part.vertices, tolerance)};
+  while (!open.empty()) {
+    const auto [indices, plane] = settle(open.back(), part.vertices, tolerance);
+    open.pop_back();
+    if (!faces.emplace(indices, plane).second) continue;
+    const std::vector<int> loop = loop_on(plane, part.vertices, tolerance);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      open.push_back(face_beyond(plane, loop[i], loop[i + 1 == loop.size() ? 0 : i + 1], part.vertices, tolerance));
+  }
+  for (const auto& [indices, plane] : faces) {
+    part.planes.push_back(plane);
+    part.faces.push_back(loop_on(plane, part.vertices, tolerance));
+  }
   return part;
 }
 

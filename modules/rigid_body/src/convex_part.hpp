@@ -5,15 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "brash/core/plane.hpp"
 #include "brash/core/vec.hpp"
 
 namespace brash::rigid_body {
-
-/// Half-space dot(normal, x) <= offset, `normal` a unit vector out of the solid.
-struct Plane {
-  Vec3 normal{};
-  double offset = 0.0;
-};
 
 /// A convex solid: its faces' planes, its vertices, and each face as a loop of vertices (counter-clockwise from
 /// outside).
@@ -26,8 +21,8 @@ struct ConvexPart {
 /// The prism over a convex counter-clockwise plan `ring` [m] between two heights [m].
 ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top);
 
-/// The convex hull of `points` [m], coplanar points in one face. Exhaustive over the triples of points: for structures,
-/// which are built once. Points closer to a plane than 1e-9 of the extent lie on it.
+/// The convex hull of `points` [m] by gift wrapping, coplanar points in one face: at most points times edges, for
+/// structures, which are built once. Points closer to a plane than 1e-9 of the extent lie on it.
 ConvexPart convex_hull(std::span<const Vec3> points);
 
 /// Two unit vectors that make a right-handed frame with the unit vector `normal`.

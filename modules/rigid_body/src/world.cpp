@@ -61,7 +61,7 @@ struct World::Impl {
   WorldSettings settings;
   std::map<BodyId, std::unique_ptr<Body>> bodies;
   std::uint32_t next_index = 0;
-  int steps = 0;
+  bool neighbours_known = false;  ///< of the bodies' present places
   BroadPhase broad_phase;
   NarrowPhase narrow_phase;
   BoundedSolver solver;
@@ -77,6 +77,8 @@ struct World::Impl {
     return second.kind == BodyKind::kStructure ? settings.ice_structure : settings.ice_ice;
   }
   std::vector<Body*> canonical_order();
+  void find_neighbours(double reach);
+  void place(Body& body);
   void predict(const std::vector<Body*>& order, double dt);
   void find_contacts(double dt);
   void add_contact(const PartPair& pair, double dt);
@@ -93,6 +95,7 @@ Body& World::Impl::get(BodyId id) {
 }
 
 BodyId World::Impl::insert(std::unique_ptr<Body> body) {
+  neighbours_known = false;
   const BodyId id{next_index++, 0};
   body->id = id;
   body->next_pose = body->pose;
@@ -111,13 +114,42 @@ std::vector<Body*> World::Impl::canonical_order() {
   return order;
 }
 
+/// Parts and their boxes follow a new pose.
+void World::Impl::place(Body& body) {
+  body.place_parts();
+  for (const auto& part : body.parts) broad_phase.move(*part);
+  neighbours_known = false;
+}
+
+/// Each floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
+void World::Impl::find_neighbours(double reach) {
+  if (reach != broad_phase.reach) {
+    broad_phase.reach = reach;
+    for (const auto& [id, body] : bodies)
+      for (const auto& part : body->parts) broad_phase.move(*part);
+  }
+  for (const auto& [id, body] : bodies) body->near.clear();
+  for (const auto& [first, second] : broad_phase.near_pairs()) {
+    first->body->near.push_back(second);
+    if (second->body->is_floe()) second->body->near.push_back(first);
+  }
+  const auto key = [](const Part* part) {
+    const auto& [lower, upper] = std::tie(part->now.lower, part->now.upper);
+    return std::tuple(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, part->body->id, part->number);
+  };
+  for (const auto& [id, body] : bodies) {
+    std::sort(body->near.begin(), body->near.end(), [&](const Part* a, const Part* b) { return key(a) < key(b); });
+    body->near.erase(std::unique(body->near.begin(), body->near.end()), body->near.end());
+  }
+  neighbours_known = true;
+}
+
 /// Velocities with the applied loads and the gyroscopic moment, before contacts.
 void World::Impl::predict(const std::vector<Body*>& order, double dt) {
   for (Body* body : order) {
     if (body->kind == BodyKind::kSheet) continue;
     if (body->kind == BodyKind::kStructure && !body->moved) body->twist = {};
     body->update_bullet();
-    for (const auto& part : body->parts) broad_phase.move(*part);
     if (!body->is_floe()) continue;
     btRigidBody& b = *body->bullet;
     b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
@@ -238,6 +270,7 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
   for (Body* body : order) {
     if (body->kind == BodyKind::kStructure) {
       body->pose = body->next_pose;
+      if (body->moved) place(*body);
       body->moved = false;
     }
     if (!body->is_floe()) continue;
@@ -252,6 +285,7 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
     body->pose = advanced(body->pose, body->twist, dt);
     body->load = {};
     BRASH_EXPECTS(is_finite(body->pose, body->twist), "state of body", body->id.index, "is not finite");
+    place(*body);
   }
 }
 
@@ -300,6 +334,7 @@ BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose
 }
 
 void World::remove(BodyId id) {
+  impl_->neighbours_known = false;
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
   impl_->bodies.erase(id);
 }
@@ -321,12 +356,6 @@ void World::apply(BodyId id, const Wrench& wrench) {
 
 void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
-  if (impl_->settings.rebuild_interval > 0 && impl_->steps++ % impl_->settings.rebuild_interval == 0) {
-    std::vector<Part*> parts;
-    for (const auto& [id, body] : impl_->bodies)
-      for (const auto& part : body->parts) parts.push_back(part.get());
-    impl_->broad_phase.rebuild(std::move(parts));
-  }
   const std::vector<Body*> order = impl_->canonical_order();
   impl_->predict(order, dt);
   impl_->find_contacts(dt);
@@ -337,6 +366,14 @@ void World::step(double dt) {
 }
 
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
+void World::neighbours(BodyId id, double reach, std::vector<Solid>& solids) {
+  const Body& body = impl_->get(id);
+  BRASH_EXPECTS(body.is_floe() && reach >= 0.0, id.index, reach);
+  if (!impl_->neighbours_known || reach != impl_->broad_phase.reach) impl_->find_neighbours(reach);
+  solids.clear();
+  for (const Part* part : body.near) solids.emplace_back(part->now.planes);
+}
+
 BodyKind World::kind(BodyId id) const { return impl_->get(id).kind; }
 bool World::contains(BodyId id) const { return impl_->bodies.contains(id); }
 
@@ -357,6 +394,7 @@ void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   body.pose = pose;
   body.next_pose = pose;
   body.twist = twist;
+  impl_->place(body);
 }
 
 double World::kinetic_energy() const {

@@ -32,29 +32,23 @@ void EnergyLedger::book_structure(double edge_force, double floe_force, double a
 }
 
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
-  const auto is_newborn = [&](BodyId body) {
-    const auto floe = floes.floes().find(body);
-    return floe != floes.floes().end() && floe->second.id >= first_newborn;
-  };
-  double received = 0.0;  // by the newborn, from contacts and drag
+  received_.clear();
   for (const ContactLoad& contact : world.contacts()) {
     book(losses_, world.kind(contact.other), contact, dt);
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
-    if (is_newborn(contact.body)) received += dt * dot(force, contact.body_velocity);
-    if (is_newborn(contact.other)) received -= dt * dot(force, contact.other_velocity);
+    received_[contact.body] += dt * dot(force, contact.body_velocity);
+    if (world.kind(contact.other) == BodyKind::kFloe)
+      received_[contact.other] -= dt * dot(force, contact.other_velocity);
   }
-  double held = 0.0;  // by the newborn, after their first step
   for (const auto& [body, floe] : floes.floes()) {
     const Twist twist = world.mean_twist(body);
     const double drag = dt * power(floe.drag, twist);
     const double skin_friction = dt * power(floe.skin_friction, twist);
     losses_.drag -= drag;
     losses_.skin_friction -= skin_friction;
-    if (floe.id < first_newborn) continue;
-    received += drag + skin_friction;
-    held += floes.energy(world, body);
+    received_[body] += drag + skin_friction;
+    if (floe.id >= first_newborn) birth_ += floes.energy(world, body) - received_[body];
   }
-  birth_ += held - received;
 }
 
 void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "brash/io/results.hpp"
@@ -18,10 +19,14 @@ class EnergyLedger {
   void book_structure(double edge_force, double floe_force, double advance);
 
   /// Contacts and water in the world's last step, `dt` [s] long. Floes from id `first_newborn` on were born before it.
+  /// Afterwards received() is what the step gave each floe.
   void book_step(const rigid_body::World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt);
 
   /// The floe `body` is about to be deleted.
   void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
+
+  /// Work of contacts and drag on each floe in the last step [J]; weight and buoyancy are its potential energy.
+  const std::map<BodyId, double>& received() const { return received_; }
 
   /// Fills the energies of a row.
   void report(const rigid_body::World& world, const FloePopulation& floes, io::LoadRow& row) const;
@@ -42,6 +47,7 @@ class EnergyLedger {
   double birth_ = 0.0;
   double removed_ = 0.0;
   io::EnergyLosses losses_;
+  std::map<BodyId, double> received_;
 };
 
 }  // namespace brash::simulation

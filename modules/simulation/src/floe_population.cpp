@@ -14,6 +14,14 @@
 namespace brash::simulation {
 namespace {
 
+using hydrodynamics::DragLaw;
+
+/// Water::shading_gap of a case [m].
+double shading_gap(const io::Case& resolved) {
+  const io::HydrodynamicsSection& h = resolved.hydrodynamics;
+  return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
+}
+
 /// Weight and buoyancy: m g z - rho_w g V z_B, zero for a massless point at the surface [J].
 double potential(const Floe& floe, const Pose& pose, double water_density) {
   const hydrodynamics::Displacement wet = hydrodynamics::displacement(floe.prism, pose);
@@ -45,9 +53,11 @@ FloePopulation::FloePopulation(const io::Case& resolved)
     : case_(&resolved),
       water_{.density = resolved.water.density,
              .current = resolved.water.current,
+             .drag_law = resolved.hydrodynamics.drag == "paper" ? DragLaw::kPaper : DragLaw::kSurface,
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
-             .skin_friction = resolved.hydrodynamics.skin_friction} {}
+             .skin_friction = resolved.hydrodynamics.skin_friction,
+             .shading_gap = shading_gap(resolved)} {}
 
 std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygon& polygon) const {
   const std::vector<geometry::Ring> parts = geometry::convex_parts(polygon);
@@ -96,9 +106,12 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
 
 void FloePopulation::apply_water(rigid_body::World& world, double dt) {
   for (auto& [body, floe] : floes_) {
+    if (water_.shading_gap > 0.0)
+      world.neighbours(body, hydrodynamics::kShadingReach * water_.shading_gap, neighbours_);
+    const hydrodynamics::StepInertia step{
+        .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
     const hydrodynamics::WaterLoad load =
-        hydrodynamics::water_load(floe.prism, world.pose(body), world.twist(body), water_,
-                                  {.dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia});
+        hydrodynamics::water_load(floe.prism, world.pose(body), world.twist(body), water_, step, neighbours_);
     Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
     wrench += load.buoyancy;
     wrench += load.drag;

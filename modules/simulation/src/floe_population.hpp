@@ -80,6 +80,7 @@ class FloePopulation {
 
   const io::Case* case_;
   hydrodynamics::Water water_;
+  std::vector<Solid> neighbours_;  ///< scratch of apply_water
   std::map<BodyId, Floe> floes_;
   std::int64_t next_id_ = 0;
 };

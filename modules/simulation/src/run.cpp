@@ -99,8 +99,7 @@ Progress begin(const io::Case& resolved, const RunOptions& options) {
   return progress;
 }
 
-void keep_checkpoint(const std::string& file, const Progress& progress) {
-  io::Checkpoint saved = progress.simulation.checkpoint();
+void keep_checkpoint(const std::string& file, io::Checkpoint saved, const Progress& progress) {
   saved.results = progress.recorder.so_far();
   visit_counters(progress.counts, [&](const char* name, int count) { saved.counters[name] = count; });
   io::write_checkpoint(file, saved);
@@ -114,20 +113,38 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.n_steps_too_long += report.n_steps_too_long;
 }
 
+/// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
+StepReport step(const RunOptions& options, Progress& progress) {
+  const io::Checkpoint before = progress.simulation.checkpoint();
+  const double from = progress.simulation.time();
+  try {
+    return progress.simulation.step();
+  } catch (const std::exception& error) {
+    std::string message =
+        fmt::format("step {} failed, from t = {:.9g} s: {}", before.counters.at("n_steps") + 1, from, error.what());
+    if (!options.checkpoint_file.empty()) {
+      keep_checkpoint(options.checkpoint_file, before, progress);
+      message += "\n  remedy:  the last good state is in " + options.checkpoint_file + ": --resume repeats the step";
+    }
+    throw RunError(message);
+  }
+}
+
 /// Steps until the end or an interruption. @return whether the end was reached.
 bool advance(const io::Case& resolved, const RunOptions& options, Progress& progress) {
-  const double step = resolved.time.step;
-  const auto n_steps = std::llround(resolved.time.duration / step);
-  const auto checkpoint_every = std::llround(resolved.output.checkpoint_interval / step);
-  for (auto done = std::llround(progress.simulation.time() / step); done < n_steps;) {
-    const StepReport report = progress.simulation.step();
+  const double dt = resolved.time.step;
+  const auto n_steps = std::llround(resolved.time.duration / dt);
+  const auto checkpoint_every = std::llround(resolved.output.checkpoint_interval / dt);
+  for (auto done = std::llround(progress.simulation.time() / dt); done < n_steps;) {
+    const StepReport report = step(options, progress);
     ++done;
     progress.recorder.record(progress.simulation, report);
     count(progress.counts, report);
     if (options.observer) options.observer(progress.simulation, report);
     const bool interrupted = options.interrupted && options.interrupted();
     const bool due = checkpoint_every > 0 && done % checkpoint_every == 0;
-    if (!options.checkpoint_file.empty() && (due || interrupted)) keep_checkpoint(options.checkpoint_file, progress);
+    if (!options.checkpoint_file.empty() && (due || interrupted))
+      keep_checkpoint(options.checkpoint_file, progress.simulation.checkpoint(), progress);
     if (interrupted) return false;
   }
   return true;
@@ -141,12 +158,8 @@ Run run(const io::Case& resolved, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Progress progress = begin(resolved, options);
   finished.complete = advance(resolved, options, progress);
-  const geometry::Ledger& ledger = progress.simulation.ledger();
-  if (!ledger.closes())
-    throw RunError("the ledger does not close: " + ledger.missing().to_string() + " m2 are missing");
-
   finished.results = progress.recorder.finish(progress.simulation);
-  progress.counts.ledger = ledger;
+  progress.counts.ledger = progress.simulation.ledger();
   if (finished.complete) finished.summary = summarise(resolved, finished.results, progress.counts);
   finished.stage_times = progress.simulation.stage_times();
   finished.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -29,8 +29,7 @@ rigid_body::WorldSettings world_settings(const io::Case& c) {
   return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
           .iterations = c.contact.iterations,
-          .collision_margin = c.contact.margin,
-          .rebuild_interval = c.contact.rebuild_interval};
+          .collision_margin = c.contact.margin};
 }
 
 /// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).
@@ -62,7 +61,8 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
       world(world_settings(c)),
       tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
       floes(resolved),
-      centre{-c.structure.start_distance, 0.0} {
+      centre{-c.structure.start_distance, 0.0},
+      watchdog(resolved) {
   const std::vector<Vec3> hull = structure::hull(cone);
   structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
 }
@@ -102,25 +102,36 @@ std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, 
   return births;
 }
 
-/// Contacts after the largest part of `share` of the step whose inputs stay below the failure model's upper range
-/// (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part.
-std::vector<EdgeContact> Simulation::Impl::contacts_within_range(double& share, StepReport& report) {
+/// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
+/// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. What the trailing section then
+/// covers is crushed, so the contacts are those of the state that is reached, however short or long the step.
+std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
-  const double advance = resolved.structure.speed * resolved.time.step;
-  while (true) {
-    std::vector<EdgeContact> contacts = edge_contacts(edge_model(), field.sheet(), centre + Vec2{share * advance, 0.0});
-    const auto above = std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
-    const auto refused =
-        std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.outline_refused; });
-    if (above == 0 || 0.5 * share < shortest) {
-      report.n_outlines_refused += static_cast<int>(refused);
-      report.n_above_range += static_cast<int>(above);
-      report.n_below_range += static_cast<int>(
-          std::ranges::count_if(contacts, [](const EdgeContact& c) { return c.assessment.below_range; }));
-      return contacts;
-    }
+  const Vec2 whole_step{resolved.structure.speed * resolved.time.step, 0.0};
+  const auto above_range = [](const EdgeContact& c) { return c.assessment.above_range; };
+  std::vector<EdgeContact> contacts = edge_contacts(edge_model(), field.sheet(), centre + share * whole_step);
+  for (; 0.5 * share >= shortest && std::ranges::any_of(contacts, above_range);
+       contacts = edge_contacts(edge_model(), field.sheet(), centre + share * whole_step))
     share *= 0.5;
+
+  centre += share * whole_step;
+  if (crush_passed_ice()) contacts = edge_contacts(edge_model(), field.sheet(), centre);
+  const auto count = [&](auto&& what) { return static_cast<int>(std::ranges::count_if(contacts, what)); };
+  report.n_above_range += count(above_range);
+  report.n_below_range += count([](const EdgeContact& c) { return c.assessment.below_range; });
+  report.n_outlines_refused += count([](const EdgeContact& c) { return c.assessment.outline_refused; });
+  return contacts;
+}
+
+/// What the trailing section covers has been penetrated through the whole thickness: it is crushed and leaves the
+/// sheet. @return whether there was any.
+bool Simulation::Impl::crush_passed_ice() {
+  const std::vector<geometry::Polygon> passed = field.crush(trailing_section(edge_model(), centre));
+  for (const geometry::Polygon& crushed : passed) {
+    const Box box = bounding_box(std::span(&crushed, 1));
+    tiles.renew(field.sheet(), world, box.lower, box.upper);
   }
+  return !passed.empty();
 }
 
 /// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact whose
@@ -162,23 +173,16 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
 /// failure model's range asks for. The crushing load is the mean over the parts.
 void Simulation::Impl::advance_through_ice(StepReport& report) {
   const StageClock clock(times.ice);
-  const double advance = resolved.structure.speed * resolved.time.step;
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
-    const std::vector<EdgeContact> contacts = contacts_within_range(share, report);
-    centre.x += share * advance;
+    const std::vector<EdgeContact> contacts = move_within_range(share, report);
     done += share;
-
     for (const EdgeContact& contact : contacts) {
       const Vec3 arm = contact.point - structure_pose().position;
       report.loads.crushing += in_load_axes({share * contact.force, share * cross(arm, contact.force)});
     }
     break_ice(contacts, report);
-    for (const geometry::Polygon& crushed : field.crush(trailing_section(edge_model(), centre))) {
-      const Box box = bounding_box(std::span(&crushed, 1));
-      tiles.renew(field.sheet(), world, box.lower, box.upper);
-    }
   }
   --report.n_substeps;
   world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
@@ -244,7 +248,8 @@ StepReport Simulation::Impl::step() {
   }
   ++n_steps;
   collect_loads(first_newborn, report);  // impulse / dt, by cause; energies
-  remove_crushed_floes(report);          // sigma > sigma_c
+  watchdog.look({world, floes, energy, field.ledger(), report.loads});
+  remove_crushed_floes(report);  // sigma > sigma_c
   return report;
 }
 

@@ -11,6 +11,7 @@
 #include "floe_population.hpp"
 #include "ice_field.hpp"
 #include "sheet_tiles.hpp"
+#include "watchdog.hpp"
 
 namespace brash::simulation {
 
@@ -28,6 +29,7 @@ struct Simulation::Impl {
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   EnergyLedger energy;
+  Watchdog watchdog;
   std::vector<io::FloeRecord> initial_births;
   StageTimes times;
 
@@ -44,7 +46,8 @@ struct Simulation::Impl {
   void initial_crack();
   std::vector<io::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
   void advance_through_ice(StepReport& report);
-  std::vector<EdgeContact> contacts_within_range(double& share, StepReport& report);
+  std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
+  bool crush_passed_ice();
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   void remove_crushed_floes(StepReport& report);
   void collect_loads(std::int64_t first_newborn, StepReport& report);

@@ -5,14 +5,20 @@
 namespace brash::simulation {
 
 void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
-               const std::vector<std::string>& pictures) {
-  io::write_results(directory, resolved, run.results);
+               const std::vector<std::string>& pictures, Kept kept) {
+  std::vector<std::string> outputs{"summary.json"};
+  if (kept == Kept::kRun) {
+    io::write_results(directory, resolved, run.results);
+    outputs = {"run.nc", "history.csv", "events.csv", "summary.json"};
+  } else if (kept == Kept::kHistory) {
+    io::write_history(directory, run.results);
+    outputs = {"history.csv", "summary.json"};
+  }
   io::write_file(directory + "/summary.json", to_json(run.summary));
 
   std::vector<std::string> inputs{case_file};
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   if (!model.empty()) inputs.push_back(model);
-  std::vector<std::string> outputs{"run.nc", "history.csv", "events.csv", "summary.json"};
   outputs.insert(outputs.end(), pictures.begin(), pictures.end());
   const StageTimes& t = run.stage_times;
   io::write_manifest(directory, resolved, inputs, outputs,

@@ -16,7 +16,8 @@
 namespace brash::statistics {
 namespace {
 
-constexpr std::size_t kExactKendall = 33;  // pairs; beyond, the normal approximation is good to three digits
+constexpr std::size_t kExactKendall = 33;       // pairs; beyond, the normal approximation is good to three digits
+constexpr std::size_t kExactJonckheere = 5000;  // pairs of different groups, likewise; five groups of 22
 
 double two_sided_normal(double z) { return std::min(1.0, 2.0 * gsl_cdf_ugaussian_Q(std::abs(z))); }
 
@@ -85,6 +86,45 @@ double exact_kendall(std::size_t n, double score) {
   return std::min(1.0, 2.0 * std::accumulate(share.begin(), share.end(), 0.0));
 }
 
+using Shares = std::vector<double>;
+
+/// Probabilities of Mann and Whitney's U = 0, 1, ..., m n for samples of m and n values without ties.
+Shares mann_whitney_shares(std::size_t m, std::size_t n) {
+  // The largest of all values is one of the m with the chance m/(m + n) and then exceeds the n others.
+  std::vector<Shares> of(n + 1, Shares{1.0});
+  for (std::size_t i = 1; i <= m; ++i) {
+    for (std::size_t j = 1; j <= n; ++j) {
+      const double first = static_cast<double>(i) / static_cast<double>(i + j);
+      Shares next(i * j + 1, 0.0);
+      for (std::size_t u = 0; u < of[j].size(); ++u) next[u + j] += first * of[j][u];
+      for (std::size_t u = 0; u < of[j - 1].size(); ++u) next[u] += (1.0 - first) * of[j - 1][u];
+      of[j] = std::move(next);
+    }
+  }
+  return of[n];
+}
+
+/// Two-sided probability of a J of Jonckheere and Terpstra at least as far out; no ties. J is the sum of the U of each
+/// group against all before it, which are independent.
+double exact_jonckheere(const std::vector<std::vector<double>>& groups, double score) {
+  Shares of_j{1.0};
+  std::size_t before = groups.front().size();
+  for (std::size_t g = 1; g < groups.size(); ++g) {
+    const Shares of_u = mann_whitney_shares(groups[g].size(), before);
+    Shares sum(of_j.size() + of_u.size() - 1, 0.0);
+    for (std::size_t i = 0; i < of_j.size(); ++i)
+      for (std::size_t k = 0; k < of_u.size(); ++k) sum[i + k] += of_j[i] * of_u[k];
+    of_j = std::move(sum);
+    before += groups[g].size();
+  }
+  // The distribution is symmetric about half of the pairs; |S| = |2 J - pairs|.
+  const auto least = static_cast<std::size_t>(0.5 * (static_cast<double>(of_j.size() - 1) - std::abs(score)));
+  const auto end = of_j.begin() + static_cast<std::ptrdiff_t>(least) + 1;
+  return std::min(1.0, 2.0 * std::accumulate(of_j.begin(), end, 0.0));
+}
+
+double freedom_of(const Summary& s) { return std::max(1.0, s.effective_sample_size - 1.0); }
+
 /// Difference of two means from their variances (of the means) and degrees of freedom, after Welch and Satterthwaite.
 MeanComparison compare(double difference, double variance_a, double freedom_a, double variance_b, double freedom_b,
                        double confidence) {
@@ -134,7 +174,9 @@ TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups) {
   const double variance = c.variance();
   if (!(variance > 0.0) || c.y.pairs == c.n * (c.n - 1.0)) return {0.0, 1.0};
   const double z = c.score / std::sqrt(variance);
-  return {z, two_sided_normal(z)};
+  const auto pairs = static_cast<std::size_t>(0.5 * (c.n * (c.n - 1.0) - c.x.pairs));
+  const bool exact = c.y.pairs == 0.0 && pairs <= kExactJonckheere;
+  return {z, exact ? exact_jonckheere(groups, c.score) : two_sided_normal(z)};
 }
 
 std::vector<double> holm(std::span<const double> p_values) {
@@ -165,8 +207,61 @@ MeanComparison compare_means(const Summary& a, const Summary& b, double confiden
   const auto variance = [](const Summary& s) {
     return s.standard_deviation * s.standard_deviation / s.effective_sample_size;
   };
-  const auto freedom = [](const Summary& s) { return std::max(1.0, s.effective_sample_size - 1.0); };
-  return compare(a.mean - b.mean, variance(a), freedom(a), variance(b), freedom(b), confidence);
+  return compare(a.mean - b.mean, variance(a), freedom_of(a), variance(b), freedom_of(b), confidence);
+}
+
+RatioComparison compare_ratio(const Summary& a, const Summary& b, double confidence) {
+  BRASH_EXPECTS(a.mean > 0.0 && b.mean > 0.0, a.mean, b.mean);
+  const auto variance = [](const Summary& s) {
+    const double relative = s.standard_deviation / s.mean;
+    return relative * relative / s.effective_sample_size;
+  };
+  const MeanComparison logarithm =
+      compare(std::log(a.mean / b.mean), variance(a), freedom_of(a), variance(b), freedom_of(b), confidence);
+  return {std::exp(logarithm.difference),
+          {std::exp(logarithm.interval.lower), std::exp(logarithm.interval.upper)},
+          logarithm.test};
+}
+
+RatioComparison compare_deviations(const Summary& squares_a, const Summary& squares_b, double confidence) {
+  RatioComparison result = compare_ratio(squares_a, squares_b, confidence);
+  result.ratio = std::sqrt(result.ratio);
+  result.interval = {std::sqrt(result.interval.lower), std::sqrt(result.interval.upper)};
+  return result;
+}
+
+TestResult kolmogorov_smirnov(std::span<const double> a, std::span<const double> b) {
+  BRASH_EXPECTS(!a.empty() && !b.empty(), a.size(), b.size());
+  BRASH_EXPECTS(all_finite(a) && all_finite(b));
+  std::vector<double> x(a.begin(), a.end()), y(b.begin(), b.end());
+  std::ranges::sort(x);
+  std::ranges::sort(y);
+  // Distance of the shares i/m and j/n as the whole number |i n - j m|.
+  const auto m = static_cast<std::int64_t>(x.size()), n = static_cast<std::int64_t>(y.size());
+  std::int64_t i = 0, j = 0, largest = 0;
+  while (i < m && j < n) {
+    const double value = std::min(x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)]);
+    while (i < m && x[static_cast<std::size_t>(i)] == value) ++i;
+    while (j < n && y[static_cast<std::size_t>(j)] == value) ++j;
+    largest = std::max(largest, std::abs(i * n - j * m));
+  }
+  // Chance that a random order of m and n values never comes that far: over the lattice of (i, j).
+  std::vector<double> inside(static_cast<std::size_t>(n) + 1, 0.0);
+  for (std::int64_t row = 0; row <= m; ++row) {
+    for (std::int64_t column = 0; column <= n; ++column) {
+      const auto k = static_cast<std::size_t>(column);
+      const double steps = static_cast<double>(row + column);
+      if (row + column == 0) {
+        inside[0] = 1.0;
+      } else if (std::abs(row * n - column * m) >= largest) {
+        inside[k] = 0.0;
+      } else {
+        inside[k] *= static_cast<double>(row) / steps;
+        if (column > 0) inside[k] += inside[k - 1] * static_cast<double>(column) / steps;
+      }
+    }
+  }
+  return {static_cast<double>(largest) / static_cast<double>(m * n), std::clamp(1.0 - inside.back(), 0.0, 1.0)};
 }
 
 TestResult mann_whitney(std::span<const double> a, std::span<const double> b) {

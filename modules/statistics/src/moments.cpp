@@ -15,27 +15,34 @@
 namespace brash::statistics {
 
 Moments moments(std::span<const double> samples) {
-  BRASH_EXPECTS(samples.size() >= 2, samples.size());
-  BRASH_EXPECTS(all_finite(samples));
+  const std::vector<double> equal(samples.size(), 1.0);
+  return moments(samples, equal);
+}
+
+Moments moments(std::span<const double> samples, std::span<const double> weights) {
+  BRASH_EXPECTS(samples.size() >= 2 && samples.size() == weights.size(), samples.size(), weights.size());
+  BRASH_EXPECTS(all_finite(samples) && all_finite(weights));
   const auto n = static_cast<double>(samples.size());
   Moments result;
   result.n = samples.size();
   gsl_stats_minmax(&result.minimum, &result.maximum, samples.data(), 1, samples.size());
-  result.mean = gsl_stats_mean(samples.data(), 1, samples.size());
+  result.mean = gsl_stats_wmean(weights.data(), 1, samples.data(), 1, samples.size());
   if (result.minimum == result.maximum) {
     result.mean = result.minimum;
     return result;
   }
-  double m2 = 0.0, m3 = 0.0, m4 = 0.0;
-  for (const double x : samples) {
-    const double d = x - result.mean;
-    m2 += d * d;
-    m3 += d * d * d;
-    m4 += d * d * d * d;
+  double total = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double d = samples[i] - result.mean, wd2 = weights[i] * d * d;
+    total += weights[i];
+    m2 += wd2;
+    m3 += wd2 * d;
+    m4 += wd2 * d * d;
   }
-  result.variance = m2 / (n - 1.0);
-  result.skewness = (m3 / n) / std::pow(m2 / n, 1.5);
-  result.excess_kurtosis = (m4 / n) / ((m2 / n) * (m2 / n)) - 3.0;
+  m2 /= total;
+  result.variance = m2 * n / (n - 1.0);
+  result.skewness = m3 / total / std::pow(m2, 1.5);
+  result.excess_kurtosis = m4 / total / (m2 * m2) - 3.0;
   return result;
 }
 

@@ -3,7 +3,6 @@
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_rng.h>
-#include <openssl/evp.h>
 
 #include <array>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "gsl_checked.hpp"
 
 namespace brash::statistics {
@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t kGenerators = 3;
 using Generator = GslOwner<gsl_rng, gsl_rng_free>;
-using Digest = std::array<unsigned char, 32>;
 
 void append(std::string& bytes, std::uint64_t value) {
   for (int shift = 0; shift < 64; shift += 8) bytes.push_back(static_cast<char>((value >> shift) & 0xff));
@@ -30,15 +29,7 @@ void append(std::string& bytes, std::string_view text) {
   bytes += text;
 }
 
-Digest sha256(const std::string& bytes) {
-  Digest digest{};
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
-    throw RunError("random stream: OpenSSL could not compute SHA-256");
-  }
-  return digest;
-}
-
-Generator seeded(const Digest& digest, std::size_t which) {
+Generator seeded(const Sha256::Digest& digest, std::size_t which) {
   // ranlxd2 uses the lower 31 bits of its seed and takes 0 for 1.
   unsigned long seed = 0;
   for (std::size_t i = 0; i < 4; ++i) seed = (seed << 8) | digest[4 * which + i];
@@ -64,7 +55,9 @@ RandomStream::RandomStream(std::uint64_t seed, std::string_view case_name, std::
   append(key, replicate);
   append(key, purpose);
   append(key, counter);
-  const Digest digest = sha256(key);
+  Sha256 hash;
+  hash.add(key);
+  const Sha256::Digest digest = hash.digest();
   for (std::size_t i = 0; i < kGenerators; ++i) impl_->generators[i] = seeded(digest, i);
 }
 

@@ -5,8 +5,10 @@
 #include <gsl/gsl_fft_real.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
@@ -43,12 +45,30 @@ std::vector<double> hann(std::size_t n) {
   return window;
 }
 
+/// Adds the squared transform of a segment, without its mean and under the window, to the lines of `power`.
+void add_power(std::span<const double> segment, const std::vector<double>& window, const RealTransform& transform,
+               std::vector<double>& power) {
+  const std::size_t n = segment.size();
+  const double mean = gsl_stats_mean(segment.data(), 1, n);
+  std::vector<double> data(n);
+  for (std::size_t i = 0; i < n; ++i) data[i] = window[i] * (segment[i] - mean);
+  transform(data);
+  power[0] += data[0] * data[0];
+  for (std::size_t k = 1; k < power.size(); ++k) {
+    const double real = data[2 * k - 1];
+    const double imaginary = 2 * k < n ? data[2 * k] : 0.0;
+    power[k] += real * real + imaginary * imaginary;
+  }
+}
+
 }  // namespace
 
 Spectrum welch_spectrum(std::span<const double> samples, double dt, std::size_t segment) {
-  BRASH_EXPECTS(segment >= 4 && segment <= samples.size(), segment, samples.size());
-  BRASH_EXPECTS(dt > 0.0, dt);
-  BRASH_EXPECTS(all_finite(samples));
+  return welch_spectrum(Pieces{samples}, dt, segment);
+}
+
+Spectrum welch_spectrum(const Pieces& pieces, double dt, std::size_t segment) {
+  BRASH_EXPECTS(segment >= 4 && dt > 0.0, segment, dt);
   quiet_gsl();
   const RealTransform transform(segment);
   const std::vector<double> window = hann(segment);
@@ -56,33 +76,29 @@ Spectrum welch_spectrum(std::span<const double> samples, double dt, std::size_t 
   for (const double w : window) window_power += w * w;
 
   Spectrum spectrum;
-  const std::size_t n_lines = segment / 2 + 1;
-  spectrum.density.assign(n_lines, 0.0);
+  spectrum.density.assign(segment / 2 + 1, 0.0);
   const std::size_t step = segment - segment / 2;
-  std::vector<double> data(segment);
-  for (std::size_t start = 0; start + segment <= samples.size(); start += step) {
-    const double mean = gsl_stats_mean(samples.data() + start, 1, segment);
-    for (std::size_t i = 0; i < segment; ++i) data[i] = window[i] * (samples[start + i] - mean);
-    transform(data);
-    spectrum.density[0] += data[0] * data[0];
-    for (std::size_t k = 1; k < n_lines; ++k) {
-      const double real = data[2 * k - 1];
-      const double imaginary = 2 * k < segment ? data[2 * k] : 0.0;
-      spectrum.density[k] += real * real + imaginary * imaginary;
+  std::size_t n_used = 0;  // pieces
+  for (const auto piece : pieces) {
+    BRASH_EXPECTS(all_finite(piece));
+    n_used += piece.size() >= segment ? 1 : 0;
+    for (std::size_t start = 0; start + segment <= piece.size(); start += step) {
+      add_power(piece.subspan(start, segment), window, transform, spectrum.density);
+      ++spectrum.n_segments;
     }
-    ++spectrum.n_segments;
   }
+  BRASH_EXPECTS(spectrum.n_segments > 0, segment);
 
   const double scale = dt / (window_power * static_cast<double>(spectrum.n_segments));
-  for (std::size_t k = 0; k < n_lines; ++k) {
+  for (std::size_t k = 0; k < spectrum.density.size(); ++k) {
     // Two-sided power on one side, except at zero and at the Nyquist frequency.
     const bool paired = k > 0 && 2 * k < segment;
     spectrum.density[k] *= paired ? 2.0 * scale : scale;
     spectrum.frequency.push_back(static_cast<double>(k) / (static_cast<double>(segment) * dt));
   }
-  // Neighbouring Hann windows share a correlation of 1/6, squared 1/36: nu = 2 K / (1 + 2 (K - 1)/K / 36).
+  // Neighbours in a piece share a correlation of 1/6, squared 1/36: nu = 2 K / (1 + 2 (K - pieces)/K / 36).
   const auto n = static_cast<double>(spectrum.n_segments);
-  spectrum.degrees_of_freedom = 36.0 * n * n / (19.0 * n - 1.0);
+  spectrum.degrees_of_freedom = 36.0 * n * n / (19.0 * n - static_cast<double>(n_used));
   return spectrum;
 }
 
@@ -92,6 +108,48 @@ Interval spectrum_factors(const Spectrum& spectrum, double confidence) {
   quiet_gsl();
   const double nu = spectrum.degrees_of_freedom;
   return {nu / gsl_cdf_chisq_Pinv(0.5 + 0.5 * confidence, nu), nu / gsl_cdf_chisq_Pinv(0.5 - 0.5 * confidence, nu)};
+}
+
+std::optional<SpectrumComparison> compare_spectra(const Spectrum& a, const Spectrum& b, double confidence) {
+  BRASH_EXPECTS(confidence > 0.0 && confidence < 1.0, confidence);
+  quiet_gsl();
+  const double lowest = b.frequency[1];
+  const double highest = std::min(a.frequency.back(), b.frequency.back()) * (1.0 + 1e-9);
+  SpectrumComparison result;
+  std::vector<double> of_a, of_b;
+  for (std::size_t k = 1, next = 1; k < a.frequency.size(); ++k) {
+    const double f = a.frequency[k];
+    if (f < lowest * (1.0 - 1e-9) || f > highest) continue;
+    while (next + 1 < b.frequency.size() && b.frequency[next] < f) ++next;
+    const double share =
+        std::clamp((f - b.frequency[next - 1]) / (b.frequency[next] - b.frequency[next - 1]), 0.0, 1.0);
+    of_a.push_back(a.density[k]);
+    of_b.push_back(b.density[next - 1] + share * (b.density[next] - b.density[next - 1]));
+    if (!(of_a.back() > 0.0 && of_b.back() > 0.0)) return std::nullopt;
+    result.frequency.push_back(f);
+    result.ratio.push_back(of_a.back() / of_b.back());
+  }
+  const std::size_t n = result.ratio.size();
+  if (n < 3) return std::nullopt;
+
+  const double nu_a = a.degrees_of_freedom, nu_b = b.degrees_of_freedom;
+  result.band = {gsl_cdf_fdist_Pinv(0.5 - 0.5 * confidence, nu_a, nu_b),
+                 gsl_cdf_fdist_Pinv(0.5 + 0.5 * confidence, nu_a, nu_b)};
+  const double sum_a = std::accumulate(of_a.begin(), of_a.end(), 0.0);
+  const double sum_b = std::accumulate(of_b.begin(), of_b.end(), 0.0);
+  const auto is_outside = [&](double ratio) { return ratio < result.band.lower || ratio > result.band.upper; };
+  std::vector<double> log_a(n), log_b(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double one = 1.0 / static_cast<double>(n);
+    if (is_outside(result.ratio[k])) result.outside += one;
+    if (is_outside(result.ratio[k] * sum_b / sum_a)) result.shape_outside += one;
+    result.mean_frequency_a += result.frequency[k] * of_a[k] / sum_a;
+    result.mean_frequency_b += result.frequency[k] * of_b[k] / sum_b;
+    log_a[k] = std::log(of_a[k]);
+    log_b[k] = std::log(of_b[k]);
+  }
+  result.shape_correlation = gsl_stats_correlation(log_a.data(), 1, log_b.data(), 1, n);
+  return result;
 }
 
 }  // namespace brash::statistics

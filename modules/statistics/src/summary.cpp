@@ -7,11 +7,16 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "brash/core/contract.hpp"
+#include "brash/statistics/moments.hpp"
+#include "brash/statistics/quantile.hpp"
 #include "gsl_checked.hpp"
 #include "samples.hpp"
+#include "weighted_summary.hpp"
 
 namespace brash::statistics {
 namespace {
@@ -19,14 +24,20 @@ namespace {
 constexpr double kWindowFactor = 5.0;  // Sokal's c: truncation bias e^-c, 0.7 %, for an exponential decay
 constexpr double kLongEnough = 50.0;   // history in autocorrelation times for tau to be known to about 30 %
 
-/// Sums of products of the deviations at lags 0 to max_lag, by the fast Fourier transform, padded against wrapping.
-std::vector<double> autocovariance_sums(std::span<const double> samples, std::size_t max_lag) {
-  const std::size_t n = samples.size();
+std::size_t total_size(const Pieces& pieces) {
+  std::size_t n = 0;
+  for (const auto piece : pieces) n += piece.size();
+  return n;
+}
+
+/// Adds a piece's sums of products of deviations from `mean` at lags 0, 1, ... to `sums`, by the fast Fourier
+/// transform, padded against wrapping.
+void add_products(std::span<const double> piece, double mean, std::vector<double>& sums) {
+  const std::size_t n = piece.size(), max_lag = std::min(sums.size(), n) - 1;
   std::size_t padded = 1;
   while (padded < n + max_lag + 1) padded *= 2;
-  const double mean = gsl_stats_mean(samples.data(), 1, n);
   std::vector<double> work(padded, 0.0);
-  for (std::size_t i = 0; i < n; ++i) work[i] = samples[i] - mean;
+  for (std::size_t i = 0; i < n; ++i) work[i] = piece[i] - mean;
 
   check_gsl(gsl_fft_real_radix2_transform(work.data(), 1, padded), "autocorrelation");
   // Half-complex order: real part of frequency k at k, imaginary part at padded - k.
@@ -37,40 +48,66 @@ std::vector<double> autocovariance_sums(std::span<const double> samples, std::si
     work[padded - k] = 0.0;
   }
   check_gsl(gsl_fft_halfcomplex_radix2_inverse(work.data(), 1, padded), "autocorrelation");
-  work.resize(max_lag + 1);
-  return work;
+  for (std::size_t k = 0; k <= max_lag; ++k) sums[k] += work[k];
 }
 
-double central_skewness(std::span<const double> samples, double mean) {
-  double m2 = 0.0, m3 = 0.0;
-  for (const double x : samples) {
-    const double d = x - mean;
-    m2 += d * d;
-    m3 += d * d * d;
+double mean_of(const Pieces& pieces) {
+  double sum = 0.0;
+  for (const auto piece : pieces) {
+    sum += static_cast<double>(piece.size()) * gsl_stats_mean(piece.data(), 1, piece.size());
   }
-  const double n = static_cast<double>(samples.size());
-  return m2 > 0.0 ? (m3 / n) / std::pow(m2 / n, 1.5) : 0.0;
+  return sum / static_cast<double>(total_size(pieces));
+}
+
+/// How many pairs of samples `lag` apart one piece of n samples has more than these pieces, as a factor.
+double missing_pairs(const Pieces& pieces, std::size_t lag) {
+  std::size_t pairs = 0;
+  for (const auto piece : pieces) pairs += piece.size() > lag ? piece.size() - lag : 0;
+  return static_cast<double>(total_size(pieces) - lag) / static_cast<double>(pairs);
 }
 
 }  // namespace
 
 std::vector<double> autocorrelation(std::span<const double> samples, std::size_t max_lag) {
-  BRASH_EXPECTS(samples.size() >= 2 && max_lag < samples.size(), samples.size(), max_lag);
-  BRASH_EXPECTS(all_finite(samples));
+  return autocorrelation(Pieces{samples}, max_lag);
+}
+
+std::vector<double> autocorrelation(const Pieces& pieces, std::size_t max_lag) {
+  BRASH_EXPECTS(total_size(pieces) >= 2, total_size(pieces));
+  std::size_t longest = 0;
+  double low = pieces.front()[0], high = low;
+  for (const auto piece : pieces) {
+    BRASH_EXPECTS(!piece.empty() && all_finite(piece));
+    longest = std::max(longest, piece.size());
+    const auto [least, largest] = std::ranges::minmax(piece);
+    low = std::min(low, least);
+    high = std::max(high, largest);
+  }
+  BRASH_EXPECTS(max_lag < longest, longest, max_lag);
   quiet_gsl();
   std::vector<double> rho(max_lag + 1, 0.0);
-  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
   rho[0] = 1.0;
-  if (*low == *high) return rho;
-  const std::vector<double> sums = autocovariance_sums(samples, max_lag);
-  for (std::size_t k = 1; k <= max_lag; ++k) rho[k] = sums[k] / sums[0];
+  if (low == high) return rho;
+  std::vector<double> sums(max_lag + 1, 0.0);
+  const double mean = mean_of(pieces);
+  for (const auto piece : pieces) add_products(piece, mean, sums);
+  for (std::size_t k = 1; k <= max_lag; ++k) {
+    rho[k] = sums[k] / sums[0];
+    if (pieces.size() > 1) rho[k] *= missing_pairs(pieces, k);
+  }
   return rho;
 }
 
 AutocorrelationTime autocorrelation_time(std::span<const double> samples, double dt) {
+  return autocorrelation_time(Pieces{samples}, dt);
+}
+
+AutocorrelationTime autocorrelation_time(const Pieces& pieces, double dt) {
   BRASH_EXPECTS(dt > 0.0, dt);
-  const std::size_t n = samples.size();
-  const std::vector<double> rho = autocorrelation(samples, n / 2);
+  BRASH_EXPECTS(!pieces.empty());
+  const std::size_t n = total_size(pieces);
+  const auto longest = std::ranges::max(pieces, {}, [](const auto piece) { return piece.size(); }).size();
+  const std::vector<double> rho = autocorrelation(pieces, std::min(n / 2, longest - 1));
   AutocorrelationTime result;
   double tau = 0.5;
   for (std::size_t window = 1; window < rho.size(); ++window) {
@@ -88,26 +125,29 @@ AutocorrelationTime autocorrelation_time(std::span<const double> samples, double
 }
 
 Summary summarise(std::span<const double> samples, double dt) {
-  const AutocorrelationTime correlation = autocorrelation_time(samples, dt);
-  const std::size_t n = samples.size();
+  const std::vector<double> weights(samples.size(), dt);
+  return summarise_weighted(samples, weights, autocorrelation_time(samples, dt));
+}
+
+Summary summarise_weighted(std::span<const double> samples, std::span<const double> weights,
+                           const AutocorrelationTime& correlation) {
+  quiet_gsl();
+  const Moments m = moments(samples, weights);
+  const std::vector<double> q = quantiles(samples, weights, std::array{0.50, 0.95, 0.99});
   Summary summary;
-  summary.n = n;
-  summary.mean = gsl_stats_mean(samples.data(), 1, n);
-  summary.standard_deviation = gsl_stats_sd_m(samples.data(), 1, n, summary.mean);
-  summary.skewness = central_skewness(samples, summary.mean);
+  summary.n = m.n;
+  summary.mean = m.mean;
+  summary.standard_deviation = std::sqrt(m.variance);
+  summary.minimum = m.minimum;
+  summary.maximum = m.maximum;
+  summary.skewness = m.skewness;
+  summary.quantile_50 = q[0];
+  summary.quantile_95 = q[1];
+  summary.quantile_99 = q[2];
 
-  std::vector<double> sorted(samples.begin(), samples.end());
-  std::sort(sorted.begin(), sorted.end());
-  const auto quantile = [&](double f) { return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, n, f); };
-  summary.minimum = sorted.front();
-  summary.maximum = sorted.back();
-  summary.quantile_50 = quantile(0.50);
-  summary.quantile_95 = quantile(0.95);
-  summary.quantile_99 = quantile(0.99);
-
-  const double duration = static_cast<double>(n) * dt;
+  const double n = static_cast<double>(m.n), duration = std::accumulate(weights.begin(), weights.end(), 0.0);
   summary.autocorrelation_time = correlation.tau;
-  summary.effective_sample_size = std::clamp(duration / (2.0 * correlation.tau), 1.0, static_cast<double>(n));
+  summary.effective_sample_size = std::clamp(duration / (2.0 * correlation.tau), 1.0, n);
   summary.long_enough = correlation.converged && duration >= kLongEnough * correlation.tau;
   const double freedom = std::max(1.0, summary.effective_sample_size - 1.0);
   const double half_width =

@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(the_superposition_is_the_plate_at_a_solved_geometry_for_eve
   const double l_c = characteristic_length(ice());
   std::vector<meta_model::ProfileSample> samples;
   for (int i = 0; i < 12; ++i) {
-    const meta_model::Geometry g{0.2 + 0.1 * (i % 4), 0.1 + 0.05 * (i % 3), 0.6 + 0.1 * (i % 5)};
+    const meta_model::Geometry g{0.2 + 0.1 * (i % 4), 0.1 + 0.05 * (i % 3), 0.6 + 0.1 * (i % 5), 0.33 / l_c};
     const auto unit =
         plate::solve({.depth = g.b_lc, .contact_length = g.c_lc, .angle = g.theta, .thickness = 0.33 / l_c});
     BOOST_REQUIRE(unit);
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(the_superposition_is_the_plate_at_a_solved_geometry_for_eve
   }
   const ModelFile folder;
   const std::string file = folder.folder / "profiles.json";
-  meta_model::ProfileModel::fit(samples, 0.33 / l_c, "none").write(file);
+  meta_model::ProfileModel::fit(samples, "none").write(file);
   const auto superposition = make_criterion("superposition", file, ice()), plate = make_criterion("plate", "", ice());
   for (const double mu1 : {0.3, 1.5}) {
     const meta_model::Geometry& g = samples[7].geometry;

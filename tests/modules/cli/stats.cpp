@@ -51,6 +51,14 @@ std::string complaint(const std::string& text, const HistoryChoice& choice = {})
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// An evenly sampled history without a file.
+LoadHistory every(double dt, const std::vector<double>& samples) {
+  LoadHistory load{"Fx", {{}, samples}, {}, 0};
+  for (std::size_t i = 0; i < samples.size(); ++i) load.history.times.push_back(dt * static_cast<double>(i));
+  load.even = statistics::make_even(load.history);
+  return load;
+}
+
 io::Case validation_cone() { return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml"); }
 
 }  // namespace
@@ -61,12 +69,12 @@ BOOST_AUTO_TEST_CASE(a_named_column_is_read_with_its_times) {
   const TemporaryFile file("# measured\ntime,Fx,Fz\n0.5,1e3,-1\n0.6,2000,-2\r\n0.7,+3000, -3\n\n");
   const LoadHistory first = read_history(file.path(), {});
   BOOST_TEST(first.column == "Fx");
-  BOOST_TEST(first.start == 0.5);
-  BOOST_TEST(first.dt == 0.1, tolerance(1e-12));
-  BOOST_TEST(first.samples == (std::vector<double>{1000, 2000, 3000}), boost::test_tools::per_element());
+  BOOST_TEST(first.history.times.front() == 0.5);
+  BOOST_TEST(first.even.sampling.step == 0.1, tolerance(1e-12));
+  BOOST_TEST(first.history.values == (std::vector<double>{1000, 2000, 3000}), boost::test_tools::per_element());
   HistoryChoice vertical;
   vertical.column = "Fz";
-  BOOST_TEST(read_history(file.path(), vertical).samples == (std::vector<double>{-1, -2, -3}),
+  BOOST_TEST(read_history(file.path(), vertical).history.values == (std::vector<double>{-1, -2, -3}),
              boost::test_tools::per_element());
 }
 
@@ -75,7 +83,7 @@ BOOST_AUTO_TEST_CASE(numbers_without_names_and_other_separators_are_read) {
     const TemporaryFile file(text);
     const LoadHistory history = read_history(file.path(), {});
     BOOST_TEST(history.column == "2");
-    BOOST_TEST(history.samples == (std::vector<double>{5, 6, 7}), boost::test_tools::per_element());
+    BOOST_TEST(history.history.values == (std::vector<double>{5, 6, 7}), boost::test_tools::per_element());
   }
 }
 
@@ -85,8 +93,8 @@ BOOST_AUTO_TEST_CASE(a_single_column_needs_the_step) {
   HistoryChoice choice;
   choice.dt = 0.25;
   const LoadHistory history = read_history(file.path(), choice);
-  BOOST_TEST(history.dt == 0.25);
-  BOOST_TEST(history.samples.size() == 3U);
+  BOOST_TEST(history.even.sampling.step == 0.25);
+  BOOST_TEST(history.history.values.size() == 3U);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_earlier_than_from_is_left_out) {
@@ -96,8 +104,8 @@ BOOST_AUTO_TEST_CASE(what_is_earlier_than_from_is_left_out) {
   for (const double from : {0.03, 0.0299}) {
     choice.from = from;
     const LoadHistory history = read_history(file.path(), choice);
-    BOOST_TEST(history.samples == (std::vector<double>{3, 4, 5}), boost::test_tools::per_element());
-    BOOST_TEST(history.start == 0.03);
+    BOOST_TEST(history.history.values == (std::vector<double>{3, 4, 5}), boost::test_tools::per_element());
+    BOOST_TEST(history.history.times.front() == 0.03);
   }
   choice.from = 0.05;
   BOOST_CHECK_THROW(read_history(file.path(), choice), InputError);
@@ -120,18 +128,48 @@ BOOST_AUTO_TEST_CASE(the_loads_of_a_run_are_read_from_its_netcdf_file_as_from_it
     choice.column = column;
     const LoadHistory table = read_history(folder + "/history.csv", choice);
     const LoadHistory run = read_history(folder + "/run.nc", choice);
-    BOOST_TEST(run.samples == table.samples, boost::test_tools::per_element());
-    BOOST_TEST(run.start == table.start);
-    BOOST_TEST(run.dt == table.dt);
+    BOOST_TEST(run.history.values == table.history.values, boost::test_tools::per_element());
+    BOOST_TEST(run.history.times == table.history.times, boost::test_tools::per_element());
+    BOOST_TEST(run.even.sampling.even);
   }
+}
+
+BOOST_AUTO_TEST_CASE(times_in_another_unit_become_seconds) {
+  const TemporaryFile file("Time [ms];F\n0;1\n20;2\n40;3\n");
+  const LoadHistory load = read_history(file.path(), {});
+  BOOST_TEST(load.column == "F");
+  BOOST_TEST(load.even.sampling.step == 0.02, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(missing_values_and_missing_rows_make_gaps) {
+  std::string text = "t,F\n";
+  for (int i = 0; i < 100; ++i) {
+    if (i >= 40 && i < 50) continue;  // rows are missing
+    text += std::to_string(0.1 * i) + (i >= 70 && i < 80 ? ",\n" : ",5\n");
+  }
+  const TemporaryFile file(text);
+  const LoadHistory load = read_history(file.path(), {});
+  BOOST_TEST(load.n_missing == 10U);
+  BOOST_TEST(load.even.sampling.even);
+  BOOST_TEST_REQUIRE(load.even.sampling.gaps.size() == 2U);
+  BOOST_TEST(load.even.sampling.gaps[0].from == 3.9, tolerance(1e-12));
+  BOOST_TEST(load.even.sampling.gaps[1].to == 8.0, tolerance(1e-12));
+  const auto s = statistics_of(load);
+  BOOST_TEST(s["duration"].get<double>() == 8.0, tolerance(1e-12));
+  BOOST_TEST(contains(statistics_text(s), "gaps                 2 (2.2 s together), 10 values missing"));
+  HistoryChoice patient;
+  patient.longest_interval = 2.0;
+  BOOST_TEST(read_history(file.path(), patient).even.sampling.gaps.empty());
 }
 
 BOOST_AUTO_TEST_CASE(bad_files_are_refused_with_the_place) {
   BOOST_TEST(contains(complaint("time,F\n0,1\n1,x\n2,3\n"), "history.csv:3: column 'F': 'x'"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\n1,nan\n2,3\n"), ":3:"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\nnan,2\n2,3\n"), ":3: the time is missing"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\n1,inf\n2,3\n"), ":3:"));
   BOOST_TEST(contains(complaint("time,F\n0,1\n1,2,3\n"), ":3: 3 values in a table of 2"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\n1,2\n3,3\n4,4\n"), ":4:"));  // a sample is missing
-  BOOST_TEST(contains(complaint("time,F\n1,1\n0,2\n"), "must rise"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\n1,2\n1,3\n2,4\n"), ":4: time 1 after 1: the times must rise"));
+  BOOST_TEST(contains(complaint("time [kg],F\n0,1\n1,2\n"), "column 'time [kg]': the times' unit 'kg'"));
+  BOOST_TEST(contains(complaint("time,F\n0,1\n1,nan\n2,NA\n"), "fewer than two values"));
   BOOST_TEST(contains(complaint("time,F\n0,1\n"), "2 are needed"));
   HistoryChoice wrong;
   wrong.column = "Fy";
@@ -144,12 +182,11 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(stats_command)
 
 BOOST_AUTO_TEST_CASE(a_noisy_wave_has_its_mean_frequency_and_peaks) {
-  LoadHistory history{"Fx", 0.0, 0.02, {}};
+  std::vector<double> samples;
   statistics::RandomStream noise(1, "stats", 0, "noise");
-  for (int i = 0; i < 16000; ++i) {
-    history.samples.push_back(100.0 + 30.0 * std::sin(2.0 * kPi * 0.4 * 0.02 * i) + 0.01 * noise.normal());
-  }
-  const auto s = statistics_of(history, 3600.0);
+  for (int i = 0; i < 16000; ++i)
+    samples.push_back(100.0 + 30.0 * std::sin(2.0 * kPi * 0.4 * 0.02 * i) + 0.01 * noise.normal());
+  const auto s = statistics_of(every(0.02, samples));
   BOOST_TEST(s["duration"].get<double>() == 320.0, tolerance(1e-12));
   // 128 whole periods: the sine leaves the noise's error, 0.01 / sqrt(16000), times 4.
   BOOST_CHECK_SMALL(s["mean"].get<double>() - 100.0, 4e-4);
@@ -162,8 +199,7 @@ BOOST_AUTO_TEST_CASE(a_noisy_wave_has_its_mean_frequency_and_peaks) {
 }
 
 BOOST_AUTO_TEST_CASE(a_short_history_says_what_it_cannot_tell) {
-  const LoadHistory history{"Fx", 0.0, 0.1, {1.0, 3.0, 2.0, 5.0}};
-  const auto s = statistics_of(history, 3600.0);
+  const auto s = statistics_of(every(0.1, {1.0, 3.0, 2.0, 5.0}));
   BOOST_TEST(s["spectrum_peak"].is_null());
   BOOST_TEST(s["extremes"].contains("not_fitted"));
   BOOST_TEST(!s["long_enough"].get<bool>());

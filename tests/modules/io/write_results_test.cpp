@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "sample_results.hpp"
 #include "scratch.hpp"

@@ -5,45 +5,13 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/simulation/run.hpp"
-#include "energy_ledger.hpp"
+#include "pool.hpp"
 
 namespace {
 
 using namespace brash;
 using namespace brash::simulation;
-
-const std::string kValidation = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
-
-/// Floes of the validation case, without sheet and structure.
-struct Pool {
-  explicit Pool(std::vector<std::string> overrides = {})
-      : resolved(io::read_case(kValidation, overrides)),
-        world({.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}),
-        floes(resolved) {}
-
-  BodyId add(Vec2 lower, Vec2 upper, const Twist& twist) {
-    const std::vector<Vec2> ring{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
-    BOOST_REQUIRE(floes.add(world, {geometry::ring(ring), {}}, 0.0).has_value());
-    const BodyId body = world.floes().back();
-    world.set_state(body, world.pose(body), twist);
-    return body;
-  }
-
-  /// Energies after a step of `dt`. The floes are not newborn.
-  io::LoadRow step(double dt) {
-    floes.apply_water(world, dt);
-    world.step(dt);
-    ledger.book_step(world, floes, floes.next_id(), dt);
-    io::LoadRow row;
-    ledger.report(world, floes, row);
-    return row;
-  }
-
-  io::Case resolved;
-  rigid_body::World world;
-  FloePopulation floes;
-  EnergyLedger ledger;
-};
+using namespace brash::simulation::testing;
 
 BOOST_AUTO_TEST_CASE(what_a_drifting_floe_loses_is_the_power_of_its_drag) {
   Pool pool;
@@ -117,15 +85,8 @@ BOOST_AUTO_TEST_CASE(no_floe_has_more_energy_than_its_loads_gave_it) {
     place.position += dt * velocity;
     pool.world.move_structure(structure, place, {velocity, {}});
     (void)pool.step(dt);
-    for (const rigid_body::ContactLoad& c : pool.world.contacts()) {
-      const Vec3 force = c.normal_force * c.normal + c.friction_force;
-      given.at(c.body) += dt * dot(force, c.body_velocity);
-      if (c.other != structure) given.at(c.other) -= dt * dot(force, c.other_velocity);
-    }
-    for (const auto& [body, floe] : pool.floes.floes()) {
-      const Twist twist = pool.world.mean_twist(body);
-      for (const Wrench& load : {floe.drag, floe.skin_friction})
-        given.at(body) += dt * (dot(load.force, twist.linear) + dot(load.moment, twist.angular));
+    for (const auto& [body, received] : pool.ledger.received()) {
+      given.at(body) += received;
       worst = std::max(worst, pool.floes.energy(pool.world, body) - given.at(body));
       fastest = std::max(fastest, norm(pool.world.twist(body).linear));
     }

@@ -142,13 +142,12 @@ BOOST_AUTO_TEST_CASE(the_roll_period_is_that_of_the_metacentric_height) {
   BOOST_TEST(roll.period == exact, boost::test_tools::tolerance(0.01));  // asked for: 1 %
 }
 
-BOOST_AUTO_TEST_CASE(roll_decays_by_the_rotational_drag_in_both_half_cycles) {
-  FloatingFloe floe(kLength, kBreadth, ice_and_water({"hydrodynamics.form_drag=0", "hydrodynamics.skin_friction=0"}));
+/// Roll from `start` against V3: the largest deviation of 39 turning points and the loss of the first cycle.
+void check_roll_decay(const io::Case& resolved, double moment_per_square, double tolerance, const char* law) {
+  FloatingFloe floe(kLength, kBreadth, resolved);
   const double start = 0.01;
   floe.place(0.0, start);
-  const double l_avg = (kLength + kBreadth + floe.h()) / 3.0;
-  const double wetted = kLength * kBreadth + 2.0 * (kLength + kBreadth) * floe.draft();
-  const double beta = 0.5 * floe.ice.water.density * l_avg * l_avg * l_avg * wetted / floe.inertia().inertia.x;
+  const double beta = moment_per_square / floe.inertia().inertia.x;
   const Oscillation roll = oscillate(
       floe, [&] { return floe.roll(); }, 0.001, 40);
   double amplitude = start, worst = 0.0;
@@ -156,10 +155,31 @@ BOOST_AUTO_TEST_CASE(roll_decays_by_the_rotational_drag_in_both_half_cycles) {
     amplitude = next_turn(beta, amplitude);
     worst = std::max(worst, relative_error(std::abs(roll.turns[i]), amplitude));
   }
-  BOOST_TEST_MESSAGE("roll decay: " << roll.turns.size() - 1 << " turning points within " << worst
+  BOOST_TEST_MESSAGE("roll decay, " << law << ": " << roll.turns.size() - 1 << " turning points within " << worst
                                     << ", first cycle lost " << 1.0 - roll.turns[2] / start);
+  BOOST_TEST(worst < tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(roll_decays_by_the_rotational_drag_in_both_half_cycles) {
+  const io::Case resolved =
+      ice_and_water({"hydrodynamics.drag=paper", "hydrodynamics.form_drag=0", "hydrodynamics.skin_friction=0"});
+  const FloatingFloe floe(kLength, kBreadth, resolved);
+  const double l_avg = (kLength + kBreadth + floe.h()) / 3.0;
+  const double wetted = kLength * kBreadth + 2.0 * (kLength + kBreadth) * floe.draft();
   // 1 % is asked for; first order: w dt = 0.005 of the loss of a half cycle, 25 % at first and falling.
-  BOOST_TEST(worst < 2e-3);
+  check_roll_decay(resolved, 0.5 * resolved.water.density * l_avg * l_avg * l_avg * wetted, 2e-3, "Eq. 14");
+}
+
+BOOST_AUTO_TEST_CASE(roll_decays_by_the_drag_on_the_leading_half_of_bottom_and_sides) {
+  const io::Case resolved = ice_and_water({"hydrodynamics.skin_friction=0"});
+  const FloatingFloe floe(kLength, kBreadth, resolved);
+  // V6: from the axis of roll the sides are b/2 away, the bottom h/2 down and the waterline w up.
+  const double y = 0.5 * kBreadth, z = 0.5 * floe.h(), w = floe.draft() - z;
+  const auto strip = [](double along, double off) {  // integral of s (s^2 + off^2) from 0 to `along`
+    return 0.25 * std::pow(along, 4) + 0.5 * along * along * off * off;
+  };
+  const double sum = kLength * (strip(y, z) + strip(z, y) + strip(w, y));
+  check_roll_decay(resolved, 0.5 * resolved.water.density * sum, 1e-3, "on the surface");
 }
 
 BOOST_AUTO_TEST_CASE(a_floe_held_under_water_rises_as_tanh_to_its_terminal_velocity) {
@@ -184,12 +204,10 @@ BOOST_AUTO_TEST_CASE(a_floe_held_under_water_rises_as_tanh_to_its_terminal_veloc
     BOOST_TEST_MESSAGE("rise: terminal " << last << " m/s, exact " << terminal << ", off by "
                                          << relative_error(last, terminal) << " at dt = " << dt
                                          << "; on the way within " << worst);
-    // The step's mean drag (H8) is that of a floe which drag alone slows down; where lift holds the speed up it is
-    // dt / (2 rise time) too fast. At 1 ms that is within the 1e-3 asked for. 1 - tanh(8) = 2e-7.
-    const double excess = 0.5 * dt / rise_time;
-    BOOST_TEST(last == terminal * (1.0 + excess), boost::test_tools::tolerance(20.0 * excess * excess + 1e-6));
-    BOOST_TEST(worst < 1.5 * excess);
-    if (dt <= 0.001) BOOST_TEST(last == terminal, boost::test_tools::tolerance(1e-3));
+    // 1e-3 is asked for. A steady velocity comes out as it is, 1 - tanh(8) = 2e-7; on the way the error is second
+    // order.
+    BOOST_TEST(last == terminal, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(worst < 1.0 * std::pow(dt / rise_time, 2) + 1e-6);
   }
 }
 
@@ -209,9 +227,25 @@ BOOST_AUTO_TEST_CASE(a_current_takes_a_floe_along_by_the_closed_form_of_quadrati
     worst = std::max(worst, std::abs(floe.world.twist(floe.body).linear.x - exact) / 0.5);
   }
   BOOST_TEST_MESSAGE("drift: within " << worst << " of the current over 60 s");
-  // The drag acts 20 mm below the centre of mass: the floe pitches by 1e-4 rad or so. The rest is skin friction, which
-  // takes an explicit step of rate dt = 4e-4.
-  BOOST_TEST(worst < 2e-4);
+  // The drag acts 20 mm below the centre of mass: 111 N against 160 kN m / rad, so the floe pitches to 1.4e-5 rad and
+  // swings to twice that, where the bottom shows the current 3.4e-4 m2 beside the 0.87 m2 of the front.
+  BOOST_TEST(worst < 4e-4);
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_that_rises_against_the_underside_of_the_sheet_has_no_form_drag_there) {
+  for (const auto& [shading, gap, share] : {std::tuple{"true", 0.01, 0.0}, {"true", 1.0, 1.0}, {"false", 0.01, 1.0}}) {
+    FloatingFloe floe(kLength, kBreadth, ice_and_water({std::string("hydrodynamics.shading=") + shading}));
+    const double top = -2.0;
+    // The sheet is in two parts, as its tiles are: their joint is no gap.
+    for (const auto& [from, to] : {std::pair{-5.0, 0.3}, {0.3, 5.0}})
+      floe.world.add_sheet_part(std::vector<Vec2>{{from, -5}, {to, -5}, {to, 5}, {from, 5}}, top + gap,
+                                top + gap + 1.0);
+    const double speed = 0.5, dt = 1e-6;  // short, so that the velocity does not change
+    floe.place(top - 0.5 * floe.h() - floe.rest, 0.0, {{0.0, 0.0, speed}, {}});
+    floe.step(dt);
+    const double free = 0.5 * floe.ice.water.density * kLength * kBreadth * speed * speed;
+    BOOST_TEST(std::abs(floe.floes.floes().at(floe.body).drag.force.z + share * free) < 1e-5 * free);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(without_drag_a_floe_that_rolls_over_keeps_its_energy) {

@@ -71,7 +71,7 @@ struct Assessment {
   bool fails = false;            ///< sigma_max > sigma_f
   double sigma_max = 0.0;        ///< largest principal stress [Pa]
   double breaking_length = 0.0;  ///< l_break [m]
-  bool below_range = false;      ///< an input was clamped up to the model's range
+  bool below_range = false;      ///< an input was clamped up to the model's range, or h / l_c lies outside it
   bool above_range = false;      ///< an input exceeds the model's range (and was clamped down)
   bool outline_refused = false;  ///< the outline could not be meshed; the answer is that of the trapezoid
 };
@@ -89,7 +89,9 @@ class BendingCriterion {
 /// The criterion named `model`:
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
 ///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
-/// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h.
+/// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h,
+/// but
+///   for the h / l_c of the shear flexibility, which is moved into the model's range.
 /// - `plate`: the floating plate solved for each load case (about a third of a second each). Where the superposition
 ///   that comes with the program says less than half of the strength, its answer is taken instead.
 /// - `plate-outline`: the same on the load's outline, simplified to min(0.02 l_c, c/4); where it cannot be meshed, or
@@ -105,7 +107,7 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
 /// The model file that `make_criterion(model, file, ...)` reads; empty when that model reads none.
 ///
 /// With an empty `file` it is `cone_<model>.json` in the folder that the environment variable BRASH_MODEL_PATH names,
-/// else in the folder of the build.
+/// else with the sources for a program in the build tree and in share/brash/models for an installed one.
 std::string model_path(const std::string& model, const std::string& file);
 
 }  // namespace brash::failure

@@ -53,8 +53,4 @@ Progress build(const Plan& plan, const std::string& path, const std::function<bo
 /// @throws InputError naming the file and what is wrong.
 Database read_database(const std::string& path);
 
-/// SHA-256 of a file's bytes as 64 hexadecimal digits.
-/// @throws InputError when it cannot be read.
-std::string file_sha256(const std::string& path);
-
 }  // namespace brash::database

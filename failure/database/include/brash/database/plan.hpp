@@ -8,9 +8,9 @@
 
 namespace brash::database {
 
-/// How a coordinate u in [0, 1] of the design becomes a value: evenly, evenly in the logarithm, or as u^2 (dense
-/// below).
-enum class Spacing { kLinear, kLogarithmic, kQuadratic };
+/// How a coordinate u in [0, 1] of the design becomes a value: evenly, evenly in the logarithm, as u^2 (dense below),
+/// or evenly in ln(b + c/2), the scale on which the fields near a contact of length c change (the depth only).
+enum class Spacing { kLinear, kLogarithmic, kQuadratic, kByContact };
 
 /// Range of one input.
 struct Axis {
@@ -22,6 +22,7 @@ struct Axis {
 /// A design of experiments over the inputs of Eq. 17.
 struct Plan {
   int geometries = 0;         ///< number of (b, c, theta, h) points, each solved once
+  int first = 0;              ///< number of its first point in the sequence: designs that do not overlap share no point
   int rows_per_geometry = 8;  ///< (mu1, mu2) points on each, by superposition
   double edge_share = 0.06;   ///< part of each axis that is folded onto its two ends, so that the ends are sampled
   Axis b_lc;                  ///< b / l_c [-]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,11 +11,12 @@
 
 namespace brash::meta_model {
 
-/// The inputs that linear theory leaves when mu1, mu2 and h are superposed exactly.
+/// The inputs that linear theory leaves when mu1 and mu2 are superposed exactly.
 struct Geometry {
   double b_lc = 0.0;   ///< b / l_c [-]
   double c_lc = 0.0;   ///< c / l_c [-]
   double theta = 0.0;  ///< [rad]
+  double h_lc = 0.0;   ///< h / l_c [-]; shear depends on it
 };
 
 /// The unit fields on the centre line that symmetry leaves; shape=(n_stations,) each, as in plate::UnitProfiles.
@@ -35,16 +36,16 @@ struct ProfileSample {
 /// Interpolates unit profiles between solved geometries.
 ///
 /// Profiles are resampled on stations that follow the geometry (the base line x = b is always a station, so its kink
-/// stays in place), written in their principal modes, and the modes' coefficients are interpolated by cubic radial
-/// basis functions with a linear part over the geometric features of Network. It passes through the solved geometries
-/// up to the modes that are left out.
+/// stays in place), divided by what a beam of the width over which the load has spread would have, and written in their
+/// principal modes; the modes' coefficients are interpolated by fifth powers of distances with a quadratic part,
+/// bending and membrane each over the features that it depends on. The model passes through the solved geometries up to
+/// the modes that are left out.
 /// @see docs/theory/meta-model.md
 class ProfileModel {
  public:
   /// Builds the model from solved geometries; at least 10.
   /// @throws InputError when there are too few.
-  static ProfileModel fit(std::span<const ProfileSample> samples, double thickness_over_lc,
-                          const std::string& data_sha256);
+  static ProfileModel fit(std::span<const ProfileSample> samples, const std::string& data_sha256);
   /// @throws InputError naming file, place and what is wrong.
   static ProfileModel read(const std::string& path);
   /// Writes the model file (JSON) by rename when whole and returns its content hash.
@@ -59,8 +60,9 @@ class ProfileModel {
 
   RangeCheck check(const Geometry& geometry) const;
   Geometry clamp(const Geometry& geometry) const;
-  /// h / l_c of the solved plates [-]; only the shear flexibility depends on it.
-  double thickness_over_lc() const;
+  /// `{lower, upper}`.
+  const std::array<Geometry, 2>& range() const;
+  /// Of bending and membrane together.
   int n_modes() const;
 
  private:

@@ -21,6 +21,11 @@ struct WedgePlate {
   double thickness = 0.1;       ///< h / l_c [-]
   double poisson_ratio = 0.3;   ///< nu [-]
   Theory theory = Theory::kReissnerMindlin;
+  /// N / sqrt(k D) [-] of the in-plane load that also acts on the bent plate (second order); 0: first order.
+  double in_plane_load = 0.0;
+  /// Whether a radial crack from B has split the sheet along the whole centre line: no moments across it. In the plane
+  /// it is closed.
+  bool split = false;
 };
 
 /// How finely the plate is meshed. Sizes are longest element edges.
@@ -57,6 +62,7 @@ struct UnitProfiles {
 /// Why a plate could not be solved.
 struct PlateError {
   std::string what;
+  bool buckled = false;  ///< the in-plane load exceeds the buckling load
 };
 
 /// Solves the floating plate for its three unit loads (one factorisation of each operator, three right-hand sides).
@@ -72,6 +78,7 @@ struct OutlinePlate {
   double thickness = 0.1;       ///< h / l_c [-]
   double poisson_ratio = 0.3;   ///< nu [-]
   Theory theory = Theory::kReissnerMindlin;
+  double in_plane_load = 0.0;  ///< N / sqrt(k D) [-], as in WedgePlate
 };
 
 /// Solves the plate with the given edge for the same three unit loads (along x, y and out of the plane everywhere on

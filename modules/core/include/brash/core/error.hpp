@@ -17,4 +17,10 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file that the system would not write: the run itself is not at fault.
+class StorageError : public RunError {
+ public:
+  using RunError::RunError;
+};
+
 }  // namespace brash

@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
+#include "brash/core/plane.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
 
 namespace brash::hydrodynamics {
 
+/// Where the velocity of Eq. 13 is taken.
+enum class DragLaw {
+  kSurface,  ///< on each element of the wetted surface; rotation is braked by the same law
+  kPaper     ///< at the centre of buoyancy for the whole floe; rotation is braked by Eq. 14
+};
+
 /// The water: free surface at z = 0.
 struct Water {
-  double density = 1025.0;       ///< rho_w [kg/m3]
-  Vec2 current{};                ///< [m/s]
+  double density = 1025.0;  ///< rho_w [kg/m3]
+  Vec2 current{};           ///< [m/s]
+  DragLaw drag_law = DragLaw::kSurface;
   double form_drag = 1.0;        ///< C_d of Eq. 13 [-]
-  double rotational_drag = 1.0;  ///< C_a of Eq. 14 [-]
+  double rotational_drag = 1.0;  ///< C_a of Eq. 14, kPaper only [-]
   double skin_friction = 0.005;  ///< along wetted faces [-]
+  /// Gap to a neighbour at which half of the free stream reaches a face, kSurface only [m]; 0: nothing is shaded.
+  double shading_gap = 0.0;
 };
+
+/// Beyond this multiple of Water::shading_gap a neighbour shades nothing.
+inline constexpr double kShadingReach = 1.5;
 
 /// Volume below the waterplane and its centroid in the world frame.
 struct Displacement {
@@ -34,33 +49,39 @@ struct WaterLoad {
   Wrench skin_friction;  ///< tangential, on wetted faces
 };
 
-/// How a floe yields to drag during a step, so that an explicit step cannot overshoot.
+/// What moves and holds the floe in a step besides the water.
 struct StepInertia {
   double dt = 0.0;              ///< [s]; 0: the drag of this instant
   double mass = 1.0;            ///< with added mass [kg], > 0
   Vec3 inertia{1.0, 1.0, 1.0};  ///< principal moments in the body frame, with added mass [kg m2], > 0
+  double weight = 0.0;          ///< [N]
 };
 
-/// Buoyancy, form drag, rotational drag and skin friction of a floe that moves with `twist`.
+/// Buoyancy, form drag and skin friction of a floe that moves with `twist`.
 ///
+/// DragLaw::kSurface: on each element dA of the wetted surface, with the velocity u relative to the water there,
+///   df_drag = -0.5 C_d rho_w (1 - s) max(0, n . u) u dA     Eq. 13 for the element
+///   df_skin = -0.5 C_f rho_w (1 - s) |u_t| u_t dA           u_t along the element
+/// s is the share of the element's water that neighbours hold: a probe, `shading_gap` out along the normal, that is
+/// deeper in a neighbour than half the gap counts 1, one that is as far out of it 0, linear between.
+///
+/// DragLaw::kPaper: with one velocity for the whole floe,
 ///   f_drag = -0.5 C_d rho_w A_proj U |U|                    (13)
 ///   t_drag = -0.5 C_a rho_w l_avg^3 A_sub Omega |Omega|     (14)
-///   f_skin = -0.5 C_f rho_w A_f u_t |u_t|                   on each wetted face f
+///   f_skin = -0.5 C_f rho_w A_f u_t |u_t|                   on each wetted face f, u_t at its wetted centroid
 ///
 /// U       velocity relative to the water at the centre of buoyancy, where f_drag acts [m/s]
-/// A_proj  wetted outer faces seen along U; faces that look against U are shaded and do not count [m2]
+/// A_proj  wetted outer faces seen along U; faces that look against U do not count [m2]
 /// l_avg   mean of length, breadth and thickness [m]
 /// A_sub   wetted area, without the waterplane [m2]
-/// u_t     velocity relative to the water along face f at the centroid of its wetted part [m/s]
 ///
-/// Quadratic drag in an explicit step of dt overshoots where dt times force exceeds the momentum: a floe of 3 m that
-/// turns at 8 rad/s would turn faster in each step of 0.01 s. With `step` the drag is the mean over a step in which it
-/// acts alone, f / (1 + |f| dt / (m |U|)), exact for v' = -c v |v|; for a turning floe likewise about each principal
-/// axis, where m is the effective mass at the centre of buoyancy. It tends to Eqs. 13 and 14 as dt -> 0.
+/// Either drag is linear in the velocity at a given coefficient. The coefficient is that of the start of the step, the
+/// velocity that at its end, as weight, water and drag alone give it: exact for the decay v' = -c |v| v and for a
+/// steady velocity, and it never reverses a motion.
 ///
-/// Linear in the ring edges; no heap memory for up to 32 of them.
+/// @param neighbours  convex bodies near the floe that may shade it, world frame.
 /// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md.
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
-                     const StepInertia& step = {});
+                     const StepInertia& step = {}, std::span<const Solid> neighbours = {});
 
 }  // namespace brash::hydrodynamics

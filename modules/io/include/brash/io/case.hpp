@@ -63,8 +63,8 @@ struct FieldSection {
 
 /// [failure]
 struct FailureSection {
-  std::string model = "network";  ///< network | superposition | plate | plate-outline | wedge
-  std::string file;               ///< model file, absolute; empty: the model that comes with the program
+  std::string model = "superposition";  ///< network | superposition | plate | plate-outline | wedge
+  std::string file;                     ///< model file, absolute; empty: the model that comes with the program
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
@@ -79,7 +79,6 @@ struct ContactSection {
   std::string area = "surface";  ///< surface | projected (physics: contact area A)
   double margin = 0.005;
   int iterations = 50;
-  int rebuild_interval = 50;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
 
@@ -88,6 +87,9 @@ struct ContactSection {
 
 /// [hydrodynamics]
 struct HydrodynamicsSection {
+  std::string drag = "surface";  ///< surface | paper
+  bool shading = true;
+  double shading_gap = 0.5;  ///< in ice thicknesses
   double form_drag = 1.0;
   double rotational_drag = 1.0;
   double skin_friction = 0.005;

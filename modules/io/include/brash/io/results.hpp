@@ -163,9 +163,16 @@ struct RunResults {
 /// @throws RunError naming the file and the system's reason.
 void write_results(const std::string& directory, const Case& resolved, const RunResults& results);
 
+/// Writes history.csv alone.
+/// @throws StorageError naming the file and the system's reason.
+void write_history(const std::string& directory, const RunResults& results);
+
 /// Reads what write_results wrote into run.nc.
 /// @throws InputError naming the file and what it lacks.
 RunResults read_results(const std::string& path);
+
+/// The resolved case in a run.nc, as to_toml() wrote it. @throws InputError likewise.
+std::string read_case_of(const std::string& path);
 
 /// What can differ between two runs of one case without being a difference of the run.
 struct Volatile {
@@ -184,12 +191,11 @@ struct Volatile {
 void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context);
 
-/// SHA-256 of a file's bytes, 64 hexadecimal digits.
-/// @throws RunError when the file cannot be read.
-std::string sha256_of_file(const std::string& path);
+/// SHA-256 of the program, or of the Python module, that this code runs in.
+std::string sha256_of_program();
 
 /// Writes `text` to `path` by rename when whole; missing folders are made.
-/// @throws RunError naming the file and the system's reason.
+/// @throws StorageError naming the file and the system's reason.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace brash::io

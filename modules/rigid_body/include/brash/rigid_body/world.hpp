@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/core/ids.hpp"
+#include "brash/core/plane.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
 
@@ -26,9 +27,6 @@ struct WorldSettings {
   ContactLaw ice_ice;
   int iterations = 50;              ///< sequential impulses a step, at most
   double collision_margin = 0.005;  ///< [m], > 0; Bullet's hulls are inset by it, so that surfaces meet where they are
-  /// Steps between rebuilds of the broad phase (0: never). Results do not depend on it: everything else is found anew
-  /// from poses and velocities in every step (docs/decisions/0004).
-  int rebuild_interval = 50;
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
@@ -119,6 +117,11 @@ class World {
 
   /// Contacts of the last step, sorted by (body, other, point).
   const std::vector<ContactLoad>& contacts() const;
+
+  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`,
+  /// where they are now; in an order that their places give. The spans hold until the world changes. All floes of a
+  /// world are sought at once, so ask for one reach.
+  void neighbours(BodyId id, double reach, std::vector<Solid>& solids);
 
   BodyKind kind(BodyId id) const;
   bool contains(BodyId id) const;

@@ -78,15 +78,21 @@ struct RunOptions {
 };
 
 /// Runs `resolved` to its end, or to where it is interrupted.
-/// @throws InputError when the checkpoint is of another case. @throws RunError when the ledger does not close.
+/// @throws InputError when the checkpoint is of another case.
+/// @throws RunError when a step fails or is no physics (docs/theory/simulation.md): the step, the reason, and where the
+///         state before it is kept.
 Run run(const io::Case& resolved, const RunOptions& options = {});
+
+/// What is kept of a run: its summary, its load history as well, or all results.
+enum class Kept { kSummary, kHistory, kRun };
 
 /// Writes run.nc, history.csv, events.csv, summary.json and, last, manifest.json into `directory`, made if missing.
 /// @param case_file  path of the case as given, hashed into the manifest like the failure model's file.
 /// @param pictures   names of files already in `directory` that belong to the run.
+/// @param kept       which of the results to write; summary.json and manifest.json always.
 /// @throws RunError naming the file and the system's reason.
 void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
-               const std::vector<std::string>& pictures = {});
+               const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
 
 /// The summary as JSON, SI units.
 std::string to_json(const RunSummary& summary);

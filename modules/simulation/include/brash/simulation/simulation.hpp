@@ -55,6 +55,7 @@ class Simulation {
   ~Simulation();
 
   /// Advances by one time step.
+  /// @throws RunError when what comes out can be no physics; the simulation is then of no further use.
   [[nodiscard]] StepReport step();
 
   /// All that the next step depends on; `results` is left to the caller.

@@ -21,8 +21,8 @@ struct TestResult {
 TestResult kendall(std::span<const double> x, std::span<const double> y);
 
 /// Jonckheere and Terpstra's test whether groups of values rise in the given order, e.g. mean loads of replicates at
-/// rising cone angles. Statistic: the standardised J (positive when rising); two-sided p, normal, with the variance for
-/// ties.
+/// rising cone angles. Statistic: the standardised J (positive when rising); two-sided p: exact without ties for up to
+/// 5000 pairs of values of different groups, else normal with the variance for ties.
 ///
 /// @param groups  at least two, not empty, in the order that is tested.
 TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups);
@@ -43,6 +43,30 @@ MeanComparison compare_means(std::span<const double> a, std::span<const double> 
 
 /// Two correlated histories: their effective sample sizes take the place of the counts.
 MeanComparison compare_means(const Summary& a, const Summary& b, double confidence = 0.95);
+
+/// Ratio of two positive quantities with its interval, and the test that it is one.
+struct RatioComparison {
+  double ratio = 1.0;  ///< of a over b
+  Interval interval;   ///< at the stated confidence
+  TestResult test;     ///< t of the logarithm, two-sided
+};
+
+/// Ratio of the means of two correlated histories, both positive. Its logarithm is taken as Student's with the relative
+/// errors of both, Welch's degrees of freedom and the effective sample sizes in place of the counts.
+RatioComparison compare_ratio(const Summary& a, const Summary& b, double confidence = 0.95);
+
+/// Ratio of the deviations of two correlated histories: the root of the ratio of the mean squared deviations, whose
+/// errors follow from their own effective sample sizes.
+///
+/// @param squares_a, squares_b  summaries of the squared deviations from the mean; their means are positive.
+RatioComparison compare_deviations(const Summary& squares_a, const Summary& squares_b, double confidence = 0.95);
+
+/// Kolmogorov and Smirnov's test that two independent samples have one distribution. Statistic: the largest distance
+/// of the two shares; exact p without ties, too large with them.
+///
+/// @param a, b  not empty; time grows as the product of the counts. Samples of a history are independent when they are
+///              two autocorrelation times apart.
+TestResult kolmogorov_smirnov(std::span<const double> a, std::span<const double> b);
 
 /// Mann and Whitney's test that neither sample tends to larger values; statistic U of `a`; two-sided, normal with
 /// correction for ties and continuity.

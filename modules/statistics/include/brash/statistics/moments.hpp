@@ -21,6 +21,12 @@ struct Moments {
 /// @param samples  shape=(n,), n >= 2, finite.
 Moments moments(std::span<const double> samples);
 
+/// Moments of samples that stand for different times: sums over samples become weighted ones, and the variance keeps
+/// its factor n/(n - 1). Equal weights give the moments above.
+///
+/// @param weights  shape=(n,), > 0.
+Moments moments(std::span<const double> samples, std::span<const double> weights);
+
 /// Counts in bins of equal width.
 struct Histogram {
   std::vector<double> edges;        ///< shape=(n_bins + 1,)

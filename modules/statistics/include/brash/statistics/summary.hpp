@@ -13,6 +13,9 @@ struct Interval {
   double upper = 0.0;
 };
 
+/// A history in pieces between which it is unknown; each evenly sampled, none empty.
+using Pieces = std::vector<std::span<const double>>;
+
 /// Statistics of one evenly sampled load history.
 struct Summary {
   std::size_t n = 0;
@@ -51,6 +54,12 @@ Summary summarise(std::span<const double> samples, double dt);
 /// A constant history has rho_k = 0 for k > 0.
 std::vector<double> autocorrelation(std::span<const double> samples, std::size_t max_lag);
 
+/// The same of a history in pieces, about the mean of all. Products do not straddle pieces; the mean product of the
+/// pairs at lag k is multiplied by (n - k)/n, so that one piece gives the estimate above.
+///
+/// @param max_lag  less than the length of the longest piece.
+std::vector<double> autocorrelation(const Pieces& pieces, std::size_t max_lag);
+
 /// Integrated autocorrelation time with Sokal's automatic window: the first W with W >= 5 tau(W) / dt, and Wolff's
 /// correction for the mean being estimated from the same samples.
 ///
@@ -58,5 +67,6 @@ std::vector<double> autocorrelation(std::span<const double> samples, std::size_t
 ///
 /// @see A. Sokal, Monte Carlo methods in statistical mechanics, 1997; U. Wolff, Comput. Phys. Commun. 156 (2004) 143.
 AutocorrelationTime autocorrelation_time(std::span<const double> samples, double dt);
+AutocorrelationTime autocorrelation_time(const Pieces& pieces, double dt);
 
 }  // namespace brash::statistics

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the experiments that are campaigns share: running a plan, collecting its numbers, recording and checking them.
+
+An experiment is a folder with `plan.toml`, `run.py`, `recorded.csv` (one row a case), `closed_forms.csv` (one row a
+setting) and `quick.csv` (what the tests compare with).
+"""
+import argparse
+import csv
+import json
+import math
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from scipy import stats
+
+ROOT = Path(__file__).resolve().parents[1]
+LOWEST, HIGHEST, HIGH = 0.5, 20.0, 2.0  # Hz, band of the mean frequency; from where on frequencies count as high
+SEGMENT = 2.0  # s, of the spectra
+QUICK_SEEDS = 8  # recorded for the quick mode
+
+
+def arguments(description):
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--brash", type=Path, default=ROOT / "build" / "release" / "bin" / "brash")
+    parser.add_argument("-o", "--output", type=Path, help="folder of the campaign [results/<experiment>]")
+    parser.add_argument("--jobs", type=int, help="workers [one a core]")
+    parser.add_argument("--quick", action="store_true", help="the plan's small variant, compared with quick.csv")
+    parser.add_argument("--record", action="store_true", help="also rewrite the recorded numbers and pictures")
+    return parser
+
+
+# Running and collecting.
+
+def campaign(brash, plan, output, quick=False, jobs=None, overrides=()):
+    command = [brash, "campaign", plan, "-o", output]
+    command += ["--quick"] * quick + (["--jobs", str(jobs)] if jobs else [])
+    command += ["--resume"] * output.exists()
+    for override in overrides:
+        command += ["--set", override]
+    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
+
+
+def read_rows(path):
+    """Rows of a CSV file, numbers as floats; cases that failed are left out."""
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+    return [row for row in rows if row.get("status", "done") == "done"]
+
+
+def write_rows(path, rows):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def spectrum(brash, history, start, segment=SEGMENT):
+    """Frequency and density [N2/Hz] of the horizontal force by `brash stats`, and the other statistics."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "spectrum.csv"
+        done = subprocess.run([str(brash), "stats", str(history), "--column", "Fx", "--from", str(start), "--segment",
+                               str(segment), "--spectrum", str(file), "--json"], check=True, capture_output=True)
+        rows = read_rows(file)
+    return np.array([r["frequency"] for r in rows]), np.array([r["density"] for r in rows]), json.loads(done.stdout)
+
+
+def content_of(frequency, density):
+    """Mean frequency of the spectrum in its band [Hz], and deviation from frequencies above HIGH [N]."""
+    band = (frequency >= LOWEST) & (frequency <= HIGHEST)
+    high = frequency >= HIGH
+    return {"mean_frequency": float((frequency * density)[band].sum() / density[band].sum()),
+            "high_frequency_deviation": math.sqrt(density[high].sum() * frequency[1])}
+
+
+def collect(brash, output):
+    """Rows of campaign.csv with what the spectrum of each case's horizontal force adds."""
+    rows = read_rows(output / "campaign.csv")
+    for row in rows:
+        folder = output / "cases" / row["case"]
+        start = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["statistics_from"]
+        frequency, density, _ = spectrum(brash, folder / "history.csv", start)
+        row.update(content_of(frequency, density))
+    return rows
+
+
+def closed_forms(brash, output, keys):
+    """Closed-form peaks of every setting: one row a setting, horizontal and vertical in N."""
+    rows = []
+    for setting in json.loads((output / "summary.json").read_text(encoding="utf-8"))["settings"]:
+        case = output / "settings" / f"{setting['case']}.toml"
+        done = subprocess.run([str(brash), "loads", str(case), "--json"], check=True, capture_output=True)
+        row = {"setting": setting["setting"], **{key: setting["values"][key] for key in keys}}
+        for load in json.loads(done.stdout)["loads"]:
+            for name, words in NAMES.items():
+                if all(word in load["method"] + load["source"] for word in words):
+                    row[f"{name}.horizontal"], row[f"{name}.vertical"] = load.get("horizontal"), load.get("vertical")
+        rows.append(row)
+    return rows
+
+
+# What identifies a closed form in the answer of `brash loads`.
+NAMES = {"croasdale": ("Croasdale",), "ralston_tresca": ("Ralston", "Tresca"),
+         "ralston_johansen": ("Ralston", "Johansen")}
+
+
+# Numbers.
+
+def mean_interval(values, confidence=0.95):
+    """Mean and half-width of Student's interval."""
+    values = np.asarray(values, dtype=float)
+    half = stats.t.ppf(0.5 + 0.5 * confidence, len(values) - 1) * values.std(ddof=1) / math.sqrt(len(values))
+    return values.mean(), half
+
+
+def groups(rows, key, column, **fixed):
+    """{value of key: values of column}, in rising order, of the rows in which the other keys are as given."""
+    result = {}
+    for row in rows:
+        if all(math.isclose(row[name.replace("__", ".")], value, rel_tol=1e-9) for name, value in fixed.items()):
+            result.setdefault(row[key], []).append(row[column])
+    return dict(sorted(result.items()))
+
+
+def print_table(rows, columns):
+    """Mean and 95 % interval over the replicates of each setting, forces in kN."""
+    settings = dict.fromkeys(row["setting"] for row in rows)
+    print(f"{'setting':28s} n  " + "".join(f"{name:>34s}" for name in columns))
+    for setting in settings:
+        chosen = [row for row in rows if row["setting"] == setting]
+        cells = []
+        for column in columns:
+            unit = 1.0 if "frequency" in column and "deviation" not in column else 1e3
+            values = [row[column] / unit for row in chosen]
+            mean, half = mean_interval(values) if len(values) > 1 else (values[0], math.nan)
+            cells.append(f"{mean:14.2f} [{mean - half:7.2f}, {mean + half:7.2f}]")
+        print(f"{setting:28s}{len(chosen):3d} " + "".join(f"{cell:>34s}" for cell in cells))
+
+
+# The quick mode: two settings, a few seconds.
+
+QUICK_COLUMNS = ["mean_whole_history.horizontal", "mean_whole_history.vertical"]
+QUICK_DEVIATIONS = 4.0  # one case on another machine is another replicate: a last digit changes the order of breaks
+
+
+def check_quick(rows, recorded):
+    """Lines that say what is outside four recorded deviations; empty when all is well."""
+    wrong = []
+    for row in rows:
+        known = [r for r in recorded if r["setting"] == row["setting"]]
+        if not known:
+            wrong.append(f"{row['setting']}: nothing recorded")
+        for r in known:
+            if abs(row[r["column"]] - r["mean"]) > QUICK_DEVIATIONS * r["deviation"]:
+                wrong.append(f"{row['setting']}: {r['column']} is {row[r['column']]:.0f}, recorded {r['mean']:.0f} with a "
+                             f"deviation between replicates of {r['deviation']:.0f}")
+    return wrong
+
+
+def record_quick(brash, folder, output):
+    rows = []
+    for seed in range(1, QUICK_SEEDS + 1):
+        part = output / f"seed-{seed}"
+        campaign(brash, folder / "plan.toml", part, quick=True, overrides=[f"random.seed={seed}"])
+        rows += read_rows(part / "campaign.csv")
+    recorded = []
+    for setting in dict.fromkeys(row["setting"] for row in rows):
+        for column in QUICK_COLUMNS:
+            values = np.array([row[column] for row in rows if row["setting"] == setting])
+            recorded.append({"setting": setting, "column": column, "mean": round(values.mean(), 1),
+                             "deviation": round(values.std(ddof=1), 1)})
+    write_rows(folder / "quick.csv", recorded)
+
+
+def quick(options, folder, output):
+    """Runs the small variant of the plan; 0 when it is within the recorded deviations."""
+    campaign(options.brash, folder / "plan.toml", output, quick=True, jobs=options.jobs)
+    rows = read_rows(output / "campaign.csv")
+    wrong = check_quick(rows, read_rows(folder / "quick.csv"))
+    print("\n".join(wrong) or f"{len(rows)} cases within {QUICK_DEVIATIONS:g} recorded deviations")
+    return 1 if wrong else 0
+
+
+def main(folder, keys, columns, draw, description):
+    """Runs an experiment from its command line; `draw(rows, closed, output)` makes its pictures there and names them."""
+    options = arguments(description).parse_args()
+    name = folder.name + ("-quick" if options.quick else "")
+    output = options.output or Path("results") / name
+    if options.quick and options.record:
+        record_quick(options.brash, folder, output)
+        return 0
+    if options.quick:
+        return quick(options, folder, output)
+    campaign(options.brash, folder / "plan.toml", output, jobs=options.jobs)
+    rows, closed = collect(options.brash, output), closed_forms(options.brash, output, keys)
+    print_table(rows, columns)
+    target = folder if options.record else output
+    if options.record:
+        write_rows(folder / "recorded.csv", rows)
+        write_rows(folder / "closed_forms.csv", closed)
+    draw(rows, closed, output, target)
+    print(f"pictures in {target}")
+    return 0

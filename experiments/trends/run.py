@@ -1,0 +1,187 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record]
+
+Reads recorded.csv of the experiments beside this one and runs nothing but `brash trend`. The claims, and what would
+confirm or refute them, are those of README.md. p-values are adjusted together by Holm's method.
+"""
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+from scipy import stats
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import study
+
+ALPHA = 0.05
+LITTLE = 0.25  # a load that changes by less than this over a whole range changes "little"
+NEARLY = 0.10  # "nearly independent"
+PAPER_RATIO = 0.491
+ANGLE, SPEED, WIDTH, THICKNESS = "structure.angle", "structure.speed", "structure.waterline_width", "ice.thickness"
+FORCE, VERTICAL, FREQUENCY = "horizontal.mean", "vertical.mean", "mean_frequency"
+
+
+def recorded(experiment):
+    return HERE.parent / experiment / "recorded.csv"
+
+
+def contrast(groups, weights):
+    """Weighted sum of the means of independent samples: value, error, Welch's degrees of freedom."""
+    parts = np.array([w * w * np.var(g, ddof=1) / len(g) for w, g in zip(weights, groups)])
+    value = sum(w * np.mean(g) for w, g in zip(weights, groups))
+    freedom = parts.sum() ** 2 / sum(p * p / (len(g) - 1) for p, g in zip(parts, groups))
+    return value, math.sqrt(parts.sum()), freedom
+
+
+def log_ratio(a, b):
+    """ln(mean a / mean b): value, error, degrees of freedom."""
+    value = math.log(np.mean(a) / np.mean(b))
+    _, error, freedom = contrast([np.array(a) / np.mean(a), np.array(b) / np.mean(b)], [1.0, -1.0])
+    return value, error, freedom
+
+
+def interval(value, error, freedom, confidence=0.95):
+    half = stats.t.ppf(0.5 + 0.5 * confidence, freedom) * error
+    return value - half, value + half
+
+
+class Claim:
+    """A trend with its p-value and what the value would mean if it is significant."""
+
+    def __init__(self, experiment, text, p, effect, holds):
+        self.experiment, self.text, self.p, self.effect, self.holds = experiment, text, p, effect, holds
+
+    def verdict(self, adjusted):
+        return "undecided" if adjusted >= ALPHA else "confirmed" if self.holds else "refuted"
+
+
+def change_text(a, b):
+    """Last over first, as a change in per cent with its interval."""
+    low, high = (math.expm1(x) * 100 for x in interval(*log_ratio(b, a)))
+    return f"{(np.mean(b) / np.mean(a) - 1) * 100:+.0f} % ({low:+.0f} to {high:+.0f})"
+
+
+def monotone(brash, experiment, text, along, of, where="", rises=True):
+    """Jonckheere and Terpstra's test by the program; refuted when the opposite is significant."""
+    command = [str(brash), "trend", str(recorded(experiment)), "--along", along, "--of", of, "--json"]
+    command += ["--where", where] * bool(where)
+    trend = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)["trends"][0]
+    test = trend["jonckheere_terpstra"]
+    speed = float(where.rsplit("-", 1)[1]) if "speed" in where else None
+    rows = study.read_rows(recorded(experiment))
+    values = study.groups([r for r in rows if speed is None or r[SPEED] == speed], along, of)
+    groups = list(values.values())
+    return Claim(experiment, text, test["p"], change_text(groups[0], groups[-1]), (test["z"] > 0) == rises)
+
+
+def flat(experiment, text, groups, margin):
+    """Two one-sided tests that last over first is within the margin; refuted when it is outside of it."""
+    value, error, freedom = log_ratio(groups[-1], groups[0])
+    low, high = math.log1p(-margin), math.log1p(margin)
+    inside = max(stats.t.sf((value - low) / error, freedom), stats.t.sf((high - value) / error, freedom))
+    outside = min(1.0, 2 * min(stats.t.sf((low - value) / error, freedom), stats.t.sf((value - high) / error, freedom)))
+    holds = inside <= outside
+    return Claim(experiment, text, min(inside, outside), change_text(groups[0], groups[-1]), holds)
+
+
+def steepens(experiment, text, groups, knee):
+    """Is the slope beyond the knee above the one before it? Welch's t on the difference of slopes, two-sided."""
+    x = list(groups)
+    at = min(range(len(x)), key=lambda i: abs(x[i] - knee))
+    after, before = x[-1] - x[at], x[at] - x[0]
+    chosen = [groups[x[0]], groups[x[at]], groups[x[-1]]]
+    value, error, freedom = contrast(chosen, [1 / before, -1 / before - 1 / after, 1 / after])
+    low, high = (np.mean(chosen[1]) - np.mean(chosen[0])) / before, (np.mean(chosen[2]) - np.mean(chosen[1])) / after
+    return Claim(experiment, text, 2 * stats.t.sf(abs(value / error), freedom),
+                 f"slope after / before {high / low:.2f}", value > 0)
+
+
+def stronger(experiment, text, strong, weak):
+    """Is the relative rise of one row above that of another? Each is (first, last); two-sided."""
+    a, b = log_ratio(strong[1], strong[0]), log_ratio(weak[1], weak[0])
+    value, error = a[0] - b[0], math.hypot(a[1], b[1])
+    freedom = error**4 / (a[1] ** 4 / a[2] + b[1] ** 4 / b[2])
+    return Claim(experiment, text, 2 * stats.t.sf(abs(value / error), freedom),
+                 f"rises by {math.exp(a[0]):.2f} against {math.exp(b[0]):.2f}", value > 0)
+
+
+def claims(brash):
+    """The list of README.md."""
+    grid = study.read_rows(recorded("angle_velocity"))
+    speeds = study.read_rows(recorded("velocity"))
+    angles = study.read_rows(recorded("cone_angle"))
+    widths = study.read_rows(recorded("waterline_width"))
+    thicknesses = study.read_rows(recorded("thickness"))
+
+    def of_angle(degrees):
+        return list(study.groups(grid, SPEED, FORCE, structure__angle=math.radians(degrees)).values())
+
+    def at_speed(speed):
+        return list(study.groups(grid, ANGLE, FORCE, structure__speed=speed).values())
+
+    at_61 = list(study.groups(speeds, SPEED, FORCE).values())
+    ends = {50: of_angle(50), 55: of_angle(55), 61.4: at_61, 65: of_angle(65), 70: of_angle(70)}
+    rise = {angle: (group[0], group[-1]) for angle, group in ends.items()}
+    return [
+        monotone(brash, "cone_angle", "the mean rises with the cone angle", ANGLE, FORCE),
+        steepens("cone_angle", "and faster at large angles", study.groups(angles, ANGLE, FORCE), math.radians(61.4)),
+        monotone(brash, "cone_angle", "larger angles have higher frequencies", ANGLE, FREQUENCY),
+        monotone(brash, "velocity", "the mean rises with the speed", SPEED, FORCE),
+        monotone(brash, "velocity", "higher speeds have higher frequencies", SPEED, FREQUENCY),
+        flat("angle_velocity", f"at 50 deg the speed has little influence (< {LITTLE:.0%})", ends[50], LITTLE),
+        monotone(brash, "angle_velocity", "at 65 deg the mean rises with the speed", SPEED, FORCE, "angle-65deg_*"),
+        monotone(brash, "angle_velocity", "at 70 deg the mean rises with the speed", SPEED, FORCE, "angle-70deg_*"),
+        stronger("angle_velocity", "the speed acts more at 61.4 than at 50 deg", rise[61.4], rise[50]),
+        stronger("angle_velocity", "the speed acts more at 70 than at 50 deg", rise[70], rise[50]),
+        flat("angle_velocity", f"at 0.5 m/s the angle has little influence (< {LITTLE:.0%})", at_speed(0.5), LITTLE),
+        monotone(brash, "angle_velocity", "at 2.0 m/s the mean rises with the angle", ANGLE, FORCE, "*_speed-2.0"),
+        flat("waterline_width", f"the horizontal mean is nearly independent of the width (< {NEARLY:.0%})",
+             list(study.groups(widths, WIDTH, FORCE).values()), NEARLY),
+        monotone(brash, "waterline_width", "the vertical mean rises with the width", WIDTH, VERTICAL),
+        monotone(brash, "thickness", "the mean rises with the thickness", THICKNESS, FORCE),
+        steepens("thickness", "and sharply at 0.5 m", study.groups(thicknesses, THICKNESS, FORCE), 0.4),
+        monotone(brash, "thickness", "thicker ice has larger fluctuations", THICKNESS, "horizontal.standard_deviation"),
+    ]
+
+
+def holm(p):
+    """As brash::statistics::holm."""
+    order = np.argsort(p, kind="stable")
+    adjusted = np.empty(len(p))
+    adjusted[order] = np.maximum.accumulate(np.minimum(1.0, np.asarray(p)[order] * np.arange(len(p), 0, -1)))
+    return adjusted
+
+
+def ratio_text():
+    rows = study.read_rows(recorded("angle_velocity"))
+    groups = list(study.groups(rows, ANGLE, FORCE, structure__speed=2.0).values())
+    value, error, freedom = log_ratio(groups[0], groups[-1])
+    low, high = (math.exp(x) for x in interval(value, error, freedom))
+    excluded = "excluded" if not low <= PAPER_RATIO <= high else "not excluded"
+    return (f"50 deg over 70 deg at 2.0 m/s: {math.exp(value):.3f} (95 % interval {low:.3f} to {high:.3f}); "
+            f"the paper's {PAPER_RATIO} is {excluded}.")
+
+
+def main():
+    parser = study.arguments(__doc__)
+    options = parser.parse_args()
+    listed = claims(options.brash)
+    adjusted = holm([claim.p for claim in listed])
+    lines = ["| experiment | claim | verdict | last against first | p | p after Holm |", "|---|---|---|---|---|---|"]
+    for claim, p in zip(listed, adjusted):
+        lines.append(f"| {claim.experiment} | {claim.text} | **{claim.verdict(p)}** | {claim.effect} | {claim.p:.2g} "
+                     f"| {p:.2g} |")
+    text = "\n".join(lines) + "\n\n" + ratio_text() + "\n"
+    print(text)
+    if options.record:
+        (HERE / "trends.md").write_text(text, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,26 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Influence of the waterline width (the paper's Fig. 16).
+
+run.py                  the campaign, its table and pictures in results/waterline_width
+run.py --record         also rewrites the recorded numbers and pictures here
+run.py --quick          what the tests run: two settings, compared with quick.csv
+"""
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import figures
+import study
+
+KEY = "structure.waterline_width"
+
+
+def draw(rows, closed, output, folder):
+    figures.mean_figure(rows, closed, KEY, folder, "means")
+    figures.history_figure(rows, KEY, output, folder, "histories")
+
+
+if __name__ == "__main__":
+    sys.exit(study.main(HERE, [KEY], ["horizontal.mean", "vertical.mean", "mean_frequency"], draw, __doc__))

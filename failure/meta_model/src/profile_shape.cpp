@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "profile_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brash::meta_model {
+namespace {
+
+/// Stations cluster at the tip to this share of c, and before and behind the base line to these shares of the half
+/// width there, but not to more than the last over l_c.
+constexpr double kTipShare = 0.15;
+constexpr double kBeforeShare = 0.3;
+constexpr double kBehindShare = 0.2;
+constexpr double kWidestCluster = 2.0;
+/// The in-plane load spreads over 3 times the distance from the base line: about pi / 2 to each side.
+constexpr double kSpread = 3.0;
+/// Keeps the logarithm of the depth finite; about the thickness, below which profiles hardly depend on it.
+constexpr double kDepthShift = 0.1;
+
+double slope_of_side(const Geometry& g) { return std::tan(0.5 * g.theta); }
+double base_width(const Geometry& g) { return g.c_lc + 2.0 * g.b_lc * slope_of_side(g); }
+
+/// From the tip to just before the base line: evenly in ln((1 + x / tip) / (1 - x / end)).
+void add_stations_before(const Geometry& g, std::vector<double>& stations) {
+  const double tip = kTipShare * g.c_lc / (1.0 + slope_of_side(g));
+  const double end = g.b_lc + kBeforeShare * 0.5 * base_width(g);
+  const double most = std::log((1.0 + g.b_lc / tip) / (1.0 - g.b_lc / end));
+  for (int i = 0; i < kStationsBefore; ++i) {
+    const double ratio = std::exp(most * i / kStationsBefore);
+    stations.push_back(end * (ratio - 1.0) / (ratio + end / tip));
+  }
+}
+
+/// From the base line to the end: evenly in ln(1 + (x - b) / cluster).
+void add_stations_behind(const Geometry& g, double reach, std::vector<double>& stations) {
+  const double cluster = kBehindShare * std::min(0.5 * base_width(g), kWidestCluster);
+  for (int i = 0; i < kStationsBehind; ++i) {
+    stations.push_back(g.b_lc + cluster * (std::pow(1.0 + reach / cluster, i / (kStationsBehind - 1.0)) - 1.0));
+  }
+}
+
+}  // namespace
+
+ProfileShape shape_of(const Geometry& g, double reach) {
+  ProfileShape shape;
+  add_stations_before(g, shape.station);
+  add_stations_behind(g, reach, shape.station);
+  for (const double x : shape.station) {
+    // A beam of the width over which the load has spread: stress c / width, moment that times the lever.
+    const double width = g.c_lc + 2.0 * std::min(x, g.b_lc) * slope_of_side(g) + kSpread * std::max(x - g.b_lc, 0.0);
+    const double lever = x + 0.3 * width;
+    shape.membrane.push_back(width / g.c_lc);
+    shape.bending.push_back(30.0 * width / g.c_lc / (1.0 + 20.0 * lever));
+  }
+  return shape;
+}
+
+Eigen::VectorXd bending_features(const Geometry& g) {
+  return Eigen::Vector<double, 5>(std::log(g.b_lc + kDepthShift), std::log(g.c_lc), std::log(base_width(g) / g.c_lc),
+                                  std::log1p(2.0 * g.b_lc / g.c_lc), std::log(g.h_lc));
+}
+
+Eigen::VectorXd membrane_features(const Geometry& g) {
+  return Eigen::Vector3d(std::log(g.c_lc), std::log(base_width(g) / g.c_lc), std::log1p(2.0 * g.b_lc / g.c_lc));
+}
+
+}  // namespace brash::meta_model

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "brash/meta_model/profile_model.hpp"
+
+namespace brash::meta_model {
+
+/// Stations from the tip to the base line and from there to the end.
+inline constexpr int kStationsBefore = 50;
+inline constexpr int kStationsBehind = 80;
+inline constexpr int kProfileStations = kStationsBefore + kStationsBehind;
+
+/// How the fields on the centre line of one geometry are written, so that they change little between geometries.
+struct ProfileShape {
+  std::vector<double> station;   ///< follow the geometry, the base line x = b among them; shape=(kProfileStations,)
+  std::vector<double> bending;   ///< what moments are multiplied with at each station
+  std::vector<double> membrane;  ///< the same for membrane stresses
+};
+
+/// @param reach  of the stations beyond the base line over l_c.
+ProfileShape shape_of(const Geometry& geometry, double reach);
+
+/// What bending depends on: the three lengths, the ratios between them, and h through shear.
+Eigen::VectorXd bending_features(const Geometry& geometry);
+/// What the membrane depends on: the ratios alone, and c in so far as it says where the stations lie.
+Eigen::VectorXd membrane_features(const Geometry& geometry);
+
+}  // namespace brash::meta_model

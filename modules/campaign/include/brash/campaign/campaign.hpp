@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "brash/campaign/slurm.hpp"
+#include "brash/io/campaign_plan.hpp"
+
+namespace brash::campaign {
+
+/// The numbers that the summary of a run has, by their names in campaign.csv.
+const std::vector<std::string>& known_columns();
+
+/// How far a campaign is. With a stop rule `n_cases` grows until each setting has enough.
+struct Counts {
+  int n_cases = 0;
+  int n_done = 0;
+  int n_failed = 0;
+
+  int n_missing() const { return n_cases - n_done - n_failed; }
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+/// Counts the cases of `plan` in `directory`, which need not exist.
+Counts count(const io::CampaignPlan& plan, const std::string& directory);
+
+/// A campaign in its folder.
+struct Campaign {
+  io::CampaignPlan plan;
+  std::string plan_file;  ///< as given, hashed into the manifest
+  std::string directory;
+  bool resume = false;  ///< goes on with the cases that `directory` holds; without it there may be none
+  std::string program;  ///< path of the `brash` command, whose `campaign-case` runs one case
+};
+
+/// Told now and then how far a campaign is, and how many cases are running.
+using Progress = std::function<void(const Counts&, std::size_t n_running)>;
+
+/// Runs what is missing in `n_workers` processes on this machine; when none is missing, writes campaign.csv,
+/// campaign.nc, summary.json and manifest.json. Done cases are left alone.
+///
+/// @return the counts; cases are missing when it was interrupted or a case was killed from outside.
+/// @throws InputError when another process works in the folder, or it holds another campaign. @throws RunError when the
+///         system refuses a file or a process.
+Counts run_local(const Campaign& campaign, int n_workers, const Progress& progress = {});
+
+/// Submits what is missing to Slurm, with a collector that calls this again; when none is missing, writes the tables.
+///
+/// @param slurm  `folder`, `name` and `program` are set here.
+/// @return the counts at submission.
+/// @throws as run_local and submit do.
+Counts run_slurm(const Campaign& campaign, SlurmOptions slurm);
+
+/// The folder of what concerns Slurm in the folder of a campaign.
+std::string slurm_folder(const std::string& directory);
+
+/// How a case ends for the process that runs it.
+enum class CaseEnd {
+  kDone,
+  kInterrupted,  ///< a checkpoint is kept; or another process is at the case
+};
+
+/// One case, in this process.
+struct CaseTask {
+  std::string case_file;  ///< of its setting
+  int replicate = 0;
+  std::string folder;  ///< of its results; until they are whole, `folder`.part
+  std::string keep;    ///< summary | history | run
+};
+
+/// Runs a case, from its newest checkpoint where there is one.
+/// @throws what the simulation throws when the case fails by itself. @throws StorageError when the system refuses a
+/// file.
+CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted);
+
+}  // namespace brash::campaign

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "brash/campaign/campaign.hpp"
+#include "brash/core/error.hpp"
+#include "brash/io/checkpoint.hpp"
+#include "brash/simulation/run.hpp"
+#include "folder_lock.hpp"
+
+namespace brash::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How long a case waits for an earlier process that still writes its checkpoint [s].
+constexpr double kPatience = 10.0;
+
+simulation::Kept kept(const std::string& keep) {
+  if (keep == "summary") return simulation::Kept::kSummary;
+  return keep == "history" ? simulation::Kept::kHistory : simulation::Kept::kRun;
+}
+
+/// Removes a checkpoint that cannot be gone on from: the case begins again.
+void remove_if_damaged(const std::string& checkpoint) {
+  if (!fs::exists(checkpoint)) return;
+  try {
+    io::read_checkpoint(checkpoint);
+  } catch (const InputError&) {
+    fs::remove(checkpoint);
+  }
+}
+
+/// Gives the whole results their final name; what another process published before stays.
+void publish(const std::string& partial, const std::string& folder) {
+  std::error_code reason;
+  fs::rename(partial, folder, reason);
+  if (!reason) {
+    // Not earlier: nobody may take a lock of a folder that is about to get its name.
+    fs::remove(folder + "/lock");
+  } else if (fs::exists(folder + "/summary.json")) {
+    fs::remove_all(partial);
+  } else {
+    throw StorageError(fmt::format("{}: cannot be renamed: {}", partial, reason.message()));
+  }
+}
+
+}  // namespace
+
+CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted) {
+  const std::string partial = task.folder + ".part";
+  std::error_code reason;
+  fs::create_directories(partial, reason);
+  if (reason) throw StorageError(fmt::format("{}: cannot be made: {}", partial, reason.message()));
+  const std::optional<FolderLock> lock = FolderLock::take(partial + "/lock", kPatience);
+  if (!lock) return CaseEnd::kInterrupted;
+  if (fs::exists(task.folder + "/summary.json")) {
+    fs::remove_all(partial);
+    return CaseEnd::kDone;
+  }
+
+  const io::Case resolved = io::read_case(task.case_file, {fmt::format("random.replicate={}", task.replicate)});
+  const std::string checkpoint = partial + "/checkpoint.nc";
+  remove_if_damaged(checkpoint);
+  const simulation::Run run = simulation::run(
+      resolved, {.observer = {}, .checkpoint_file = checkpoint, .resume = true, .interrupted = interrupted});
+  if (!run.complete) return CaseEnd::kInterrupted;
+  simulation::write_run(partial, task.case_file, resolved, run, {}, kept(task.keep));
+  for (const char* const leftover : {"checkpoint.nc", "messages.txt"}) fs::remove(partial + "/" + leftover);
+  publish(partial, task.folder);
+  return CaseEnd::kDone;
+}
+
+}  // namespace brash::campaign

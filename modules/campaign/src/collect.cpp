@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collect.hpp"
+
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "brash/core/sha256.hpp"
+#include "brash/core/version.hpp"
+#include "brash/io/results.hpp"
+#include "brash/io/table.hpp"
+#include "brash/statistics/intervals.hpp"
+#include "brash/statistics/moments.hpp"
+#include "columns.hpp"
+
+namespace brash::campaign {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// One case with its numbers, in the order of the plan's columns.
+struct Row {
+  CaseKey key;
+  bool failed = false;
+  std::vector<double> values;
+};
+
+std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, const Schedule& schedule) {
+  std::vector<Row> rows;
+  for (const auto& [key, state] : schedule.cases()) {
+    Row row{key, state == CaseState::kFailed, std::vector<double>(plan.columns.size(), kMissing)};
+    if (!row.failed) {
+      const std::string path = folder.case_folder(key) + "/summary.json";
+      const auto numbers = columns_of(path, read_text(path));
+      for (std::size_t i = 0; i < plan.columns.size(); ++i)
+        if (const auto found = numbers.find(plan.columns[i]); found != numbers.end()) row.values[i] = found->second;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// A cell of a CSV file: quoted where it has to be.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv(const io::CampaignPlan& plan, const Folder& folder, const std::vector<Row>& rows) {
+  std::string text = "case,setting,replicate,status";
+  for (const io::VariedKey& key : plan.keys) text += ',' + key.name;
+  for (const std::string& column : plan.columns) text += ',' + column;
+  text += '\n';
+  for (const Row& row : rows) {
+    const io::Setting& setting = plan.settings[row.key.setting];
+    text +=
+        fmt::format("{},{},{},{}", folder.id(row.key), setting.name, row.key.replicate, row.failed ? "failed" : "done");
+    for (const io::SettingValue& value : setting.values) text += ',' + cell(value.text);
+    for (const double value : row.values) text += std::isnan(value) ? "," : fmt::format(",{}", value);
+    text += '\n';
+  }
+  return text;
+}
+
+io::Table table(const io::CampaignPlan& plan, const std::vector<Row>& rows) {
+  io::Table all{.dimension = "case",
+                .attributes = {{"Conventions", "CF-1.8"},
+                               {"title", "brash campaign"},
+                               {"source", std::string("brash ") + kVersion},
+                               {"comment", "One entry a case; loads in load axes, SI units."}},
+                .indices = {{"setting", "setting", {}, {}},
+                            {"replicate", "replicate", {}, {}},
+                            {"status", "how the case ended", {}, {"done", "failed"}}},
+                .columns = {}};
+  for (const io::Setting& setting : plan.settings) all.indices[0].flags.push_back(setting.name);
+  for (const Row& row : rows) {
+    all.indices[0].values.push_back(static_cast<std::int32_t>(row.key.setting));
+    all.indices[1].values.push_back(row.key.replicate);
+    all.indices[2].values.push_back(row.failed ? 1 : 0);
+  }
+  for (std::size_t k = 0; k < plan.keys.size(); ++k) {
+    io::TableColumn column{plan.keys[k].name, plan.keys[k].unit, "varied by the grid", {}};
+    for (const Row& row : rows)
+      column.values.push_back(plan.settings[row.key.setting].values[k].number.value_or(kMissing));
+    all.columns.push_back(std::move(column));
+  }
+  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+    io::TableColumn column{plan.columns[c], "", "of the summary of each run, SI", {}};
+    for (const Row& row : rows) column.values.push_back(row.values[c]);
+    all.columns.push_back(std::move(column));
+  }
+  return all;
+}
+
+/// Mean of one column over the replicates of a setting.
+Json statistic(const std::vector<double>& values) {
+  Json out{{"n", values.size()}, {"mean", nullptr}, {"standard_deviation", nullptr}, {"mean_95", nullptr}};
+  if (values.size() == 1) out["mean"] = values.front();
+  if (values.size() < 2) return out;
+  const statistics::Moments moments = statistics::moments(values);
+  const statistics::Interval interval = statistics::mean_interval(values);
+  out["mean"] = moments.mean;
+  out["standard_deviation"] = std::sqrt(moments.variance);
+  out["mean_95"] = {interval.lower, interval.upper};
+  return out;
+}
+
+Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const std::vector<Row>& rows,
+                     const Schedule& schedule) {
+  const io::Setting& s = plan.settings[setting];
+  Json out{{"setting", s.name}, {"case", s.resolved.name}, {"values", Json::object()}};
+  for (std::size_t k = 0; k < plan.keys.size(); ++k) {
+    const io::SettingValue& value = s.values[k];
+    out["values"][plan.keys[k].name] = value.number ? Json(*value.number) : Json(value.text);
+  }
+  std::vector<std::vector<double>> by_column(plan.columns.size());
+  int n_failed = 0;
+  int n_done = 0;
+  for (const Row& row : rows) {
+    if (row.key.setting != setting) continue;
+    ++(row.failed ? n_failed : n_done);
+    for (std::size_t c = 0; c < plan.columns.size(); ++c)
+      if (std::isfinite(row.values[c])) by_column[c].push_back(row.values[c]);
+  }
+  out["n_done"] = n_done;
+  out["n_failed"] = n_failed;
+  out["stopped_by"] = !plan.stop ? "replicates" : schedule.is_narrow_enough(setting) ? "half_width" : "most_replicates";
+  for (std::size_t c = 0; c < plan.columns.size(); ++c) out["statistics"][plan.columns[c]] = statistic(by_column[c]);
+  return out;
+}
+
+std::string summary(const io::CampaignPlan& plan, const std::vector<Row>& rows, const Schedule& schedule) {
+  const Counts counts = schedule.counts();
+  Json out{{"format", "brash-campaign-1"}, {"units", "SI"},
+           {"n_cases", counts.n_cases},    {"n_done", counts.n_done},
+           {"n_failed", counts.n_failed},  {"settings", Json::array()}};
+  for (std::size_t s = 0; s < plan.settings.size(); ++s)
+    out["settings"].push_back(setting_summary(plan, s, rows, schedule));
+  return out.dump(2) + "\n";
+}
+
+/// What made the cases: each combination of program and failure model, and how many cases it made.
+Json makers(const Folder& folder, const std::vector<Row>& rows) {
+  Json all = Json::array();
+  for (const Row& row : rows) {
+    if (row.failed) continue;
+    const Json manifest =
+        Json::parse(read_text(folder.case_folder(row.key) + "/manifest.json"), nullptr, /*allow_exceptions=*/false);
+    Json maker{{"program", manifest.value("program", Json())}, {"model_sha256", nullptr}, {"n_cases", 1}};
+    // The first input is the setting's file, the second the failure model's.
+    if (manifest.contains("inputs") && manifest["inputs"].size() > 1)
+      maker["model_sha256"] = manifest["inputs"][1].value("sha256", Json());
+    const auto same = std::find_if(all.begin(), all.end(), [&](const Json& other) {
+      return other["program"] == maker["program"] && other["model_sha256"] == maker["model_sha256"];
+    });
+    if (same == all.end())
+      all.push_back(std::move(maker));
+    else
+      (*same)["n_cases"] = (*same)["n_cases"].get<int>() + 1;
+  }
+  return all;
+}
+
+void write_campaign_manifest(const Folder& folder, const std::string& plan_file, const std::vector<Row>& rows) {
+  Json manifest{{"format", "brash-campaign-manifest-1"},
+                {"program", {{"name", "brash"}, {"version", kVersion}}},
+                {"glibc", gnu_get_libc_version()},
+                {"plan", {{"path", plan_file}, {"sha256", sha256_of_file(plan_file)}}},
+                {"cases_made_by", makers(folder, rows)},
+                {"outputs", Json::array()}};
+  for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
+  for (const char* const name : {"campaign.csv", "campaign.nc", "summary.json"})
+    manifest["outputs"].push_back({{"path", name}, {"sha256", sha256_of_file(folder.directory() + "/" + name)}});
+  io::write_file(folder.directory() + "/manifest.json",
+                 manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+void collect(const Campaign& campaign, const Folder& folder, const Schedule& schedule) {
+  const io::CampaignPlan& plan = campaign.plan;
+  const std::vector<Row> rows = read_rows(plan, folder, schedule);
+  io::write_file(campaign.directory + "/campaign.csv", csv(plan, folder, rows));
+  io::write_table(campaign.directory + "/campaign.nc", table(plan, rows));
+  io::write_file(campaign.directory + "/summary.json", summary(plan, rows, schedule));
+  write_campaign_manifest(folder, campaign.plan_file, rows);
+}
+
+}  // namespace brash::campaign

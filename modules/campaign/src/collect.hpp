@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brash/campaign/campaign.hpp"
+#include "folder.hpp"
+#include "schedule.hpp"
+
+namespace brash::campaign {
+
+/// Writes the tables and the manifest of a campaign that has no case missing.
+/// @throws RunError naming the file and the reason. @throws InputError when a case's summary cannot be read.
+void collect(const Campaign& campaign, const Folder& folder, const Schedule& schedule);
+
+}  // namespace brash::campaign

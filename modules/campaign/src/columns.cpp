@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "columns.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "brash/campaign/campaign.hpp"
+#include "brash/core/error.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace brash::campaign {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Walks the numbers of a summary in the order of the file.
+class Walk {
+ public:
+  explicit Walk(const Json& summary) : levels_(summary.value("quantile_levels", std::vector<double>())) {
+    visit("", summary);
+  }
+  std::vector<std::pair<std::string, double>> found;
+
+ private:
+  void visit(const std::string& name, const Json& value) {
+    if (value.is_number()) found.emplace_back(name, value.get<double>());
+    if (value.is_boolean()) found.emplace_back(name, value.get<bool>() ? 1.0 : 0.0);
+    if (value.is_object())
+      for (const auto& [key, member] : value.items()) visit(name.empty() ? key : name + "." + key, member);
+    if (!value.is_array() || name == "quantile_levels") return;
+    for (std::size_t i = 0; i < value.size(); ++i) visit(name + "." + item(name, value.size(), i), value[i]);
+  }
+
+  /// How an item of an array is called: the ends of an interval, a quantile by its level, else its number.
+  std::string item(const std::string& name, std::size_t n, std::size_t i) const {
+    if (name.ends_with("_95") && n == 2) return i == 0 ? "lower" : "upper";
+    if (name.ends_with("quantiles") && n == levels_.size()) return fmt::format("{:02.0f}", 100.0 * levels_[i]);
+    return std::to_string(i);
+  }
+
+  std::vector<double> levels_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& known_columns() {
+  static const std::vector<std::string> names = [] {
+    simulation::RunSummary summary;
+    const std::size_t n_levels = Json::parse(simulation::to_json(summary)).at("quantile_levels").size();
+    summary.piece_area_quantiles.resize(n_levels);
+    summary.breaking_length_quantiles.resize(n_levels);
+    std::vector<std::string> all;
+    for (const auto& [name, value] : Walk(Json::parse(simulation::to_json(summary))).found) all.push_back(name);
+    return all;
+  }();
+  return names;
+}
+
+std::map<std::string, double> columns_of(const std::string& path, const std::string& summary) {
+  try {
+    const Walk walk(Json::parse(summary));
+    return {walk.found.begin(), walk.found.end()};
+  } catch (const Json::exception& error) {
+    throw InputError(
+        fmt::format("{}: cannot be read: {}\n  allowed: the summary of a run\n  remedy:  remove its folder; "
+                    "`--resume` runs the case again",
+                    path, error.what()));
+  }
+}
+
+}  // namespace brash::campaign

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace brash::campaign {
+
+/// The numbers of a run's summary (JSON text) by their columns' names.
+/// @throws InputError naming `path` when the text is no JSON.
+std::map<std::string, double> columns_of(const std::string& path, const std::string& summary);
+
+}  // namespace brash::campaign

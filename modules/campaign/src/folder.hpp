@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "brash/campaign/pool.hpp"
+#include "brash/io/campaign_plan.hpp"
+
+namespace brash::campaign {
+
+/// Where a case stands in its campaign.
+struct CaseKey {
+  std::size_t setting = 0;
+  int replicate = 0;
+};
+
+enum class CaseState { kMissing, kDone, kFailed };
+
+/// The folder of a campaign: where everything of it lies.
+class Folder {
+ public:
+  Folder(const io::CampaignPlan& plan, std::string directory) : plan_(plan), directory_(std::move(directory)) {}
+
+  const std::string& directory() const { return directory_; }
+  /// "angle-50deg-r0003"
+  std::string id(const CaseKey& key) const;
+  std::string case_folder(const CaseKey& key) const { return directory_ + "/cases/" + id(key); }
+  std::string failure_record(const CaseKey& key) const { return case_folder(key) + ".failed"; }
+  std::string setting_file(std::size_t setting) const {
+    return directory_ + "/settings/" + plan_.settings[setting].resolved.name + ".toml";
+  }
+  CaseState state(const CaseKey& key) const;
+  /// The number `column` of a done case; nothing when its summary has none.
+  std::optional<double> value(const CaseKey& key, const std::string& column) const;
+
+  /// Makes the folder and its settings.
+  /// @throws InputError when a setting of that name is there already and differs, or when cases are there and `resume`
+  ///         is false.
+  void prepare(bool resume) const;
+  /// The process that runs a case.
+  Job job_of(const CaseKey& key, const std::string& program) const;
+
+ private:
+  const io::CampaignPlan& plan_;
+  std::string directory_;
+};
+
+/// The bytes of a file; "" when it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
+}  // namespace brash::campaign

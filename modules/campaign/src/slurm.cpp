@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/campaign/slurm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "brash/core/error.hpp"
+#include "brash/io/results.hpp"
+#include "folder.hpp"
+#include "subprocess.hpp"
+
+namespace brash::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Rounds without progress after which a collector does not submit again.
+constexpr int kMostIdleRounds = 3;
+/// How long a controller may be away before a command to it has failed [s].
+constexpr int kPatience = 120;
+
+/// Runs what it is given: the words of a command come as arguments, so none of them is read by a shell.
+constexpr const char* kScript = "#!/bin/sh\nexec \"$@\"\n";
+
+/// The number of the Slurm job that this process is part of; "" when it is none.
+std::string own_job() {
+  const char* const job = std::getenv("SLURM_JOB_ID");
+  return job == nullptr ? "" : job;
+}
+
+/// Runs a command of Slurm; waits for a controller that is away.
+Printed ask_slurm(const std::vector<std::string>& command) {
+  for (int waited = 0;; ++waited) {
+    Printed printed = run_command(command);
+    const bool away = printed.code != 0 && (printed.err.find("contact slurm controller") != std::string::npos ||
+                                            printed.err.find("Socket timed out") != std::string::npos);
+    if (!away || waited >= kPatience) return printed;
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+}
+
+std::string trimmed(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+/// Submits a job. @return its number.
+std::string sbatch(const SlurmOptions& options, const std::vector<std::string>& own,
+                   const std::vector<std::string>& command) {
+  std::vector<std::string> all{
+      "sbatch", "--parsable", "--requeue", "--open-mode=append", "--ntasks=1", "--job-name=" + options.name};
+  all.insert(all.end(), own.begin(), own.end());
+  all.insert(all.end(), options.sbatch.begin(), options.sbatch.end());
+  all.push_back(options.folder + "/exec.sh");
+  all.insert(all.end(), command.begin(), command.end());
+  const Printed printed = ask_slurm(all);
+  if (printed.code != 0)
+    throw RunError(
+        fmt::format("sbatch refused: {}\n  remedy:  give it what it misses with --sbatch, as in --sbatch "
+                    "--partition=short",
+                    trimmed(printed.err)));
+  // "number" or "number;cluster"
+  const std::string job = trimmed(printed.out);
+  return job.substr(0, job.find(';'));
+}
+
+/// An option that sends what a job prints into `folder`; % begins Slurm's own patterns.
+std::string output_option(const std::string& folder, const char* pattern) {
+  std::string option = "--output=";
+  for (const char c : folder) option += c == '%' ? "%%" : std::string(1, c);
+  return option + "/" + pattern;
+}
+
+Json json_of(const Job& job) {
+  return {{"command", job.command}, {"messages", job.messages}, {"result", job.result}, {"record", job.record}};
+}
+
+/// The jobs in `n` parts, consecutive ones together, none empty.
+Json parts(const std::vector<Job>& jobs, std::size_t n) {
+  Json all = Json::array();
+  for (std::size_t part = 0; part < n; ++part) {
+    Json list = Json::array();
+    for (std::size_t i = part * jobs.size() / n; i < (part + 1) * jobs.size() / n; ++i)
+      list.push_back(json_of(jobs[i]));
+    all.push_back(std::move(list));
+  }
+  return all;
+}
+
+/// What was submitted so far, oldest first; empty when nothing was.
+Json read_rounds(const std::string& folder) {
+  const Json rounds = Json::parse(read_text(folder + "/submitted.json"), nullptr, /*allow_exceptions=*/false);
+  return rounds.is_array() ? rounds : Json::array();
+}
+
+/// In a collector: how often in a row there was not less to do than before, this time included.
+int idle_rounds(const Json& rounds, std::size_t n_jobs) {
+  if (rounds.empty() || rounds.back().at("collector") != own_job()) return 0;
+  return n_jobs < rounds.back().at("n_jobs").get<std::size_t>() ? 0 : rounds.back().at("idle_rounds").get<int>() + 1;
+}
+
+}  // namespace
+
+SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options) {
+  if (is_in_queue(options.folder))
+    throw InputError(
+        fmt::format("{}: what was submitted from it is still in the queue\n  remedy:  wait until it is over, "
+                    "or `scancel` it",
+                    options.folder));
+  Json rounds = read_rounds(options.folder);
+  const int idle = idle_rounds(rounds, jobs.size());
+  if (idle >= kMostIdleRounds)
+    throw RunError(
+        fmt::format("{} rounds under Slurm ended with as much to do as before; see {}", idle, options.folder));
+
+  io::write_file(options.folder + "/exec.sh", kScript);
+  const std::string list_file = fmt::format("{}/round-{}.json", options.folder, rounds.size() + 1);
+  const std::size_t n_tasks = std::min(jobs.size(), static_cast<std::size_t>(options.n_tasks));
+  io::write_file(list_file, parts(jobs, n_tasks).dump(1) + "\n");
+  SlurmJobs submitted;
+  submitted.array =
+      sbatch(options, {fmt::format("--array=0-{}", n_tasks - 1), output_option(options.folder, "%A_%a.txt")},
+             {options.program, "campaign-chunk", list_file});
+  submitted.collector =
+      sbatch(options, {"--dependency=afterany:" + submitted.array, output_option(options.folder, "%j.txt")},
+             options.collector);
+  rounds.push_back(
+      {{"array", submitted.array}, {"collector", submitted.collector}, {"n_jobs", jobs.size()}, {"idle_rounds", idle}});
+  io::write_file(options.folder + "/submitted.json", rounds.dump(2) + "\n");
+  return submitted;
+}
+
+bool is_in_queue(const std::string& folder) {
+  const Json rounds = read_rounds(folder);
+  if (rounds.empty()) return false;
+  for (const char* const kind : {"array", "collector"}) {
+    const std::string job = rounds.back().at(kind);
+    if (job == own_job()) continue;
+    const Printed printed = ask_slurm({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
+    // The controller forgets old jobs.
+    if (printed.code != 0 && printed.err.find("Invalid job id") != std::string::npos) continue;
+    if (printed.code != 0) throw RunError("squeue cannot tell what is in the queue: " + trimmed(printed.err));
+    if (!trimmed(printed.out).empty()) return true;
+  }
+  return false;
+}
+
+bool run_chunk(const std::string& list_file, std::size_t chunk) {
+  const Json list = Json::parse(read_text(list_file), nullptr, /*allow_exceptions=*/false);
+  if (!list.is_array() || chunk >= list.size())
+    throw InputError(fmt::format("{}: has no part {} of a list of jobs", list_file, chunk));
+  std::vector<Job> jobs;
+  for (const Json& job : list[chunk])
+    jobs.push_back({0, job.at("command"), job.at("messages"), job.at("result"), job.at("record")});
+  return run_jobs(1, jobs);
+}
+
+}  // namespace brash::campaign

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "campaign_commands.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "brash/campaign/campaign.hpp"
+#include "brash/core/error.hpp"
+#include "commands.hpp"
+
+namespace brash::cli {
+namespace {
+
+using campaign::Counts;
+
+struct CampaignOptions {
+  std::string plan_file;
+  std::string directory;
+  std::vector<std::string> overrides;
+  int n_jobs = 0;  ///< 0: not given
+  std::string on = "local";
+  std::vector<std::string> sbatch;
+  bool wait = false;
+  bool status = false;
+  bool resume = false;
+  bool quick = false;
+  bool json = false;
+};
+
+/// The path of this program: it starts itself for each case.
+std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::string counts_text(const Counts& counts) {
+  return fmt::format("{} of {} cases done, {} failed, {} missing", counts.n_done, counts.n_cases, counts.n_failed,
+                     counts.n_missing());
+}
+
+void print_status(const Counts& counts, bool as_json) {
+  if (as_json) {
+    const nlohmann::ordered_json json{{"n_cases", counts.n_cases},
+                                      {"n_done", counts.n_done},
+                                      {"n_failed", counts.n_failed},
+                                      {"n_missing", counts.n_missing()}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\n", counts_text(counts));
+  }
+}
+
+/// A line on a terminal with the time left; silent elsewhere.
+class CampaignProgress {
+ public:
+  ~CampaignProgress() {
+    if (on_terminal_) fmt::print(stderr, "\r\033[K");
+  }
+  void show(const Counts& counts, std::size_t n_running) {
+    if (!on_terminal_) return;
+    using std::chrono::steady_clock;
+    const int finished = counts.n_done + counts.n_failed;
+    if (first_finished_ < 0) first_finished_ = finished;
+    const double wall = std::chrono::duration<double>(steady_clock::now() - start_).count();
+    fmt::print(stderr, "\r\033[K{}, {} running", counts_text(counts), n_running);
+    if (finished > first_finished_)
+      fmt::print(stderr, ", {:.0f} s left", wall * counts.n_missing() / (finished - first_finished_));
+  }
+
+ private:
+  bool on_terminal_ = isatty(STDERR_FILENO) != 0;
+  int first_finished_ = -1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The means of each setting, of the two columns that people look at first.
+std::string means_table(const std::string& summary_file) {
+  const auto summary = nlohmann::ordered_json::parse(std::ifstream(summary_file));
+  std::string text = fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
+  for (const auto& setting : summary.at("settings")) {
+    const std::string name = setting.at("setting");
+    std::string shown = name;
+    for (const char* const column : {"horizontal.mean", "vertical.mean"}) {
+      if (!setting.at("statistics").contains(column)) continue;
+      const auto& statistic = setting.at("statistics").at(column);
+      if (statistic.at("mean").is_null()) continue;
+      text += fmt::format("{:<36} {:>4}  {:<16} {:>12.6g}", shown, statistic.at("n").get<int>(), column,
+                          statistic.at("mean").get<double>());
+      if (const auto& interval = statistic.at("mean_95"); !interval.is_null())
+        text += fmt::format("  [{:.6g}, {:.6g}]", interval[0].get<double>(), interval[1].get<double>());
+      text += '\n';
+      shown.clear();
+    }
+  }
+  return text;
+}
+
+Counts run_here(const campaign::Campaign& campaign, int n_jobs) {
+  CampaignProgress progress;
+  const int n_workers = n_jobs > 0 ? n_jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return campaign::run_local(campaign, n_workers,
+                             [&](const Counts& now, std::size_t n_running) { progress.show(now, n_running); });
+}
+
+/// This command as a collector gives it again.
+std::vector<std::string> collector_command(const campaign::Campaign& campaign, const CampaignOptions& options) {
+  std::vector<std::string> command{campaign.program, "campaign", campaign.plan_file, "-o", campaign.directory,
+                                   "--on",           "slurm",    "--resume"};
+  const auto add = [&](const char* option, const std::string& value) {
+    command.push_back(fmt::format("{}={}", option, value));
+  };
+  if (options.quick) command.push_back("--quick");
+  if (options.n_jobs > 0) add("--jobs", std::to_string(options.n_jobs));
+  for (const std::string& text : options.overrides) add("--set", text);
+  for (const std::string& text : options.sbatch) add("--sbatch", text);
+  return command;
+}
+
+/// Waits until nothing of the campaign is in the queue. @return the counts then.
+Counts wait_for_slurm(const campaign::Campaign& campaign) {
+  CampaignProgress progress;
+  const std::string folder = campaign::slurm_folder(campaign.directory);
+  while (campaign::is_in_queue(folder)) {
+    progress.show(campaign::count(campaign.plan, campaign.directory), 0);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+  return campaign::count(campaign.plan, campaign.directory);
+}
+
+Counts run_under_slurm(campaign::Campaign& campaign, const CampaignOptions& options) {
+  // The jobs run in folders of their own choice.
+  campaign.directory = std::filesystem::absolute(campaign.directory).lexically_normal().string();
+  campaign.plan_file = std::filesystem::absolute(campaign.plan_file).lexically_normal().string();
+  constexpr int kTasks = 100;
+  const Counts counts = campaign::run_slurm(campaign, {.folder = {},
+                                                       .name = {},
+                                                       .program = {},
+                                                       .n_tasks = options.n_jobs > 0 ? options.n_jobs : kTasks,
+                                                       .sbatch = options.sbatch,
+                                                       .collector = collector_command(campaign, options)});
+  return options.wait ? wait_for_slurm(campaign) : counts;
+}
+
+void run_campaign(const CampaignOptions& options) {
+  campaign::Campaign campaign{
+      .plan = io::read_campaign_plan(
+          options.plan_file,
+          {.quick = options.quick, .overrides = options.overrides, .known_columns = campaign::known_columns()}),
+      .plan_file = options.plan_file,
+      .directory = options.directory,
+      .resume = options.resume,
+      .program = this_program()};
+  if (options.status) {
+    print_status(campaign::count(campaign.plan, options.directory), options.json);
+    return;
+  }
+  const bool here = options.on == "local";
+  const Counts counts = here ? run_here(campaign, options.n_jobs) : run_under_slurm(campaign, options);
+  if (counts.n_missing() > 0 && !here && !options.wait) {
+    fmt::print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
+    return;
+  }
+  const std::string summary = campaign.directory + "/summary.json";
+  if (counts.n_missing() > 0 || !std::filesystem::exists(summary))
+    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
+  if (!options.json) fmt::print("{}\n", means_table(summary));
+  print_status(counts, options.json);
+  if (!options.json) fmt::print("results in {}\n", options.directory);
+  if (counts.n_failed > 0)
+    throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
+}
+
+/// Set by a request to end; the case then keeps a checkpoint after its step.
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+void run_one_case(const campaign::CaseTask& task) {
+  // Without the process that started it, nobody would look at its results.
+  const pid_t parent = ::getppid();
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) std::raise(SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt);
+  try {
+    if (campaign::run_case(task, [] { return interrupted != 0; }) == campaign::CaseEnd::kInterrupted)
+      throw Interrupted("interrupted");
+  } catch (const StorageError& error) {
+    throw CaseNotStored(error.what());
+  } catch (const std::bad_alloc&) {
+    throw CaseNotStored(task.folder + ": there is not enough memory for the case\n  remedy:  fewer --jobs at once");
+  }
+}
+
+void add_chunk_command(CLI::App& app) {
+  auto list_file = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("campaign-chunk", "Run the part of a list of jobs that a Slurm task has");
+  command->group("");  // not shown: Slurm's tasks start it
+  command->add_option("list", *list_file)->required();
+  command->callback([list_file] {
+    const char* const task = std::getenv("SLURM_ARRAY_TASK_ID");
+    if (task == nullptr) throw InputError("campaign-chunk: is run by the tasks of a Slurm array");
+    if (!campaign::run_chunk(*list_file, std::stoul(task))) throw Interrupted("interrupted");
+  });
+}
+
+void add_case_command(CLI::App& app) {
+  auto task = std::make_shared<campaign::CaseTask>();
+  CLI::App* command = app.add_subcommand("campaign-case", "Run one case of a campaign");
+  command->group("");  // not shown: campaigns start it
+  command->add_option("case", task->case_file)->required();
+  command->add_option("folder", task->folder)->required();
+  command->add_option("--replicate", task->replicate)->required();
+  command->add_option("--keep", task->keep)->required();
+  command->callback([task] { run_one_case(*task); });
+}
+
+}  // namespace
+
+void add_campaign_commands(CLI::App& app) {
+  auto options = std::make_shared<CampaignOptions>();
+  CLI::App* command = app.add_subcommand("campaign", "Run a case over a grid of settings, with replicates");
+  command->add_option("plan", options->plan_file, "plan (TOML)")->required();
+  command->add_option("-o,--output", options->directory, "folder of the results")->required();
+  command->add_option("--on", options->on, "where the cases run")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  command
+      ->add_option("--jobs", options->n_jobs,
+                   "cases at once [as many as there are cores]; under Slurm, tasks of the array [100]")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--sbatch", options->sbatch, "an option for Slurm's sbatch, as in --sbatch=--partition=short")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--wait", options->wait, "under Slurm, stay until it is over");
+  command->add_flag("--status", options->status, "count the cases done, failed and missing; run nothing");
+  command->add_flag("--resume", options->resume, "go on with what the folder holds");
+  command->add_flag("--quick", options->quick, "the small variant that the plan's [quick] describes");
+  command->add_option("--set", options->overrides, "section.key=value, for every case")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "the counts as JSON");
+  command->footer("Example: brash campaign experiments/velocity/plan.toml -o results/velocity --jobs 2");
+  command->callback([options] { run_campaign(*options); });
+  add_case_command(app);
+  add_chunk_command(app);
+}
+
+}  // namespace brash::cli

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace brash::cli {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+/// Share of the axis at which a value stands.
+double share(const ChartAxis& axis, double value) {
+  if (!axis.logarithmic) return (value - axis.lower) / (axis.upper - axis.lower);
+  return std::log(value / axis.lower) / std::log(axis.upper / axis.lower);
+}
+
+/// Powers of ten, or three to seven round numbers.
+std::vector<double> ticks(const ChartAxis& axis) {
+  std::vector<double> values;
+  if (axis.logarithmic) {
+    for (double power = std::ceil(std::log10(axis.lower) - 1e-9); power <= std::log10(axis.upper) + 1e-9; power += 1.0)
+      values.push_back(std::pow(10.0, power));
+    return values;
+  }
+  const double span = axis.upper - axis.lower, decade = std::pow(10.0, std::floor(std::log10(span)));
+  const double step = decade * (span / decade >= 5.0 ? 2.0 : span / decade >= 2.0 ? 0.5 : 0.25);
+  for (double i = std::ceil(axis.lower / step - 1e-9); i * step <= axis.upper + 1e-9 * span; i += 1.0)
+    values.push_back(i == 0.0 ? 0.0 : i * step);
+  return values;
+}
+
+/// A number as a tick shows it: thousands from 1000 on, powers of ten as such.
+std::string tick_text(const ChartAxis& axis, double value) {
+  if (axis.logarithmic) return fmt::format("{:.0e}", value);
+  if (std::max(std::abs(axis.lower), std::abs(axis.upper)) >= 1e4) return fmt::format("{:.6g}k", value / 1e3 + 0.0);
+  return fmt::format("{:.6g}", value + 0.0);
+}
+
+std::string text_at(double x, double y, const std::string& text, const std::string& attributes) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, attributes, escaped(text));
+}
+
+}  // namespace
+
+Chart::Chart(double left, double top, double width, double height, std::string title, ChartAxis x, ChartAxis y)
+    : left_(left),
+      top_(top),
+      width_(width),
+      height_(height),
+      title_(std::move(title)),
+      x_(std::move(x)),
+      y_(std::move(y)) {}
+
+double Chart::page_x(double x) const { return left_ + width_ * share(x_, x); }
+double Chart::page_y(double y) const { return top_ + height_ * (1.0 - share(y_, y)); }
+
+bool Chart::drawable(double x, double y) const {
+  return std::isfinite(x) && std::isfinite(y) && (!x_.logarithmic || x > 0.0) && (!y_.logarithmic || y > 0.0);
+}
+
+void Chart::line(const std::vector<double>& x, const std::vector<double>& y, const std::string& colour, double width) {
+  std::string data;
+  bool begun = false;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!drawable(x[i], y[i])) {
+      begun = false;
+      continue;
+    }
+    data += fmt::format("{}{:.1f} {:.1f}", begun ? "L" : "M", page_x(x[i]), page_y(y[i]));
+    begun = true;
+  }
+  content_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"/>\n", data, colour, width);
+}
+
+void Chart::band(const std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper,
+                 const std::string& colour) {
+  std::string data;
+  const auto add = [&](double at, double value) {
+    if (drawable(at, value))
+      data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", page_x(at), page_y(value));
+  };
+  for (std::size_t i = 0; i < x.size(); ++i) add(x[i], upper[i]);
+  for (std::size_t i = x.size(); i-- > 0;) add(x[i], lower[i]);
+  content_ += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\".25\" stroke=\"none\"/>\n", data, colour);
+}
+
+void Chart::interval(double value, double lower, double upper, double y, const std::string& colour) {
+  line({lower, upper}, {y, y}, colour, 2.0);
+  content_ +=
+      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", page_x(value), page_y(y), colour);
+}
+
+void Chart::words(double x, double y, const std::string& text, const std::string& colour) {
+  content_ += text_at(page_x(x), page_y(y), text, fmt::format("fill=\"{}\"", colour));
+}
+
+std::string Chart::frame() const {
+  std::string svg = text_at(left_, top_ - 8.0, title_, "style=\"font-weight:bold\"");
+  for (const double value : ticks(x_)) {
+    svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}v{2:.1f}\" class=\"grid\"/>\n", page_x(value), top_, height_);
+    svg += text_at(page_x(value), top_ + height_ + 15.0, tick_text(x_, value), "text-anchor=\"middle\"");
+  }
+  for (const double value : y_.label.empty() ? std::vector<double>{} : ticks(y_)) {
+    svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}h{2:.1f}\" class=\"grid\"/>\n", left_, page_y(value), width_);
+    svg += text_at(left_ - 5.0, page_y(value) + 4.0, tick_text(y_, value), "text-anchor=\"end\"");
+  }
+  svg += text_at(left_ + 0.5 * width_, top_ + height_ + 31.0, x_.label, "text-anchor=\"middle\"");
+  if (!y_.label.empty()) {
+    const double at = left_ - 52.0, middle = top_ + 0.5 * height_;
+    svg += text_at(at, middle, y_.label,
+                   fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.1f} {:.1f})\"", at, middle));
+  }
+  return svg;
+}
+
+std::string Chart::svg() const {
+  // What reaches beyond the axes is cut off.
+  return frame() +
+         fmt::format(
+             "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} "
+             "{2:.1f} {3:.1f}\">\n{4}</svg>\n<rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" "
+             "height=\"{3:.1f}\" fill=\"none\" stroke=\"#333\"/>\n",
+             left_, top_, width_, height_, content_);
+}
+
+std::string svg_page(double width, double height, const std::string& content) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\">\n"
+      "<style>text{{font:12px sans-serif;fill:#111}}.grid{{stroke:#ddd;fill:none}}</style>\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
+      width, height, content);
+}
+
+}  // namespace brash::cli

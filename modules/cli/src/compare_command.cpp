@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "brash/core/error.hpp"
+#include "brash/io/results.hpp"
+#include "history_comparison.hpp"
+#include "stats_commands.hpp"
+
+namespace brash::cli {
+namespace {
+
+struct CompareOptions {
+  std::string run, measured, picture = "comparison.svg";
+  HistoryChoice of_run, of_measured;
+  bool json = false;
+};
+
+/// The history of a run's folder; its statistics begin where those of its summary do.
+std::string run_history(const std::string& given, HistoryChoice& choice) {
+  if (!std::filesystem::is_directory(given)) return given;
+  if (!choice.has_from) {
+    std::ifstream summary(given + "/summary.json");
+    const auto json = nlohmann::json::parse(summary, nullptr, false);
+    if (json.is_object() && json.contains("statistics_from")) {
+      choice.from = json["statistics_from"].get<double>();
+      choice.has_from = true;
+    }
+  }
+  for (const char* name : {"/run.nc", "/history.csv"})
+    if (std::filesystem::exists(given + name)) return given + name;
+  throw InputError(fmt::format("{}: neither run.nc nor history.csv is in it; give the folder of a run", given));
+}
+
+void compare(CompareOptions& options) {
+  const std::string file = run_history(options.run, options.of_run);
+  const LoadHistory run = read_history(file, options.of_run);
+  const LoadHistory measured = read_history(options.measured, options.of_measured);
+  const nlohmann::ordered_json comparison = compare_histories(run, measured);
+  io::write_file(options.picture, comparison_picture(run, measured, comparison));
+  if (options.json) {
+    fmt::print("{}\n", comparison.dump(2));
+  } else {
+    fmt::print("{}picture in {}\n", comparison_text(comparison), options.picture);
+  }
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  auto options = std::make_shared<CompareOptions>();
+  options->of_run.column = "Fx";
+  CLI::App* command = app.add_subcommand("compare", "A run against a measured history, with intervals and a picture");
+  command->add_option("run", options->run, "folder of a run, its run.nc, or any history")->required();
+  command->add_option("measured", options->measured, "CSV or netCDF file with times")->required();
+  command->add_option("--column", options->of_run.column, "of the run")->capture_default_str();
+  command->add_option("--measured-column", options->of_measured.column, "[the first that is not the time]");
+  CLI::Option* from = command->add_option("--from", options->of_run.from, "of the run [s] [as its summary]");
+  CLI::Option* measured_from = command->add_option("--measured-from", options->of_measured.from, "[s] [its start]");
+  command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is no gap")
+      ->check(CLI::PositiveNumber);
+  command->add_option("-o,--output", options->picture, "picture, SVG")->capture_default_str();
+  command->add_flag("--json", options->json, "as JSON");
+  command->footer("Example: brash compare results/cone measured.csv --measured-column force -o comparison.svg");
+  command->callback([options, from, measured_from] {
+    options->of_run.has_from = from->count() > 0;
+    options->of_measured.has_from = measured_from->count() > 0;
+    compare(*options);
+  });
+}
+
+}  // namespace brash::cli

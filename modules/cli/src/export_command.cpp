@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "brash/core/error.hpp"
+#include "brash/geometry/ice_sheet.hpp"
+#include "brash/io/results.hpp"
+#include "brash/structure/cone.hpp"
+#include "commands.hpp"
+#include "vtk_meshes.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using geometry::IceSheet;
+
+enum Part { kFloes, kSheet, kStructure };
+
+structure::Cone cone_of(const io::StructureSection& s) {
+  return {.angle = s.angle,
+          .waterline_width = s.waterline_width,
+          .height = s.height,
+          .height_under_water = s.height_under_water,
+          .downward_breaking = s.breaking == "downward",
+          .facets = s.facets};
+}
+
+/// The sheet at the frames of a run, which stores its first and last outline only: the breaks are cut again at their
+/// places, and the structure's waterline section at each frame is crushed. Between frames the section's path is not
+/// followed, so the channel's walls differ from the run's by less than the structure moves in a frame.
+class SheetReplay {
+ public:
+  SheetReplay(const io::Case& resolved, const io::RunResults& results)
+      : case_(resolved), results_(results), section_(structure::section(cone_of(resolved.structure), 0.0)) {
+    auto sheet = IceSheet::from_polygons(polygons_of(results.initial_sheet));
+    if (!sheet) throw InputError("the sheet at the start of the run: " + sheet.error().what);
+    sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
+  }
+
+  /// The sheet at `frame`; frames in the order of time.
+  std::vector<geometry::Polygon> at(const io::Frame& frame) {
+    for (; next_ < results_.events.size() && results_.events[next_].time <= frame.time; ++next_) {
+      const io::CrackEvent& event = results_.events[next_];
+      geometry::cut_circumferential(*sheet_, event.at, event.breaking_length, event.wedges, case_.failure.arc_sides);
+      sheet_->release_detached();
+    }
+    std::vector<Vec2> section;
+    for (const Vec2 v : section_) section.push_back(plan(to_world(frame.structure, {v.x, v.y, 0.0})));
+    sheet_->cut(geometry::ring(section));
+    sheet_->release_detached();
+    return &frame == &results_.frames.back() ? polygons_of(results_.final_sheet) : sheet_->polygons();
+  }
+
+ private:
+  const io::Case& case_;
+  const io::RunResults& results_;
+  std::vector<Vec2> section_;
+  std::unique_ptr<IceSheet> sheet_;
+  std::size_t next_ = 0;
+};
+
+io::PolyData floes_at(const io::Case& resolved, const io::Frame& frame,
+                      const std::map<std::int64_t, const io::FloeRecord*>& records) {
+  io::PolyData data;
+  std::vector<double> id, age, area;
+  const double half = 0.5 * resolved.ice.thickness;
+  for (const io::FloePose& floe : frame.floes) {
+    const io::FloeRecord& record = *records.at(floe.floe);
+    for (const geometry::Polygon& polygon : polygons_of(record.rings)) {
+      const std::size_t n = add_prism(data, polygon, -half, half, floe.pose);
+      id.insert(id.end(), n, static_cast<double>(record.id));
+      age.insert(age.end(), n, frame.time - record.birth);
+      area.insert(area.end(), n, record.area);
+    }
+  }
+  data.cell_data = {{"id", std::move(id)}, {"age", std::move(age)}, {"area", std::move(area)}};
+  return data;
+}
+
+io::PolyData sheet_of(const io::Case& resolved, const std::vector<geometry::Polygon>& polygons) {
+  io::PolyData data;
+  const double top = resolved.ice.thickness * (1.0 - resolved.ice.density / resolved.water.density);
+  for (const geometry::Polygon& polygon : polygons) add_prism(data, polygon, top - resolved.ice.thickness, top);
+  return data;
+}
+
+/// Frustum of two rings of corners, keel then top, each with `n` of them.
+io::PolyData structure_at(const std::vector<Vec3>& hull, const Pose& pose) {
+  io::PolyData data;
+  const auto n = static_cast<std::int64_t>(hull.size() / 2);
+  for (const Vec3& corner : hull) data.points.push_back(to_world(pose, corner));
+  std::vector<std::int64_t> keel, top;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const std::int64_t next = (i + 1) % n;
+    data.faces.push_back({i, next, next + n, i + n});
+    keel.push_back(n - 1 - i);
+    top.push_back(n + i);
+  }
+  data.faces.push_back(std::move(keel));
+  data.faces.push_back(std::move(top));
+  return data;
+}
+
+void export_vtk(const std::string& run_file, const std::string& directory) {
+  const io::RunResults results = io::read_results(run_file);
+  const io::Case resolved = io::parse_case(io::read_case_of(run_file), run_file);
+  std::map<std::int64_t, const io::FloeRecord*> records;
+  for (const io::FloeRecord& floe : results.floes) records[floe.id] = &floe;
+  const std::vector<Vec3> hull = structure::hull(cone_of(resolved.structure));
+
+  SheetReplay replay(resolved, results);
+  std::vector<io::VtkStep> steps;
+  const auto write = [&](double time, Part part, const std::string& name, const io::PolyData& data) {
+    const std::string file = fmt::format("{}_{:05}.vtp", name, steps.size() / 3);
+    io::write_file((fs::path(directory) / file).string(), io::to_vtp(data));
+    steps.push_back({time, part, file});
+  };
+  for (const io::Frame& frame : results.frames) {
+    write(frame.time, kFloes, "floes", floes_at(resolved, frame, records));
+    write(frame.time, kSheet, "sheet", sheet_of(resolved, replay.at(frame)));
+    write(frame.time, kStructure, "structure", structure_at(hull, frame.structure));
+  }
+  const std::string collection = (fs::path(directory) / "run.pvd").string();
+  io::write_file(collection, io::to_pvd(steps));
+  fmt::print("{} frames in {}\n", results.frames.size(), collection);
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app) {
+  struct Options {
+    std::string run;
+    std::string directory;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("export", "Write a run for other programs");
+  command->require_subcommand(1);
+  command->footer("Example: brash export vtk results/cone/run.nc");
+  CLI::App* vtk = command->add_subcommand("vtk", "A time series for ParaView: run.pvd with .vtp files");
+  vtk->add_option("run", options->run, "run.nc of a run")->required();
+  vtk->add_option("-o,--output", options->directory, "folder of the files [vtk beside the run.nc]");
+  vtk->footer("Example: brash export vtk results/cone/run.nc -o cone_vtk");
+  vtk->callback([options] {
+    const std::string beside = (fs::path(options->run).parent_path() / "vtk").string();
+    export_vtk(options->run, options->directory.empty() ? beside : options->directory);
+  });
+}
+
+}  // namespace brash::cli

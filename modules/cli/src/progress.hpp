@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/io/case.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace brash::cli {
+
+/// Runs a case with a line of progress on a terminal. Ctrl-C, or a request to end, stops it after its step and, where
+/// `checkpoint_file` is not empty, keeps a checkpoint; the run is then not complete.
+simulation::Run run_with_progress(const io::Case& resolved, const std::string& checkpoint_file, bool resume = false);
+
+}  // namespace brash::cli

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "brash/core/error.hpp"
+#include "brash/failure/criterion.hpp"
+#include "commands.hpp"
+#include "progress.hpp"
+#include "run_folder.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A file that a manifest names.
+struct Recorded {
+  std::string path;
+  std::string sha256;
+};
+
+/// What is needed of a manifest.
+struct Manifest {
+  fs::path folder;
+  std::string case_name;
+  std::string case_toml;
+  std::string program_version;
+  std::string program_sha256;  ///< empty in manifests that do not state it
+  std::vector<Recorded> inputs;
+  std::vector<Recorded> outputs;
+};
+
+std::vector<Recorded> files_of(const json& list) {
+  std::vector<Recorded> files;
+  for (const json& file : list) files.push_back({file.at("path"), file.at("sha256")});
+  return files;
+}
+
+Manifest read_manifest(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read; name the manifest.json of a run", path));
+  try {
+    const json m = json::parse(stream);
+    if (m.at("format") != "brash-manifest-1")
+      throw InputError(fmt::format("{}: format is {}, must be \"brash-manifest-1\"", path, m["format"].dump()));
+    return {.folder = fs::path(path).parent_path(),
+            .case_name = m.at("case").at("name"),
+            .case_toml = m.at("case").at("toml"),
+            .program_version = m.at("program").at("version"),
+            .program_sha256 = m.at("program").value("sha256", ""),
+            .inputs = files_of(m.at("inputs")),
+            .outputs = files_of(m.at("outputs"))};
+  } catch (const json::exception& error) {
+    throw InputError(fmt::format("{}: is not the manifest of a run: {}", path, error.what()));
+  }
+}
+
+/// The hash of a file, or what stands for it when there is none.
+std::string hash_of(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) ? io::sha256_of_file(file.string()) : "no such file";
+}
+
+/// Everything on which the run depends and that is not as it was, one line each.
+std::vector<std::string> changes_since(const Manifest& manifest, const io::Case& resolved) {
+  std::vector<std::string> changes;
+  const auto expect = [&](const std::string& what, const std::string& was, const std::string& is) {
+    if (was != is) changes.push_back(fmt::format("{}\n    was {}\n    is  {}", what, was, is));
+  };
+  const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
+  const std::string model_hash = model.empty() ? "" : hash_of(model);
+  bool knows_model = model.empty();
+  for (const Recorded& input : manifest.inputs) {
+    const bool is_model = !model.empty() && fs::path(input.path).filename() == fs::path(model).filename();
+    knows_model = knows_model || is_model;
+    // Relative paths are those of the folder where the run was started; the files may have moved with its results.
+    const bool here = fs::exists(input.path);
+    const fs::path file = is_model ? fs::path(model) : here ? fs::path(input.path) : manifest.folder / input.path;
+    expect((is_model ? "model " : "input ") + file.string(), input.sha256, is_model ? model_hash : hash_of(file));
+  }
+  if (!knows_model) changes.push_back(fmt::format("model {}: the run used another one", model));
+  if (!manifest.program_sha256.empty())
+    expect(fmt::format("program brash {}", manifest.program_version), manifest.program_sha256, io::sha256_of_program());
+  return changes;
+}
+
+/// A new folder under the system's one for temporary files, removed with everything in it in the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_((fs::temp_directory_path() / "brash-rerun-XXXXXX").string()) {
+    if (::mkdtemp(path_.data()) == nullptr)
+      throw RunError(path_ + ": cannot be made; set TMPDIR to a folder that may be written");
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+void run_into(const std::string& folder, const io::Case& resolved, const Manifest& manifest) {
+  const simulation::Run run = run_with_progress(resolved, "");
+  if (!run.complete) throw Interrupted("interrupted; nothing is kept");
+  const std::string case_file = folder + "/" + manifest.case_name + ".toml";
+  io::write_file(case_file, manifest.case_toml);
+  write_run_folder(folder, case_file, resolved, run);
+}
+
+struct RerunOptions {
+  std::string manifest;
+  std::string output;
+  bool anyway = false;
+};
+
+void rerun(const RerunOptions& options) {
+  const Manifest manifest = read_manifest(options.manifest);
+  const io::Case resolved = io::parse_case(manifest.case_toml, manifest.case_name + ".toml");
+  const std::vector<std::string> changes = changes_since(manifest, resolved);
+  std::string text;
+  for (const std::string& change : changes) text += "\n  " + change;
+  if (!changes.empty() && !options.anyway)
+    throw InputError(fmt::format("{}: not what it was:{}\n  remedy:  put it back, or repeat the run with --anyway",
+                                 options.manifest, text));
+  if (!changes.empty()) fmt::print("not what it was:{}\n", text);
+
+  const TemporaryFolder temporary;
+  const std::string folder = options.output.empty() ? temporary.path() : options.output;
+  run_into(folder, resolved, manifest);
+  std::string different;
+  for (const Recorded& output : manifest.outputs) {
+    const bool same = hash_of(fs::path(folder) / output.path) == output.sha256;
+    fmt::print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
+    if (!same) different += " " + output.path;
+  }
+  if (!different.empty()) throw RunError("the repeated run differs in" + different);
+}
+
+}  // namespace
+
+void add_rerun_command(CLI::App& app) {
+  auto options = std::make_shared<RerunOptions>();
+  CLI::App* command = app.add_subcommand("rerun", "Check every hash of a run, repeat it and compare the results");
+  command->add_option("manifest", options->manifest, "manifest.json of the run")->required();
+  command->add_option("-o,--output", options->output, "folder to keep the results in [they are not kept]");
+  command->add_flag("--anyway", options->anyway, "repeat it although an input, the model or the program has changed");
+  command->footer(
+      "The case comes from the manifest. Exit code 2: something has changed; 1: the results differ.\n"
+      "Example: brash rerun results/cone/manifest.json");
+  command->callback([options] { rerun(*options); });
+}
+
+}  // namespace brash::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/io/case.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace brash::cli {
+
+/// Writes everything that a finished run leaves into `directory`: pictures, results, summary, manifest.
+/// @param case_file  path of the case as given.
+void write_run_folder(const std::string& directory, const std::string& case_file, const io::Case& resolved,
+                      const simulation::Run& run);
+
+}  // namespace brash::cli

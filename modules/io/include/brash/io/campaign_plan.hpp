@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brash/io/case.hpp"
+
+namespace brash::io {
+
+/// When the replicates of a setting are enough.
+struct StopRule {
+  std::string statistic;    ///< a column
+  double half_width = 0.0;  ///< wanted half-width of the interval of its mean, over the magnitude of that mean [-]
+  double confidence = 0.95;
+  int most_replicates = 0;
+  int batch = 1;  ///< replicates added at a time
+
+  friend bool operator==(const StopRule&, const StopRule&) = default;
+};
+
+/// A key of the case file that the plan varies.
+struct VariedKey {
+  std::string name;  ///< "structure.angle"
+  std::string unit;  ///< SI, "1" for ratios and what has none
+
+  friend bool operator==(const VariedKey&, const VariedKey&) = default;
+};
+
+/// The value of a varied key in one setting, from the resolved case.
+struct SettingValue {
+  std::string text;              ///< as a cell of a table
+  std::optional<double> number;  ///< absent for texts and arrays
+
+  friend bool operator==(const SettingValue&, const SettingValue&) = default;
+};
+
+/// One combination of the axes' values.
+struct Setting {
+  std::string name;                  ///< "angle-50deg_speed-0.5"; "base" without a grid
+  std::vector<SettingValue> values;  ///< one a varied key
+  Case resolved;                     ///< its name keys the random streams
+
+  friend bool operator==(const Setting&, const Setting&) = default;
+};
+
+/// A plan, everything in it resolved and checked.
+struct CampaignPlan {
+  int replicates = 1;  ///< of each setting; the least number where there is a stop rule
+  std::optional<StopRule> stop;
+  std::string keep = "summary";      ///< summary | history | run
+  std::vector<std::string> columns;  ///< numbers of a run's summary
+  std::vector<VariedKey> keys;
+  std::vector<Setting> settings;  ///< all combinations, the last axis fastest
+
+  friend bool operator==(const CampaignPlan&, const CampaignPlan&) = default;
+};
+
+/// How a plan is read.
+struct PlanOptions {
+  bool quick = false;                      ///< with the plan's [quick]
+  std::vector<std::string> overrides;      ///< `section.key=value`, applied last to every case
+  std::vector<std::string> known_columns;  ///< what `output.columns` and `stop.statistic` may name
+};
+
+/// Reads, checks and resolves the plan of a campaign and each of its settings.
+///
+/// @throws InputError that lists what is wrong, each with file, line, column (or the override), key, value, what is
+///         allowed, the nearest known name and the remedy.
+/// @see docs/reference/plan.md.
+CampaignPlan read_campaign_plan(const std::string& path, const PlanOptions& options);
+
+/// The JSON Schema of a plan.
+std::string plan_schema();
+
+}  // namespace brash::io

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace brash::io {
+
+/// Columns of numbers as measured and simulated histories come.
+struct Series {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;  ///< shape=(n_names, n_rows); not a number where a value is missing
+  /// Which column holds the times, in seconds and finite; absent when there is none.
+  std::optional<std::size_t> time;
+  std::string row_prefix;         ///< with the row's number the place of a row, for messages: "FILE:", "FILE, sample "
+  std::vector<std::size_t> rows;  ///< numbers of the rows: lines of the file, or samples from 1 on
+
+  std::string place(std::size_t row) const { return row_prefix + std::to_string(rows[row]); }
+};
+
+/// Reads a table of at least two rows: netCDF when the name ends in .nc, else text.
+///
+/// Text: numbers separated by commas, semicolons, tabs or blanks; an optional first line of names (without it the names
+/// are 1, 2, ...); lines that begin with # are skipped. An empty cell, `nan`, `NaN`, `NA` or `-` is missing.
+/// Times: the column named `time` or `t`, capitals or not, with an optional unit in brackets, `time [ms]`, `t (min)`;
+/// else the first of several.
+///
+/// netCDF: the dimension of the variable `time` or `t` (or, without those, of the first variable along one dimension
+/// whose unit is "... since ..."), and all numeric variables along it alone. Fill values are missing, packed values are
+/// unpacked, times are converted from their unit.
+///
+/// @throws InputError naming file, line or variable, and what is wrong with it.
+Series read_series(const std::string& path);
+
+}  // namespace brash::io

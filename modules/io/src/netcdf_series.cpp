@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "brash/core/error.hpp"
+#include "series.hpp"
+
+namespace brash::io {
+namespace {
+
+/// Any netCDF file, read without knowing what is in it.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::string& path) : path_(path) {
+    check(nc_open(path.c_str(), NC_NOWRITE, &id_), "cannot be opened as netCDF");
+  }
+  ~OpenFile() { nc_close(id_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  struct Variable {
+    int id = -1;
+    std::string name;
+    int dimension = -1;
+    nc_type type = NC_NAT;
+  };
+
+  /// Numeric variables along one dimension, in the file's order.
+  std::vector<Variable> variables() const {
+    int n = 0;
+    check(nc_inq_nvars(id_, &n), "variables");
+    std::vector<Variable> found;
+    for (int v = 0; v < n; ++v) {
+      Variable variable{v, {}, -1, NC_NAT};
+      std::array<char, NC_MAX_NAME + 1> name{};
+      int n_dimensions = 0;
+      check(nc_inq_var(id_, v, name.data(), &variable.type, &n_dimensions, nullptr, nullptr), "variables");
+      const bool numeric = variable.type != NC_CHAR && variable.type <= NC_UINT64;
+      if (n_dimensions != 1 || !numeric) continue;
+      check(nc_inq_vardimid(id_, v, &variable.dimension), name.data());
+      variable.name = name.data();
+      found.push_back(variable);
+    }
+    return found;
+  }
+
+  std::string text(const Variable& variable, const char* attribute) const {
+    std::size_t length = 0;
+    nc_type type = NC_NAT;
+    if (nc_inq_att(id_, variable.id, attribute, &type, &length) != NC_NOERR || type != NC_CHAR) return "";
+    std::string value(length, '\0');
+    check(nc_get_att_text(id_, variable.id, attribute, value.data()), variable.name);
+    return value;
+  }
+
+  /// Unpacked values, not a number where the file has a fill value.
+  std::vector<double> values(const Variable& variable) const {
+    std::size_t length = 0;
+    check(nc_inq_dimlen(id_, variable.dimension, &length), variable.name);
+    std::vector<double> result(length);
+    if (length > 0) check(nc_get_var_double(id_, variable.id, result.data()), variable.name);
+    const double fill = number(variable, "_FillValue", default_fill(variable.type));
+    const double missing = number(variable, "missing_value", fill);
+    const double scale = number(variable, "scale_factor", 1.0), offset = number(variable, "add_offset", 0.0);
+    for (double& value : result) {
+      const bool absent = value == fill || value == missing || !std::isfinite(value);
+      value = absent ? std::numeric_limits<double>::quiet_NaN() : scale * value + offset;
+    }
+    return result;
+  }
+
+ private:
+  double number(const Variable& variable, const char* attribute, double otherwise) const {
+    double value = otherwise;
+    return nc_get_att_double(id_, variable.id, attribute, &value) == NC_NOERR ? value : otherwise;
+  }
+  /// What the library writes where nothing was written; not for bytes, all of whose values are in use.
+  static double default_fill(nc_type type) {
+    switch (type) {
+      case NC_SHORT:
+        return NC_FILL_SHORT;
+      case NC_INT:
+        return NC_FILL_INT;
+      case NC_FLOAT:
+        return static_cast<double>(NC_FILL_FLOAT);
+      case NC_DOUBLE:
+        return NC_FILL_DOUBLE;
+      default:
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  void check(int status, const std::string& what) const {
+    if (status != NC_NOERR) throw InputError(fmt::format("{}: {}: {}", path_, what, nc_strerror(status)));
+  }
+
+  std::string path_;
+  int id_ = -1;
+};
+
+const OpenFile::Variable* times_of(const OpenFile& file, const std::vector<OpenFile::Variable>& variables) {
+  for (const OpenFile::Variable& variable : variables)
+    if (is_time_name(variable.name)) return &variable;
+  for (const OpenFile::Variable& variable : variables)
+    if (file.text(variable, "units").find(" since ") != std::string::npos) return &variable;
+  return nullptr;
+}
+
+}  // namespace
+
+Series read_netcdf_series(const std::string& path) {
+  const OpenFile file(path);
+  const std::vector<OpenFile::Variable> variables = file.variables();
+  const OpenFile::Variable* const times = times_of(file, variables);
+  if (times == nullptr)
+    throw InputError(
+        fmt::format("{}: no variable named time or t along one dimension, and none in a unit such as "
+                    "'seconds since ...'",
+                    path));
+  Series series;
+  series.row_prefix = path + ", sample ";
+  for (const OpenFile::Variable& variable : variables) {
+    if (variable.dimension != times->dimension) continue;
+    if (&variable == times) series.time = series.names.size();
+    series.names.push_back(variable.name);
+    series.columns.push_back(file.values(variable));
+  }
+  const double factor = seconds_in(file.text(*times, "units"), fmt::format("{}: {}", path, times->name));
+  std::vector<double>& column = series.columns[*series.time];
+  if (column.size() < 2) throw InputError(fmt::format("{}: {} samples; 2 are needed", path, column.size()));
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    series.rows.push_back(i + 1);
+    if (std::isnan(column[i])) throw InputError(fmt::format("{}: the time is missing", series.place(i)));
+    column[i] *= factor;
+  }
+  return series;
+}
+
+}  // namespace brash::io

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/io/case.hpp"
+#include "toml_source.hpp"
+
+namespace brash::io {
+
+/// The case that `source` describes, under `name`.
+/// @throws InputError that lists what is wrong.
+Case resolve(const CaseSource& source, const std::string& name);
+
+}  // namespace brash::io

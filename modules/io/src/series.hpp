@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "brash/io/series.hpp"
+
+namespace brash::io {
+
+/// Whether a column of this name, without its unit, holds times.
+bool is_time_name(std::string_view name);
+
+/// Seconds in a unit such as "ms" or "hours since 2024-01-01"; empty: 1.
+/// @param place  for the message.
+/// @throws InputError when it is no unit of time.
+double seconds_in(const std::string& unit, const std::string& place);
+
+Series read_netcdf_series(const std::string& path);
+
+}  // namespace brash::io

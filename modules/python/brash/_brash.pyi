@@ -1,0 +1,449 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Types of the module; shapes and units are in the docstrings. A test holds this file against the module."""
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from os import PathLike
+from typing import Any, NamedTuple, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Table = NDArray[np.void]
+Path = str | PathLike[str]
+# A Polygon, vertices with shape (n, 2), WKT or GeoJSON as text, or an object with __geo_interface__.
+PolygonLike = Any
+
+__version__: str
+
+class InputError(ValueError): ...
+class NotApplicable(InputError): ...
+class RunError(RuntimeError): ...
+class ContractViolation(AssertionError): ...
+
+class Case:
+    @staticmethod
+    def from_file(path: Path, changes: dict[str, Any] = {}) -> Case: ...
+    @staticmethod
+    def from_text(text: str, name: str = "case", changes: dict[str, Any] = {}) -> Case: ...
+    def __getitem__(self, key: str) -> Any: ...
+    def __setitem__(self, key: str, value: Any) -> None: ...
+    def update(self, changes: dict[str, Any]) -> None: ...
+    def copy(self) -> Case: ...
+    def derived(self) -> dict[str, Any]: ...
+    def to_dict(self) -> dict[str, dict[str, Any]]: ...
+    def to_toml(self) -> str: ...
+    def run(self, output: Path | None = None, resume: bool = False) -> Run: ...
+    @property
+    def name(self) -> str: ...
+
+def schema() -> str: ...
+def template() -> str: ...
+
+class FloeRecord:
+    @property
+    def id(self) -> int: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def birth(self) -> float: ...
+    @property
+    def death(self) -> float: ...
+    @property
+    def end(self) -> str: ...
+    @property
+    def peak_stress(self) -> float: ...
+    @property
+    def rings(self) -> list[Floats]: ...
+
+class Floe:
+    @property
+    def record(self) -> FloeRecord: ...
+    @property
+    def id(self) -> int: ...
+    @property
+    def position(self) -> Floats: ...
+    @property
+    def rotation(self) -> Floats: ...
+    @property
+    def rings(self) -> list[Floats]: ...
+
+class Frame:
+    @property
+    def time(self) -> float: ...
+    @property
+    def structure(self) -> Floats: ...
+    @property
+    def floes(self) -> list[Floe]: ...
+
+class Results:
+    @property
+    def loads(self) -> Table: ...
+    @property
+    def events(self) -> Table: ...
+    @property
+    def floes(self) -> list[FloeRecord]: ...
+    @property
+    def initial_sheet(self) -> list[Floats]: ...
+    @property
+    def final_sheet(self) -> list[Floats]: ...
+    @property
+    def n_frames(self) -> int: ...
+    def frame(self, number: int) -> Frame: ...
+
+def read_results(path: Path) -> Results: ...
+
+class Run:
+    @property
+    def results(self) -> Results: ...
+    @property
+    def loads(self) -> Table: ...
+    @property
+    def events(self) -> Table: ...
+    @property
+    def summary(self) -> dict[str, Any]: ...
+    @property
+    def wall_seconds(self) -> float: ...
+
+class Steps:
+    @property
+    def loads(self) -> Table: ...
+    @property
+    def events(self) -> Table: ...
+    @property
+    def births(self) -> list[FloeRecord]: ...
+    @property
+    def deaths(self) -> list[tuple[int, str]]: ...
+
+class Simulation:
+    def __init__(self, case: Case) -> None: ...
+    def step(self, n: int = 1) -> Steps: ...
+    def frame(self) -> Frame: ...
+    @property
+    def time(self) -> float: ...
+    @property
+    def sheet(self) -> list[Polygon]: ...
+    @property
+    def ledger(self) -> dict[str, Fraction]: ...
+
+class Polygon:
+    def __init__(self, outline: ArrayLike, holes: Sequence[ArrayLike] = ()) -> None: ...
+    @staticmethod
+    def read(value: PolygonLike) -> Polygon: ...
+    @property
+    def outline(self) -> Floats: ...
+    @property
+    def holes(self) -> list[Floats]: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def exact_area(self) -> Fraction: ...
+    @property
+    def centroid(self) -> Floats: ...
+    @property
+    def __geo_interface__(self) -> dict[str, Any]: ...
+    def convex_parts(self) -> list[Floats]: ...
+    def to_wkt(self) -> str: ...
+
+class Cut:
+    @property
+    def pieces(self) -> list[Polygon]: ...
+    @property
+    def snap(self) -> Fraction: ...
+    @property
+    def n_rounded(self) -> int: ...
+
+class Trapezoid:
+    @property
+    def depth(self) -> float: ...
+    @property
+    def contact_length(self) -> float: ...
+    @property
+    def angle(self) -> float: ...
+    @property
+    def error(self) -> float: ...
+    @property
+    def reidentified(self) -> bool: ...
+
+class ContactRegion:
+    @property
+    def overlap(self) -> Polygon: ...
+    @property
+    def contact_length(self) -> float: ...
+    @property
+    def midpoint(self) -> Floats: ...
+    @property
+    def normal(self) -> Floats: ...
+
+class IceSheet:
+    def __init__(self, polygons: PolygonLike | Sequence[PolygonLike]) -> None: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def exact_area(self) -> Fraction: ...
+    @property
+    def n_vertices(self) -> int: ...
+    def polygons(self) -> list[Polygon]: ...
+    def contains(self, points: ArrayLike) -> bool | Bools: ...
+    def cut(self, region: PolygonLike, cracks: ArrayLike | None = None) -> Cut: ...
+    def cut_circumferential(
+        self,
+        centre: ArrayLike,
+        radius: float,
+        wedges: int = 4,
+        angles: ArrayLike | None = None,
+        sides: int = 16,
+    ) -> Cut: ...
+    def release_detached(self) -> list[Polygon]: ...
+    def contacts(self, section: PolygonLike) -> list[ContactRegion]: ...
+    def within(self, window: PolygonLike) -> list[Polygon]: ...
+    def free_edge(self, at: ArrayLike, radius: float) -> list[Floats]: ...
+    def to_wkt(self) -> str: ...
+    def check(self) -> None: ...
+
+def fit_trapezoid(
+    ice: IceSheet | Sequence[ArrayLike],
+    at: ArrayLike,
+    towards: ArrayLike,
+    reach: float,
+    contact_length: float = 0.0,
+) -> Trapezoid: ...
+
+class Response(NamedTuple):
+    sigma_over_p: Floats
+    lbreak_over_lc: Floats
+    in_range: Bools
+
+class FailureModel:
+    def __init__(self, model: str = "network") -> None: ...
+    def __call__(
+        self,
+        b_lc: ArrayLike,
+        c_lc: ArrayLike,
+        theta: ArrayLike,
+        mu1: ArrayLike,
+        mu2: ArrayLike,
+        thickness_over_lc: ArrayLike | None = None,
+    ) -> Response: ...
+
+class Assessment(NamedTuple):
+    fails: Bools
+    sigma_max: Floats
+    breaking_length: Floats
+    in_range: Bools
+
+class Criterion:
+    def __init__(self, case: Case, model: str | None = None) -> None: ...
+    def __call__(
+        self,
+        depth: ArrayLike,
+        contact_length: ArrayLike,
+        angle: ArrayLike,
+        mu1: ArrayLike,
+        mu2: ArrayLike,
+        pressure: ArrayLike,
+    ) -> Assessment: ...
+
+def characteristic_length(case: Case) -> float: ...
+
+class LoadRatios(NamedTuple):
+    horizontal: Floats
+    mu1: Floats
+    mu2: Floats
+
+def load_ratios(slope: ArrayLike, friction: ArrayLike, heading: ArrayLike = 0.0) -> LoadRatios: ...
+
+class CroasdaleLoad:
+    horizontal: float
+    vertical: float
+    breaking: float
+    pushing: float
+    ride_up: float
+    lifting: float
+    turning: float
+    in_plane_factor: float
+    force_ratio: float
+    crack_length: float
+    characteristic_length: float
+
+class RalstonLoad:
+    horizontal: float
+    vertical: float
+    breaking_horizontal: float
+    ride_horizontal: float
+    breaking_vertical: float
+    ride_vertical: float
+    radius_ratio: float
+
+class NevelLoad:
+    vertical: float
+    characteristic_length: float
+    in_range: bool
+
+class LindqvistLoad:
+    total: float
+    crushing: float
+    bending: float
+    submersion: float
+
+def croasdale(
+    *,
+    slope: float,
+    width: float,
+    thickness: float,
+    flexural_strength: float,
+    youngs_modulus: float,
+    poisson_ratio: float = ...,
+    friction_structure: float = ...,
+    friction_ice: float = ...,
+    ice_density: float = ...,
+    water_density: float = ...,
+    weight_density: float = ...,
+    rubble_height: float = ...,
+    rubble_porosity: float = ...,
+    rubble_cohesion: float = ...,
+    rubble_angle: float = ...,
+    rubble_friction_angle: float = ...,
+    gravity: float = ...,
+) -> CroasdaleLoad: ...
+def ralston(
+    *,
+    breaking: str = "upward",
+    yield_criterion: str = "tresca",
+    slope: float,
+    waterline_width: float,
+    end_width: float,
+    thickness: float,
+    flexural_strength: float,
+    ride_thickness: float = ...,
+    friction_structure: float = ...,
+    ice_density: float = ...,
+    water_density: float = ...,
+    gravity: float = ...,
+) -> RalstonLoad: ...
+def nevel(
+    *,
+    wedge_angle: float,
+    loaded_length: float,
+    thickness: float,
+    flexural_strength: float,
+    youngs_modulus: float,
+    water_density: float = ...,
+    gravity: float = ...,
+) -> NevelLoad: ...
+def lindqvist(
+    *,
+    length: float,
+    breadth: float,
+    draught: float,
+    stem_angle: float,
+    waterline_angle: float,
+    thickness: float,
+    flexural_strength: float,
+    youngs_modulus: float,
+    speed: float = ...,
+    poisson_ratio: float = ...,
+    friction: float = ...,
+    ice_density: float = ...,
+    water_density: float = ...,
+    gravity: float = ...,
+) -> LindqvistLoad: ...
+def croasdale_of(case: Case) -> CroasdaleLoad: ...
+def ralston_of(case: Case, yield_criterion: str = "tresca") -> RalstonLoad: ...
+
+class Interval:
+    lower: float
+    upper: float
+
+class Summary:
+    n: int
+    mean: float
+    mean_95: Interval
+    standard_deviation: float
+    minimum: float
+    maximum: float
+    skewness: float
+    quantile_50: float
+    quantile_95: float
+    quantile_99: float
+    autocorrelation_time: float
+    effective_sample_size: float
+    long_enough: bool
+
+class Moments:
+    n: int
+    mean: float
+    variance: float
+    skewness: float
+    excess_kurtosis: float
+    minimum: float
+    maximum: float
+
+class AutocorrelationTime:
+    tau: float
+    window: int
+    converged: bool
+
+class Estimate:
+    value: float
+    interval: Interval
+
+class Gumbel:
+    location: float
+    scale: float
+    n: int
+
+class GeneralisedPareto:
+    threshold: float
+    scale: float
+    shape: float
+
+class TestResult:
+    statistic: float
+    p_value: float
+
+class MeanComparison:
+    difference: float
+    interval: Interval
+    test: TestResult
+
+def summarise(samples: ArrayLike, dt: float) -> Summary: ...
+def moments(samples: ArrayLike) -> Moments: ...
+def histogram(samples: ArrayLike, n_bins: int, lower: float, upper: float) -> tuple[Floats, Floats, int]: ...
+def quantiles(samples: ArrayLike, levels: ArrayLike) -> Floats: ...
+def autocorrelation(samples: ArrayLike, max_lag: int) -> Floats: ...
+def autocorrelation_time(samples: ArrayLike, dt: float) -> AutocorrelationTime: ...
+def welch_spectrum(samples: ArrayLike, dt: float, segment: int) -> tuple[Floats, Floats, float]: ...
+def peaks_above(
+    samples: ArrayLike, threshold: float, separation: int = 1
+) -> tuple[NDArray[np.int64], Floats]: ...
+def peaks_between_crossings(samples: ArrayLike, level: float) -> tuple[NDArray[np.int64], Floats]: ...
+def block_maxima(samples: ArrayLike, block: int) -> Floats: ...
+def fit_gumbel(samples: ArrayLike) -> Gumbel: ...
+def fit_generalised_pareto(samples: ArrayLike, threshold: float) -> GeneralisedPareto: ...
+@overload
+def return_level(fit: Gumbel, return_period: float, confidence: float = 0.95) -> Estimate: ...
+@overload
+def return_level(
+    fit: GeneralisedPareto, duration: float, return_period: float, confidence: float = 0.95
+) -> Estimate: ...
+def mean_interval(samples: ArrayLike, confidence: float = 0.95) -> Interval: ...
+def batch_means_interval(samples: ArrayLike, n_batches: int, confidence: float = 0.95) -> Interval: ...
+def bootstrap_interval(
+    samples: ArrayLike,
+    statistic: Callable[[Floats], float],
+    block_length: int = 1,
+    n_resamples: int = 2000,
+    confidence: float = 0.95,
+    seed: int = 1,
+) -> Interval: ...
+def kendall(x: ArrayLike, y: ArrayLike) -> TestResult: ...
+def jonckheere_terpstra(groups: list[ArrayLike]) -> TestResult: ...
+def mann_whitney(a: ArrayLike, b: ArrayLike) -> TestResult: ...
+def holm(p_values: ArrayLike) -> Floats: ...
+@overload
+def compare_means(a: Summary, b: Summary, confidence: float = 0.95) -> MeanComparison: ...
+@overload
+def compare_means(a: ArrayLike, b: ArrayLike, confidence: float = 0.95) -> MeanComparison: ...

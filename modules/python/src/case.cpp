@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case.hpp"
+
+#include <algorithm>
+
+#include "brash/simulation/scales.hpp"
+#include "convert.hpp"
+#include "rooms.hpp"
+
+namespace brash::python {
+namespace {
+
+Case read(std::string text, std::string path, bool has_file, std::vector<std::string> overrides) {
+  io::Case resolved = io::parse_case(text, path, overrides);
+  return {std::move(text), std::move(path), has_file, std::move(overrides), std::move(resolved)};
+}
+
+/// A Python value as TOML: true, 0.4, "40 cm", [3, 5].
+std::string toml_value(py::handle value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  if (py::isinstance<py::str>(value))
+    return py::str(py::module_::import("json").attr("dumps")(value, py::arg("ensure_ascii") = false));
+  if (py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value)) return py::repr(value);
+  if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")());
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    std::string items;
+    for (const py::handle item : value) items += (items.empty() ? "" : ", ") + toml_value(item);
+    return "[" + items + "]";
+  }
+  throw py::type_error("a case takes bool, int, float, str and lists of them, not " +
+                       std::string(py::str(py::type::handle_of(value).attr("__name__"))));
+}
+
+std::string key_of(const std::string& text) { return text.substr(0, text.find('=')); }
+
+/// `overrides` with those of `changes`, a dict, in place of older ones of the same key.
+std::vector<std::string> changed(std::vector<std::string> overrides, const py::dict& changes) {
+  for (const auto& [key, value] : changes) {
+    const std::string name = py::cast<std::string>(key);
+    std::erase_if(overrides, [&](const std::string& old) { return key_of(old) == name; });
+    overrides.push_back(name + "=" + toml_value(value));
+  }
+  return overrides;
+}
+
+py::dict to_dict(const Case& c) { return py::module_::import("tomllib").attr("loads")(io::to_toml(c.resolved)); }
+
+py::object value_of(const Case& c, const std::string& name) {
+  const py::dict sections = to_dict(c);
+  const std::size_t dot = name.find('.');
+  if (dot != std::string::npos && sections.contains(name.substr(0, dot))) {
+    const py::dict section = sections[name.substr(0, dot).c_str()];
+    if (section.contains(name.substr(dot + 1))) return section[name.substr(dot + 1).c_str()];
+  }
+  throw py::key_error(name);
+}
+
+py::dict derived(const Case& c) {
+  const simulation::DerivedScales s = simulation::derived_scales(c.resolved);
+  py::dict out;
+  out["characteristic_length"] = s.characteristic_length;
+  out["thickness_over_lc"] = s.thickness_over_lc;
+  out["mu1"] = s.mu1;
+  out["freeboard"] = s.freeboard;
+  out["draft"] = s.draft;
+  out["collision_time"] = s.collision_time;
+  out["initial_crack_radius"] = s.initial_crack_radius;
+  out["warnings"] = s.warnings;
+  return out;
+}
+
+void update(Case& c, const py::dict& changes) { c = read(c.text, c.path, c.has_file, changed(c.overrides, changes)); }
+
+}  // namespace
+
+void add_case(py::module_& m) {
+  py::class_<Case>(m, "Case", R"(A case: what is simulated. Keys are those of a case file, values are SI and radians.
+
+>>> case = brash.Case.from_file("cone.toml")
+>>> case["ice.thickness"] = "40 cm"
+>>> case["ice.thickness"]
+0.4)")
+      .def_static(
+          "from_file",
+          [](const py::object& path, const py::dict& changes) {
+            const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+            return read(io::read_case_text(name), name, true, changed({}, changes));
+          },
+          py::arg("path"), py::arg("changes") = py::dict(),
+          "Reads a case file. `changes` maps \"section.key\" to values, as --set does.\n\n"
+          "Raises InputError with file, line, key, value, what is allowed and the remedy.")
+      .def_static(
+          "from_text",
+          [](const std::string& text, const std::string& name, const py::dict& changes) {
+            return read(text, name, false, changed({}, changes));
+          },
+          py::arg("text"), py::arg("name") = "case", py::arg("changes") = py::dict(),
+          "Reads the text of a case file (TOML); `name` stands for the file in messages.")
+      .def("update", &update, py::arg("changes"), "Changes several keys at once; on InputError nothing is changed.")
+      .def("__setitem__",
+           [](Case& c, const std::string& key, const py::object& value) {
+             py::dict change;
+             change[py::str(key)] = value;
+             update(c, change);
+           })
+      .def("__getitem__", &value_of)
+      .def("to_dict", &to_dict, "All keys with their values, section by section.")
+      .def(
+          "to_toml", [](const Case& c) { return io::to_toml(c.resolved); }, "The resolved case as a case file.")
+      .def("derived", &derived, "Lengths [m] and times [s] that follow from the case, and warnings, as `brash check`.")
+      .def(
+          "copy", [](const Case& c) { return c; }, "An independent case with the same keys.")
+      .def("__copy__", [](const Case& c) { return c; })
+      .def("__deepcopy__", [](const Case& c, const py::dict&) { return c; })
+      .def(
+          "__eq__", [](const Case& a, const Case& b) { return a.resolved == b.resolved; }, py::is_operator())
+      .def_property_readonly(
+          "name", [](const Case& c) { return c.resolved.name; }, "The stem of the file's name.")
+      .def("__repr__", [](const Case& c) { return "<brash.Case " + c.resolved.name + ">"; });
+  m.def("schema", &io::case_schema, "The JSON Schema of a case file as text.");
+  m.def("template", &io::case_template, "A commented case file.");
+}
+
+}  // namespace brash::python

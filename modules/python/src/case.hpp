@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brash/io/case.hpp"
+
+namespace brash::python {
+
+/// A case with what it was made from, so that a change is checked as the command line checks it.
+struct Case {
+  std::string text;  ///< of the case file
+  std::string path;  ///< of the file; where there is none, its name in messages
+  bool has_file = false;
+  std::vector<std::string> overrides;
+  io::Case resolved;
+};
+
+}  // namespace brash::python

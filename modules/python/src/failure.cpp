@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "brash/failure/criterion.hpp"
+#include "brash/failure/response_model.hpp"
+#include "case.hpp"
+#include "convert.hpp"
+#include "rooms.hpp"
+#include "signals.hpp"
+
+namespace brash::python {
+namespace {
+
+using failure::IceProperties;
+using failure::ResponseModel;
+
+/// Range of one argument; `open` leaves out the lower end.
+struct Allowed {
+  const char* name;
+  double least;
+  bool open;
+  double below;  ///< upper end, left out
+};
+
+constexpr double kAny = 1e300;
+constexpr Allowed kAngle{"theta", 0.0, false, kPi};
+constexpr Allowed kMu1{"mu1", 0.0, true, kAny};
+constexpr Allowed kMu2{"mu2", -kAny, true, kAny};
+
+/// Arguments of one vectorised call, broadcast against each other; every value checked.
+template <std::size_t n>
+class Columns {
+ public:
+  Columns(const std::array<py::object, n>& values, const std::array<Allowed, n>& allowed) {
+    py::tuple arrays(n);
+    for (std::size_t i = 0; i < n; ++i) arrays[i] = numbers(values[i], allowed[i].name);
+    py::object broadcast;
+    try {
+      broadcast = py::module_::import("numpy").attr("broadcast_arrays")(*arrays);
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_ValueError)) throw;
+      std::string shapes;
+      for (std::size_t i = 0; i < n; ++i)
+        shapes += fmt::format("{}{} {}", i == 0 ? "" : ", ", allowed[i].name, shape_text(Array(arrays[i])));
+      throw InputError("the shapes cannot be broadcast together: " + shapes);
+    }
+    std::size_t i = 0;
+    for (const py::handle array : broadcast) columns_[i++] = Array::ensure(array);
+    for (i = 0; i < n; ++i) expect(span_of(columns_[i]), allowed[i]);
+  }
+
+  std::size_t size() const { return static_cast<std::size_t>(columns_[0].size()); }
+  double at(std::size_t column, std::size_t row) const { return columns_[column].data()[row]; }
+  /// An array of the common shape.
+  template <typename T>
+  py::array_t<T> like() const {
+    return py::array_t<T>(std::vector<py::ssize_t>(columns_[0].shape(), columns_[0].shape() + columns_[0].ndim()));
+  }
+
+ private:
+  static void expect(std::span<const double> values, const Allowed& a) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double v = values[i];
+      if ((a.open ? v > a.least : v >= a.least) && v < a.below) continue;
+      throw InputError(fmt::format(
+          "{}: value {} (number {}) is not allowed; must be {} {}{}{}", a.name, v, i, a.open ? ">" : ">=", a.least,
+          a.below < kAny ? fmt::format(" and < {}", a.below) : "", std::isfinite(v) ? "" : ", finite"));
+    }
+  }
+
+  std::array<Array, n> columns_;
+};
+
+/// A named tuple type of the module, made once.
+py::object named_tuple(py::module_& m, const char* name, const char* fields, const char* doc) {
+  py::object type = py::module_::import("collections").attr("namedtuple")(name, fields);
+  type.attr("__doc__") = doc;
+  type.attr("__module__") = m.attr("__name__");
+  m.attr(name) = type;
+  return type;
+}
+
+py::object respond(const ResponseModel& model, const py::object& type, const py::object& b_lc, const py::object& c_lc,
+                   const py::object& theta, const py::object& mu1, const py::object& mu2,
+                   const py::object& thickness_over_lc) {
+  const py::object h = thickness_over_lc.is_none() ? py::float_(0.0) : thickness_over_lc;
+  const Allowed thickness{"thickness_over_lc", 0.0, !thickness_over_lc.is_none(), kAny};
+  const Columns<6> x({b_lc, c_lc, theta, mu1, mu2, h},
+                     {Allowed{"b_lc", 0.0, false, kAny}, {"c_lc", 0.0, true, kAny}, kAngle, kMu1, kMu2, thickness});
+  auto sigma = x.like<double>(), length = x.like<double>();
+  auto in_range = x.like<bool>();
+  double* const sigma_at = sigma.mutable_data();
+  double* const length_at = length.mutable_data();
+  bool* const in_range_at = in_range.mutable_data();
+  without_gil(x.size(), [&](std::size_t i) {
+    const auto y = model.respond({x.at(0, i), x.at(1, i), x.at(2, i), x.at(3, i), x.at(4, i)}, x.at(5, i));
+    sigma_at[i] = y.sigma_over_p;
+    length_at[i] = y.lbreak_over_lc;
+    in_range_at[i] = y.in_range;
+  });
+  return type(sigma, length, in_range);
+}
+
+py::object assess(const failure::BendingCriterion& criterion, const py::object& type, const py::object& depth,
+                  const py::object& contact_length, const py::object& angle, const py::object& mu1,
+                  const py::object& mu2, const py::object& pressure) {
+  const Columns<6> x({depth, contact_length, angle, mu1, mu2, pressure}, {Allowed{"depth", 0.0, false, kAny},
+                                                                          {"contact_length", 0.0, true, kAny},
+                                                                          {"angle", 0.0, false, kPi},
+                                                                          kMu1,
+                                                                          kMu2,
+                                                                          {"pressure", 0.0, false, kAny}});
+  auto fails = x.like<bool>(), in_range = x.like<bool>();
+  auto sigma = x.like<double>(), length = x.like<double>();
+  bool* const fails_at = fails.mutable_data();
+  bool* const in_range_at = in_range.mutable_data();
+  double* const sigma_at = sigma.mutable_data();
+  double* const length_at = length.mutable_data();
+  without_gil(x.size(), [&](std::size_t i) {
+    const failure::Assessment y = criterion.assess({.depth = x.at(0, i),
+                                                    .contact_length = x.at(1, i),
+                                                    .angle = x.at(2, i),
+                                                    .mu1 = x.at(3, i),
+                                                    .mu2 = x.at(4, i),
+                                                    .pressure = x.at(5, i)});
+    fails_at[i] = y.fails;
+    sigma_at[i] = y.sigma_max;
+    length_at[i] = y.breaking_length;
+    in_range_at[i] = !y.below_range && !y.above_range;
+  });
+  return type(fails, sigma, length, in_range);
+}
+
+py::object load_ratios(const py::object& type, const py::object& slope, const py::object& friction,
+                       const py::object& heading) {
+  const Columns<3> x({slope, friction, heading}, {Allowed{"slope", 0.0, true, std::nextafter(kPi / 2, 4.0)},
+                                                  {"friction", 0.0, false, kAny},
+                                                  {"heading", -kAny, true, kAny}});
+  auto horizontal = x.like<double>(), mu1 = x.like<double>(), mu2 = x.like<double>();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const failure::LoadRatios y = failure::load_ratios(x.at(0, i), x.at(1, i), x.at(2, i));
+    horizontal.mutable_data()[i] = y.horizontal;
+    mu1.mutable_data()[i] = y.mu1;
+    mu2.mutable_data()[i] = y.mu2;
+  }
+  return type(horizontal, mu1, mu2);
+}
+
+IceProperties ice_of(const Case& c) {
+  return {.thickness = c.resolved.ice.thickness,
+          .youngs_modulus = c.resolved.ice.youngs_modulus,
+          .poisson_ratio = c.resolved.ice.poisson_ratio,
+          .flexural_strength = c.resolved.ice.flexural_strength,
+          .compressive_strength = c.resolved.ice.compressive_strength,
+          .crushing_factor = c.resolved.ice.crushing_factor,
+          .water_density = c.resolved.water.density};
+}
+
+}  // namespace
+
+void add_failure(py::module_& m) {
+  const py::object response = named_tuple(m, "Response", "sigma_over_p lbreak_over_lc in_range",
+                                          "Arrays of the common shape: sigma_max/p [-], l_break/l_c [-], and False "
+                                          "where an input was moved into the model's range.");
+  py::class_<ResponseModel>(m, "FailureModel",
+                            R"(A failure model without a case: the inputs of Eq. 17 in, its outputs out.
+
+model: "network" or "superposition" (those that come with the program), "fem" (the plate is solved for each row, about
+a third of a second), or the path of a model file.
+
+>>> model = brash.FailureModel("network")
+>>> model(b_lc=0.2, c_lc=np.linspace(0.05, 0.5, 10), theta=1.0, mu1=0.5, mu2=0.0).sigma_over_p)")
+      .def(py::init(&failure::make_response_model), py::arg("model") = "network")
+      .def(
+          "__call__",
+          [response](const ResponseModel& model, const py::object& b_lc, const py::object& c_lc,
+                     const py::object& theta, const py::object& mu1, const py::object& mu2,
+                     const py::object& thickness_over_lc) {
+            return respond(model, response, b_lc, c_lc, theta, mu1, mu2, thickness_over_lc);
+          },
+          py::arg("b_lc"), py::arg("c_lc"), py::arg("theta"), py::arg("mu1"), py::arg("mu2"),
+          py::arg("thickness_over_lc") = py::none(),
+          "Arrays of any shapes that broadcast: b/l_c >= 0, c/l_c > 0, theta in [0, pi) [rad], mu1 > 0, mu2, and h/l_c "
+          "(left out: that of the training rows; 0.1 for the plate). Returns a Response.");
+
+  const py::object assessment =
+      named_tuple(m, "Assessment", "fails sigma_max breaking_length in_range",
+                  "Arrays of the common shape: whether the ice fails, sigma_max [Pa], l_break [m], and False where an "
+                  "input was moved into the model's range.");
+  py::class_<failure::BendingCriterion>(m, "Criterion", R"(Whether the ice of a case fails in bending, and how far in.
+
+model: network, superposition, plate, plate-outline or wedge; left out, that of the case.)")
+      .def(py::init([](const Case& c, const py::object& model) {
+             const io::FailureSection& section = c.resolved.failure;
+             if (model.is_none()) return failure::make_criterion(section.model, section.file, ice_of(c));
+             return failure::make_criterion(model.cast<std::string>(), "", ice_of(c));
+           }),
+           py::arg("case"), py::arg("model") = py::none())
+      .def(
+          "__call__",
+          [assessment](const failure::BendingCriterion& criterion, const py::object& depth,
+                       const py::object& contact_length, const py::object& angle, const py::object& mu1,
+                       const py::object& mu2, const py::object& pressure) {
+            return assess(criterion, assessment, depth, contact_length, angle, mu1, mu2, pressure);
+          },
+          py::arg("depth"), py::arg("contact_length"), py::arg("angle"), py::arg("mu1"), py::arg("mu2"),
+          py::arg("pressure"),
+          "Arrays of any shapes that broadcast: b >= 0 [m], c > 0 [m], theta in [0, pi) [rad], mu1 > 0, mu2, p >= 0 "
+          "[Pa]. Returns an Assessment.");
+
+  m.def(
+      "characteristic_length", [](const Case& c) { return failure::characteristic_length(ice_of(c)); }, py::arg("case"),
+      "l_c of the case's ice [m], Eq. 18.");
+  const py::object ratios = named_tuple(m, "LoadRatios", "horizontal mu1 mu2",
+                                        "Per unit normal contact force: the in-plane normal N, P/N and f/N.");
+  m.def(
+      "load_ratios",
+      [ratios](const py::object& slope, const py::object& friction, const py::object& heading) {
+        return load_ratios(ratios, slope, friction, heading);
+      },
+      py::arg("slope"), py::arg("friction"), py::arg("heading") = 0.0,
+      "A contact on a surface that slopes at `slope` from the horizontal [rad], in (0, pi/2], and slides against the "
+      "ice with friction >= 0; heading: direction of motion from the contact's plan normal [rad]. Arrays broadcast.");
+}
+
+}  // namespace brash::python

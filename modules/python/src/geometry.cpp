@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/text.hpp"
+#include "brash/geometry/trapezoid.hpp"
+#include "convert.hpp"
+#include "polygons.hpp"
+#include "rooms.hpp"
+
+namespace brash::python {
+namespace {
+
+using geometry::Cut;
+using geometry::IceSheet;
+using geometry::Polygon;
+
+/// More radial cracks than anyone breaks ice into, and few enough to draw.
+constexpr int kMostWedges = 1000;
+constexpr int kMostSides = 100000;
+
+IceSheet make_sheet(const py::object& polygons) {
+  const std::vector<Polygon> ice = to_polygons(polygons, "polygons");
+  auto sheet = [&] {
+    const py::gil_scoped_release release;
+    return IceSheet::from_polygons(ice);
+  }();
+  if (!sheet) throw InputError("polygons: " + sheet.error().what);
+  return *std::move(sheet);
+}
+
+double expect_range(double value, double least, double most, const char* name) {
+  if (value >= least && value <= most) return value;
+  throw InputError(fmt::format("{} = {}: a number from {} to {} is expected", name, value, least, most));
+}
+
+/// A circle that stays on the grid.
+double expect_radius(double radius, Vec2 centre, const char* name) {
+  const double room = geometry::kMaxCoordinate - std::max(std::abs(centre.x), std::abs(centre.y));
+  if (radius > 0.0 && radius <= room) return radius;
+  throw InputError(fmt::format("{} = {}: metres above 0 that keep within +-{} m are expected", name, radius,
+                               geometry::kMaxCoordinate));
+}
+
+Cut cut(IceSheet& sheet, const py::object& region, const py::object& cracks) {
+  const geometry::Ring ring = to_ring(region, "region");
+  std::vector<geometry::Crack> lines;
+  if (!cracks.is_none()) {
+    const Array array = numbers(cracks, "cracks");
+    if (array.ndim() != 3 || array.shape(1) != 2 || array.shape(2) != 2)
+      throw InputError(fmt::format("cracks: has shape {}, must have shape (n, 2, 2)", shape_text(array)));
+    const std::vector<Vec2> ends = points(array.attr("reshape")(-1, 2), "cracks");
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+      lines.push_back({geometry::snap(ends[i]), geometry::snap(ends[i + 1])});
+  }
+  return sheet.cut(ring, lines);
+}
+
+Cut cut_circumferential(IceSheet& sheet, const py::object& centre, double radius, int wedges, const py::object& angles,
+                        int sides) {
+  const Vec2 at = point(centre, "centre");
+  expect_radius(radius, at, "radius");
+  expect_range(wedges, 1, kMostWedges, "wedges");
+  expect_range(sides, 3, kMostSides, "sides");
+  if (angles.is_none()) return geometry::cut_circumferential(sheet, at, radius, wedges, sides);
+  const Array radians = samples(angles, "angles");
+  expect_range(static_cast<double>(radians.size()), 0, kMostWedges, "number of angles");
+  for (const double angle : span_of(radians)) expect_range(angle, -1e6, 1e6, "angles");
+  return geometry::cut_circumferential(sheet, at, radius, span_of(radians), sides);
+}
+
+geometry::FitRequest fit_request(const py::object& at, const py::object& towards, double reach, double contact_length) {
+  const Vec2 b = point(at, "at"), direction = point(towards, "towards");
+  if (!(norm(direction) > 0.0)) throw InputError("towards = (0, 0): a direction is expected");
+  // The window is looked at up to twice the reach away.
+  expect_radius(2.0 * reach, b, "twice the reach");
+  expect_range(contact_length, 0.0, geometry::kMaxCoordinate, "contact_length");
+  return {.at = b, .towards = normalized(direction), .contact_length = contact_length, .reach = reach};
+}
+
+geometry::Trapezoid fit(const py::object& ice, const py::object& at, const py::object& towards, double reach,
+                        double contact_length) {
+  const geometry::FitRequest request = fit_request(at, towards, reach, contact_length);
+  if (py::isinstance<IceSheet>(ice)) return geometry::fit_trapezoid(ice.cast<const IceSheet&>(), request);
+  std::vector<std::vector<Vec2>> edges;
+  if (py::isinstance<py::str>(ice) || !py::isinstance<py::iterable>(ice))
+    throw InputError("ice: a sheet or a list of polylines with shape (n, 2) is expected");
+  for (const py::handle edge : ice) edges.push_back(points(edge, "ice"));
+  return geometry::fit_trapezoid(edges, request);
+}
+
+py::list rings_of(std::span<const geometry::Ring> rings) {
+  py::list out;
+  for (const geometry::Ring& ring : rings) out.append(to_array(ring));
+  return out;
+}
+
+Polygon polygon_from(const py::object& outline, const py::object& holes) {
+  Polygon polygon{geometry::ring(points(outline, "outline")), {}};
+  for (const py::handle hole : holes) {
+    geometry::Ring ring = geometry::ring(points(hole, "holes"));
+    std::ranges::reverse(ring);
+    polygon.holes.push_back(std::move(ring));
+  }
+  if (const auto alone = IceSheet::from_polygons(std::span(&polygon, 1)); !alone) throw InputError(alone.error().what);
+  return polygon;
+}
+
+py::dict geo_interface(const Polygon& polygon) {
+  const auto closed = [](const geometry::Ring& ring) {
+    py::list positions;
+    for (std::size_t i = 0; i <= ring.size(); ++i) {
+      const Vec2 v = geometry::metres(ring[i % ring.size()]);
+      positions.append(py::make_tuple(v.x, v.y));
+    }
+    return py::tuple(positions);
+  };
+  py::list rings;
+  rings.append(closed(polygon.outline));
+  for (const geometry::Ring& hole : polygon.holes) rings.append(closed(hole));
+  py::dict out;
+  out["type"] = "Polygon";
+  out["coordinates"] = py::tuple(rings);
+  return out;
+}
+
+void add_polygon(py::module_& m) {
+  py::class_<Polygon>(m, "Polygon", "A simple polygon with holes on the grid of 2^-30 m, plan coordinates in metres.")
+      .def(py::init(&polygon_from), py::arg("outline"), py::arg("holes") = py::tuple(),
+           "outline: shape (n, 2) [m], either way round; holes: a list of such arrays.")
+      .def_static(
+          "read", [](const py::object& value) { return to_polygon(value, "value"); }, py::arg("value"),
+          "From WKT, GeoJSON, vertices, or an object with __geo_interface__ such as shapely's.")
+      .def_property_readonly(
+          "outline", [](const Polygon& p) { return to_array(p.outline); },
+          "Vertices, counter-clockwise; shape (n, 2) [m].")
+      .def_property_readonly(
+          "holes", [](const Polygon& p) { return rings_of(p.holes); },
+          "Vertices of each hole, clockwise; shape (n, 2) [m].")
+      .def_property_readonly(
+          "area", [](const Polygon& p) { return geometry::area(p).square_metres(); }, "[m2]")
+      .def_property_readonly(
+          "exact_area", [](const Polygon& p) { return fraction(geometry::area(p)); },
+          "Area as a Fraction [m2]: sums of them are exact.")
+      .def_property_readonly(
+          "centroid",
+          [](const Polygon& p) {
+            const Vec2 c = geometry::centroid(p);
+            return to_array(std::array{c.x, c.y});
+          },
+          "shape (2,) [m]")
+      .def(
+          "convex_parts", [](const Polygon& p) { return rings_of(geometry::convex_parts(p)); },
+          "Convex rings that tile the polygon; shape (n, 2) each [m].")
+      .def("to_wkt", [](const Polygon& p) { return geometry::to_wkt(std::span(&p, 1)); })
+      .def_property_readonly("__geo_interface__", &geo_interface)
+      .def(
+          "__eq__", [](const Polygon& a, const Polygon& b) { return a == b; }, py::is_operator())
+      .def("__repr__", [](const Polygon& p) {
+        return fmt::format("<brash.Polygon of {} vertices, {:.6g} m2>", p.outline.size(),
+                           geometry::area(p).square_metres());
+      });
+}
+
+void add_values(py::module_& m) {
+  py::class_<Cut>(m, "Cut", "What one cut did: area before = after + pieces + snap, exactly.")
+      .def_readonly("pieces", &Cut::pieces, "The ice inside the region, split by the cracks.")
+      .def_property_readonly(
+          "snap", [](const Cut& c) { return fraction(c.snap); },
+          "Area that rounding to the grid moved out of the ice, a Fraction [m2].")
+      .def_readonly("n_rounded", &Cut::n_rounded, "Crossings that became new vertices.");
+  py::class_<geometry::Trapezoid>(m, "Trapezoid", "The ice in front of a contact as the paper's trapezoid (Fig. 2).")
+      .def_readonly("depth", &geometry::Trapezoid::depth, "b [m]")
+      .def_readonly("contact_length", &geometry::Trapezoid::contact_length, "c [m]")
+      .def_readonly("angle", &geometry::Trapezoid::angle, "theta [rad]")
+      .def_readonly("error", &geometry::Trapezoid::error, "Area between fit and edge over the window's area.")
+      .def_readonly("reidentified", &geometry::Trapezoid::reidentified, "The edge had to be re-identified (Fig. 4).")
+      .def("__repr__", [](const geometry::Trapezoid& t) {
+        return fmt::format("<brash.Trapezoid b = {:.4g} m, c = {:.4g} m, theta = {:.4g} deg, error {:.3g}>", t.depth,
+                           t.contact_length, degrees(t.angle), t.error);
+      });
+  py::class_<geometry::ContactRegion>(m, "ContactRegion", "One connected overlap of a section with the ice.")
+      .def_readonly("overlap", &geometry::ContactRegion::overlap, "The overlap itself, a Polygon.")
+      .def_readonly("contact_length", &geometry::ContactRegion::contact_length, "c [m]")
+      .def_property_readonly(
+          "midpoint",
+          [](const geometry::ContactRegion& r) {
+            return to_array(std::array{r.midpoint.x, r.midpoint.y});
+          },
+          "Collision point B, shape (2,) [m].")
+      .def_property_readonly(
+          "normal",
+          [](const geometry::ContactRegion& r) {
+            return to_array(std::array{r.normal.x, r.normal.y});
+          },
+          "Unit normal of the chord into the ice, shape (2,).");
+}
+
+py::object contains(const IceSheet& sheet, const py::object& where) {
+  const Array array = numbers(where, "points");
+  if (array.ndim() == 1) return py::bool_(sheet.contains(point(array, "points")));
+  const std::vector<Vec2> all = points(array, "points");
+  py::array_t<bool> inside(static_cast<py::ssize_t>(all.size()));
+  auto view = inside.mutable_unchecked<1>();
+  for (std::size_t i = 0; i < all.size(); ++i) view(static_cast<py::ssize_t>(i)) = sheet.contains(all[i]);
+  return inside;
+}
+
+std::vector<geometry::ContactRegion> contacts(const IceSheet& sheet, const py::object& section) {
+  const geometry::Ring ring = to_ring(section, "section");
+  if (!geometry::is_convex(ring)) throw InputError("section: is not convex; give a convex outline");
+  return sheet.contacts(ring);
+}
+
+py::list free_edge(const IceSheet& sheet, const py::object& at, double radius) {
+  const Vec2 b = point(at, "at");
+  py::list chains;
+  for (const std::vector<Vec2>& chain : sheet.free_edge(b, expect_radius(radius, b, "radius")))
+    chains.append(to_array(chain));
+  return chains;
+}
+
+}  // namespace
+
+void add_geometry(py::module_& m) {
+  add_polygon(m);
+  add_values(m);
+  py::class_<IceSheet>(m, "IceSheet", R"(The ice sheet: its free edges as an exact polygon set on the grid of 2^-30 m.
+
+The cost of a cut or a query is that of the edges near it, whatever the size of the sheet.
+
+>>> sheet = brash.IceSheet([[0, -25], [50, -25], [50, 25], [0, 25]])
+>>> cut = sheet.cut_circumferential([0, 0], radius=3, wedges=4)
+>>> len(cut.pieces)
+4)")
+      .def(py::init(&make_sheet), py::arg("polygons"),
+           "polygons: vertices with shape (n, 2) [m], WKT, GeoJSON, a Polygon or shapely geometry, or a list of them; "
+           "simple and disjoint.")
+      .def_property_readonly(
+          "area", [](const IceSheet& s) { return s.area().square_metres(); }, "[m2]")
+      .def_property_readonly(
+          "exact_area", [](const IceSheet& s) { return fraction(s.area()); }, "A Fraction [m2].")
+      .def_property_readonly("n_vertices", &IceSheet::n_vertices)
+      .def("polygons", &IceSheet::polygons, "The connected parts with their holes.")
+      .def("contains", &contains, py::arg("points"), "shape (2,) -> bool; shape (n, 2) -> shape (n,).")
+      .def("cut", &cut, py::arg("region"), py::arg("cracks") = py::none(),
+           "Takes the ice inside `region` (one simple polygon) out and splits it along `cracks`, shape (n, 2, 2): the "
+           "two ends of each [m].")
+      .def("cut_circumferential", &cut_circumferential, py::arg("centre"), py::arg("radius"), py::arg("wedges") = 4,
+           py::arg("angles") = py::none(), py::arg("sides") = 16,
+           "Breaks the ice within `radius` [m] of `centre`, shape (2,), free and divides it by radial cracks: evenly "
+           "into `wedges`, or at `angles` [rad], counter-clockwise from x. `sides`: chords of the full circle.")
+      .def("release_detached", &IceSheet::release_detached,
+           "Takes every part but the largest out of the sheet and returns them.")
+      .def("contacts", &contacts, py::arg("section"), "Overlaps of a convex section with the ice.")
+      .def(
+          "within", [](const IceSheet& s, const py::object& window) { return s.within(to_ring(window, "window")); },
+          py::arg("window"), "The ice inside the window as polygons, without taking it.")
+      .def("free_edge", &free_edge, py::arg("at"), py::arg("radius"),
+           "Polylines of ice boundary within `radius` [m] of `at`, ice on the left, the nearest first; shape (n, 2).")
+      .def("to_wkt", [](const IceSheet& s) { return geometry::to_wkt(s.polygons()); })
+      .def("check", &IceSheet::check, "Raises ContractViolation unless the sheet is consistent.")
+      .def("__repr__", [](const IceSheet& s) {
+        return fmt::format("<brash.IceSheet of {:.6g} m2, {} vertices>", s.area().square_metres(), s.n_vertices());
+      });
+  m.def("fit_trapezoid", &fit, py::arg("ice"), py::arg("at"), py::arg("towards"), py::arg("reach"),
+        py::arg("contact_length") = 0.0,
+        "Fits the trapezoid (b, c, theta) to the free edge of a sheet, or to polylines with the ice on their left.\n\n"
+        "at: collision point B on the edge, shape (2,) [m]; towards: direction into the ice, of any length; reach: "
+        "half width of the window, about a characteristic length [m]; contact_length: c where it is known [m].");
+}
+
+}  // namespace brash::python

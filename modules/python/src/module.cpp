@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/pybind11.h>
+
+#include "brash/core/version.hpp"
+#include "rooms.hpp"
+
+PYBIND11_MODULE(_brash, m) {
+  using namespace brash::python;
+  namespace py = pybind11;
+  m.doc() = "How a structure breaks level ice. SI units and radians throughout; x along the structure's track.";
+  m.attr("__version__") = brash::kVersion;
+  // Later registrations are tried first.
+  py::register_exception<brash::ContractViolation>(m, "ContractViolation", PyExc_AssertionError).doc() =
+      "A bug in the program: a broken contract, with its values.";
+  py::register_exception<brash::RunError>(m, "RunError", PyExc_RuntimeError).doc() =
+      "A run that cannot go on although its input was good.";
+  auto& input_error = py::register_exception<brash::InputError>(m, "InputError", PyExc_ValueError);
+  input_error.doc() = "Bad input: the message names the place, the value, what is allowed and the remedy.";
+  py::register_exception<NotApplicable>(m, "NotApplicable", input_error.ptr()).doc() =
+      "Outside the range of a closed form, or data that a distribution does not fit.";
+  add_case(m);
+  add_results(m);
+  add_simulation(m);
+  add_geometry(m);
+  add_failure(m);
+  add_statistics(m);
+  add_standards(m);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "polygons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "brash/core/error.hpp"
+#include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/text.hpp"
+#include "convert.hpp"
+
+namespace brash::python {
+namespace {
+
+using geometry::Polygon;
+
+template <typename Read>
+auto read_or_refuse(Read read, const std::string& text, const char* name) {
+  auto result = read(text);
+  if (!result) throw InputError(fmt::format("{}: {}", name, result.error().what));
+  return *std::move(result);
+}
+
+std::vector<Polygon> from_text(const std::string& text, const char* name) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos || text[first] != '{') return read_or_refuse(geometry::from_wkt, text, name);
+  std::vector<Polygon> polygons;
+  for (geometry::Feature& feature : read_or_refuse(geometry::from_geojson, text, name))
+    polygons.push_back(std::move(feature.polygon));
+  return polygons;
+}
+
+/// One polygon may stand alone when it neither crosses itself nor is empty.
+Polygon checked(Polygon polygon, const char* name) {
+  if (const auto alone = geometry::IceSheet::from_polygons(std::span(&polygon, 1)); !alone)
+    throw InputError(fmt::format("{}: {}", name, alone.error().what));
+  return polygon;
+}
+
+/// The polygons that one value stands for, or nothing when it stands for none.
+std::optional<std::vector<Polygon>> polygons_of(py::handle value, const char* name) {
+  if (py::isinstance<Polygon>(value)) return std::vector{value.cast<Polygon>()};
+  if (py::isinstance<py::str>(value)) return from_text(value.cast<std::string>(), name);
+  if (py::hasattr(value, "__geo_interface__")) {
+    const py::object text = py::module_::import("json").attr("dumps")(value.attr("__geo_interface__"));
+    return from_text(text.cast<std::string>(), name);
+  }
+  if (py::isinstance<py::dict>(value))
+    return from_text(py::module_::import("json").attr("dumps")(value).cast<std::string>(), name);
+  const Array array = Array::ensure(value);
+  PyErr_Clear();
+  if (!array || array.ndim() != 2 || array.shape(1) != 2) return std::nullopt;
+  return std::vector{Polygon{geometry::ring(points(array, name)), {}}};
+}
+
+}  // namespace
+
+std::vector<Polygon> to_polygons(py::handle value, const char* name) {
+  if (auto known = polygons_of(value, name)) return *std::move(known);
+  constexpr const char* kExpected = "vertices with shape (n, 2), WKT, GeoJSON, a geometry, or a sequence of them";
+  if (py::isinstance<py::str>(value) || !py::isinstance<py::iterable>(value))
+    throw InputError(fmt::format("{}: {} is expected", name, kExpected));
+  std::vector<Polygon> polygons;
+  for (const py::handle item : value) {
+    auto some = polygons_of(item, name);
+    if (!some) throw InputError(fmt::format("{}[{}]: {} is expected", name, polygons.size(), kExpected));
+    std::ranges::move(*some, std::back_inserter(polygons));
+  }
+  return polygons;
+}
+
+Polygon to_polygon(py::handle value, const char* name) {
+  if (py::isinstance<Polygon>(value)) return value.cast<Polygon>();
+  std::vector<Polygon> polygons = to_polygons(value, name);
+  if (polygons.size() != 1) throw InputError(fmt::format("{}: {} polygons; one is expected", name, polygons.size()));
+  return checked(std::move(polygons.front()), name);
+}
+
+geometry::Ring to_ring(py::handle value, const char* name) {
+  Polygon polygon = to_polygon(value, name);
+  if (!polygon.holes.empty()) throw InputError(fmt::format("{}: has a hole; an outline alone is expected", name));
+  return std::move(polygon.outline);
+}
+
+}  // namespace brash::python

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <vector>
+
+#include "brash/geometry/polygon.hpp"
+
+namespace brash::python {
+
+/// One polygon from whatever stands for one: a Polygon, vertices with shape (n, 2), WKT or GeoJSON as text, or an
+/// object with __geo_interface__ (shapely's). Simple, the outline counter-clockwise and holes clockwise afterwards.
+/// @throws InputError naming the argument `name`.
+geometry::Polygon to_polygon(pybind11::handle value, const char* name);
+
+/// Several of them: a sequence of such values, or one value, which may then be a multi-polygon.
+std::vector<geometry::Polygon> to_polygons(pybind11::handle value, const char* name);
+
+/// A polygon without holes.
+geometry::Ring to_ring(pybind11::handle value, const char* name);
+
+}  // namespace brash::python

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results.hpp"
+
+#include <fmt/format.h>
+
+#include "convert.hpp"
+#include "rooms.hpp"
+
+namespace brash::python {
+namespace {
+
+py::list rings_of(const std::vector<std::vector<Vec2>>& rings) {
+  py::list out;
+  for (const std::vector<Vec2>& ring : rings) out.append(to_array(ring));
+  return out;
+}
+
+const char* name_of(io::FloeEnd end) {
+  return end == io::FloeEnd::kAlive ? "alive" : end == io::FloeEnd::kCrushed ? "crushed" : "outside";
+}
+
+/// The mid-plane's outline and holes in the world; shape=(n, 3) each.
+py::list world_rings(const FloeState& floe) {
+  py::list out;
+  for (const std::vector<Vec2>& ring : floe.record.rings) {
+    py::array_t<double> array({static_cast<py::ssize_t>(ring.size()), py::ssize_t{3}});
+    auto view = array.mutable_unchecked<2>();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec3 v = to_world(floe.pose, {ring[i].x, ring[i].y, 0.0});
+      const auto row = static_cast<py::ssize_t>(i);
+      view(row, 0) = v.x, view(row, 1) = v.y, view(row, 2) = v.z;
+    }
+    out.append(array);
+  }
+  return out;
+}
+
+void add_floes(py::module_& m) {
+  py::class_<io::FloeRecord>(m, "FloeRecord", "A floe's life.")
+      .def_readonly("id", &io::FloeRecord::id)
+      .def_readonly("area", &io::FloeRecord::area, "[m2]")
+      .def_readonly("birth", &io::FloeRecord::birth, "[s]")
+      .def_readonly("death", &io::FloeRecord::death, "[s]; the run's end when alive")
+      .def_property_readonly(
+          "end", [](const io::FloeRecord& f) { return name_of(f.end); }, "alive, crushed, outside")
+      .def_readonly("peak_stress", &io::FloeRecord::peak_stress, "Largest compression of the deletion criterion [Pa].")
+      .def_property_readonly(
+          "rings", [](const io::FloeRecord& f) { return rings_of(f.rings); },
+          "Outline and holes in the body frame; shape (n, 2) each [m].");
+  py::class_<FloeState>(m, "Floe", "A floe at one time.")
+      .def_readonly("record", &FloeState::record)
+      .def_property_readonly("id", [](const FloeState& f) { return f.record.id; })
+      .def_property_readonly(
+          "position", [](const FloeState& f) { return to_array(f.pose.position); }, "Centre of mass, shape (3,) [m].")
+      .def_property_readonly(
+          "rotation", [](const FloeState& f) { return to_array(f.pose.rotation); },
+          "Unit quaternion (w, x, y, z) from body to world, shape (4,).")
+      .def_property_readonly("rings", &world_rings,
+                             "Outline and holes of the mid-plane in the world; shape (n, 3) each [m].");
+  py::class_<FrameView>(m, "Frame", "Where everything is at one time.")
+      .def_readonly("time", &FrameView::time, "[s]")
+      .def_property_readonly(
+          "structure", [](const FrameView& f) { return to_array(f.structure.position); },
+          "The structure's origin, shape (3,) [m].")
+      .def_readonly("floes", &FrameView::floes, "A list of Floe.");
+}
+
+}  // namespace
+
+std::map<std::int64_t, io::FloeRecord> by_id(const std::vector<io::FloeRecord>& floes) {
+  std::map<std::int64_t, io::FloeRecord> records;
+  for (const io::FloeRecord& floe : floes) records.emplace(floe.id, floe);
+  return records;
+}
+
+FrameView view_of(const io::Frame& frame, const std::map<std::int64_t, io::FloeRecord>& records) {
+  FrameView view{frame.time, frame.structure, {}};
+  for (const io::FloePose& floe : frame.floes) view.floes.push_back({records.at(floe.floe), floe.pose});
+  return view;
+}
+
+void add_results(py::module_& m) {
+  add_floes(m);
+  using io::RunResults;
+  py::class_<RunResults>(m, "Results", "Everything that a run leaves, as in run.nc.")
+      .def_property_readonly(
+          "loads", [](const RunResults& r) { return table(std::span<const io::LoadRow>(r.loads)); },
+          "Load history: a structured array with the columns of history.csv; shape (n_steps,).")
+      .def_property_readonly(
+          "events", [](const RunResults& r) { return table(std::span<const io::CrackEvent>(r.events)); },
+          "Crack events: a structured array with the columns of events.csv; shape (n_events,).")
+      .def_readonly("floes", &RunResults::floes, "A list of FloeRecord.")
+      .def_property_readonly(
+          "initial_sheet", [](const RunResults& r) { return rings_of(r.initial_sheet); },
+          "Rings with the ice on their left; shape (n, 2) each [m].")
+      .def_property_readonly("final_sheet", [](const RunResults& r) { return rings_of(r.final_sheet); })
+      .def_property_readonly("n_frames", [](const RunResults& r) { return r.frames.size(); })
+      .def(
+          "frame",
+          [](const RunResults& r, py::ssize_t number) {
+            const auto n = static_cast<py::ssize_t>(r.frames.size());
+            if (number < -n || number >= n) throw py::index_error(fmt::format("frame {} of {}", number, n));
+            return view_of(r.frames[static_cast<std::size_t>(number < 0 ? number + n : number)], by_id(r.floes));
+          },
+          py::arg("number"), "Frame of the replay; negative numbers count from the end.");
+  m.def(
+      "read_results",
+      [](const py::object& path) {
+        return io::read_results(py::module_::import("os").attr("fspath")(path).cast<std::string>());
+      },
+      py::arg("path"), "Reads a run.nc.");
+}
+
+}  // namespace brash::python

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+
+namespace brash::python {
+
+/// Outside the range of a closed form, or data that a distribution does not fit: brash.NotApplicable.
+class NotApplicable : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+// Each adds one part of the module.
+void add_case(pybind11::module_& m);
+void add_simulation(pybind11::module_& m);
+void add_results(pybind11::module_& m);
+void add_geometry(pybind11::module_& m);
+void add_failure(pybind11::module_& m);
+void add_statistics(pybind11::module_& m);
+void add_standards(pybind11::module_& m);
+
+/// Calls a function all of whose contracts are about its arguments: what breaks them is the caller's input.
+template <typename Call>
+auto with_arguments_of(const char* function, Call call) {
+  try {
+    return call();
+  } catch (const ContractViolation& broken) {
+    const std::string text = broken.what();
+    const std::size_t condition = text.find("contract broken: ");
+    throw InputError(std::string(function) +
+                     ": must hold: " + (condition == std::string::npos ? text : text.substr(condition + 17)));
+  }
+}
+
+}  // namespace brash::python

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/simulation/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "../../cli/src/run_folder.hpp"
+#include "brash/simulation/run.hpp"
+#include "case.hpp"
+#include "convert.hpp"
+#include "results.hpp"
+#include "rooms.hpp"
+#include "signals.hpp"
+
+namespace brash::python {
+namespace {
+
+/// What some steps did, one after the other.
+struct Steps {
+  std::vector<io::LoadRow> loads;
+  std::vector<io::CrackEvent> events;
+  std::vector<io::FloeRecord> births;
+  std::vector<simulation::FloeDeath> deaths;
+
+  void add(simulation::StepReport report) {
+    loads.push_back(report.loads);
+    std::ranges::move(report.events, std::back_inserter(events));
+    std::ranges::move(report.births, std::back_inserter(births));
+    std::ranges::move(report.deaths, std::back_inserter(deaths));
+  }
+};
+
+/// A simulation, the records of its floes, and the flag that keeps a second thread out while it steps.
+class LiveSimulation {
+ public:
+  explicit LiveSimulation(const Case& c) : simulation_(c.resolved), records_(by_id(simulation_.initial_births())) {}
+
+  Steps step(py::ssize_t n) {
+    if (n < 0) throw InputError(fmt::format("n = {}: a number of steps is expected", n));
+    const Busy busy(busy_, "this simulation");
+    Steps steps;
+    without_gil(static_cast<std::size_t>(n), [&](std::size_t) {
+      simulation::StepReport report = simulation_.step();
+      for (const io::FloeRecord& floe : report.births) records_.emplace(floe.id, floe);
+      steps.add(std::move(report));
+    });
+    return steps;
+  }
+
+  /// The simulation at rest, for a look. @throws std::runtime_error while another thread steps it.
+  const simulation::Simulation& look() const {
+    if (busy_) throw std::runtime_error("this simulation is in use by another thread");
+    return simulation_;
+  }
+  FrameView frame() const { return view_of(look().frame(), records_); }
+
+ private:
+  simulation::Simulation simulation_;
+  std::map<std::int64_t, io::FloeRecord> records_;
+  bool busy_ = false;
+};
+
+py::dict ledger_of(const geometry::Ledger& l) {
+  py::dict out;
+  out["initial"] = fraction(l.initial);
+  out["sheet"] = fraction(l.sheet);
+  out["floes"] = fraction(l.floes);
+  out["crushed"] = fraction(l.crushed);
+  out["deleted"] = fraction(l.deleted);
+  out["brash"] = fraction(l.brash);
+  out["snap"] = fraction(l.snap);
+  return out;
+}
+
+py::list deaths_of(const Steps& steps) {
+  py::list out;
+  for (const simulation::FloeDeath& death : steps.deaths)
+    out.append(py::make_tuple(death.floe, death.cause == io::FloeEnd::kCrushed ? "crushed" : "outside"));
+  return out;
+}
+
+/// Path of the case file that a run's manifest names; a case without a file gets one in the folder of the results.
+std::string case_file_of(const Case& c, const std::string& directory) {
+  if (c.has_file) return c.path;
+  const std::string file = directory + "/case.toml";
+  io::write_file(file, io::to_toml(c.resolved));
+  return file;
+}
+
+simulation::Run run(const Case& c, const py::object& output, bool resume) {
+  if (resume && output.is_none()) throw InputError("resume: name the folder of the interrupted run as output");
+  const std::string directory =
+      output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
+  simulation::RunOptions options;
+  if (!directory.empty()) options.checkpoint_file = directory + "/checkpoint.nc";
+  options.resume = resume;
+  SignalPoll poll;
+  options.interrupted = [&] { return poll.raised(); };
+  simulation::Run finished;
+  {
+    const py::gil_scoped_release release;
+    finished = simulation::run(c.resolved, options);
+    if (finished.complete && !directory.empty())
+      cli::write_run_folder(directory, case_file_of(c, directory), c.resolved, finished);
+  }
+  if (!finished.complete) throw py::error_already_set();
+  return finished;
+}
+
+void add_run(py::module_& m) {
+  using simulation::Run;
+  py::class_<Run>(m, "Run", "A finished run.")
+      .def_readonly("results", &Run::results)
+      .def_property_readonly(
+          "loads", [](const Run& r) { return table(std::span<const io::LoadRow>(r.results.loads)); },
+          "Load history, see Results.loads.")
+      .def_property_readonly(
+          "events", [](const Run& r) { return table(std::span<const io::CrackEvent>(r.results.events)); },
+          "Crack events, see Results.events.")
+      .def_property_readonly(
+          "summary", [](const Run& r) { return from_json(simulation::to_json(r.summary)); },
+          "What summary.json holds, a dict; SI.")
+      .def_readonly("wall_seconds", &Run::wall_seconds);
+  m.attr("Case").attr("run") = py::cpp_function(
+      &run, py::name("run"), py::is_method(m.attr("Case")), py::arg("output") = py::none(), py::arg("resume") = false,
+      "Runs the case to its end and returns a Run; with `output` it leaves there what `brash run` leaves.\n\n"
+      "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there.");
+}
+
+}  // namespace
+
+void add_simulation(py::module_& m) {
+  add_run(m);
+  py::class_<Steps>(m, "Steps", "What one or several steps did.")
+      .def_property_readonly(
+          "loads", [](const Steps& s) { return table(std::span<const io::LoadRow>(s.loads)); },
+          "Structured array with the columns of history.csv; shape (n_steps,).")
+      .def_property_readonly(
+          "events", [](const Steps& s) { return table(std::span<const io::CrackEvent>(s.events)); },
+          "Structured array with the columns of events.csv; shape (n_events,).")
+      .def_readonly("births", &Steps::births, "A list of FloeRecord.")
+      .def_property_readonly("deaths", &deaths_of, "A list of (id, cause).");
+  py::class_<LiveSimulation>(m, "Simulation", R"(One structure driving into one ice sheet, step by step.
+
+>>> simulation = brash.Simulation(case)
+>>> steps = simulation.step(100)
+>>> steps.loads["Fx"].max()                                     # [N]
+>>> [floe.rings[0] for floe in simulation.frame().floes]        # outlines, shape (n, 3) [m])")
+      .def(py::init<const Case&>(), py::arg("case"), "Lays the sheet, cuts the initial crack, places the structure.")
+      .def("step", &LiveSimulation::step, py::arg("n") = 1, "Advances by n time steps; Ctrl-C stops between two steps.")
+      .def_property_readonly(
+          "time", [](const LiveSimulation& s) { return s.look().time(); }, "[s]")
+      .def_property_readonly(
+          "sheet", [](const LiveSimulation& s) { return s.look().sheet(); },
+          "The ice sheet's connected parts, a list of Polygon.")
+      .def_property_readonly(
+          "ledger", [](const LiveSimulation& s) { return ledger_of(s.look().ledger()); },
+          "Where every square metre of ice is: Fractions [m2].")
+      .def("frame", &LiveSimulation::frame, "Where structure and floes are now.")
+      .def("__repr__",
+           [](const LiveSimulation& s) { return fmt::format("<brash.Simulation at t = {:.6g} s>", s.look().time()); });
+}
+
+}  // namespace brash::python

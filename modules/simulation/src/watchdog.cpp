@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "watchdog.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/error.hpp"
+
+namespace brash::simulation {
+namespace {
+
+/// Share of the floes' kinetic energy that contacts and still water may seem to give in a step: sequential impulses end
+/// with 1e-8 m/s of 1 m/s left.
+constexpr double kSolver = 1e-6;
+
+double contact_loss(const io::EnergyLosses& l) {
+  return l.structure_contact + l.structure_friction + l.sheet_contact + l.sheet_friction + l.floe_contact +
+         l.floe_friction;
+}
+
+}  // namespace
+
+// A floe's own speeds are those of the structure, of its rise in the water and of the current.
+Watchdog::Watchdog(const io::Case& resolved)
+    : case_(&resolved),
+      travel_(resolved.time.step * (resolved.structure.speed + std::sqrt(kGravity * resolved.ice.thickness) +
+                                    norm(resolved.water.current))) {}
+
+void Watchdog::look(const Watched& now) {
+  if (!before_) booked_error_ = now.row.energy_error;
+  std::erase_if(explained_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
+  for (const auto& [body, floe] : now.floes.floes()) {
+    look_at_place(floe, now.world.pose(body).position, now.row.time);
+    look_at_energy(now, body, floe);
+  }
+  look_at_losses(now.row);
+  look_at_balance(now);
+  before_ = now.row;
+}
+
+/// No floe is farther from the field than the field is large, or farther below or above the structure than the
+/// structure is high; its drift in a current aside.
+void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
+  const io::Case& c = *case_;
+  const double aside = c.field.length + c.field.width + norm(c.water.current) * time;
+  const double keel = -c.structure.height_under_water;
+  const bool in_plan =
+      place.x >= -aside && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;
+  if (in_plan && place.z >= keel - c.structure.height && place.z <= keel + 2.0 * c.structure.height) return;
+  throw RunError(fmt::format("floe {} is at ({:.6g}, {:.6g}, {:.6g}) m, where nothing can have brought it", floe.id,
+                             place.x, place.y, place.z));
+}
+
+/// No floe has more energy than contacts, water and its height gave it.
+void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe) {
+  const double energy = now.floes.energy(now.world, body);
+  const double received = now.energy.received().at(body);
+  const auto [explained, is_new] = explained_.try_emplace(body, before_ ? received : energy);
+  if (!is_new) explained->second += received;
+  if (energy - explained->second <= allowance(floe)) return;
+  throw RunError(
+      fmt::format("floe {} of {:.4g} kg has an energy of {:.6g} J, of which its work explains {:.6g} J and "
+                  "the time step {:.3g} J",
+                  floe.id, floe.inertia.mass, energy, explained->second, allowance(floe)));
+}
+
+/// Contacts take energy, and so does water at rest.
+void Watchdog::look_at_losses(const io::LoadRow& row) const {
+  const io::EnergyLosses& l = row.losses;
+  const io::EnergyLosses start = before_ ? before_->losses : l;
+  const double rounding = kSolver * (1.0 + row.kinetic_energy);
+  const double contacts = contact_loss(l) - contact_loss(start);
+  if (!(contacts >= -rounding)) throw RunError(fmt::format("contacts gave the floes {:.6g} J in this step", -contacts));
+  const double water = l.drag + l.skin_friction - start.drag - start.skin_friction;
+  const bool still = case_->water.current == Vec2{};
+  if (still && !(water >= -rounding)) throw RunError(fmt::format("drag gave the floes {:.6g} J in this step", -water));
+}
+
+/// Both ledgers close: of area to the last unit, of energy to what the time step leaves open.
+void Watchdog::look_at_balance(const Watched& now) const {
+  geometry::ExactArea floes;
+  double allowed = 0.0;
+  for (const auto& [body, floe] : now.floes.floes()) {
+    floes += floe.area;
+    allowed += allowance(floe);
+  }
+  if (!now.area.closes())
+    throw RunError("the ledger does not close: " + now.area.missing().to_string() + " m2 are missing");
+  if (floes != now.area.floes)
+    throw RunError("the ledger does not fit the floes: they lack " + (now.area.floes - floes).to_string() + " m2");
+  const double error = now.row.energy_error - booked_error_;
+  if (!(std::abs(error) <= allowed))
+    throw RunError(
+        fmt::format("the energies do not close: {:.6g} J of {:.6g} J of work are missing, the time step "
+                    "explains {:.3g} J",
+                    error, now.row.work, allowed));
+}
+
+}  // namespace brash::simulation

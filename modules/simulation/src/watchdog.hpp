@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "brash/geometry/ledger.hpp"
+#include "brash/io/case.hpp"
+#include "brash/io/results.hpp"
+#include "brash/rigid_body/world.hpp"
+#include "energy_ledger.hpp"
+#include "floe_population.hpp"
+
+namespace brash::simulation {
+
+/// A state after a step, with the accounts kept of it.
+struct Watched {
+  const rigid_body::World& world;
+  const FloePopulation& floes;
+  const EnergyLedger& energy;
+  const geometry::Ledger& area;
+  const io::LoadRow& row;  ///< what the step reports
+};
+
+/// Ends a run whose numbers cannot be physics before anyone takes them for a result (docs/theory/simulation.md). It
+/// only looks; nothing in a run depends on it. What it first sees it takes as the start: a resumed run's energies are
+/// those of its checkpoint.
+class Watchdog {
+ public:
+  explicit Watchdog(const io::Case& resolved);
+
+  /// @throws RunError naming the floe or the account and the numbers that do not fit.
+  void look(const Watched& now);
+
+ private:
+  /// What the integration in time may leave open of a floe's energy [J]: dt F (u' - u) / 2 of what is constant in F
+  /// adds up to no more than half its weight along one step's travel (docs/theory/dynamics.md, Energy).
+  double allowance(const Floe& floe) const { return 0.5 * floe.weight * travel_; }
+
+  void look_at_place(const Floe& floe, Vec3 place, double time) const;
+  void look_at_energy(const Watched& now, BodyId body, const Floe& floe);
+  void look_at_losses(const io::LoadRow& row) const;
+  void look_at_balance(const Watched& now) const;
+
+  const io::Case* case_;
+  double travel_;                       ///< [m]
+  double booked_error_ = 0.0;           ///< of the energies before the first look [J]
+  std::optional<io::LoadRow> before_;   ///< the row of the last look
+  std::map<BodyId, double> explained_;  ///< energy of each floe that its work explains [J]
+};
+
+}  // namespace brash::simulation

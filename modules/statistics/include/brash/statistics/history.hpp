@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "brash/statistics/summary.hpp"
+
+namespace brash::statistics {
+
+/// A load history as it was sampled, perhaps unevenly and with gaps.
+struct History {
+  std::vector<double> times;   ///< rising [s]; shape=(n,), n >= 2
+  std::vector<double> values;  ///< finite [N]; shape=(n,)
+};
+
+/// Two successive samples between which the history is unknown.
+struct Gap {
+  double from = 0.0;  ///< [s]
+  double to = 0.0;    ///< [s]
+};
+
+/// How a history was sampled.
+struct Sampling {
+  double step = 0.0;      ///< mean time between samples [s]; gaps do not count, here and below
+  double shortest = 0.0;  ///< time between two samples [s]
+  double longest = 0.0;   ///< time between two samples [s]
+  /// Between gaps no time is further than a tenth of a step from an even grid.
+  bool even = true;
+  std::vector<Gap> gaps;
+};
+
+/// A history cut at its gaps and made even.
+struct EvenHistory {
+  Sampling sampling;
+  std::vector<double> weights;              ///< time that each sample stands for [s]; shape=(n,) of the history
+  std::vector<std::size_t> cuts;            ///< first sample of each piece, and n
+  std::vector<std::vector<double>> pieces;  ///< values every `sampling.step`: the samples themselves where even
+  double duration = 0.0;                    ///< sum of the weights [s]
+
+  /// `pieces` as what autocorrelation, spectrum and peaks take.
+  Pieces views() const;
+};
+
+/// Cuts a history at its gaps and resamples what is not even.
+///
+/// A gap is an interval longer than `longest_interval`. A sample stands for half of the interval on either side, for
+/// half a step where there is a gap or an end. An uneven piece is interpolated linearly, which lowers its spectrum
+/// above about a fifth of the sampling frequency; an even one is taken as it is.
+///
+/// @param longest_interval  [s]; 0: five times the median interval.
+/// @see docs/theory/statistics.md, Uneven sampling and gaps.
+EvenHistory make_even(const History& history, double longest_interval = 0.0);
+
+/// Summary of a stationary history, even or not, with or without gaps.
+///
+/// Even: the same as of evenly sampled values. Else mean, deviation, skewness and quantiles weigh each sample with its
+/// time. The autocorrelation time is that of the even pieces; no pair of samples straddles a gap.
+Summary summarise(const History& history, const EvenHistory& even);
+
+/// The samples between gaps as they were taken, not resampled.
+Pieces raw_pieces(const History& history, const EvenHistory& even);
+
+}  // namespace brash::statistics

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brash/statistics/summary.hpp"
+
+namespace brash::statistics {
+
+/// Summary of samples that stand for the times `weights` [s].
+Summary summarise_weighted(std::span<const double> samples, std::span<const double> weights,
+                           const AutocorrelationTime& correlation);
+
+}  // namespace brash::statistics

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An installation works by itself: the program, the Python module, the models and the completion."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+BUILD, SOURCE = pathlib.Path(os.environ["BRASH_BUILD_DIR"]), pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+
+
+def install(prefix, **environment):
+    subprocess.run([os.environ["CMAKE"], "--install", BUILD, "--prefix", prefix], check=True, capture_output=True,
+                   env={**os.environ, **environment})
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.prefix = pathlib.Path(cls.folder.name).resolve()
+        install(cls.prefix)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def run_here(self, *command):
+        environment = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(self.prefix / "lib/python3/dist-packages")}
+        done = subprocess.run([str(word) for word in command], cwd=self.prefix, env=environment, capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_a_case_runs_with_the_installed_model(self):
+        case = self.prefix / "share/brash/examples/cone.toml"
+        self.run_here("bin/brash", "run", case, "--set", "time.duration=0.2", "-o", "out")
+        manifest = json.loads((self.prefix / "out/manifest.json").read_text())
+        model = manifest["inputs"][1]["path"]
+        self.assertTrue(model.startswith(str(self.prefix / "share/brash/models")), model)
+
+    def test_the_module_is_imported_and_runs_from_there(self):
+        said = self.run_here("/usr/bin/python3", "-c", f"""
+import brash
+case = brash.Case.from_file("share/brash/examples/cone.toml", {{"time.duration": 0.2}})
+case.run("python")
+brash.FailureModel("superposition")
+print(brash.__file__)
+print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
+        self.assertEqual(said.splitlines(), [str(self.prefix / "lib/python3/dist-packages/brash/__init__.py"), "[]"])
+
+    def test_nothing_that_is_read_lies_in_the_build_tree_or_the_sources(self):
+        try:
+            said = subprocess.run(["strace", "-f", "-e", "trace=openat", self.prefix / "bin/brash", "check",
+                                   self.prefix / "share/brash/examples/cone.toml"], capture_output=True, text=True)
+        except FileNotFoundError:
+            self.skipTest("strace is not installed")
+        opened = [line for line in said.stderr.splitlines() if f'"{SOURCE}/' in line]
+        self.assertEqual(opened, [])
+
+    def test_documents_schema_and_completion_are_there(self):
+        for name in ("share/brash/case.schema.json", "share/doc/brash/README.md", "share/doc/brash/CITATION.cff",
+                     "share/doc/brash/docs/glossary.md", "share/brash/models/cone_network.md",
+                     "share/bash-completion/completions/brash", "lib/python3/dist-packages/brash/_brash.pyi"):
+            self.assertTrue((self.prefix / name).is_file(), name)
+
+    def test_the_module_goes_where_debian_s_python_looks(self):
+        for prefix, wanted in (("/usr", "lib/python3/dist-packages"), ("/usr/local", "lib/python3.*/dist-packages")):
+            with tempfile.TemporaryDirectory() as stage:
+                install(prefix, DESTDIR=stage)
+                [found] = pathlib.Path(stage).rglob("_brash.*.so")
+                self.assertRegex(str(found.parent), f"^{re.escape(stage + prefix)}/{wanted}/brash$")
+
+    def test_the_completion_knows_every_command_and_option(self):
+        """Each command's help against what the shell offers, all the way down."""
+        script = "source share/bash-completion/completions/brash; COMP_WORDS=(brash {} ''); " \
+                 "COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); [ -z '{}' ] || COMP_WORDS[COMP_CWORD]=-; _brash; " \
+                 "printf '%s\\n' \"${{COMPREPLY[@]}}\""
+
+        def offered(path, dash):
+            return set(self.run_here("bash", "-c", script.format(" ".join(path), dash)).split())
+
+        def check(path):
+            text = self.run_here("bin/brash", *path, "--help")
+            options = set(re.findall(r"(?<=[\s,])--?[a-z][a-z-]*(?=[\s,])", text.split("ptions:")[1].split("Subcommands:")[0]))
+            listed = {o for o in re.findall(r"^  (-\S+)", text, re.MULTILINE) for o in o.split(",")}
+            self.assertTrue(listed)
+            self.assertEqual(offered(path, "-"), listed | (options & offered(path, "-")), path)
+            commands = re.findall(r"^  ([a-z]+) +\S", text.split("Subcommands:")[1], re.MULTILINE) if "Subcommands:" in text else []
+            if commands:
+                self.assertLessEqual(set(commands), offered(path, ""))
+            for command in commands:
+                check([*path, command])
+
+        check([])
+
+
+if __name__ == "__main__":
+    unittest.main()

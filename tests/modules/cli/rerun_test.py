@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`brash rerun`: equal results on recorded runs; a changed input, model or program is named."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+MODELS = SOURCE / "experiments/failure_database"
+
+
+def brash(*arguments, **environment):
+    return subprocess.run([BRASH, *map(str, arguments)], capture_output=True, text=True,
+                          env={**os.environ, **environment})
+
+
+class Rerun(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+        self.case = self.path / "mine.toml"
+        shutil.copy(SOURCE / "experiments/validation/cone.toml", self.case)
+
+    def record(self, name, *options):
+        done = brash("run", self.case, "--set", "time.duration=1.5", "-o", self.path / name, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.path / name / "manifest.json"
+
+    def test_three_recorded_runs_repeat_byte_for_byte(self):
+        runs = [self.record("a"), self.record("b", "--seed", 2, "--set", "failure.model=superposition"),
+                self.record("c", "--set", "ice.thickness='40 cm'", "--set", "failure.model=wedge")]
+        for manifest in runs:
+            n_files = len(json.loads(manifest.read_text())["outputs"])
+            done = brash("rerun", manifest)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(done.stdout.count("identical"), n_files)
+
+    def test_a_changed_input_is_named_and_its_run_can_be_repeated_all_the_same(self):
+        manifest = self.record("a")
+        self.case.write_text(self.case.read_text().replace("0.33 m", "0.43 m"))
+        refused = brash("rerun", manifest)
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+        self.assertIn(f"input {self.case}", refused.stderr)
+        self.assertNotIn("model", refused.stderr.split("remedy")[0])
+        again = brash("rerun", manifest, "--anyway", "-o", self.path / "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual((self.path / "again/run.nc").read_bytes(), (self.path / "a/run.nc").read_bytes())
+        self.case.unlink()
+        self.assertIn("no such file", brash("rerun", manifest).stderr)
+
+    def test_a_changed_model_is_named(self):
+        manifest = self.record("a")
+        shutil.copy(MODELS / "cone_superposition.json", self.path / "cone_network.json")
+        refused = brash("rerun", manifest, BRASH_MODEL_PATH=str(self.path))
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn(f"model {self.path / 'cone_network.json'}", refused.stderr)
+
+    def test_a_changed_program_is_named(self):
+        manifest = self.record("a")
+        m = json.loads(manifest.read_text())
+        m["program"]["sha256"] = "0" * 64
+        manifest.write_text(json.dumps(m))
+        refused = brash("rerun", manifest)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("program brash", refused.stderr)
+
+    def test_a_result_that_differs_is_named(self):
+        manifest = self.record("a")
+        m = json.loads(manifest.read_text())
+        m["outputs"][0]["sha256"] = "0" * 64
+        manifest.write_text(json.dumps(m))
+        done = brash("rerun", manifest)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(m["outputs"][0]["path"], done.stderr)
+
+    def test_what_is_no_manifest_is_refused(self):
+        for text in ("", "{", "[]", "{}", '{"format": "brash-manifest-1"}', '{"format": 7}', '{"format": "other"}',
+                     '{"format": "brash-manifest-1", "case": {"name": 1, "toml": []}}'):
+            (self.path / "m.json").write_text(text)
+            done = brash("rerun", self.path / "m.json")
+            self.assertEqual(done.returncode, 2, text)
+            self.assertIn("m.json", done.stderr)
+        self.assertEqual(brash("rerun", self.path / "none.json").returncode, 2)
+        self.assertEqual(brash("rerun", self.path).returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

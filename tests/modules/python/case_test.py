@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cases are read, changed and checked as the command does it."""
+import copy
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+import brash
+
+CONE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"]) / "experiments/validation/cone.toml"
+
+
+class Cases(unittest.TestCase):
+    def setUp(self):
+        self.case = brash.Case.from_file(CONE)
+
+    def test_values_are_si(self):
+        self.assertEqual(self.case.name, "cone")
+        self.assertEqual(self.case["ice.thickness"], 0.33)
+        self.assertEqual(self.case["ice.flexural_strength"], 539e3)
+        self.assertEqual(self.case["failure.wedges"], [3, 5])
+
+    def test_a_key_is_set_with_a_unit_or_as_a_number(self):
+        self.case["ice.thickness"] = "40 cm"
+        self.assertEqual(self.case["ice.thickness"], 0.4)
+        self.case["ice.thickness"] = np.float64(0.5)
+        self.assertEqual(self.case["ice.thickness"], 0.5)
+        self.case["failure.wedges"] = np.array([4, 4])
+        self.assertEqual(self.case["failure.wedges"], [4, 4])
+        self.case["field.initial_crack"] = False
+        self.assertIs(self.case["field.initial_crack"], False)
+
+    def test_a_refused_change_changes_nothing_and_says_what_the_command_says(self):
+        before = self.case.copy()
+        said = subprocess.run([os.environ["BRASH"], "check", CONE, "--set", "ice.thicknes=0.4"], capture_output=True,
+                              text=True)
+        self.assertEqual(said.returncode, 2)
+        with self.assertRaises(brash.InputError) as raised:
+            self.case["ice.thicknes"] = 0.4
+        self.assertEqual(f"brash: {raised.exception}\n", said.stderr)
+        self.assertEqual(self.case, before)
+        self.assertIsInstance(raised.exception, ValueError)
+
+    def test_keys_that_depend_on_each_other_are_changed_together(self):
+        with self.assertRaises(brash.InputError):
+            self.case["structure.height_under_water"] = 9.5
+        self.case.update({"structure.height": 12, "structure.height_under_water": 9.5})
+        self.assertEqual(self.case["structure.height_under_water"], 9.5)
+
+    def test_the_resolved_text_gives_the_same_case(self):
+        self.case["ice.thickness"] = 0.4
+        again = brash.Case.from_text(self.case.to_toml(), "cone")
+        self.assertEqual(again, self.case)
+        self.assertEqual(copy.deepcopy(again), again)
+        self.assertEqual(again.to_dict()["ice"]["thickness"], 0.4)
+
+    def test_bad_values_and_keys_are_exceptions(self):
+        for value in (float("nan"), float("inf"), -1, "3 kg", "", "\x00\"\n", [], [1, 2], True, 10**40):
+            with self.assertRaises(brash.InputError, msg=repr(value)):
+                self.case["ice.thickness"] = value
+        for value in (None, {}, object(), 1j):
+            with self.assertRaises(TypeError, msg=repr(value)):
+                self.case["ice.thickness"] = value
+        for key in ("", "ice", ".", "ice.", "a=b.c", "ice.thickness.x", "\n", "ice.\x00"):
+            with self.assertRaises(brash.InputError, msg=repr(key)):
+                self.case[key] = 1
+            with self.assertRaises(KeyError, msg=repr(key)):
+                self.case[key]
+
+    def test_bad_files_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            missing = pathlib.Path(folder) / "none.toml"
+            with self.assertRaisesRegex(brash.InputError, "none.toml"):
+                brash.Case.from_file(missing)
+            with self.assertRaisesRegex(brash.InputError, "is a folder"):
+                brash.Case.from_file(folder)
+        with self.assertRaisesRegex(brash.InputError, "mine"):
+            brash.Case.from_text("[ice", name="mine")
+
+    def test_derived_scales_are_those_of_the_command(self):
+        derived = self.case.derived()
+        self.assertAlmostEqual(derived["characteristic_length"], brash.characteristic_length(self.case), places=12)
+        said = subprocess.run([os.environ["BRASH"], "check", CONE], capture_output=True, text=True, check=True).stdout
+        self.assertIn(f"l_c      {derived['characteristic_length']:.4g} m", said)
+
+    def test_template_and_schema_are_there(self):
+        self.assertIn("[ice]", brash.template())
+        brash.Case.from_text(brash.template())
+        self.assertIn('"thickness"', brash.schema())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Failure models and closed forms on arrays."""
+import os
+import pathlib
+import subprocess
+import unittest
+
+import numpy as np
+
+import brash
+
+SOURCE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+CONE = SOURCE / "experiments/validation/cone.toml"
+ROW = dict(b_lc=0.2, c_lc=0.1, theta=1.0, mu1=0.5, mu2=0.1)
+
+
+class Models(unittest.TestCase):
+    def test_they_say_what_the_command_says(self):
+        rows = "b_lc,c_lc,theta_deg,mu1,mu2,lc_over_h\n0.2,0.1,60,0.5,0.1,9\n0.4,0.2,30,0.6,0,8\n"
+        for model in ("network", "superposition", "fem", str(SOURCE / "experiments/failure_database/cone_network.json")):
+            said = subprocess.run([os.environ["BRASH"], "failure", "predict", "--model", model], input=rows, text=True,
+                                  capture_output=True, check=True).stdout.splitlines()[1:]
+            wanted = np.array([line.split(",")[6:8] for line in said], float)
+            got = brash.FailureModel(model)([0.2, 0.4], [0.1, 0.2], np.radians([60, 30]), [0.5, 0.6], [0.1, 0], 1 / np.array([9, 8]))
+            np.testing.assert_allclose(np.stack([got.sigma_over_p, got.lbreak_over_lc], 1), wanted, rtol=1e-5)
+
+    def test_arrays_broadcast(self):
+        model = brash.FailureModel()
+        grid = model(**{**ROW, "b_lc": np.linspace(0, 0.4, 3)[:, None], "c_lc": np.linspace(0.1, 0.4, 4)})
+        self.assertEqual(grid.sigma_over_p.shape, (3, 4))
+        self.assertEqual(grid.in_range.dtype, bool)
+        one = model(**{**ROW, "b_lc": 0.2, "c_lc": 0.3})
+        self.assertEqual(one.sigma_over_p.shape, ())
+        self.assertEqual(one.sigma_over_p, grid.sigma_over_p[1, 2])
+        self.assertEqual(model(**{**ROW, "b_lc": np.zeros((0, 3))}).sigma_over_p.shape, (0, 3))
+
+    def test_an_input_outside_the_range_is_told(self):
+        got = brash.FailureModel("network")(**{**ROW, "mu1": [0.5, 50]})
+        self.assertEqual(got.in_range.tolist(), [True, False])
+
+    def test_bad_inputs_are_refused(self):
+        model = brash.FailureModel("superposition")
+        for change in ({"b_lc": -1}, {"c_lc": 0}, {"theta": np.pi}, {"mu1": 0}, {"mu1": np.nan}, {"mu2": np.inf},
+                       {"b_lc": "x"}, {"b_lc": None}, {"thickness_over_lc": 0}, {"b_lc": [1, 2], "c_lc": [1, 2, 3]},
+                       {"mu1": [0.5, -0.5]}):
+            with self.subTest(change), self.assertRaises(brash.InputError):
+                model(**{**ROW, **change})
+        for name in ("none.json", "", str(CONE), "/"):
+            with self.subTest(name), self.assertRaises(brash.InputError):
+                brash.FailureModel(name)
+
+    def test_criteria_assess_the_ice_of_a_case(self):
+        case = brash.Case.from_file(CONE)
+        load = dict(depth=0.5, contact_length=0.4, angle=1.0, mu1=0.5, mu2=0.1)
+        for model in (None, "network", "superposition", "plate", "wedge"):
+            answer = brash.Criterion(case, model)(**load, pressure=[0, 1e5, 1e7])
+            self.assertEqual(answer.fails[[0, 2]].tolist(), [False, True], model)
+            self.assertGreater(answer.breaking_length[2], 0)
+        with self.assertRaises(brash.InputError):
+            brash.Criterion(case, "nonsense")
+        with self.assertRaises(brash.InputError):
+            brash.Criterion(case)(**load, pressure=np.nan)
+
+    def test_load_ratios_of_a_frictionless_slope(self):
+        ratios = brash.load_ratios(np.radians([30, 45]), 0)
+        np.testing.assert_allclose(ratios.mu1, 1 / np.tan(np.radians([30, 45])))
+        np.testing.assert_allclose(ratios.mu2, 0)
+        with self.assertRaises(brash.InputError):
+            brash.load_ratios(2, 0)
+
+
+class ClosedForms(unittest.TestCase):
+    ICE = dict(thickness=0.33, flexural_strength=539e3, youngs_modulus=0.35e9)
+
+    def test_the_case_s_loads_are_those_of_the_command(self):
+        case = brash.Case.from_file(CONE)
+        said = subprocess.run([os.environ["BRASH"], "loads", CONE], capture_output=True, text=True, check=True).stdout
+        self.assertIn(f"{brash.croasdale_of(case).horizontal / 1e3:10.1f}", said)
+        self.assertIn(f"{brash.ralston_of(case, 'johansen').horizontal / 1e3:10.1f}", said)
+
+    def test_each_is_callable_by_keywords(self):
+        self.assertGreater(brash.croasdale(slope=1.07, width=13.6, **self.ICE).horizontal, 0)
+        self.assertGreater(brash.nevel(wedge_angle=0.8, loaded_length=0.33, **self.ICE).vertical, 0)
+        ship = brash.lindqvist(length=100, breadth=20, draught=7, stem_angle=0.4, waterline_angle=0.5, friction=0.1,
+                               speed=2, **self.ICE)
+        self.assertGreater(ship.total, ship.crushing + ship.bending + ship.submersion)
+        ice = {k: v for k, v in self.ICE.items() if k != "youngs_modulus"}
+        cone = dict(slope=1.0, waterline_width=10, end_width=2, **ice)
+        self.assertGreater(brash.ralston(**cone, yield_criterion="johansen").breaking_horizontal,
+                           brash.ralston(**cone).breaking_horizontal)
+        with self.assertRaises(brash.InputError):
+            brash.ralston(**cone, breaking="sideways")
+
+    def test_what_does_not_apply_and_what_is_wrong_are_told_apart(self):
+        with self.assertRaises(brash.NotApplicable):
+            brash.croasdale(slope=1.5, width=13.6, friction_structure=0.9, **self.ICE)
+        for bad in (dict(slope=0), dict(slope=np.nan), dict(width=-1)):
+            with self.subTest(bad), self.assertRaises(brash.InputError):
+                brash.croasdale(**{**dict(slope=1.0, width=13.6), **bad}, **self.ICE)
+        for bad in (dict(slop=1), dict(width="wide"), dict(width=None)):
+            with self.subTest(bad), self.assertRaises((TypeError, ValueError)):
+                brash.croasdale(**{**dict(slope=1.0, width=13.6), **bad}, **self.ICE)
+        with self.assertRaisesRegex(TypeError, "missing argument: width"):
+            brash.croasdale(slope=1.0, **self.ICE)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Polygons go in and out as arrays, WKT, GeoJSON and shapely geometries; cuts are exact."""
+import json
+import unittest
+
+import numpy as np
+
+import brash
+
+try:
+    import shapely.geometry
+except ImportError:
+    shapely = None
+
+FIELD = [[0, -25], [50, -25], [50, 25], [0, 25]]
+
+
+class Polygons(unittest.TestCase):
+    def test_every_way_in_gives_the_same_polygon(self):
+        ring = np.array([[0, 0], [2, 0], [2, 1], [0, 1]])
+        wanted = brash.Polygon(ring)
+        geometry = {"type": "Polygon", "coordinates": [[*ring.tolist(), ring[0].tolist()]]}
+        for value in (ring, ring.tolist(), ring[::-1].astype(np.float32), wanted, wanted.to_wkt(),
+                      "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))", geometry, json.dumps(geometry)):
+            polygon = brash.Polygon.read(value)
+            self.assertEqual(polygon.area, 2)
+            self.assertEqual({tuple(v) for v in polygon.outline}, {tuple(v) for v in ring})
+        self.assertEqual(wanted.centroid.tolist(), [1, 0.5])
+
+    def test_holes_go_round(self):
+        polygon = brash.Polygon([[0, 0], [4, 0], [4, 4], [0, 4]], [[[1, 1], [2, 1], [2, 2], [1, 2]]])
+        self.assertEqual(polygon.exact_area, 15)
+        self.assertEqual(brash.Polygon.read(polygon.to_wkt()), polygon)
+        self.assertEqual(brash.Polygon.read(polygon.__geo_interface__).exact_area, 15)
+        self.assertEqual(sum(brash.Polygon(part).exact_area for part in polygon.convex_parts()), 15)
+
+    @unittest.skipIf(shapely is None, "python3-shapely is not installed")
+    def test_shapely_reads_and_writes_them(self):
+        square = shapely.geometry.box(0, 0, 3, 2)
+        self.assertEqual(brash.Polygon.read(square).area, 6)
+        two = shapely.geometry.MultiPolygon([square, shapely.geometry.box(10, 0, 11, 1)])
+        self.assertEqual(brash.IceSheet(two).area, 7)
+        self.assertEqual(shapely.geometry.shape(brash.Polygon.read(square)).area, 6)
+
+    def test_what_is_no_polygon_is_refused(self):
+        bad = ([[0, 0], [1, 1]], [[0, 0], [1, 1], [2, 2]], [[0, 0], [2, 2], [2, 0], [0, 2]], [[0, 0, 0]] * 3,
+               [[0, np.nan], [1, 0], [1, 1]], [[0, np.inf], [1, 0], [1, 1]], [[0, 1e9], [1, 0], [1, 1]], [], 3, None,
+               "POLYGON", "POINT (1 1)", "{", "", "MULTIPOLYGON EMPTY", {"type": "Point", "coordinates": [1, 2]},
+               [[0, 0], [1]], [[[0, 0], [1, 0], [1, 1]], "x"], object(), [["a", "b"]] * 3, np.zeros((3, 2, 2)), [None],
+               np.zeros((0, 2)), [[1j, 0], [1, 0], [1, 1]])
+        for value in bad:
+            with self.subTest(repr(value)[:40]), np.testing.suppress_warnings() as quiet:
+                quiet.filter(np.ComplexWarning)
+                with self.assertRaises(brash.InputError):
+                    brash.Polygon.read(value)
+
+    def test_a_refusal_names_argument_and_place(self):
+        with self.assertRaisesRegex(brash.InputError, r"outline\[1\] = \(nan, 0\)"):
+            brash.Polygon([[0, 0], [np.nan, 0], [1, 1]])
+        with self.assertRaisesRegex(brash.InputError, r"outline: has shape \(2, 3\), must have shape \(n, 2\)"):
+            brash.Polygon(np.zeros((2, 3)))
+
+
+class Sheets(unittest.TestCase):
+    def setUp(self):
+        self.sheet = brash.IceSheet(FIELD)
+
+    def test_sheet_and_pieces_tile_the_old_sheet_exactly(self):
+        before = self.sheet.exact_area
+        cut = self.sheet.cut_circumferential([0, 0.3], radius=3, wedges=4)
+        self.assertEqual(len(cut.pieces), 4)
+        self.assertEqual(before, self.sheet.exact_area + sum(p.exact_area for p in cut.pieces) + cut.snap)
+        self.sheet.check()
+
+    def test_angles_place_the_radial_cracks(self):
+        cut = self.sheet.cut_circumferential([0, 0], radius=2, angles=[-0.5, 0.0, 0.5])
+        self.assertEqual(len(cut.pieces), 4)
+
+    def test_a_region_is_cut_along_cracks(self):
+        cut = self.sheet.cut("POLYGON ((10 0, 12 0, 12 2, 10 2, 10 0))", cracks=[[[11, -1], [11, 3]]])
+        self.assertEqual([p.area for p in cut.pieces], [2, 2])
+        self.assertEqual(self.sheet.contains([[11, 1], [13, 1]]).tolist(), [False, True])
+        self.assertIs(self.sheet.contains([1, 1]), True)
+        self.assertEqual(len(self.sheet.polygons()[0].holes), 1)
+
+    def test_a_severed_part_is_released(self):
+        self.sheet.cut([[20, -30], [21, -30], [21, 30], [20, 30]])
+        released = self.sheet.release_detached()
+        self.assertEqual([p.area for p in released], [1000])
+        self.assertEqual(self.sheet.area, 1450)
+
+    def test_contacts_and_free_edge(self):
+        [contact] = self.sheet.contacts([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+        self.assertEqual(contact.contact_length, 2)
+        self.assertEqual(contact.normal.tolist(), [1, 0])
+        self.assertEqual(contact.midpoint.tolist(), [0, 0])
+        self.assertEqual(contact.overlap.area, 2)
+        [chain] = self.sheet.free_edge([0, 0], 2)
+        np.testing.assert_allclose(np.abs(chain[[0, -1], 1]), 2)
+        self.assertEqual([p.area for p in self.sheet.within([[-1, -1], [1, -1], [1, 1], [-1, 1]])], [2])
+
+    def test_the_trapezoid_of_a_trapezoid_is_itself(self):
+        b, c, theta = 1.0, 0.8, np.radians(60)
+        half = c / 2 + b * np.tan(theta / 2)
+        edge = [[b, 25], [b, half], [0, c / 2], [0, -c / 2], [b, -half], [b, -25]]
+        sheet = brash.IceSheet([*edge, [50, -25], [50, 25]])
+        for ice in (sheet, [edge]):
+            fit = brash.fit_trapezoid(ice, at=[0, 0], towards=[2, 0], reach=3)
+            np.testing.assert_allclose([fit.depth, fit.contact_length, fit.angle], [b, c, theta], atol=2e-3)
+            self.assertLess(fit.error, 1e-3)
+
+    def test_bad_arguments_are_refused_and_leave_the_sheet_alone(self):
+        sheet, area = self.sheet, self.sheet.exact_area
+        calls = [lambda: sheet.cut_circumferential([0, 0], 0), lambda: sheet.cut_circumferential([0, 0], np.nan),
+                 lambda: sheet.cut_circumferential([0, 0], 1e5), lambda: sheet.cut_circumferential([0], 1),
+                 lambda: sheet.cut_circumferential([0, 0], 1, wedges=0),
+                 lambda: sheet.cut_circumferential([0, 0], 1, sides=2),
+                 lambda: sheet.cut_circumferential([0, 0], 1, wedges=10**6),
+                 lambda: sheet.cut_circumferential([0, 0], 1, angles=[np.nan]),
+                 lambda: sheet.cut_circumferential([0, 0], 1, angles=[[0.0]]),
+                 lambda: sheet.cut([[0, 0], [1, 1], [1, 0], [0, 1]]), lambda: sheet.cut(FIELD, cracks=[[0, 0]]),
+                 lambda: sheet.cut(FIELD, cracks=[[[0, 0], [np.inf, 0]]]),
+                 lambda: sheet.contacts([[0, 0], [4, 0], [1, 1], [0, 4]]), lambda: sheet.contains([[1, 2, 3]]),
+                 lambda: sheet.free_edge([0, 0], -1), lambda: sheet.within([[0, 0], [1, 1]]),
+                 lambda: brash.fit_trapezoid(sheet, [0, 0], [0, 0], 3),
+                 lambda: brash.fit_trapezoid(sheet, [0, 0], [1, 0], 0),
+                 lambda: brash.fit_trapezoid(sheet, [0, 0], [1, 0], np.inf),
+                 lambda: brash.fit_trapezoid(sheet, [0, 0], [1, 0], 3, -1),
+                 lambda: brash.fit_trapezoid("sheet", [0, 0], [1, 0], 3),
+                 lambda: brash.fit_trapezoid(None, [0, 0], [1, 0], 3),
+                 lambda: brash.IceSheet([FIELD, FIELD])]
+        for number, call in enumerate(calls):
+            with self.subTest(number), self.assertRaises(brash.InputError):
+                call()
+        self.assertEqual(sheet.exact_area, area)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A simulation is stepped, looked at, run, written and read back."""
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+import brash
+
+CONE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"]) / "experiments/validation/cone.toml"
+SHORT = {"time.duration": "2 s"}
+
+
+class Steps(unittest.TestCase):
+    def test_the_ledger_closes_and_floes_float_where_they_broke_off(self):
+        simulation = brash.Simulation(brash.Case.from_file(CONE))
+        births = {floe.record.id for floe in simulation.frame().floes}
+        steps = simulation.step(150)
+        births |= {floe.id for floe in steps.births}
+        self.assertGreater(len(steps.events), 0)
+        self.assertEqual(steps.loads.shape, (150,))
+        self.assertAlmostEqual(steps.loads["time"][-1], simulation.time, places=12)
+        frame = simulation.frame()
+        self.assertAlmostEqual(frame.structure[0], -7 + 1.202 * simulation.time, places=9)
+        self.assertLessEqual({floe.id for floe in frame.floes}, births)
+        for floe in frame.floes:
+            outline = floe.rings[0]
+            self.assertEqual(outline.shape[1], 3)
+            self.assertTrue(np.all(np.abs(outline) < 60), outline)
+            self.assertAlmostEqual(np.linalg.norm(floe.rotation), 1, places=12)
+        ledger = simulation.ledger
+        self.assertEqual(ledger.pop("initial"), sum(ledger.values()))
+        self.assertEqual(ledger["sheet"], sum(part.exact_area for part in simulation.sheet))
+
+    def test_steps_are_those_of_a_run(self):
+        case = brash.Case.from_file(CONE, SHORT)
+        simulation = brash.Simulation(case)
+        loads = np.concatenate([simulation.step(n).loads for n in (1, 0, 99, 100)])
+        run = case.run()
+        np.testing.assert_array_equal(loads, run.loads)
+        self.assertEqual(run.results.n_frames, 31)
+        self.assertEqual(run.results.frame(-1).time, run.results.frame(30).time)
+        with self.assertRaises(IndexError):
+            run.results.frame(31)
+        self.assertEqual(len(run.events), run.summary["n_breaks"])
+
+    def test_a_simulation_is_one_thread_s_at_a_time(self):
+        simulation = brash.Simulation(brash.Case.from_file(CONE))
+        refused = []
+
+        def step():
+            try:
+                for _ in range(20):
+                    simulation.step(5)
+            except RuntimeError as error:
+                refused.append(str(error))
+
+        threads = [threading.Thread(target=step) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(all("another thread" in text for text in refused), refused)
+        simulation.step()
+
+    def test_bad_counts_and_cases_are_refused(self):
+        simulation = brash.Simulation(brash.Case.from_file(CONE))
+        with self.assertRaises(brash.InputError):
+            simulation.step(-1)
+        with self.assertRaises(TypeError):
+            simulation.step(1.5)
+        with self.assertRaises(TypeError):
+            brash.Simulation("cone.toml")
+
+
+class Runs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name)
+        cls.run_ = brash.Case.from_file(CONE, SHORT).run(cls.path / "run")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_it_leaves_what_the_command_leaves_byte_for_byte(self):
+        command = [os.environ["BRASH"], "run", CONE, "--set", "time.duration=2 s", "-o", self.path / "command"]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        ours = sorted(p.name for p in (self.path / "run").iterdir())
+        self.assertEqual(ours, sorted(p.name for p in (self.path / "command").iterdir()))
+        for name in ("run.nc", "history.csv", "events.csv", "summary.json"):
+            with self.subTest(name):
+                self.assertEqual((self.path / "run" / name).read_bytes(), (self.path / "command" / name).read_bytes())
+
+    def test_results_read_back_are_those_of_the_run(self):
+        results = brash.read_results(self.path / "run/run.nc")
+        np.testing.assert_array_equal(results.loads, self.run_.loads)
+        np.testing.assert_array_equal(results.events, self.run_.events)
+        self.assertEqual([f.id for f in results.floes], [f.id for f in self.run_.results.floes])
+
+    def test_results_open_with_xarray_and_pandas_without_us(self):
+        history = xr.open_dataset(self.path / "run/run.nc")
+        np.testing.assert_array_equal(history["Fx"], self.run_.loads["Fx"])
+        table = pd.read_csv(self.path / "run/history.csv", float_precision="round_trip")
+        np.testing.assert_array_equal(table["Fx"], self.run_.loads["Fx"])
+        self.assertEqual(list(table.columns), list(pd.DataFrame(self.run_.loads).columns))
+        events = pd.read_csv(self.path / "run/events.csv", float_precision="round_trip")
+        np.testing.assert_array_equal(events.dropna(subset=["l_break"])["l_break"], self.run_.events["l_break"])
+
+    def test_a_case_without_a_file_leaves_one(self):
+        case = brash.Case.from_text(brash.Case.from_file(CONE, {"time.duration": 0.1}).to_toml(), "mine")
+        case.run(self.path / "mine")
+        self.assertEqual(brash.Case.from_file(self.path / "mine/case.toml").to_toml(), case.to_toml())
+
+    def test_ctrl_c_keeps_a_checkpoint_and_resume_completes(self):
+        def interrupt(*_):
+            raise KeyboardInterrupt
+
+        case = brash.Case.from_file(CONE, {"time.duration": "6 s"})
+        before = signal.signal(signal.SIGALRM, interrupt)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        with self.assertRaises(KeyboardInterrupt):
+            case.run(self.path / "stop")
+        self.assertEqual([p.name for p in (self.path / "stop").iterdir()], ["checkpoint.nc"])
+        with self.assertRaisesRegex(brash.InputError, "with other values"):
+            brash.Case.from_file(CONE, SHORT).run(self.path / "stop", resume=True)
+        resumed = case.run(self.path / "stop", resume=True)
+        np.testing.assert_array_equal(resumed.loads, case.run().loads)
+
+    def test_bad_folders_and_files_are_refused(self):
+        case = brash.Case.from_file(CONE, {"time.duration": 0.1})
+        with self.assertRaises(brash.InputError):
+            case.run(resume=True)
+        blocked = self.path / "blocked"
+        blocked.write_text("a file")
+        with self.assertRaisesRegex(brash.RunError, "blocked"):
+            case.run(blocked)
+        with self.assertRaises(TypeError):
+            case.run(3)
+        with self.assertRaisesRegex(brash.InputError, "blocked"):
+            brash.read_results(blocked)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/test/unit_test.hpp>
+
+#include "pool.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::simulation::testing;
+
+BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_is_not_deleted) {
+  // Two walls close on a floe of 2 m by 1 m. The ice yields at the bound over both whole faces, so the mean stress is
+  // sigma_c R, less the share d / L that the points, at the middle of the overlaps, stand nearer to each other.
+  Pool pool;
+  const BodyId floe = pool.add({-1, -0.5}, {1, 0.5}, {});
+  const std::vector<Vec3> block{{-1, -2, -1}, {0, -2, -1}, {0, 2, -1}, {-1, 2, -1},
+                                {-1, -2, 1},  {0, -2, 1},  {0, 2, 1},  {-1, 2, 1}};
+  Pose left{{-1.0, 0.0, 0.0}, {}};
+  Pose right{{2.0, 0.0, 0.0}, {}};
+  const BodyId from_left = pool.world.add_structure(std::span(&block, 1), left);
+  const BodyId from_right = pool.world.add_structure(std::span(&block, 1), right);
+  const double dt = 0.01;
+  const double speed = 0.02;
+  const int n_steps = 50;
+  for (int i = 0; i < n_steps; ++i) {
+    left.position.x += speed * dt;
+    right.position.x -= speed * dt;
+    pool.world.move_structure(from_left, left, {{speed, 0, 0}, {}});
+    pool.world.move_structure(from_right, right, {{-speed, 0, 0}, {}});
+    (void)pool.step(dt);
+    pool.floes.update_stress(pool.world, dt);
+  }
+  const double bound = 0.5e6;
+  const double depth = n_steps * dt * speed;
+  // Half a second is ten collision times (47 ms); of the depth's growth the average sees the last tenth late.
+  BOOST_TEST(pool.floes.floes().at(floe).peak_compression == bound * (1.0 - depth / 2.0),
+             boost::test_tools::tolerance(2e-3));
+  BOOST_TEST(pool.floes.overstressed(1.0e6).empty());
+  BOOST_TEST(pool.floes.overstressed(0.98 * bound).size() == 1u);
+}
+
+}  // namespace

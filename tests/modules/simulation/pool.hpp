@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+#include <vector>
+
+#include "brash/io/case.hpp"
+#include "energy_ledger.hpp"
+
+namespace brash::simulation::testing {
+
+inline const std::string kValidation = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
+
+/// Floes of the validation case, without sheet and structure.
+struct Pool {
+  explicit Pool(std::vector<std::string> overrides = {})
+      : resolved(io::read_case(kValidation, overrides)),
+        world({.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}),
+        floes(resolved) {}
+
+  BodyId add(Vec2 lower, Vec2 upper, const Twist& twist) {
+    const std::vector<Vec2> ring{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
+    BOOST_REQUIRE(floes.add(world, {geometry::ring(ring), {}}, 0.0).has_value());
+    const BodyId body = world.floes().back();
+    world.set_state(body, world.pose(body), twist);
+    return body;
+  }
+
+  /// Energies after a step of `dt`. The floes are not newborn.
+  io::LoadRow step(double dt) {
+    floes.apply_water(world, dt);
+    world.step(dt);
+    ledger.book_step(world, floes, floes.next_id(), dt);
+    io::LoadRow row;
+    ledger.report(world, floes, row);
+    return row;
+  }
+
+  io::Case resolved;
+  rigid_body::World world;
+  FloePopulation floes;
+  EnergyLedger ledger;
+};
+
+}  // namespace brash::simulation::testing

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each watchdog sees the fault that is put before it.
+#include "watchdog.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <limits>
+
+#include "brash/core/error.hpp"
+#include "brash/simulation/run.hpp"
+#include "pool.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::simulation;
+using namespace brash::simulation::testing;
+
+constexpr double kStep = 0.01;
+
+/// A pool with its own watchdog and a ledger of area that fits its floes.
+struct Guarded : Pool {
+  explicit Guarded(std::vector<std::string> overrides = {}) : Pool(std::move(overrides)), watchdog(resolved) {
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{1.1, 0}, Vec2{0, 1.1}})
+      bodies.push_back(
+          add(corner, corner + Vec2{1, 1}, {{0.5 - 0.5 * corner.x, 0.3 - 0.4 * corner.y, 0}, {0, 0.1, 0.2}}));
+    for (const auto& [body, floe] : floes.floes()) area.floes += floe.area;
+    area.initial = area.floes;
+  }
+  void look(const io::LoadRow& row) { watchdog.look({world, floes, ledger, area, row}); }
+  void steps(int n) {
+    for (int i = 0; i < n; ++i) look(step(kStep));
+  }
+  void kick(const Twist& change) {
+    Twist twist = world.twist(bodies[1]);
+    twist.linear += change.linear;
+    twist.angular += change.angular;
+    world.set_state(bodies[1], world.pose(bodies[1]), twist);
+  }
+
+  Watchdog watchdog;
+  geometry::Ledger area;
+  std::vector<BodyId> bodies;
+};
+
+/// Whether the error's text has `words`.
+auto says(const std::string& words) {
+  return [words](const RunError& error) {
+    BOOST_TEST_MESSAGE(error.what());
+    return std::string(error.what()).find(words) != std::string::npos;
+  };
+}
+
+BOOST_AUTO_TEST_CASE(floes_that_collide_drift_and_tilt_pass) {
+  Guarded still;
+  BOOST_CHECK_NO_THROW(still.steps(300));
+  Guarded drifting({"water.current=[0.5, 0.2]"});
+  BOOST_CHECK_NO_THROW(drifting.steps(300));
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_faster_than_its_work_explains_ends_the_run) {
+  Guarded pool;
+  pool.steps(50);
+  pool.kick({{0.0, 0.0, 0.7}, {}});
+  BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("floe 1 of 445.5 kg has an energy of"));
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_that_spins_faster_than_its_work_explains_ends_the_run) {
+  Guarded pool;
+  pool.steps(50);
+  pool.kick({{}, {0.0, 0.0, 3.0}});
+  BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("floe 1 of 445.5 kg has an energy of"));
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_born_with_energy_ends_the_run) {
+  Guarded pool;
+  pool.steps(10);
+  const BodyId late = pool.add({5, 5}, {6, 6}, {{1.0, 0.0, 0.0}, {}});
+  pool.area.floes += pool.floes.floes().at(late).area;
+  pool.area.initial += pool.floes.floes().at(late).area;
+  BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("floe 3 of 445.5 kg has an energy of"));
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_outside_ends_the_run) {
+  for (const Vec3 place : {Vec3{200, 0, 0}, Vec3{0, -200, 0}, Vec3{0, 0, 13}, Vec3{0, 0, -15}}) {
+    Guarded pool;
+    pool.steps(1);
+    pool.world.set_state(pool.bodies[2], {place, {}}, {});
+    BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("floe 2 is at"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(contacts_or_still_water_that_give_energy_end_the_run) {
+  Guarded pool;
+  pool.steps(50);
+  io::LoadRow row = pool.step(kStep);
+  row.losses.floe_contact -= 1.0;
+  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("contacts gave the floes"));
+  row.losses.floe_contact += 1.0;
+  row.losses.drag -= 20.0;
+  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("drag gave the floes"));
+}
+
+BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_ends_the_run) {
+  Guarded pool;
+  pool.steps(50);
+  const geometry::Ledger area = pool.area;
+  const geometry::ExactArea one_unit{1};
+  pool.area.snap += one_unit;
+  BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("the ledger does not close"));
+  pool.area = area;
+  pool.area.floes += one_unit;
+  pool.area.sheet -= one_unit;
+  BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("the ledger does not fit the floes"));
+  pool.area = area;
+  io::LoadRow row = pool.step(kStep);
+  row.energy_error += 200.0;  // three floes of 2900 N, half of it along 30 mm: 130 J
+  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("the energies do not close"));
+  row.energy_error = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("the energies do not close"));
+}
+
+/// A run of the validation case to 2.5 s, where floes move; then `spoil` alters its checkpoint, and it goes on.
+struct Spoilt {
+  const io::Case resolved = io::read_case(kValidation, {"failure.model=wedge", "time.duration=3"});
+  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-watchdog.nc").string();
+  io::Checkpoint good;
+
+  Spoilt() {
+    std::filesystem::remove(file);
+    double now = 0.0;
+    (void)simulation::run(resolved, {.observer = [&](const Simulation& s, const StepReport&) { now = s.time(); },
+                                     .checkpoint_file = file,
+                                     .interrupted = [&] { return now >= 2.5; }});
+    good = io::read_checkpoint(file);
+    BOOST_REQUIRE(good.floes.size() > 5u);
+  }
+  ~Spoilt() { std::filesystem::remove(file); }
+
+  void resume(const io::Checkpoint& spoilt, const std::string& reason) {
+    io::write_checkpoint(file, spoilt);
+    const RunOptions options{.checkpoint_file = file, .resume = true};
+    std::string first;
+    const auto keep = [&](const RunError& error) {
+      first = error.what();
+      return says(reason)(error) && says("step 251 failed, from t = 2.5 s")(error) && says(file)(error);
+    };
+    BOOST_CHECK_EXCEPTION(simulation::run(resolved, options), RunError, keep);
+    // What is left behind is the state before the step, and repeats it.
+    BOOST_TEST((io::read_checkpoint(file) == spoilt));
+    BOOST_CHECK_EXCEPTION(simulation::run(resolved, options), RunError, says(first));
+  }
+};
+
+BOOST_AUTO_TEST_CASE(a_failed_step_ends_the_run_and_leaves_the_state_that_repeats_it) {
+  Spoilt run;
+  io::Checkpoint spoilt = run.good;
+  spoilt.floes[3].pose.position.x += 1000.0;
+  run.resume(spoilt, "floe 3 is at");
+
+  spoilt = run.good;
+  spoilt.floes[3].twist.linear.z = 1e200;  // its drag exceeds all numbers
+  run.resume(spoilt, "not finite");
+
+  spoilt = run.good;
+  std::swap(spoilt.ledger.at("crushed"), spoilt.ledger.at("floes"));  // still the right sum
+  run.resume(spoilt, "the ledger does not fit the floes");
+}
+
+}  // namespace
