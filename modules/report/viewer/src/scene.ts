@@ -2,7 +2,7 @@
 // The run in space: water, sheet, structure and floes at any time. Axes are those of the sheet: x along the track, y to
 // port, z upwards from the waterplane.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group,
+  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group,
   HemisphereLight, LineBasicMaterial, LineLoop, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial,
   PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, ShapeUtils, Vector2, Vector3, WebGLRenderer,
 } from "three";
@@ -102,6 +102,8 @@ export class ReplayScene {
   nVisible = 0;
   private readonly scene = new Scene();
   private readonly structure = new Group();
+  private readonly aboveWater = new Group();
+  private readonly belowWater = new Group();
   private readonly sheetGroup = new Group();
   private readonly sheets = new Map<number, { solid: BufferGeometry; lines: BufferGeometry }>();
   private sheetShown = -1;
@@ -204,7 +206,7 @@ export class ReplayScene {
   setSeeThrough(on: boolean): void {
     const material = this.materials.structure;
     material.transparent = on;
-    material.opacity = on ? 0.34 : 1;
+    material.opacity = on ? 0.4 : 1;
     material.depthWrite = !on;
     material.needsUpdate = true;
     this.draw();
@@ -253,6 +255,10 @@ export class ReplayScene {
 
   drawNow(): void {
     this.controls.update();
+    // What is transparent is drawn from the far side of the water to the near one.
+    const over = this.camera.position.z > 0;
+    for (const mesh of this.aboveWater.children) mesh.renderOrder = over ? 3 : 1;
+    for (const mesh of this.belowWater.children) mesh.renderOrder = over ? 1 : 3;
     this.renderer.render(this.scene, this.camera);
   }
 
@@ -390,7 +396,9 @@ export class ReplayScene {
     this.materials.deep = new MeshBasicMaterial({});
     const deep = new Mesh(new PlaneGeometry(1200, 1200), this.materials.deep);
     deep.position.z = -30;
-    this.scene.add(deep, new Mesh(new PlaneGeometry(1200, 1200), this.materials.water));
+    const surface = new Mesh(new PlaneGeometry(1200, 1200), this.materials.water);
+    surface.renderOrder = 2;
+    this.scene.add(deep, surface);
   }
 
   private addStructure(): void {
@@ -400,12 +408,10 @@ export class ReplayScene {
     const downward = this.run.inputs.structure?.breaking?.value !== "upward";
     const slope = (downward ? 1 : -1) / Math.tan(input("angle"));
     const [keel, deck] = [Math.max(0.02, this.radius - below * slope), Math.max(0.02, this.radius + above * slope)];
-    const cone = new CylinderGeometry(deck, keel, below + above, 128, 1).rotateX(Math.PI / 2);
     this.materials.structure = new MeshLambertMaterial({});
-    const mesh = new Mesh(cone, this.materials.structure);
-    mesh.position.z = 0.5 * (above - below);
-    mesh.castShadow = mesh.receiveShadow = true;
-    this.structure.add(mesh);
+    this.aboveWater.add(...this.frustum(this.radius, deck, 0, above, above));
+    this.belowWater.add(...this.frustum(keel, this.radius, -below, 0, -below));
+    this.structure.add(this.aboveWater, this.belowWater);
     this.materials.waterline = new LineBasicMaterial({});
     for (const [radius, z] of [[this.radius, 0], [deck, above], [keel, -below]]) {
       const ring = Array.from({ length: 129 }, (_, i) => {
@@ -415,6 +421,18 @@ export class ReplayScene {
       this.structure.add(new LineLoop(new BufferGeometry().setFromPoints(ring), this.materials.waterline));
     }
     this.scene.add(this.structure);
+  }
+
+  /** The structure's surface between two heights, closed at the height `lid`. */
+  private frustum(lower: number, upper: number, bottom: number, top: number, lid: number): Mesh[] {
+    const side = new CylinderGeometry(upper, lower, top - bottom, 128, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5 * (bottom + top));
+    const cover = new CircleGeometry(lid === top ? upper : lower, 128);
+    if (lid === bottom) cover.rotateX(Math.PI);
+    return [side, cover.translate(0, 0, lid)].map((geometry) => {
+      const mesh = new Mesh(geometry, this.materials.structure);
+      mesh.castShadow = mesh.receiveShadow = true;
+      return mesh;
+    });
   }
 
   private addLights(): void {
