@@ -13,8 +13,8 @@ const { browse } = await import(join(root, "tests/modules/report/browser.mjs"));
 const [run, pictures = join(root, "docs/figures")] = process.argv.slice(2);
 const kWidth = 880;
 const kHeight = 480;
-/** Part of the run, and the view. */
-const kStills = [[0.07, "Bow"], [0.3, "Bow"], [0.62, "Below"], [1, "Wake"]];
+/** Part of the run, and the view: from one place astern, and at the end from below. */
+const kStills = [[0.15, "Wake"], [0.5, "Wake"], [1, "Wake"], [1, "Below"]];
 
 const browser = await browse({ width: 1600, height: 1000 });
 const page = await browser.open(join(run, "report.html"));
@@ -26,8 +26,13 @@ await page.waitForTimeout(300);
 for (const [i, [part, view]] of kStills.entries()) {
   const time = await page.evaluate(async ([share, name]) => {
     const { player, replay } = window.brashReport.report;
+    const { scene } = replay;
+    scene.follow = false;
+    // The camera stands where the middle of the run is seen best; the structure passes.
+    player.seek((name === "Wake" ? 0.42 : 1) * player.duration);
+    scene.look(name);
+    if (name === "Wake") scene.camera.position.sub(scene.controls.target).multiplyScalar(1.15).add(scene.controls.target);
     player.seek(share * player.duration);
-    replay.scene.look(name);
     await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     return player.time;
   }, [part, view]);

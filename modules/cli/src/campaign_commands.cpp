@@ -18,7 +18,9 @@
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/report/report.hpp"
 #include "commands.hpp"
+#include "run_folder.hpp"
 
 namespace brash::cli {
 namespace {
@@ -172,6 +174,8 @@ void run_campaign(const CampaignOptions& options) {
   if (!options.json) fmt::print("{}\n", means_table(summary));
   print_status(counts, options.json);
   if (!options.json) fmt::print("results in {}\n", options.directory);
+  const std::string page = report::has_page() ? write_report(options.directory) : "";
+  if (!options.json && !page.empty()) fmt::print("report in  {}\n", page);
   if (counts.n_failed > 0)
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
-#include <string>
 
 namespace brash::cli {
 
@@ -18,8 +17,6 @@ class CaseNotStored : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-/// Writes report.html of the run or campaign in `directory`. @return its path.
-std::string write_report(const std::string& directory);
 
 // Each adds one command to `app`; the command's callback does the work and throws InputError or RunError.
 void add_run_command(CLI::App& app);
@@ -27,8 +24,8 @@ void add_check_command(CLI::App& app);
 void add_schema_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_rerun_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 /// Last of all: it lists what is there.
 void add_completion_command(CLI::App& app);
-void add_report_command(CLI::App& app);
 
 }  // namespace brash::cli

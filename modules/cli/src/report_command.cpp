@@ -3,16 +3,10 @@
 
 #include <memory>
 
-#include "brash/report/report.hpp"
-#include "closed_forms.hpp"
 #include "commands.hpp"
+#include "run_folder.hpp"
 
 namespace brash::cli {
-
-std::string write_report(const std::string& directory) {
-  if (report::is_campaign(directory)) return report::write_campaign_report(directory);
-  return report::write_run_report(directory, closed_form_loads(report::case_of_run(directory)).dump());
-}
 
 void add_report_command(CLI::App& app) {
   auto directory = std::make_shared<std::string>();

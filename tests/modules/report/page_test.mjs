@@ -67,7 +67,7 @@ test("the replay shows structure, ice and water", async () => {
 test("as many floes are drawn as the events made until then", async () => {
   const n_initial = summary.n_floes_born - events.reduce((sum, row) => sum + Number(row.pieces), 0);
   for (const time of [0, 1.5, 2.5, 4]) {
-    const shown = await ask((report, _, t) => (report.player.seek(t), report.replay.scene.nVisible), time);
+    const shown = await ask((report, _, t) => (report.player.seek(t), report.replay.scene.floes.nVisible), time);
     const born = events.filter((row) => Number(row.time) <= time + 1e-9).reduce((sum, row) => sum + Number(row.pieces), n_initial);
     const deaths = readCsv(join(run, "events.csv")).filter((row) => row.event === "deleted" && Number(row.time) <= time);
     assert.equal(shown, born - deaths.length, `at ${time} s`);
@@ -200,7 +200,7 @@ test("keys play, step and change the view", async () => {
 test("floes can be coloured by contact force and age", async () => {
   for (const choice of ["force", "age", "cause"]) {
     await page.locator("#colouring").selectOption(choice);
-    assert.equal(await ask((report) => report.replay.scene.colouring), choice);
+    assert.equal(await ask((report) => report.replay.scene.floes.colouring), choice);
     assert.ok((await page.locator(".legend span").count()) >= 2);
   }
 });

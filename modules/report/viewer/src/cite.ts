@@ -23,7 +23,7 @@ const kSources: Source[] = [
   { what: "the failure model: superposed or solved plate", cite: "Reissner–Mindlin plate on an elastic foundation: M. Hetényi, Beams on Elastic Foundation, 1946, for the limits it is verified against", used: model("plate", "plate-outline", "superposition") },
   { what: "the failure model: narrow wedges", cite: "D. E. Nevel, wedges of ice on water, 1972", used: model("wedge") },
   { what: "number of wedges of a break", cite: "D. E. Nevel, 1972, as in the paper's Sec. 2.2.2", used: always },
-  { what: "drag of the water", cite: "J. R. Morison, J. W. Johnson, S. A. Schaaf, 1950, as in the paper's Eqs. 13 and 14", used: always },
+  { what: "drag of the water", cite: "J. R. Morison, M. P. O'Brien, J. W. Johnson, S. A. Schaaf, Petroleum Transactions AIME 189 (1950) 149, as in the paper's Eqs. 13 and 14", used: always },
   { what: "rigid bodies and collision shapes", cite: "Bullet Physics, version of the manifest", used: always },
   { what: "exact geometry of cracks", cite: "CGAL, The Computational Geometry Algorithms Library, version of the manifest", used: always },
   { what: "interval of the mean", cite: "A. Sokal, Monte Carlo methods in statistical mechanics, 1997; U. Wolff, Comput. Phys. Commun. 156 (2004) 143", used: always },

@@ -35,7 +35,7 @@ export function section(id: string, title: string, ...children: Child[]): HTMLEl
   return el("section", { id, "aria-labelledby": `${id}-title` }, el("h2", { id: `${id}-title` }, title), ...children);
 }
 
-const kNumeric = /^([−\d.,: ]|to|%|×|[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]|–)*$/;
+const kNumeric = /^([−\d.,: ]|to|%|×|[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]|–|[kM]?B)*$/;
 
 /** A table; columns that hold nothing but numbers align right. */
 export function table(head: string[], rows: Child[][], attributes: Attributes = {}): HTMLElement {

@@ -34,5 +34,5 @@ export const kPa = (value: number): string => number(value / 1e3, 4);
 export const degrees = (radians: number): string => ((radians * 180) / Math.PI).toFixed(1).replace("-", "−");
 export const seconds = (value: number, decimals = 2): string => value.toFixed(decimals).replace("-", "−");
 export const percent = (share: number): string => `${(100 * share).toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−")} %`;
-export const bytes = (n: number): string =>
-  n < 1e4 ? `${n} B` : n < 1e7 ? `${(n / 1e3).toFixed(0)} kB` : `${(n / 1e6).toFixed(1)} MB`;
+export const bytes = (n: number | undefined): string =>
+  n === undefined ? "–" : n < 1e4 ? `${n} B` : n < 1e7 ? `${(n / 1e3).toFixed(0)} kB` : `${(n / 1e6).toFixed(1)} MB`;

@@ -118,7 +118,7 @@ export function manifestTables(manifest: Manifest): HTMLElement {
   if (v.wall_seconds !== undefined) rows.push(["wall time", `${seconds(v.wall_seconds, 1)} s`]);
   if (v.host_cpu) rows.push(["processor", v.host_cpu]);
   return el("div", {}, el("h3", {}, "Manifest"), table([], rows),
-    files("Inputs", manifest.inputs), files("Outputs", manifest.outputs));
+    files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs));
 }
 
 export function inputsSection(run: Run): HTMLElement {

@@ -2,9 +2,10 @@
 // The replay with its controls.
 import type { Run } from "./data";
 import { el } from "./dom";
+import type { Colouring } from "./floe_mesh";
 import { seconds } from "./format";
 import type { Player } from "./player";
-import { type Colouring, kViews, ReplayScene } from "./scene";
+import { kViews, ReplayScene } from "./scene";
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const kLegends: Record<Colouring, [string, string][]> = {
@@ -40,7 +41,7 @@ export class Replay {
 
   setColouring(colouring: Colouring): void {
     if (!this.scene) return;
-    this.scene.colouring = colouring;
+    this.scene.floes.colouring = colouring;
     this.legend.replaceChildren(
       ...kLegends[colouring].map(([name, text]) =>
         el("span", {}, el("i", { style: `background: var(--scene-${name})` }), text)),
@@ -112,7 +113,7 @@ export class Replay {
     this.play.textContent = this.player.playing ? "❚❚" : "▶";
     this.slider.value = String(this.player.time);
     this.scene?.show(this.player.time);
-    const n = this.scene ? ` · ${this.scene.nVisible} floes` : "";
+    const n = this.scene ? ` · ${this.scene.floes.nVisible} floes` : "";
     this.clock.textContent = `${seconds(this.player.time)} s${n}`;
   }
 }

@@ -10,7 +10,7 @@ export interface BlockEntry {
 
 export interface HashedFile {
   path: string;
-  bytes: number;
+  bytes?: number;
   sha256: string;
 }
 
@@ -19,6 +19,7 @@ export interface Manifest {
   built_with?: Record<string, string>;
   glibc?: string;
   case?: { name: string; toml: string };
+  plan?: { path: string; sha256: string };
   seeds?: { seed: number; replicate: number };
   inputs?: HashedFile[];
   outputs?: HashedFile[];
