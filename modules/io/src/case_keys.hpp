@@ -40,6 +40,8 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("field", "initial_crack_radius", c.field.initial_crack_radius);
   visit("failure", "model", c.failure.model);
   visit("failure", "file", c.failure.file);
+  visit("failure", "order", c.failure.order);
+  visit("failure", "second_order", c.failure.second_order);
   visit("failure", "wedges", c.failure.wedges);
   visit("failure", "arc_sides", c.failure.arc_sides);
   visit("failure", "max_substeps", c.failure.max_substeps);

@@ -56,7 +56,7 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
     : resolved(c),
       ice(ice_properties(c)),
       cone(make_cone(c.structure)),
-      criterion(failure::make_criterion(c.failure.model, c.failure.file, ice)),
+      criterion(make_criterion(c, ice)),
       field(std::move(laid)),
       world(world_settings(c)),
       tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),

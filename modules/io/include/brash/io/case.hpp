@@ -63,8 +63,10 @@ struct FieldSection {
 
 /// [failure]
 struct FailureSection {
-  std::string model = "superposition";  ///< network | superposition | plate | plate-outline | wedge
-  std::string file;                     ///< model file, absolute; empty: the model that comes with the program
+  std::string model = "superposition";          ///< network | superposition | plate | plate-outline | wedge
+  std::string file;                             ///< model file, absolute; empty: the model that comes with the program
+  std::string order = "circumferential-first";  ///< circumferential-first | radial-first
+  bool second_order = false;                    ///< the in-plane force acts on the bent plate
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
