@@ -29,7 +29,8 @@ INPUTS = {
     "contact.area": ["projected", "projected", "surface", "surface"],
     "contact.margin": (0.001, 0.01),  # m
     "hydrodynamics.form_drag": (0.5, 1.2),
-    "hydrodynamics.rotational_drag": (0.5, 1.2),
+    "hydrodynamics.drag": ["paper", "paper", "surface", "surface"],
+    "hydrodynamics.shading_gap": (0.25, 0.66),  # of the thickness: from next to nothing to all that can be seen
     "hydrodynamics.skin_friction": (0.002, 0.01),
     "hydrodynamics.added_mass": (0.25, 1.0),
     "failure.wedges": [[3, 3], [3, 4], [4, 5], [5, 5]],
@@ -105,7 +106,7 @@ columns = [
 [quick]
 replicates = 1
 points = 2
-set.time.duration = 2
+set.time.duration = 3
 """, encoding="utf-8")
 
 

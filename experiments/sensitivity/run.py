@@ -25,26 +25,25 @@ import study
 
 LOADS = {"horizontal.mean": "mean horizontal", "vertical.mean": "mean vertical",
          "horizontal.quantile_99": "99 % horizontal"}
-STEP = design.LEVELS / (2.0 * (design.LEVELS - 1))  # of a level, as a share of the range
 
 
 def level(key, written):
-    """The level in [0, 1] that a value of the table stands for; of equal values the mean level."""
+    """Where a value of the table stands in the range of its input, 0 to 1; choices are evenly apart."""
     span = design.INPUTS[key]
     if isinstance(span, list):
-        known = [" ".join(map(str, item)) if isinstance(item, list) else item for item in span]
-        return np.mean([i for i, item in enumerate(known) if item == written]) / (design.LEVELS - 1)
+        known = list(dict.fromkeys(" ".join(map(str, item)) if isinstance(item, list) else item for item in span))
+        return known.index(written) / (len(known) - 1)
     return (written - span[0]) / (span[1] - span[0])
 
 
 def effects(rows, column):
-    """{input: its effects over the whole range} and the deviation of one effect that noise alone makes."""
+    """{input: its effects over the whole range} and {input: deviation of one effect that noise alone makes}."""
     points = {}
     for row in rows:
         points.setdefault(row["setting"], []).append(row)
     noise = math.sqrt(np.mean([np.var([r[column] for r in point], ddof=1) for point in points.values()]))
     replicates = np.mean([len(point) for point in points.values()])
-    found = {key: [] for key in design.INPUTS}
+    found, errors = {key: [] for key in design.INPUTS}, {}
     names = list(points)
     for first, second in zip(names, names[1:]):
         if first.split("p")[0] != second.split("p")[0]:
@@ -52,18 +51,19 @@ def effects(rows, column):
         a, b = points[first][0], points[second][0]
         changed = [key for key in design.INPUTS if a[key] != b[key]]
         assert len(changed) == 1, (first, second, changed)
-        sign = math.copysign(1.0, level(changed[0], b[changed[0]]) - level(changed[0], a[changed[0]]))
+        step = level(changed[0], b[changed[0]]) - level(changed[0], a[changed[0]])
         change = np.mean([r[column] for r in points[second]]) - np.mean([r[column] for r in points[first]])
-        found[changed[0]].append(sign * change / STEP)
-    return found, noise * math.sqrt(2.0 / replicates) / STEP
+        found[changed[0]].append(change / step)
+        errors[changed[0]] = noise * math.sqrt(2.0 / replicates) / abs(step)
+    return found, errors
 
 
 def ranking(rows):
     table = []
     for column in LOADS:
-        found, noise = effects(rows, column)
+        found, errors = effects(rows, column)
         for key, values in found.items():
-            values = np.array(values)
+            values, noise = np.array(values), errors[key]
             n = len(values)
             # Of n magnitudes of noise alone, the mean is below this in 95 of 100 cases.
             limit = noise * (math.sqrt(2 / math.pi) + stats.norm.ppf(0.95) * math.sqrt((1 - 2 / math.pi) / n))
@@ -84,7 +84,8 @@ def draw(table, folder):
         axis.errorbar([row["mean_effect"] / 1e3 for row in chosen], names,
                       xerr=[row["half_width_95"] / 1e3 for row in chosen], fmt="o", ms=3, color=figures.BLUE, capsize=2,
                       label="mean effect, 95 %")
-        axis.axvline(chosen[0]["noise_limit"] / 1e3, color=figures.RED, ls="--", lw=1, label="noise alone")
+        axis.plot([row["noise_limit"] / 1e3 for row in chosen], names, "|", color=figures.RED, ms=9,
+                  label="noise alone, 95 %")
         axis.set_title(f"{title} force, over the range [kN]")
     axes[0].legend(fontsize=7)
     figures.save(figure, folder, "effects")

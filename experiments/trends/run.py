@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record]
+"""Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record|--check]
 
 Reads recorded.csv of the experiments beside this one and runs nothing but `brash trend`. The claims, and what would
 confirm or refute them, are those of README.md. p-values are adjusted together by Holm's method.
 """
+import argparse
 import json
 import math
 import subprocess
 import sys
+from fnmatch import fnmatch
 from pathlib import Path
 
 import numpy as np
@@ -72,9 +74,8 @@ def monotone(brash, experiment, text, along, of, where="", rises=True):
     command += ["--where", where] * bool(where)
     trend = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)["trends"][0]
     test = trend["jonckheere_terpstra"]
-    speed = float(where.rsplit("-", 1)[1]) if "speed" in where else None
-    rows = study.read_rows(recorded(experiment))
-    values = study.groups([r for r in rows if speed is None or r[SPEED] == speed], along, of)
+    rows = [row for row in study.read_rows(recorded(experiment)) if fnmatch(row["setting"], where or "*")]
+    values = study.groups(rows, along, of)
     groups = list(values.values())
     return Claim(experiment, text, test["p"], change_text(groups[0], groups[-1]), (test["z"] > 0) == rises)
 
@@ -168,7 +169,10 @@ def ratio_text():
 
 
 def main():
-    parser = study.arguments(__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--brash", type=Path, default=study.ROOT / "build" / "release" / "bin" / "brash")
+    parser.add_argument("--record", action="store_true", help="also rewrite trends.md")
+    parser.add_argument("--check", action="store_true", help="fail when trends.md is not what the recorded numbers say")
     options = parser.parse_args()
     listed = claims(options.brash)
     adjusted = holm([claim.p for claim in listed])
@@ -180,6 +184,9 @@ def main():
     print(text)
     if options.record:
         (HERE / "trends.md").write_text(text, encoding="utf-8")
+    if options.check and (HERE / "trends.md").read_text(encoding="utf-8") != text:
+        print("trends.md says something else: run experiments/trends/run.py --record")
+        return 1
     return 0
 
 

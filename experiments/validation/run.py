@@ -90,7 +90,7 @@ def draw(rows, closed, spectrum, folder):
         axes[2].axhline(closed[0][f"{name}.horizontal"] / 1e3, color=colour, ls=style, lw=1.2, label=label)
     axes[2].set_xticks(range(3), ["99 %", "99 % of\n0.1 s means", "largest\n0.1 s mean"], fontsize=8)
     axes[2].set_title("peaks [kN]")
-    axes[2].legend(fontsize=7, loc="lower left")
+    axes[2].legend(fontsize=7, loc="lower left", frameon=True, framealpha=0.9)
     frequency, density, error = spectrum
     axes[3].fill_between(frequency[1:], np.maximum(density - error, 1.0)[1:], (density + error)[1:], alpha=0.3,
                          color=figures.BLUE, lw=0)

@@ -33,7 +33,7 @@ const std::map<std::string, Room> kRooms{
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
     {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
-    {"report", {"modules/report", {"core", "io"}, {}}},
+    {"report", {"modules/report", {"core", "io", "statistics"}, {"json", "zlib"}}},
     {"simulation",
      {"modules/simulation",
       {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "io", "statistics"},
@@ -48,6 +48,7 @@ const std::map<std::string, std::regex> kLibraries{
     {"netcdf", std::regex("^netcdf")},     {"toml", std::regex("^toml")},
     {"udunits", std::regex("^udunits2")},  {"json", std::regex("^nlohmann/")},
     {"valijson", std::regex("^valijson")}, {"openssl", std::regex("^openssl/")},
+    {"zlib", std::regex("^zlib\\.h")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

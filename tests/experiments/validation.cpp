@@ -20,10 +20,11 @@ const simulation::Run& validation_run() {
 }
 
 BOOST_AUTO_TEST_CASE(the_load_is_the_recorded_one) {
-  // Recorded over seeds 1 to 8: mean 95.2 kN, deviation between seeds 4.1 kN. One seed on another machine is
-  // another replicate (a last digit of libm changes the sequence of breaks), so the bounds are four deviations.
-  BOOST_TEST(validation_run().summary.mean_horizontal_whole > 79000.0);
-  BOOST_TEST(validation_run().summary.mean_horizontal_whole < 112000.0);
+  // Recorded over seeds 1 to 4: mean 103.1 kN; deviation between seeds 3.1 kN, over 8 seeds of the paper's drag
+  // 4.1 kN. One seed on another machine is another replicate (a last digit of libm changes the sequence of breaks), so
+  // the bounds are four of the latter.
+  BOOST_TEST(validation_run().summary.mean_horizontal_whole > 86700.0);
+  BOOST_TEST(validation_run().summary.mean_horizontal_whole < 119500.0);
 }
 
 BOOST_AUTO_TEST_CASE(the_ledger_closes_exactly) {

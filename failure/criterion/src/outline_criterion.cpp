@@ -72,14 +72,15 @@ std::optional<Polyline> plate_edge(const LoadCase& load, double l_c) {
 /// The floating plate with the free edge as it is, solved for each load case; the trapezoid where that edge is refused.
 class OutlineCriterion final : public BendingCriterion {
  public:
-  explicit OutlineCriterion(const IceProperties& ice) : ice_(ice), l_c_(characteristic_length(ice)) {}
+  OutlineCriterion(const IceProperties& ice, const BendingOptions& options)
+      : ice_(ice), options_(options), l_c_(characteristic_length(ice)) {}
 
   bool needs_outline() const override { return true; }
 
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
     if (const auto answer = assess_outline(load)) return *answer;
-    Assessment answer = assess_trapezoid(ice_, l_c_, load);
+    Assessment answer = assess_trapezoid(ice_, l_c_, load, options_);
     answer.outline_refused = true;
     return answer;
   }
@@ -89,25 +90,35 @@ class OutlineCriterion final : public BendingCriterion {
     const auto edge = plate_edge(load, l_c_);
     if (!edge) return std::nullopt;
     const double thickness_over_lc = ice_.thickness / l_c_;
-    const auto profiles = plate::solve_outline({.outline = *edge,
-                                                .contact_length = load.contact_length / l_c_,
-                                                .thickness = thickness_over_lc,
-                                                .poisson_ratio = ice_.poisson_ratio});
+    plate::OutlinePlate sheet{.outline = *edge,
+                              .contact_length = load.contact_length / l_c_,
+                              .thickness = thickness_over_lc,
+                              .poisson_ratio = ice_.poisson_ratio,
+                              .in_plane_load = in_plane_load(ice_, l_c_, load, options_)};
+    auto profiles = plate::solve_outline(sheet);
+    const bool buckled = !profiles && profiles.error().buckled;
+    if (buckled) {
+      sheet.in_plane_load = 0.0;
+      profiles = plate::solve_outline(sheet);
+    }
     if (!profiles) return std::nullopt;
     const plate::Response r = plate::respond(*profiles, thickness_over_lc, load.mu1, load.mu2);
     const double sigma = r.sigma_over_p * load.pressure;
-    return Assessment{
-        .fails = sigma > ice_.flexural_strength, .sigma_max = sigma, .breaking_length = r.lbreak_over_lc * l_c_};
+    return Assessment{.fails = buckled || sigma > ice_.flexural_strength,
+                      .sigma_max = sigma,
+                      .breaking_length = r.lbreak_over_lc * l_c_,
+                      .buckled = buckled};
   }
 
   IceProperties ice_;
+  BendingOptions options_;
   double l_c_;
 };
 
 }  // namespace
 
-std::unique_ptr<BendingCriterion> make_outline_criterion(const IceProperties& ice) {
-  return std::make_unique<OutlineCriterion>(ice);
+std::unique_ptr<BendingCriterion> make_outline_criterion(const IceProperties& ice, const BendingOptions& options) {
+  return std::make_unique<OutlineCriterion>(ice, options);
 }
 
 }  // namespace brash::failure

@@ -9,16 +9,16 @@ namespace {
 /// Asks a fast criterion first and an exact, slow one only where the fast one does not exclude failure by far.
 class ScreenedCriterion final : public BendingCriterion {
  public:
-  ScreenedCriterion(std::unique_ptr<BendingCriterion> screen, std::unique_ptr<BendingCriterion> exact,
-                    double flexural_strength, double margin)
-      : screen_(std::move(screen)), exact_(std::move(exact)), harmless_(flexural_strength / margin) {}
+  ScreenedCriterion(std::unique_ptr<BendingCriterion> fast, std::unique_ptr<BendingCriterion> exact,
+                    const Screen& screen)
+      : fast_(std::move(fast)), exact_(std::move(exact)), screen_(screen) {}
 
   bool needs_outline() const override { return exact_->needs_outline(); }
 
   Assessment assess(const LoadCase& load) const override {
-    if (load.pressure > 0.0) {
-      const Assessment quick = screen_->assess(load);
-      if (!quick.above_range && quick.sigma_max < harmless_) {
+    if (load.pressure > 0.0 && load.pressure < screen_.harmless_pressure) {
+      const Assessment quick = fast_->assess(load);
+      if (!quick.above_range && quick.sigma_max < screen_.harmless_stress) {
         return {.sigma_max = quick.sigma_max, .breaking_length = quick.breaking_length};
       }
     }
@@ -26,17 +26,17 @@ class ScreenedCriterion final : public BendingCriterion {
   }
 
  private:
-  std::unique_ptr<BendingCriterion> screen_;
+  std::unique_ptr<BendingCriterion> fast_;
   std::unique_ptr<BendingCriterion> exact_;
-  double harmless_;
+  Screen screen_;
 };
 
 }  // namespace
 
-std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<BendingCriterion> screen,
+std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<BendingCriterion> fast,
                                                           std::unique_ptr<BendingCriterion> exact,
-                                                          double flexural_strength, double margin) {
-  return std::make_unique<ScreenedCriterion>(std::move(screen), std::move(exact), flexural_strength, margin);
+                                                          const Screen& screen) {
+  return std::make_unique<ScreenedCriterion>(std::move(fast), std::move(exact), screen);
 }
 
 }  // namespace brash::failure

@@ -47,27 +47,53 @@ void count(const std::vector<Record>& records, Progress& progress) {
   }
 }
 
+/// A part of the database of `plan`, without records yet.
+Database empty_part(const Plan& plan) { return {.plan = to_text(plan), .plan_sha256 = sha256(to_text(plan))}; }
+
+std::vector<Record> solve_geometries(const Plan& plan, const std::vector<DesignPoint>& points, int first) {
+  std::vector<Record> records;
+  for (int g = first; g < std::min(first + kChunk, plan.geometries); ++g)
+    records.push_back(solve(g, points[static_cast<std::size_t>(g)], plan));
+  return records;
+}
+
 }  // namespace
+
+std::string chunk_file(const std::string& path, int first) { return fmt::format("{}.chunks/{:06}.nc", path, first); }
+
+std::vector<int> missing_chunks(const Plan& plan, const std::string& path) {
+  std::vector<int> missing;
+  const std::string plan_sha256 = empty_part(plan).plan_sha256;
+  Database there;
+  if (read_if_there(path, plan_sha256, there)) return missing;
+  for (int first = 0; first < plan.geometries; first += kChunk)
+    if (!read_if_there(chunk_file(path, first), plan_sha256, there)) missing.push_back(first);
+  return missing;
+}
+
+void solve_chunk(const Plan& plan, const std::string& path, int first) {
+  Database chunk = empty_part(plan);
+  const std::string file = chunk_file(path, first);
+  fs::create_directories(fs::path(file).parent_path());
+  chunk.records = solve_geometries(plan, design(plan), first);
+  write_database(file, chunk);
+}
 
 Progress build(const Plan& plan, const std::string& path, const std::function<bool(const Progress&)>& go_on) {
   const std::vector<DesignPoint> points = design(plan);
-  Database whole{.plan = to_text(plan), .plan_sha256 = sha256(to_text(plan))};
+  Database whole = empty_part(plan);
   Progress progress{.total = plan.geometries};
   if (Database there; read_if_there(path, whole.plan_sha256, there)) {
     count(there.records, progress);
     return progress;
   }
 
-  const fs::path chunks = path + ".chunks";
-  fs::create_directories(chunks);
+  fs::create_directories(path + ".chunks");
   for (int first = 0; first < plan.geometries; first += kChunk) {
-    const std::string file = chunks / fmt::format("{:06}.nc", first);
-    Database chunk{.plan = whole.plan, .plan_sha256 = whole.plan_sha256};
-    if (!read_if_there(file, whole.plan_sha256, chunk)) {
-      for (int g = first; g < std::min(first + kChunk, plan.geometries); ++g) {
-        chunk.records.push_back(solve(g, points[static_cast<std::size_t>(g)], plan));
-      }
-      write_database(file, chunk);
+    Database chunk = empty_part(plan);
+    if (!read_if_there(chunk_file(path, first), whole.plan_sha256, chunk)) {
+      chunk.records = solve_geometries(plan, points, first);
+      write_database(chunk_file(path, first), chunk);
     }
     count(chunk.records, progress);
     std::move(chunk.records.begin(), chunk.records.end(), std::back_inserter(whole.records));
@@ -75,7 +101,7 @@ Progress build(const Plan& plan, const std::string& path, const std::function<bo
   }
 
   write_database(path, whole);
-  fs::remove_all(chunks);
+  fs::remove_all(path + ".chunks");
   return progress;
 }
 

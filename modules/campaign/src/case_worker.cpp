@@ -32,24 +32,33 @@ void remove_if_damaged(const std::string& checkpoint) {
   }
 }
 
-/// Gives the whole results their final name.
+/// Gives the whole results their final name; what another process published before stays.
 void publish(const std::string& partial, const std::string& folder) {
   std::error_code reason;
   fs::rename(partial, folder, reason);
-  if (reason && !fs::exists(folder + "/summary.json"))
+  if (!reason) {
+    // Not earlier: nobody may take a lock of a folder that is about to get its name.
+    fs::remove(folder + "/lock");
+  } else if (fs::exists(folder + "/summary.json")) {
+    fs::remove_all(partial);
+  } else {
     throw StorageError(fmt::format("{}: cannot be renamed: {}", partial, reason.message()));
+  }
 }
 
 }  // namespace
 
 CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted) {
-  if (fs::exists(task.folder + "/summary.json")) return CaseEnd::kDone;
   const std::string partial = task.folder + ".part";
   std::error_code reason;
   fs::create_directories(partial, reason);
   if (reason) throw StorageError(fmt::format("{}: cannot be made: {}", partial, reason.message()));
-  const FolderLock lock(partial + "/lock", partial, kPatience);
-  if (fs::exists(task.folder + "/summary.json")) return CaseEnd::kDone;
+  const std::optional<FolderLock> lock = FolderLock::take(partial + "/lock", kPatience);
+  if (!lock) return CaseEnd::kInterrupted;
+  if (fs::exists(task.folder + "/summary.json")) {
+    fs::remove_all(partial);
+    return CaseEnd::kDone;
+  }
 
   const io::Case resolved = io::read_case(task.case_file, {fmt::format("random.replicate={}", task.replicate)});
   const std::string checkpoint = partial + "/checkpoint.nc";
@@ -58,7 +67,7 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
       resolved, {.observer = {}, .checkpoint_file = checkpoint, .resume = true, .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;
   simulation::write_run(partial, task.case_file, resolved, run, {}, kept(task.keep));
-  for (const char* const leftover : {"checkpoint.nc", "messages.txt", "lock"}) fs::remove(partial + "/" + leftover);
+  for (const char* const leftover : {"checkpoint.nc", "messages.txt"}) fs::remove(partial + "/" + leftover);
   publish(partial, task.folder);
   return CaseEnd::kDone;
 }

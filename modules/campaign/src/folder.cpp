@@ -67,6 +67,7 @@ Job Folder::job_of(const CaseKey& key, const std::string& program) const {
   return {.command = {program, "campaign-case", setting_file(key.setting), case_folder(key), "--replicate",
                       std::to_string(key.replicate), "--keep", plan_.keep},
           .messages = case_folder(key) + ".part/messages.txt",
+          .result = case_folder(key) + "/summary.json",
           .record = failure_record(key)};
 }
 

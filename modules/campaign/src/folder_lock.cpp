@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "brash/core/error.hpp"
-#include "folder.hpp"
 
 namespace brash::campaign {
 namespace {
@@ -26,28 +25,26 @@ std::string this_process() {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::string& path, const std::string& what, double patience)
-    : file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+std::optional<FolderLock> FolderLock::take(const std::string& path, double patience) {
   const auto refuse = [&](int status) {
-    if (file_ >= 0) ::close(file_);
     throw StorageError(fmt::format("{}: cannot be locked: {}", path, std::generic_category().message(status)));
   };
-  if (file_ < 0) refuse(errno);
+  FolderLock lock(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  if (lock.file_ < 0) refuse(errno);
   using std::chrono::steady_clock;
   const auto end = steady_clock::now() + std::chrono::duration<double>(patience);
-  while (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+  while (::flock(lock.file_, LOCK_EX | LOCK_NB) != 0) {
     if (errno != EWOULDBLOCK && errno != EINTR) refuse(errno);
-    if (steady_clock::now() >= end) {
-      ::close(file_);
-      throw InputError(fmt::format("{}: is in use by {}  remedy:  wait until it is over, or give another folder", what,
-                                   read_text(path)));
-    }
+    if (steady_clock::now() >= end) return {};
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   const std::string holder = this_process();
-  if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, holder.data(), holder.size(), 0) < 0) refuse(errno);
+  if (::ftruncate(lock.file_, 0) != 0 || ::pwrite(lock.file_, holder.data(), holder.size(), 0) < 0) refuse(errno);
+  return lock;
 }
 
-FolderLock::~FolderLock() { ::close(file_); }
+FolderLock::~FolderLock() {
+  if (file_ >= 0) ::close(file_);
+}
 
 }  // namespace brash::campaign

@@ -177,7 +177,11 @@ void judge(const Job& job, const Exit& exit) {
   record_failure(job, exit, error);
 }
 
+bool is_over(const Job& job) { return fs::exists(job.result) || (!job.record.empty() && fs::exists(job.record)); }
+
 }  // namespace
+
+std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
 bool run_pool(int n_workers, const PoolCalls& calls) {
   const HeldSignals signals;
@@ -207,6 +211,7 @@ bool run_jobs(int n_workers, const std::vector<Job>& jobs, const std::function<v
   std::size_t n_started = 0;
   std::size_t n_ended = 0;
   const auto next = [&]() -> std::optional<Job> {
+    while (n_started < jobs.size() && is_over(jobs[n_started])) ++n_started;
     if (n_started == jobs.size()) return {};
     return jobs[n_started++];
   };

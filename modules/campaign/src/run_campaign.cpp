@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <map>
 
 #include "brash/campaign/campaign.hpp"
@@ -15,16 +17,22 @@ namespace fs = std::filesystem;
 /// A campaign's folder, locked and prepared, and what is in it.
 struct Opened {
   explicit Opened(const Campaign& campaign)
-      : lock((make(campaign.directory), campaign.directory + "/campaign.lock"), campaign.directory),
+      : lock(take(campaign.directory)),
         folder(campaign.plan, campaign.directory),
         schedule((folder.prepare(campaign.resume), campaign.plan), folder) {}
 
-  static void make(const std::string& directory) {
+  static FolderLock take(const std::string& directory) {
     std::error_code reason;
     fs::create_directories(directory, reason);
     if (reason)
-      throw InputError(directory + ": cannot be made: " + reason.message() +
-                       "\n  remedy:  check the path and its permissions");
+      throw InputError(fmt::format("{}: cannot be made: {}\n  remedy:  check the path and its permissions", directory,
+                                   reason.message()));
+    const std::string path = directory + "/campaign.lock";
+    std::optional<FolderLock> lock = FolderLock::take(path);
+    if (!lock)
+      throw InputError(fmt::format("{}: is in use by {}  remedy:  wait until it is over, or give another folder",
+                                   directory, read_text(path)));
+    return std::move(*lock);
   }
 
   FolderLock lock;

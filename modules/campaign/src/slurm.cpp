@@ -78,7 +78,9 @@ std::string output_option(const std::string& folder, const char* pattern) {
   return option + "/" + pattern;
 }
 
-Json json_of(const Job& job) { return {{"command", job.command}, {"messages", job.messages}, {"record", job.record}}; }
+Json json_of(const Job& job) {
+  return {{"command", job.command}, {"messages", job.messages}, {"result", job.result}, {"record", job.record}};
+}
 
 /// The jobs in `n` parts, consecutive ones together, none empty.
 Json parts(const std::vector<Job>& jobs, std::size_t n) {
@@ -102,6 +104,15 @@ Json read_rounds(const std::string& folder) {
 int idle_rounds(const Json& rounds, std::size_t n_jobs) {
   if (rounds.empty() || rounds.back().at("collector") != own_job()) return 0;
   return n_jobs < rounds.back().at("n_jobs").get<std::size_t>() ? 0 : rounds.back().at("idle_rounds").get<int>() + 1;
+}
+
+bool is_job_in_queue(const std::string& job) {
+  if (job == own_job()) return false;
+  const Printed printed = ask_slurm({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
+  // The controller forgets old jobs.
+  if (printed.code != 0 && printed.err.find("Invalid job id") != std::string::npos) return false;
+  if (printed.code != 0) throw RunError("squeue cannot tell what is in the queue: " + trimmed(printed.err));
+  return !trimmed(printed.out).empty();
 }
 
 }  // namespace
@@ -136,16 +147,13 @@ SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options) {
 }
 
 bool is_in_queue(const std::string& folder) {
-  const Json rounds = read_rounds(folder);
-  if (rounds.empty()) return false;
-  for (const char* const kind : {"array", "collector"}) {
-    const std::string job = rounds.back().at(kind);
-    if (job == own_job()) continue;
-    const Printed printed = ask_slurm({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
-    // The controller forgets old jobs.
-    if (printed.code != 0 && printed.err.find("Invalid job id") != std::string::npos) continue;
-    if (printed.code != 0) throw RunError("squeue cannot tell what is in the queue: " + trimmed(printed.err));
-    if (!trimmed(printed.out).empty()) return true;
+  for (Json rounds = read_rounds(folder); !rounds.empty();) {
+    const Json& last = rounds.back();
+    if (is_job_in_queue(last.at("array")) || is_job_in_queue(last.at("collector"))) return true;
+    // A collector may have submitted again and ended since the rounds were read.
+    Json now = read_rounds(folder);
+    if (now == rounds) return false;
+    rounds = std::move(now);
   }
   return false;
 }
@@ -155,7 +163,8 @@ bool run_chunk(const std::string& list_file, std::size_t chunk) {
   if (!list.is_array() || chunk >= list.size())
     throw InputError(fmt::format("{}: has no part {} of a list of jobs", list_file, chunk));
   std::vector<Job> jobs;
-  for (const Json& job : list[chunk]) jobs.push_back({0, job.at("command"), job.at("messages"), job.at("record")});
+  for (const Json& job : list[chunk])
+    jobs.push_back({0, job.at("command"), job.at("messages"), job.at("result"), job.at("record")});
   return run_jobs(1, jobs);
 }
 

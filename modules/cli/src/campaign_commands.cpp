@@ -18,7 +18,9 @@
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/report/report.hpp"
 #include "commands.hpp"
+#include "run_folder.hpp"
 
 namespace brash::cli {
 namespace {
@@ -38,9 +40,6 @@ struct CampaignOptions {
   bool quick = false;
   bool json = false;
 };
-
-/// The path of this program: it starts itself for each case.
-std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 std::string counts_text(const Counts& counts) {
   return fmt::format("{} of {} cases done, {} failed, {} missing", counts.n_done, counts.n_cases, counts.n_failed,
@@ -158,7 +157,7 @@ void run_campaign(const CampaignOptions& options) {
       .plan_file = options.plan_file,
       .directory = options.directory,
       .resume = options.resume,
-      .program = this_program()};
+      .program = campaign::this_program()};
   if (options.status) {
     print_status(campaign::count(campaign.plan, options.directory), options.json);
     return;
@@ -175,6 +174,8 @@ void run_campaign(const CampaignOptions& options) {
   if (!options.json) fmt::print("{}\n", means_table(summary));
   print_status(counts, options.json);
   if (!options.json) fmt::print("results in {}\n", options.directory);
+  const std::string page = report::has_page() ? write_report(options.directory) : "";
+  if (!options.json && !page.empty()) fmt::print("report in  {}\n", page);
   if (counts.n_failed > 0)
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }

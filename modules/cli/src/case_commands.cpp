@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
@@ -39,11 +40,20 @@ void add_check_command(CLI::App& app) {
 }
 
 void add_schema_command(CLI::App& app) {
-  auto as_template = std::make_shared<bool>(false);
+  struct Options {
+    bool as_template = false;
+    bool of_plan = false;
+  };
+  auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("schema", "Print the schema of a case file");
-  command->add_flag("--template", *as_template, "a commented case file instead");
+  CLI::Option* as_template = command->add_flag("--template", options->as_template, "a commented case file instead");
+  command->add_flag("--plan", options->of_plan, "the schema of a campaign's plan instead")->excludes(as_template);
   command->footer("Example: brash schema --template > mine.toml");
-  command->callback([as_template] { fmt::print("{}", *as_template ? io::case_template() : io::case_schema()); });
+  command->callback([options] {
+    fmt::print("{}", options->as_template ? io::case_template()
+                     : options->of_plan   ? io::plan_schema()
+                                          : io::case_schema());
+  });
 }
 
 }  // namespace brash::cli

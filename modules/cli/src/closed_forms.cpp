@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "closed_forms.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "brash/core/constants.hpp"
+#include "brash/standards/nevel.hpp"
+
 namespace brash::cli {
+
+using nlohmann::ordered_json;
 
 tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const io::Case& c) {
   standards::CroasdaleInput input;
@@ -37,6 +44,141 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
   input.breaking = downward ? standards::Breaking::kDownward : standards::Breaking::kUpward;
   input.yield = yield;
   return standards::ralston(input);
+}
+
+std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const io::Case& c) {
+  if (!c.hull.length) return std::nullopt;  // all keys or none
+  standards::LindqvistInput input;
+  input.length = *c.hull.length;
+  input.breadth = *c.hull.breadth;
+  input.draught = *c.hull.draught;
+  input.stem_angle = *c.hull.stem_angle;
+  input.waterline_angle = *c.hull.waterline_angle;
+  input.speed = c.structure.speed;
+  input.thickness = c.ice.thickness;
+  input.flexural_strength = c.ice.flexural_strength;
+  input.youngs_modulus = c.ice.youngs_modulus;
+  input.poisson_ratio = c.ice.poisson_ratio;
+  input.friction = c.ice.friction_structure;
+  input.ice_density = c.ice.density;
+  input.water_density = c.water.density;
+  return standards::lindqvist(input);
+}
+
+namespace {
+
+constexpr const char* kPeak = "peak of one breaking event";
+
+ordered_json refused(const char* method, const char* source, const standards::NotApplicable& why) {
+  return {{"method", method}, {"source", source}, {"not_applicable", why.reason}};
+}
+
+// Where each method holds; docs/theory/standards.md.
+constexpr const char* kCroasdaleApplies =
+    "wide slopes, width well above the characteristic length, at low speed; the slope steeper than the friction angle "
+    "and "
+    "less steep than its complement, in-plane compression below the flexural strength";
+constexpr const char* kRalstonApplies =
+    "cones at low speed with one layer of ice on the whole slope; upper bound; friction that does not lock the ice";
+constexpr const char* kNevelApplies = "narrow wedges, loaded over at most 0.6 characteristic lengths from the tip";
+constexpr const char* kLindqvistApplies =
+    "icebreaking bows in continuous motion; friction that does not lock the ice under the bow";
+
+ordered_json croasdale_json(const io::Case& c) {
+  constexpr const char* kMethod = "elastic beam, no rubble, weight in air";
+  constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Croasdale)";
+  const auto load = croasdale_of(c);
+  if (!load) return refused(kMethod, kSource, load.error());
+  return {{"method", kMethod},
+          {"source", kSource},
+          {"kind", kPeak},
+          {"applies_to", kCroasdaleApplies},
+          {"horizontal", load->horizontal},
+          {"vertical", load->vertical},
+          {"components",
+           {{"H_B", load->breaking},
+            {"H_P", load->pushing},
+            {"H_R", load->ride_up},
+            {"H_L", load->lifting},
+            {"H_T", load->turning}}},
+          {"force_ratio", load->force_ratio},
+          {"in_plane_factor", load->in_plane_factor},
+          {"characteristic_length", load->characteristic_length},
+          {"crack_length", load->crack_length}};
+}
+
+ordered_json ralston_json(const io::Case& c, standards::Yield yield) {
+  const std::string method =
+      fmt::format("plastic cone, {} breaking, {}", c.structure.breaking,
+                  yield == standards::Yield::kTresca ? "Tresca (Y = 2.711)" : "Johansen (Y = 3.422)");
+  constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Ralston)";
+  const auto load = ralston_of(c, yield);
+  if (!load) return refused(method.c_str(), kSource, load.error());
+  return {{"method", method},
+          {"source", kSource},
+          {"kind", kPeak},
+          {"applies_to", kRalstonApplies},
+          {"horizontal", load->horizontal},
+          {"vertical", load->vertical},
+          {"components",
+           {{"H_B", load->breaking_horizontal},
+            {"H_R", load->ride_horizontal},
+            {"V_B", load->breaking_vertical},
+            {"V_R", load->ride_vertical}}},
+          {"radius_ratio", load->radius_ratio}};
+}
+
+/// One break: the half disc in front of a contact, divided into wedges, each loaded over one thickness from its tip.
+ordered_json nevel_json(const io::Case& c, int wedges) {
+  standards::NevelInput input;
+  input.wedge_angle = kPi / wedges;
+  input.loaded_length = c.ice.thickness;
+  input.thickness = c.ice.thickness;
+  input.flexural_strength = c.ice.flexural_strength;
+  input.youngs_modulus = c.ice.youngs_modulus;
+  input.water_density = c.water.density;
+  const standards::NevelLoad load = standards::nevel(input);
+  // Friction on the slope inclines the force by atan(mu) from its normal.
+  const double inclination = c.structure.angle + std::atan(c.ice.friction_structure);
+  ordered_json out{{"method", fmt::format("one break of {} wedges, loaded over one thickness", wedges)},
+                   {"source", "Nevel 1972, narrow wedges"},
+                   {"kind", kPeak}};
+  if (inclination >= 0.5 * kPi) {
+    out["not_applicable"] = "the ice locks: tan(slope) >= 1/friction";
+    return out;
+  }
+  out["applies_to"] = kNevelApplies;
+  const double vertical = wedges * load.vertical;
+  out["horizontal"] = vertical * std::tan(inclination);
+  out["vertical"] = vertical;
+  out["components"] = {{"P of one wedge", load.vertical}};
+  out["in_range"] = load.in_range;
+  return out;
+}
+
+ordered_json lindqvist_json(const standards::LindqvistLoad& load) {
+  return {{"method", "ship's hull at the structure's speed"},
+          {"source", "Lindqvist 1989"},
+          {"kind", "mean"},
+          {"applies_to", kLindqvistApplies},
+          {"horizontal", load.total},
+          {"components", {{"R_c", load.crushing}, {"R_b", load.bending}, {"R_s", load.submersion}}},
+          {"components_at", "zero speed"}};
+}
+
+}  // namespace
+
+ordered_json closed_form_loads(const io::Case& c) {
+  ordered_json loads = ordered_json::array();
+  loads.push_back(croasdale_json(c));
+  loads.push_back(ralston_json(c, standards::Yield::kTresca));
+  loads.push_back(ralston_json(c, standards::Yield::kJohansen));
+  for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges)
+    loads.push_back(nevel_json(c, wedges));
+  if (const auto hull = lindqvist_of(c))
+    loads.push_back(*hull ? lindqvist_json(**hull)
+                          : refused("ship's hull at the structure's speed", "Lindqvist 1989", hull->error()));
+  return {{"case", c.name}, {"kind", "peaks of one breaking event; a ship's is a mean"}, {"loads", loads}};
 }
 
 }  // namespace brash::cli

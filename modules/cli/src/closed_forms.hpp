@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <tl/expected.hpp>
 
 #include "brash/io/case.hpp"
 #include "brash/standards/croasdale.hpp"
+#include "brash/standards/lindqvist.hpp"
 #include "brash/standards/ralston.hpp"
 
 namespace brash::cli {
@@ -15,5 +18,12 @@ tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(co
 /// Ralston's plastic plate for the structure and ice of `resolved`; one layer of ice rides along the whole cone.
 tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const io::Case& resolved,
                                                                           standards::Yield yield);
+
+/// Lindqvist's resistance of the hull of `resolved` at the structure's speed; nothing when the case has no hull.
+std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const io::Case& resolved);
+
+/// Closed-form loads for a case, SI, each with components, source and where it applies: Croasdale, Ralston with both
+/// yield criteria, Nevel's wedges, Lindqvist for a hull.
+nlohmann::ordered_json closed_form_loads(const io::Case& resolved);
 
 }  // namespace brash::cli

@@ -24,6 +24,7 @@ void add_check_command(CLI::App& app);
 void add_schema_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_rerun_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 /// Last of all: it lists what is there.
 void add_completion_command(CLI::App& app);
 

@@ -2,9 +2,7 @@
 #include "failure_commands.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -13,7 +11,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/database/database.hpp"
 #include "brash/meta_model/training.hpp"
-#include "commands.hpp"
+#include "database_command.hpp"
 #include "failure_rows.hpp"
 #include "profile_card.hpp"
 
@@ -21,33 +19,6 @@ namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-volatile std::sig_atomic_t interrupted = 0;
-void note_interrupt(int) { interrupted = 1; }
-
-void refuse_missing_folder(const std::string& path) {
-  const fs::path folder = fs::absolute(path).parent_path();
-  if (!fs::is_directory(folder)) throw InputError(fmt::format("{}: the folder does not exist; make it first", path));
-}
-
-void compute_database(const std::string& plan_file, const std::string& output) {
-  const database::Plan plan = database::read_plan(plan_file);
-  refuse_missing_folder(output);
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-  const bool terminal = ::isatty(STDERR_FILENO) == 1;
-  const database::Progress progress = database::build(plan, output, [terminal](const database::Progress& now) {
-    if (terminal) fmt::print(stderr, "\r{} of {} geometries, {} not solved", now.done, now.total, now.failed);
-    return interrupted == 0;
-  });
-  if (terminal) fmt::print(stderr, "\n");
-  if (progress.done < progress.total) {
-    throw Interrupted(fmt::format("stopped after {} of {} geometries; the same command goes on from here",
-                                  progress.done, progress.total));
-  }
-  fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, sha256_of_file(output),
-             progress.total, progress.failed);
-}
 
 /// The rows of the solved geometries; all must have the same h / l_c.
 std::vector<meta_model::Sample> to_samples(const std::string& file, const database::Database& data,
@@ -164,20 +135,6 @@ void fit_profiles(const std::string& database_file, const std::string& test_file
              output, content, card);
 }
 
-void add_database_command(CLI::App& failure) {
-  struct Options {
-    std::string plan, output;
-  };
-  auto options = std::make_shared<Options>();
-  CLI::App* command = failure.add_subcommand("database", "Solve the plate problem over a design of experiments");
-  command->add_option("plan", options->plan, "plan (TOML)")->required();
-  command->add_option("-o,--output", options->output, "database to write (netCDF)")->required();
-  command->footer(
-      "A stopped or killed build goes on when the same command is given again.\n"
-      "Example: brash failure database experiments/failure_database/plan.toml -o cone.nc");
-  command->callback([options] { compute_database(options->plan, options->output); });
-}
-
 void add_train_command(CLI::App& failure) {
   struct Options {
     std::string database, output, test;
@@ -227,6 +184,11 @@ void add_predict_command(CLI::App& failure) {
 }
 
 }  // namespace
+
+void refuse_missing_folder(const std::string& path) {
+  const fs::path folder = fs::absolute(path).parent_path();
+  if (!fs::is_directory(folder)) throw InputError(fmt::format("{}: the folder does not exist; make it first", path));
+}
 
 void add_failure_command(CLI::App& app) {
   CLI::App* failure = app.add_subcommand("failure", "Failure of the ice edge: database, training, prediction");

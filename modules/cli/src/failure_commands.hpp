@@ -2,10 +2,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace brash::cli {
 
 /// Adds `failure database | train | predict` to `app`.
 void add_failure_command(CLI::App& app);
+
+/// Refuses a file to write whose folder is missing.
+void refuse_missing_folder(const std::string& path);
 
 }  // namespace brash::cli

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 
-#include "brash/core/constants.hpp"
-#include "brash/standards/nevel.hpp"
 #include "closed_forms.hpp"
 #include "stats_commands.hpp"
 
@@ -15,83 +12,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kKilo = 1e3;
-
-ordered_json refused(const char* method, const char* source, const standards::NotApplicable& why) {
-  return {{"method", method}, {"source", source}, {"not_applicable", why.reason}};
-}
-
-ordered_json croasdale_json(const io::Case& c) {
-  constexpr const char* kMethod = "elastic beam, no rubble, weight in air";
-  constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Croasdale)";
-  const auto load = croasdale_of(c);
-  if (!load) return refused(kMethod, kSource, load.error());
-  return {{"method", kMethod},
-          {"source", kSource},
-          {"horizontal", load->horizontal},
-          {"vertical", load->vertical},
-          {"components",
-           {{"H_B", load->breaking},
-            {"H_P", load->pushing},
-            {"H_R", load->ride_up},
-            {"H_L", load->lifting},
-            {"H_T", load->turning}}},
-          {"in_plane_factor", load->in_plane_factor},
-          {"characteristic_length", load->characteristic_length},
-          {"crack_length", load->crack_length}};
-}
-
-ordered_json ralston_json(const io::Case& c, standards::Yield yield) {
-  const std::string method =
-      fmt::format("plastic cone, {} breaking, {}", c.structure.breaking,
-                  yield == standards::Yield::kTresca ? "Tresca (Y = 2.711)" : "Johansen (Y = 3.422)");
-  constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Ralston)";
-  const auto load = ralston_of(c, yield);
-  if (!load) return refused(method.c_str(), kSource, load.error());
-  return {{"method", method},
-          {"source", kSource},
-          {"horizontal", load->horizontal},
-          {"vertical", load->vertical},
-          {"components", {{"H_B", load->breaking_horizontal}, {"H_R", load->ride_horizontal}}},
-          {"radius_ratio", load->radius_ratio}};
-}
-
-/// One break: the half disc in front of a contact, divided into wedges, each loaded over one thickness from its tip.
-ordered_json nevel_json(const io::Case& c, int wedges) {
-  standards::NevelInput input;
-  input.wedge_angle = kPi / wedges;
-  input.loaded_length = c.ice.thickness;
-  input.thickness = c.ice.thickness;
-  input.flexural_strength = c.ice.flexural_strength;
-  input.youngs_modulus = c.ice.youngs_modulus;
-  input.water_density = c.water.density;
-  const standards::NevelLoad load = standards::nevel(input);
-  // Friction on the slope inclines the force by atan(mu) from its normal.
-  const double inclination = c.structure.angle + std::atan(c.ice.friction_structure);
-  ordered_json out{{"method", fmt::format("one break of {} wedges, loaded over one thickness", wedges)},
-                   {"source", "Nevel 1972, narrow wedges"}};
-  if (inclination >= 0.5 * kPi) {
-    out["not_applicable"] = "the ice locks: tan(slope) >= 1/friction";
-    return out;
-  }
-  const double vertical = wedges * load.vertical;
-  out["horizontal"] = vertical * std::tan(inclination);
-  out["vertical"] = vertical;
-  out["components"] = {{"P of one wedge", load.vertical}};
-  out["in_range"] = load.in_range;
-  return out;
-}
-
 }  // namespace
-
-ordered_json closed_form_loads(const io::Case& c) {
-  ordered_json loads = ordered_json::array();
-  loads.push_back(croasdale_json(c));
-  loads.push_back(ralston_json(c, standards::Yield::kTresca));
-  loads.push_back(ralston_json(c, standards::Yield::kJohansen));
-  for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges)
-    loads.push_back(nevel_json(c, wedges));
-  return {{"case", c.name}, {"kind", "peaks of one breaking event, not means"}, {"loads", loads}};
-}
 
 std::string loads_text(const ordered_json& loads) {
   std::string text = fmt::format("{}: closed-form loads [kN], {}\n  horizontal  vertical  method\n",
@@ -103,8 +24,10 @@ std::string loads_text(const ordered_json& loads) {
                           load["not_applicable"].get<std::string>());
       continue;
     }
-    text += fmt::format("  {:10.1f}{:10.1f}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo,
-                        load["vertical"].get<double>() / kKilo, method, source, "");
+    const std::string vertical =
+        load.contains("vertical") ? fmt::format("{:.1f}", load["vertical"].get<double>() / kKilo) : "-";
+    text += fmt::format("  {:10.1f}{:>10}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo, vertical, method,
+                        source, "");
     std::string separator;
     for (const auto& [name, value] : load["components"].items()) {
       text += fmt::format("{}{} {:.1f}", separator, name, value.get<double>() / kKilo);
@@ -122,7 +45,8 @@ void add_loads_command(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("loads", "Closed-form loads for a case: ISO 19906, Ralston, Nevel");
+  CLI::App* command =
+      app.add_subcommand("loads", "Closed-form loads for a case: ISO 19906, Ralston, Nevel; Lindqvist for a [hull]");
   command->add_option("case", options->case_file, "case file (TOML)")->required();
   command->add_option("--set", options->overrides, "section.key=value")->take_all()->allow_extra_args(false);
   command->add_flag("--json", options->json, "as JSON, SI");

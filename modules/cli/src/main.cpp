@@ -36,11 +36,12 @@ int main(int argc, char** argv) {
   brash::cli::add_failure_command(app);
   brash::cli::add_loads_command(app);
   brash::cli::add_stats_command(app);
+  brash::cli::add_compare_command(app);
+  brash::cli::add_trend_command(app);
+  brash::cli::add_report_command(app);
   brash::cli::add_export_command(app);
   brash::cli::add_rerun_command(app);
   brash::cli::add_completion_command(app);
-  brash::cli::add_compare_command(app);
-  brash::cli::add_trend_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -123,7 +123,7 @@ std::string profile_card(const meta_model::ProfileModel& model, const std::vecto
   text += fmt::format("- {} geometries, {} modes\n\n## Range\n\n| input | from | to |\n|---|---|---|\n",
                       context.n_geometries, model.n_modes());
   text += fmt::format(
-      "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {} | {} |\n| h / l_c | {} | {} |\n", low.b_lc,
+      "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {:.6g} | {:.6g} |\n| h / l_c | {} | {} |\n", low.b_lc,
       high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc, high.h_lc);
   text += fmt::format(
       "\n## Errors\n\nOn {}. Stress: size of predicted / computed - 1 [%];\nlength: size of predicted - computed "

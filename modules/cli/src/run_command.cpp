@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "brash/report/report.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
@@ -31,6 +32,7 @@ void run_case(const RunOptions& options) {
                                   run.results.loads.back().time, options.case_file, directory));
   write_run_folder(directory, options.case_file, resolved, run);
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
+  if (report::has_page()) fmt::print("report in  {}/report.html\n", directory);
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.hpp"
 
+#include <filesystem>
+
 #include "brash/report/plan_view.hpp"
+#include "brash/report/report.hpp"
+#include "closed_forms.hpp"
 
 namespace brash::cli {
 
@@ -9,6 +13,18 @@ void write_run_folder(const std::string& directory, const std::string& case_file
                       const simulation::Run& run) {
   io::write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
   simulation::write_run(directory, case_file, resolved, run, {"plan.svg"});
+  if (report::has_page()) write_report(directory);
+}
+
+std::string write_report(const std::string& directory) {
+  const auto report_run = [](const std::string& folder) {
+    return report::write_run_report(folder, closed_form_loads(report::case_of_run(folder)).dump());
+  };
+  if (!report::is_campaign(directory)) return report_run(directory);
+  std::error_code no_cases;
+  for (const auto& entry : std::filesystem::directory_iterator(directory + "/cases", no_cases))
+    if (std::filesystem::exists(entry.path() / "run.nc")) report_run(entry.path().string());
+  return report::write_campaign_report(directory);
 }
 
 }  // namespace brash::cli

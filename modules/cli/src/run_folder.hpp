@@ -13,4 +13,8 @@ namespace brash::cli {
 void write_run_folder(const std::string& directory, const std::string& case_file, const io::Case& resolved,
                       const simulation::Run& run);
 
+/// Writes report.html of the run in `directory`, or of the campaign and of every run that it kept whole.
+/// @return its path. @throws InputError naming a file that is missing. @throws RunError in a build without the page.
+std::string write_report(const std::string& directory);
+
 }  // namespace brash::cli

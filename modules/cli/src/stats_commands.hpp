@@ -27,10 +27,7 @@ nlohmann::ordered_json statistics_of(const LoadHistory& history, const Statistic
 /// transforms fast (no prime factor above 5); nothing when that is fewer than 16 samples.
 std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& history, double segment);
 
-/// Closed-form loads for a case, SI, each with its source: Croasdale, Ralston with both yield criteria, Nevel's wedges.
-nlohmann::ordered_json closed_form_loads(const io::Case& resolved);
-
-/// The same as text for a reader.
+/// The same, and closed-form loads, as text for a reader.
 std::string statistics_text(const nlohmann::ordered_json& statistics);
 std::string loads_text(const nlohmann::ordered_json& loads);
 

@@ -45,12 +45,34 @@ void for_each_point(Vec3 a, Vec3 b, Vec3 c, Visit visit) {
 /// Sums the drag of one piece of the surface after another.
 class Integral {
  public:
-  Integral(const Waterplane& plane, const Twist& relative, const Water& water, const Shade& shade)
+  Integral(const Waterplane& plane, const Twist& relative, const Water& water, Shade& shade)
       : plane_(plane),
         relative_(relative),
         form_(0.5 * water.density * water.form_drag),
         skin_(0.5 * water.density * water.skin_friction),
         shade_(shade) {}
+
+  /// A flat convex face, corners counter-clockwise or clockwise.
+  void add(std::span<const Vec3> corners, Vec3 normal) {
+    if (std::ranges::all_of(corners, [&](Vec3 p) { return plane_.height(p) >= 0.0; })) return;
+    turn_shade(corners, normal);
+    if (corners.size() == 4) {
+      add({{corners[0], corners[1], corners[2], corners[3]}, 4}, normal);
+    } else {
+      for (std::size_t i = 2; i < corners.size(); ++i) add({{corners[0], corners[i - 1], corners[i]}, 3}, normal);
+    }
+  }
+
+  SurfaceDrag result;
+
+ private:
+  void turn_shade(std::span<const Vec3> corners, Vec3 normal) {
+    Vec3 centre{};
+    for (const Vec3 corner : corners) centre += corner / static_cast<double>(corners.size());
+    double square = 0.0;
+    for (const Vec3 corner : corners) square = std::max(square, dot(corner - centre, corner - centre));
+    shade_.face(centre, normal, std::sqrt(square));
+  }
 
   void add(const Piece& whole, Vec3 normal) {
     const Piece wet = where_negative(whole, [&](Vec3 p) { return plane_.height(p); });
@@ -71,14 +93,11 @@ class Integral {
     }
   }
 
-  SurfaceDrag result;
-
- private:
   void add_side(const Piece& piece, Vec3 normal, bool leads) {
     if (!leads && skin_ == 0.0) return;
     for (std::size_t i = 2; i < piece.n; ++i)
       for_each_point(piece.corners[0], piece.corners[i - 1], piece.corners[i], [&](Vec3 point, double weight) {
-        const double share = weight * shade_.open_share(point, normal);
+        const double share = weight * shade_.open_share(point);
         const Vec3 velocity = velocity_at(relative_, point);
         const double outwards = dot(velocity, normal);
         if (leads) result.form.add(share * form_ * std::max(0.0, outwards), point);
@@ -92,7 +111,7 @@ class Integral {
   const Twist& relative_;
   double form_;
   double skin_;
-  const Shade& shade_;
+  Shade& shade_;
 };
 
 }  // namespace
@@ -107,23 +126,55 @@ Shade::Shade(const Prism& prism, const Pose& pose, std::span<const Solid> neighb
     if (signed_distance(solid, pose.position) < reach) near_.push_back(solid);
 }
 
-double Shade::open_share(Vec3 point, Vec3 normal) const {
-  if (near_.empty()) return 1.0;
-  const Vec3 probe = to_world(pose_, point + gap_ * normal);
+void Shade::face(Vec3 centre, Vec3 normal, double radius) {
+  planes_.clear();
+  ends_.clear();
+  if (near_.empty()) return;
+  const Vec3 axis = rotate(pose_.rotation, normal);
+  const Vec3 middle = to_world(pose_, centre) + gap_ * axis;
+  const Quaternion to_axes = conjugate(pose_.rotation);
+  for (const Solid solid : near_) {
+    const std::size_t first = planes_.size();
+    bool apart = false;
+    for (const Plane& plane : solid) {
+      // The probes lie on a disc, which reaches radius times the sine of the angle to its axis along another direction.
+      const double distance = dot(plane.normal, middle) - plane.offset;
+      const double cosine = dot(plane.normal, axis);
+      const double off = std::abs(distance) - 0.5 * gap_;
+      if (off > 0.0 && off * off > radius * radius * (1.0 - cosine * cosine)) {
+        apart = distance > 0.0;
+        if (apart) break;
+        continue;  // all probes are well inside
+      }
+      const Vec3 n = rotate(to_axes, plane.normal);
+      planes_.push_back({n, dot(n, centre) - distance});
+    }
+    planes_.resize(apart ? first : planes_.size());
+    if (!apart) ends_.push_back(planes_.size());
+  }
+}
+
+double Shade::open_share(Vec3 point) const {
   double held = 0.0;
-  for (const Solid solid : near_) held += std::clamp(0.5 - signed_distance(solid, probe) / gap_, 0.0, 1.0);
+  std::size_t i = 0;
+  for (const std::size_t end : ends_) {
+    double share = 1.0;
+    for (; i < end; ++i) share = std::min(share, 0.5 - (dot(planes_[i].normal, point) - planes_[i].offset) / gap_);
+    held += std::max(0.0, share);
+  }
   return std::max(0.0, 1.0 - held);
 }
 
 SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twist& relative, const Water& water,
-                         const Shade& shade) {
+                         Shade shade) {
   Integral integral(plane, relative, water, shade);
   const double half = 0.5 * prism.thickness;
+  std::vector<Vec3> corners;
   for (const double side : {-1.0, 1.0}) {
     for (const auto& part : prism.parts) {
-      const auto corner = [&](std::size_t i) { return Vec3{part[i].x, part[i].y, side * half}; };
-      for (std::size_t i = 2; i < part.size(); ++i)
-        integral.add({{corner(0), corner(i - 1), corner(i)}, 3}, {0.0, 0.0, side});
+      corners.clear();
+      for (const Vec2 vertex : part) corners.push_back({vertex.x, vertex.y, side * half});
+      integral.add(corners, {0.0, 0.0, side});
     }
   }
   for (const auto& ring : prism.rings) {
@@ -132,8 +183,9 @@ SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twis
       const double length = norm(to - from);
       if (length == 0.0) continue;
       const Vec2 out = -perpendicular(to - from) / length;
-      integral.add({{Vec3{from.x, from.y, -half}, {to.x, to.y, -half}, {to.x, to.y, half}, {from.x, from.y, half}}, 4},
-                   {out.x, out.y, 0.0});
+      const std::array<Vec3, 4> face{Vec3{from.x, from.y, -half}, Vec3{to.x, to.y, -half}, Vec3{to.x, to.y, half},
+                                     Vec3{from.x, from.y, half}};
+      integral.add(face, {out.x, out.y, 0.0});
     }
   }
   return integral.result;

@@ -40,6 +40,8 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("field", "initial_crack_radius", c.field.initial_crack_radius);
   visit("failure", "model", c.failure.model);
   visit("failure", "file", c.failure.file);
+  visit("failure", "order", c.failure.order);
+  visit("failure", "second_order", c.failure.second_order);
   visit("failure", "wedges", c.failure.wedges);
   visit("failure", "arc_sides", c.failure.arc_sides);
   visit("failure", "max_substeps", c.failure.max_substeps);
@@ -66,6 +68,11 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("output", "statistics_from", c.output.statistics_from);
   visit("reference", "mean_horizontal", c.reference.mean_horizontal);
   visit("reference", "source", c.reference.source);
+  visit("hull", "length", c.hull.length);
+  visit("hull", "breadth", c.hull.breadth);
+  visit("hull", "draught", c.hull.draught);
+  visit("hull", "stem_angle", c.hull.stem_angle);
+  visit("hull", "waterline_angle", c.hull.waterline_angle);
 }
 
 }  // namespace brash::io

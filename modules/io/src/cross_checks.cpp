@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace brash::io {
 namespace {
@@ -98,6 +100,20 @@ void check_field(const Case& c, Checks& checks) {
                  "lower the radius, or write 0 for the ice's own breaking length");
 }
 
+void check_hull(const Case& c, Checks& checks) {
+  const HullSection& h = c.hull;
+  const std::array<std::pair<const char*, bool>, 5> keys{{{"length", h.length.has_value()},
+                                                          {"breadth", h.breadth.has_value()},
+                                                          {"draught", h.draught.has_value()},
+                                                          {"stem_angle", h.stem_angle.has_value()},
+                                                          {"waterline_angle", h.waterline_angle.has_value()}}};
+  const auto written = std::ranges::find_if(keys, [](const auto& key) { return key.second; });
+  if (written == keys.end()) return;
+  for (const auto& [name, given] : keys)
+    checks.require(given, {"hull", name}, {"hull", written->first}, "is missing beside the hull's other keys",
+                   "all keys of the hull or none", "write it, or leave [hull] out");
+}
+
 void check_rest(const Case& c, Checks& checks) {
   checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
                  "the least number is above the largest", "[least, largest] with least <= largest",
@@ -109,6 +125,14 @@ void check_rest(const Case& c, Checks& checks) {
                  {"time", "duration"}, "the statistics would begin after the run",
                  fmt::format("less than time.duration = {} s", c.time.duration),
                  "lower output.statistics_from or raise time.duration");
+  const bool radial_first = c.failure.order == "radial-first";
+  checks.require(!radial_first || c.failure.model == "plate", {"failure", "order"}, {"failure", "model"},
+                 fmt::format("the model {} cannot split the sheet", c.failure.model),
+                 "radial-first with failure.model = \"plate\"", "take that model, or circumferential-first");
+  checks.require(!c.failure.second_order || c.failure.model == "plate" || c.failure.model == "plate-outline",
+                 {"failure", "second_order"}, {"failure", "model"},
+                 fmt::format("the model {} is of first order", c.failure.model),
+                 "true with failure.model = \"plate\" or \"plate-outline\"", "take one of these models, or false");
   std::error_code ignored;
   checks.require(c.failure.file.empty() || std::filesystem::is_regular_file(c.failure.file, ignored),
                  {"failure", "file"}, {"failure", "file"}, fmt::format("there is no file {}", c.failure.file),
@@ -123,6 +147,7 @@ std::vector<Problem> cross_check(const Case& resolved, const CaseSource& source)
   check_ice(resolved, checks);
   check_cone(resolved, checks);
   check_field(resolved, checks);
+  check_hull(resolved, checks);
   check_rest(resolved, checks);
   return checks.take();
 }

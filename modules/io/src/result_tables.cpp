@@ -13,6 +13,21 @@ void write_outlines(NetcdfWriter& file, const std::vector<FloeRecord>& floes) {
   write_polygons(file, "floe_outline", "floe", {"m", "body frame of the floe"}, outlines);
 }
 
+/// The sheet after every step with cracks.
+void write_cracked_sheets(NetcdfWriter& file, const std::vector<CrackedSheet>& sheets) {
+  std::vector<std::vector<std::vector<Vec2>>> polygons;
+  for (const CrackedSheet& sheet : sheets) polygons.push_back(sheet.rings);
+  write_rows(file, sheets);
+  write_polygons(file, "cracked_sheet_outline", "cracked_sheet", {"m", "sheet frame"}, polygons);
+}
+
+std::vector<CrackedSheet> read_cracked_sheets(const NetcdfReader& file) {
+  std::vector<CrackedSheet> sheets = read_rows<CrackedSheet>(file);
+  auto polygons = read_polygons<Vec2>(file, "cracked_sheet_outline", "cracked_sheet");
+  for (std::size_t i = 0; i < sheets.size(); ++i) sheets[i].rings = std::move(polygons[i]);
+  return sheets;
+}
+
 /// Poses frame after frame: a contiguous ragged array of the CF conventions.
 void write_frames(NetcdfWriter& file, const std::vector<Frame>& frames) {
   std::vector<std::int32_t> counts;
@@ -44,6 +59,7 @@ void write_tables(NetcdfWriter& file, const RunResults& results) {
   write_rows(file, results.floes);
   write_outlines(file, results.floes);
   write_frames(file, results.frames);
+  write_cracked_sheets(file, results.cracked_sheets);
   const NodeFrame sheet_frame{"m", "sheet frame"};
   write_rings(file, "initial_sheet", sheet_frame, results.initial_sheet);
   write_rings(file, "final_sheet", sheet_frame, results.final_sheet);
@@ -57,6 +73,7 @@ RunResults read_tables(const NetcdfReader& file) {
   auto outlines = read_polygons<Vec2>(file, "floe_outline", "floe");
   for (std::size_t i = 0; i < results.floes.size(); ++i) results.floes[i].rings = std::move(outlines[i]);
   results.frames = read_frames(file);
+  results.cracked_sheets = read_cracked_sheets(file);
   results.initial_sheet = read_rings<Vec2>(file, "initial_sheet");
   results.final_sheet = read_rings<Vec2>(file, "final_sheet");
   return results;

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "netcdf_file.hpp"
 #include "brash/io/result_columns.hpp"
+#include "netcdf_file.hpp"
 
 namespace brash::io {
 

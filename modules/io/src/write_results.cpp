@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "brash/core/version.hpp"
-#include "brash/io/results.hpp"
 #include "brash/io/result_columns.hpp"
+#include "brash/io/results.hpp"
 #include "result_tables.hpp"
 
 namespace brash::io {

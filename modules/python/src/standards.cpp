@@ -174,7 +174,7 @@ void add_standards(py::module_& m) {
       "lindqvist",
       [](const py::kwargs& given) {
         const LindqvistInput input = input_from(given, kLindqvist);
-        return with_arguments_of("lindqvist", [&] { return lindqvist(input); });
+        return with_arguments_of("lindqvist", [&] { return applicable(lindqvist(input)); });
       },
       "Mean resistance of a ship in level ice. Keywords, SI and radians: length, breadth, draught, stem_angle, "
       "waterline_angle, thickness, flexural_strength, youngs_modulus, speed.");

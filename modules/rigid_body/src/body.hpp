@@ -39,7 +39,7 @@ struct Body {
   Wrench load;     ///< for the next step
   Pose next_pose;  ///< of a structure
   bool moved = false;
-  int rank = 0;  ///< in the order of the step
+  int rank = 0;                   ///< in the order of the step
   std::vector<const Part*> near;  ///< parts of other bodies within the world's reach
   std::vector<std::unique_ptr<Part>> parts;
   std::unique_ptr<btRigidBody> bullet;

@@ -42,8 +42,8 @@ void BroadPhase::grow() {
 void BroadPhase::add(Part& part) {
   if (parts_.size() + 2 > capacity_) grow();
   const bool floe = part.body->is_floe();
-  part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE,
-                                   &part, floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
+  part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
+                                   floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
   parts_.push_back(&part);
 }
 
@@ -53,9 +53,7 @@ void BroadPhase::remove(Part& part) {
   parts_.erase(std::find(parts_.begin(), parts_.end(), &part));
 }
 
-void BroadPhase::move(Part& part) {
-  sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr);
-}
+void BroadPhase::move(Part& part) { sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr); }
 
 void BroadPhase::collect(double distance) {
   pairs_.clear();

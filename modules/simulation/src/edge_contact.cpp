@@ -118,6 +118,13 @@ failure::IceProperties ice_properties(const io::Case& resolved) {
           .water_density = resolved.water.density};
 }
 
+std::unique_ptr<failure::BendingCriterion> make_criterion(const io::Case& resolved, const failure::IceProperties& ice) {
+  const io::FailureSection& section = resolved.failure;
+  return failure::make_criterion(
+      section.model, section.file, ice,
+      {.second_order = section.second_order, .radial_first = section.order == "radial-first"});
+}
+
 geometry::Ring leading_section(const EdgeModel& model, Vec2 centre) {
   const Freeboard heights = freeboard(model.resolved);
   return section_at(model.cone, model.cone.downward_breaking ? heights.top : heights.bottom, centre);

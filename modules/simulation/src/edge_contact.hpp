@@ -39,6 +39,9 @@ Freeboard freeboard(const io::Case& resolved);
 /// Ice as the failure criterion sees it.
 failure::IceProperties ice_properties(const io::Case& resolved);
 
+/// The criterion that the case names.
+std::unique_ptr<failure::BendingCriterion> make_criterion(const io::Case& resolved, const failure::IceProperties& ice);
+
 /// The section of the structure that meets the ice first: at the ice's top when it breaks downward, else at its bottom.
 geometry::Ring leading_section(const EdgeModel& model, Vec2 centre);
 /// The section that has passed through the whole thickness.

@@ -86,7 +86,8 @@ std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, cons
   if (!made) return std::nullopt;
   auto& [floe, pose] = *made;
   floe.id = next_id_++;
-  io::FloeRecord record{.id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time};
+  io::FloeRecord record{
+      .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
   const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
   floes_.emplace(body, std::move(floe));
   return record;

@@ -38,6 +38,7 @@ class Recorder {
   void record(const Simulation& simulation, const StepReport& report) {
     results_.loads.push_back(report.loads);
     std::ranges::copy(report.events, std::back_inserter(results_.events));
+    if (!report.events.empty()) results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);
     for (const FloeDeath& death : report.deaths) {
       io::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];

@@ -25,7 +25,7 @@ double initial_crack_radius(const io::Case& resolved, const failure::IceProperti
 
 DerivedScales derived_scales(const io::Case& resolved) {
   const failure::IceProperties ice = ice_properties(resolved);
-  const auto criterion = failure::make_criterion(resolved.failure.model, resolved.failure.file, ice);
+  const auto criterion = make_criterion(resolved, ice);
   DerivedScales scales;
   scales.characteristic_length = failure::characteristic_length(ice);
   scales.thickness_over_lc = ice.thickness / scales.characteristic_length;

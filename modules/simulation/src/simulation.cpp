@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
@@ -55,7 +56,7 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
     : resolved(c),
       ice(ice_properties(c)),
       cone(make_cone(c.structure)),
-      criterion(failure::make_criterion(c.failure.model, c.failure.file, ice)),
+      criterion(make_criterion(c, ice)),
       field(std::move(laid)),
       world(world_settings(c)),
       tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
@@ -156,7 +157,9 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                          .wedges = n_wedges,
                          .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
                          .substeps = report.n_substeps,
-                         .area_before = field.ledger().sheet.square_metres()};
+                         .area_before = field.ledger().sheet.square_metres(),
+                         .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
+                         .towards = contact.region.normal};
     std::vector<io::FloeRecord> births =
         break_off(contact.region.midpoint, contact.assessment.breaking_length, n_wedges, report);
     event.pieces = static_cast<int>(births.size());
@@ -267,7 +270,13 @@ const StageTimes& Simulation::stage_times() const { return impl_->times; }
 
 io::Frame Simulation::frame() const {
   io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
-  for (const auto& [body, floe] : impl_->floes.floes()) frame.floes.push_back({floe.id, impl_->world.pose(body)});
+  std::map<BodyId, double> contact_force;
+  for (const rigid_body::ContactLoad& contact : impl_->world.contacts()) {
+    contact_force[contact.body] += contact.normal_force;
+    contact_force[contact.other] += contact.normal_force;
+  }
+  for (const auto& [body, floe] : impl_->floes.floes())
+    frame.floes.push_back({floe.id, impl_->world.pose(body), contact_force[body]});
   return frame;
 }
 

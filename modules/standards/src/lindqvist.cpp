@@ -32,12 +32,13 @@ double submersion(const LindqvistInput& in, double psi) {
 
 }  // namespace
 
-LindqvistLoad lindqvist(const LindqvistInput& in) {
+tl::expected<LindqvistLoad, NotApplicable> lindqvist(const LindqvistInput& in) {
   check(in);
   const double phi = in.stem_angle, alpha = in.waterline_angle, mu = in.friction, h = in.thickness;
   const double psi = std::atan(std::tan(phi) / std::sin(alpha));
   const double slip = 1.0 - mu * std::sin(phi) / std::cos(psi);
-  BRASH_EXPECTS(slip > 0.0, mu, phi, alpha);
+  if (slip <= 0.0)
+    return tl::unexpected(NotApplicable{"friction locks the ice under the bow: mu sin(phi) >= cos(psi)"});
 
   LindqvistLoad load;
   load.crushing = 0.5 * in.flexural_strength * h * h * (std::tan(phi) + mu * std::cos(phi) / std::cos(psi)) / slip;

@@ -36,7 +36,7 @@ struct Field {
           const Vec2 low = 1.4 * Vec2{i + 0.3 * layer, j + 0.2 * layer};
           const std::vector<Vec2> ring{low, low + Vec2{1.395, 0}, low + Vec2{1.395, 1.395}, low + Vec2{0, 1.395}};
           if (!floes.add(world, {geometry::ring(ring), {}}, 0.0)) continue;
-          const BodyId body = world.floes().back();
+          const BodyId body = floes.floes().rbegin()->first;
           Pose pose = world.pose(body);
           pose.position.z -= 0.335 * layer;
           pose.rotation = {1.0, 0.01 * ((i + j) % 3 - 1), 0.01 * ((i + 2 * j) % 3 - 1), 0.0};

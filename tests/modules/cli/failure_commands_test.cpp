@@ -37,10 +37,15 @@ poisson_ratio = 0.3
 theory = "reissner-mindlin"
 )";
 
+constexpr const char* kRow = "b_lc,c_lc,theta_deg,mu1,mu2\n0.6,0.3,60,0.5,0.02\n";
+
 /// A folder of its own for each test, removed afterwards.
 struct Folder {
-  fs::path path = fs::temp_directory_path() / ("brash_failure_commands_" + std::to_string(::getpid()));
-  Folder() { fs::create_directories(path); }
+  fs::path path;
+  explicit Folder(const std::string& name = "test")
+      : path(fs::temp_directory_path() / ("brash_failure_" + name + "_" + std::to_string(::getpid()))) {
+    fs::create_directories(path);
+  }
   ~Folder() { fs::remove_all(path); }
 
   std::string write(const std::string& name, const std::string& text) const {
@@ -84,13 +89,13 @@ double stress_of(const std::string& text) {
 
 BOOST_AUTO_TEST_CASE(the_models_that_come_with_the_program_predict_what_the_plate_gives) {
   const Folder folder;
-  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.6,0.3,60,0.5,0.02\n");
+  const std::string rows = folder.write("rows.csv", kRow);
   const double plate = stress_of(output_of(folder, {"predict", "--model", "fem", "--in", rows}));
-  // Their 95 % errors there: 10 % (network) and 1.4 % (superposition), from the model cards.
+  // Their 95 % errors there, from the model cards: 10 % (network) and 1 % (superposition).
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", kNetwork, "--in", rows})) == plate,
              boost::test_tools::tolerance(0.10));
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", kSuperposition, "--in", rows})) == plate,
-             boost::test_tools::tolerance(0.014));
+             boost::test_tools::tolerance(0.01));
 }
 
 BOOST_AUTO_TEST_CASE(a_row_that_cannot_be_used_is_refused_with_its_line) {
@@ -101,18 +106,56 @@ BOOST_AUTO_TEST_CASE(a_row_that_cannot_be_used_is_refused_with_its_line) {
   });
 }
 
+/// A database of 24 geometries, solved once.
+const std::string& small_database() {
+  static const Folder folder("database");
+  static const std::string database = [] {
+    const std::string path = (folder.path / "small.nc").string();
+    output_of(folder, {"database", folder.write("plan.toml", kPlan), "-o", path});
+    return path;
+  }();
+  return database;
+}
+
 BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {
   const Folder folder;
-  const std::string plan = folder.write("plan.toml", kPlan);
-  const std::string database = (folder.path / "small.nc").string(), model = (folder.path / "small.json").string();
-  output_of(folder, {"database", plan, "-o", database});
-  const std::string printed = output_of(folder, {"train", database, "-o", model, "--superposition"});
+  const std::string model = (folder.path / "small.json").string();
+  const std::string printed = output_of(folder, {"train", small_database(), "-o", model, "--superposition"});
   BOOST_TEST(printed.find("small.md") != std::string::npos);
   const std::string card = folder.read("small.md");
   BOOST_TEST(card.find("# Model card: small.json") == 0u);
   BOOST_TEST(card.find("24 geometries") != std::string::npos);
   BOOST_TEST(card.find("| all | 4 | 2 |") != std::string::npos);  // geometries 10 and 21, two rows each
-  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.6,0.3,60,0.5,0.02\n");
+  const std::string rows = folder.write("rows.csv", kRow);
+  BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_superposition_can_be_judged_on_another_database) {
+  const Folder folder;
+  const std::string model = (folder.path / "small.json").string();
+  output_of(folder, {"train", small_database(), "-o", model, "--superposition", "--test", small_database()});
+  // On its own geometries it errs by what resampling and modes leave: 48 rows, far below 1 % in the median.
+  const std::string card = folder.read("small.md");
+  BOOST_TEST(card.find("(`small.nc`)") != std::string::npos);
+  BOOST_TEST(card.find("| all | 48 | 24 | 0.") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_network_is_trained_written_with_its_model_card_and_the_same_each_time) {
+  const Folder folder;
+  const auto train = [&](const std::string& name) {
+    const std::string model = (folder.path / name).string();
+    return output_of(folder,
+                     {"train", small_database(), "-o", model, "--hidden", "2", "--starts", "1", "--iterations", "20"});
+  };
+  const std::string printed = train("small.json");
+  BOOST_TEST(printed.find("training") != std::string::npos);
+  BOOST_TEST(printed.find("validation") != std::string::npos);
+  BOOST_TEST(printed.find("test") != std::string::npos);
+  BOOST_TEST(folder.read("small.md").find("# Model card: small.json") == 0u);
+  train("again.json");
+  BOOST_TEST(folder.read("again.json") == folder.read("small.json"));
+  const std::string rows = folder.write("rows.csv", kRow);
+  const std::string model = (folder.path / "small.json").string();
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <boost/test/unit_test.hpp>
 #include <array>
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
@@ -28,7 +28,7 @@ Water without_skin_friction(DragLaw law = DragLaw::kSurface) {
 
 /// The half-spaces of an upright box.
 std::array<Plane, 6> solid_box(Vec3 lower, Vec3 upper) {
-  return {Plane{{-1, 0, 0}, -lower.x}, {{1, 0, 0}, upper.x},  {{0, -1, 0}, -lower.y},
+  return {Plane{{-1, 0, 0}, -lower.x}, {{1, 0, 0}, upper.x},   {{0, -1, 0}, -lower.y},
           Plane{{0, 1, 0}, upper.y},   {{0, 0, -1}, -lower.z}, {{0, 0, 1}, upper.z}};
 }
 
@@ -221,8 +221,14 @@ BOOST_AUTO_TEST_CASE(a_plate_behind_another_has_the_drag_of_one_that_water_does_
   const auto below = [&](double gap) { return solid_box({-2, -2, bottom - gap - 0.4}, {2, 2, bottom - gap}); };
   BOOST_CHECK_CLOSE_FRACTION(sinking({}, water).drag.force.z, free, 1e-13);
   // Against a neighbour, and up to half the gap: nothing. At the gap: half. Beyond one and a half gaps: all of it.
-  for (const auto& [gap, share] : {std::pair{-0.05, 0.0}, {0.0, 0.0}, {0.0999, 0.0}, {0.15, 0.25}, {0.2, 0.5},
-                                  {0.25, 0.75}, {0.3001, 1.0}, {5.0, 1.0}})
+  for (const auto& [gap, share] : {std::pair{-0.05, 0.0},
+                                   {0.0, 0.0},
+                                   {0.0999, 0.0},
+                                   {0.15, 0.25},
+                                   {0.2, 0.5},
+                                   {0.25, 0.75},
+                                   {0.3001, 1.0},
+                                   {5.0, 1.0}})
     BOOST_CHECK_SMALL(sinking({below(gap)}, water).drag.force.z - share * free, 1e-12 * free);
   // The edges of the plate stay in the free stream for skin friction; the face itself has none either way.
   Water open = water;

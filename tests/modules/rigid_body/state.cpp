@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
@@ -12,6 +13,15 @@ using namespace brash::rigid_body::testing;
 namespace {
 
 WorldSettings breakable() { return {.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}; }
+
+/// Signed distances of `point` to the neighbours of `floe`, in their order.
+std::vector<double> distances(World& world, BodyId floe, double reach, Vec3 point) {
+  std::vector<Solid> solids;
+  world.neighbours(floe, reach, solids);
+  std::vector<double> found;
+  for (const Solid solid : solids) found.push_back(signed_distance(solid, point));
+  return found;
+}
 
 }  // namespace
 
@@ -124,4 +134,43 @@ BOOST_AUTO_TEST_CASE(Numbers_that_are_not_finite_are_broken_contracts) {
   BOOST_CHECK_EXCEPTION(world.step(10.0), ContractViolation, [](const ContractViolation& e) {
     return std::string(e.what()).find("state of body, 0") != std::string::npos;
   });
+}
+
+BOOST_AUTO_TEST_CASE(Neighbours_are_the_bodies_within_reach_where_they_are_now) {
+  World world({});
+  const BodyId floe = add_floe(world, rectangle({0, 0}, {2, 1}), 0.4);
+  const BodyId other = add_floe(world, rectangle({2.1, 0}, {4, 1}), 0.4);
+  world.add_sheet_part(rectangle({-3, 0}, {-0.2, 1}), -0.2, 0.2);
+  add_structure(world, box({0, 1.5, -1}, {1, 2, 1}));
+  const Vec3 corner{2, 0.5, 0};
+  BOOST_TEST(distances(world, floe, 0.05, corner).empty());
+  BOOST_TEST(distances(world, floe, 0.15, corner).size() == 1U);
+  BOOST_TEST(distances(world, floe, 0.25, corner).size() == 2U);
+  BOOST_TEST(distances(world, floe, 0.55, corner).size() == 3U);
+  BOOST_TEST(distances(world, floe, 0.15, corner).front() == 0.1, boost::test_tools::tolerance(1e-12));  // rounding
+  BOOST_TEST(distances(world, other, 0.15, {2.1, 0.5, 0}).front() == 0.1, boost::test_tools::tolerance(1e-12));
+
+  // A step moves the other away, and what is asked for follows.
+  world.set_state(other, world.pose(other), {{5.0, 0.0, 0.0}, {}});
+  world.step(0.01);
+  BOOST_TEST(distances(world, floe, 0.16, corner).front() == 0.15, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(distances(world, floe, 0.14, corner).empty());
+  world.remove(other);
+  BOOST_TEST(distances(world, floe, 0.16, corner).empty());
+}
+
+BOOST_AUTO_TEST_CASE(The_order_of_neighbours_does_not_depend_on_the_order_of_insertion) {
+  const std::vector<std::vector<Vec2>> rings{rectangle({2.1, 0}, {4, 1}), rectangle({-2, 0}, {-0.1, 1}),
+                                             rectangle({0, 1.1}, {2, 3}), rectangle({0, -2}, {2, -0.1})};
+  std::vector<std::vector<double>> seen;
+  for (const bool reversed : {false, true}) {
+    World world({});
+    std::vector<std::vector<Vec2>> order = rings;
+    if (reversed) std::reverse(order.begin(), order.end());
+    for (const auto& ring : order) add_floe(world, ring, 0.4);
+    const BodyId floe = add_floe(world, rectangle({0, 0}, {2, 1}), 0.4);
+    seen.push_back(distances(world, floe, 0.2, {0.7, 0.2, 0}));
+  }
+  BOOST_TEST(seen[0].size() == 4U);
+  BOOST_TEST(seen[0] == seen[1], boost::test_tools::per_element());
 }

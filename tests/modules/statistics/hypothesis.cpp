@@ -32,6 +32,44 @@ double kendall_by_permutations(Samples y) {
   return static_cast<double>(as_far) / n;
 }
 
+/// Two-sided p of Jonckheere and Terpstra by trying every order of the values.
+double jonckheere_by_permutations(const std::vector<Samples>& groups) {
+  std::vector<std::size_t> group;
+  Samples values;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    group.insert(group.end(), groups[g].size(), g);
+    values.insert(values.end(), groups[g].begin(), groups[g].end());
+  }
+  const auto score = [&](const Samples& v) {
+    int s = 0;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      for (std::size_t j = i + 1; j < v.size(); ++j)
+        if (group[i] != group[j]) s += v[j] > v[i] ? 1 : -1;
+    return s;
+  };
+  const int observed = std::abs(score(values));
+  int n = 0, as_far = 0;
+  std::sort(values.begin(), values.end());
+  do {
+    ++n;
+    as_far += std::abs(score(values)) >= observed ? 1 : 0;
+  } while (std::next_permutation(values.begin(), values.end()));
+  return static_cast<double>(as_far) / n;
+}
+
+/// A first-order process of deviation 1 with a correlation of 0.8 between neighbours.
+Samples correlated(std::uint64_t replicate, std::size_t n) {
+  RandomStream stream(6, "hypothesis", replicate, "correlated");
+  Samples x{stream.normal()};
+  while (x.size() < n) x.push_back(0.8 * x.back() + 0.6 * stream.normal());
+  return x;
+}
+
+Summary of_squares(Samples x) {
+  for (double& value : x) value *= value;
+  return summarise(x, 1.0);
+}
+
 Samples normals(const char* purpose, std::uint64_t replicate, int n, double shift = 0.0) {
   RandomStream stream(6, "hypothesis", replicate, purpose);
   Samples x;
@@ -73,6 +111,46 @@ BOOST_AUTO_TEST_CASE(jonckheere_terpstra_rejects_true_equality_in_5_of_100_cases
   }
   BOOST_TEST(std::abs(rejected - 0.05 * kTrials) < 3.0 * 6.9);  // three errors of a count, sqrt(1000 x 0.05 x 0.95)
   BOOST_TEST(found > 0.95 * kTrials);                           // ends differ by 2 deviations
+}
+
+BOOST_AUTO_TEST_CASE(exact_jonckheere_terpstra_counts_permutations) {
+  for (const std::vector<Samples>& groups :
+       {std::vector<Samples>{{1, 4}, {2, 3, 7}, {5, 6, 8}}, std::vector<Samples>{{1, 2, 3}, {4}, {5, 6}, {7}},
+        std::vector<Samples>{{6, 3, 1}, {2, 5, 4, 7}}}) {
+    BOOST_TEST(jonckheere_terpstra(groups).p_value == jonckheere_by_permutations(groups),
+               tolerance(1e-12));  // rounding of sums
+  }
+}
+
+BOOST_AUTO_TEST_CASE(equal_deviations_of_correlated_histories_are_rejected_in_5_of_100_cases) {
+  int rejected = 0;
+  constexpr int kTrials = 400;
+  for (std::uint64_t r = 0; r < kTrials; ++r) {
+    const RatioComparison c =
+        compare_deviations(of_squares(correlated(2 * r, 4000)), of_squares(correlated(2 * r + 1, 2000)));
+    rejected += c.test.p_value < 0.05 ? 1 : 0;
+    BOOST_TEST((c.interval.lower <= 1.0 && 1.0 <= c.interval.upper) == (c.test.p_value >= 0.05));
+  }
+  // Three errors of a count, sqrt(400 x 0.05 x 0.95), and as much again for tau being estimated from the same samples.
+  BOOST_TEST(std::abs(rejected - 0.05 * kTrials) < 6.0 * 4.4);
+}
+
+BOOST_AUTO_TEST_CASE(a_ratio_of_deviations_scales_with_the_values) {
+  Samples larger = correlated(1, 3000);
+  const Summary squares = of_squares(larger);
+  for (double& value : larger) value *= 3.0;
+  const RatioComparison c = compare_deviations(of_squares(larger), squares);
+  BOOST_TEST(c.ratio == 3.0, tolerance(1e-12));
+  BOOST_TEST(c.interval.lower > 1.0);
+  BOOST_TEST(compare_ratio(squares, squares).test.p_value == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(equal_samples_have_no_distance_and_disjoint_ones_the_least_probability) {
+  const Samples a{1, 2, 3, 4, 5}, b{6, 7, 8, 9, 10};
+  BOOST_TEST(kolmogorov_smirnov(a, a).statistic == 0.0);
+  BOOST_TEST(kolmogorov_smirnov(a, a).p_value == 1.0);
+  BOOST_TEST(kolmogorov_smirnov(a, b).statistic == 1.0);
+  BOOST_TEST(kolmogorov_smirnov(a, b).p_value == 2.0 / 252.0, tolerance(1e-12));  // of 10 choose 5 orders
 }
 
 BOOST_AUTO_TEST_CASE(jonckheere_terpstra_needs_the_order_of_the_groups) {

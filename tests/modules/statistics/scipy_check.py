@@ -35,13 +35,21 @@ SAMPLES = {
     "tied": (np.round(2 * GENERATOR.standard_normal(30)), np.round(2 * GENERATOR.standard_normal(20) + 1)),
 }
 GROUPS = [list(np.round(GENERATOR.standard_normal(6 + i) + 0.3 * i, 1)) for i in range(4)]
+OTHER = 1.3 * history()[:4000]  # another length and deviation
+# Steps that vary by three to one, with two gaps.
+TIMES = np.cumsum(GENERATOR.uniform(0.01, 0.03, 4000))
+KEPT = np.ones(4000, bool)
+KEPT[1000:1200] = KEPT[2500:2900] = False
+TIMES, VALUES = TIMES[KEPT], X[:4000][KEPT]
+SEGMENT = 240
 HISTOGRAM = [float(np.quantile(X, 0.05)), float(X.max())]
 PEAK_LEVEL, SEPARATION = float(np.quantile(X, 0.8)), 15
 
 
 def run_driver(path):
     data = {
-        "history": X.tolist(), "dt": DT, "levels": LEVELS, "histogram": HISTOGRAM,
+        "history": X.tolist(), "other": OTHER.tolist(), "dt": DT,
+        "uneven": {"times": TIMES.tolist(), "values": VALUES.tolist(), "segment": SEGMENT, "levels": LEVELS}, "levels": LEVELS, "histogram": HISTOGRAM,
         "threshold": PEAK_LEVEL, "separation": SEPARATION,
         "maxima": MAXIMA.tolist(), "peaks": {k: v.tolist() for k, v in PEAKS.items()}, "pareto_threshold": THRESHOLD,
         "pairs": {k: [list(a), list(b)] for k, (a, b) in PAIRS.items()},
@@ -109,6 +117,97 @@ class History(unittest.TestCase):
         self.close(self.ours["batch_means"], stats.t.interval(0.95, 12, batches.mean(), stats.sem(batches)))
 
 
+class Uneven(unittest.TestCase):
+    """A history with gaps and steps that vary: what the room does with it, done again with NumPy and SciPy."""
+
+    def setUp(self):
+        self.ours = OURS["uneven"]
+        steps = np.diff(TIMES)
+        self.at_gap = steps > 5 * np.median(steps)
+        self.cuts = np.flatnonzero(self.at_gap) + 1
+        self.step = steps[~self.at_gap].mean()
+        half = 0.5 * np.where(self.at_gap, self.step, steps)
+        self.weights = np.r_[0.5 * self.step, half] + np.r_[half, 0.5 * self.step]
+
+    def pieces(self):
+        for t, x in zip(np.split(TIMES, self.cuts), np.split(VALUES, self.cuts)):
+            grid = t[0] + self.step * np.arange(int((t[-1] - t[0]) / self.step + 1e-3) + 1)
+            yield np.interp(grid, t, x)
+
+    def close(self, ours, theirs, rtol=1e-10, atol=0.0):
+        np.testing.assert_allclose(ours, theirs, rtol=rtol, atol=atol)
+
+    def test_sampling(self):
+        self.assertFalse(self.ours["even"])
+        self.assertEqual(len(self.ours["gaps"]), 2)
+        self.close(self.ours["gaps"], [[TIMES[i - 1], TIMES[i]] for i in self.cuts])
+        self.close([self.ours["step"], self.ours["duration"]], [self.step, self.weights.sum()])
+        self.close(self.ours["weights"], self.weights)
+
+    def test_weighted_moments(self):
+        w, x = self.weights / self.weights.sum(), VALUES
+        mean = w @ x
+        m2, m3, m4 = (w @ (x - mean) ** k for k in (2, 3, 4))
+        variance = m2 * len(x) / (len(x) - 1)
+        self.close(self.ours["moments"], [mean, variance, m3 / m2**1.5, m4 / m2**2 - 3])
+        self.close(self.ours["summary"], [mean, np.sqrt(variance), m3 / m2**1.5])
+
+    def test_weighted_quantiles(self):
+        order = np.argsort(VALUES)
+        w = self.weights[order]
+        reached = np.r_[0.0, np.cumsum(0.5 * (w[1:] + w[:-1]))]
+        self.close(self.ours["quantiles"], np.interp(LEVELS, reached / reached[-1], VALUES[order]))
+
+    def test_pieces_are_interpolated(self):
+        for ours, theirs in zip(self.ours["pieces"], self.pieces(), strict=True):
+            self.close(ours, theirs)
+
+    def test_spectrum_averages_the_segments_of_all_pieces(self):
+        segments = []
+        for piece in self.pieces():
+            for start in range(0, len(piece) - SEGMENT + 1, SEGMENT // 2):
+                frequency, density = signal.welch(piece[start : start + SEGMENT], 1 / self.step, nperseg=SEGMENT)
+                segments.append(density)
+        self.close(self.ours["spectrum"]["frequency"], frequency)
+        density = np.mean(segments, axis=0)
+        self.close(self.ours["spectrum"]["density"], density, atol=1e-12 * density.max())
+
+    def test_autocorrelation_leaves_out_pairs_across_gaps(self):
+        pieces = list(self.pieces())
+        everything = np.concatenate(pieces)
+        d = [piece - everything.mean() for piece in pieces]
+        n = len(everything)
+        expected = []
+        for lag in range(201):
+            products = np.concatenate([p[lag:] * p[: len(p) - lag] for p in d])
+            expected.append(products.mean() * (n - lag) / n)
+        self.close(self.ours["autocorrelation"], np.array(expected) / expected[0], atol=1e-12)
+
+
+class Spectra(unittest.TestCase):
+    def test_two_spectra(self):
+        ours = OURS["spectra"]
+        frequency, a = signal.welch(X, 1 / DT, nperseg=250)
+        _, b = signal.welch(OTHER, 1 / DT, nperseg=250)
+        frequency, a, b = frequency[1:], a[1:], b[1:]
+        np.testing.assert_allclose(ours["ratio"], a / b, rtol=1e-9)
+
+        def freedom(n):
+            segments = 1 + (n - 250) // 125
+            return 36 * segments**2 / (19 * segments - 1)
+
+        band = stats.f.ppf([0.025, 0.975], freedom(len(X)), freedom(len(OTHER)))
+        np.testing.assert_allclose(ours["band"], band, rtol=1e-7)  # GSL inverts the distribution to about 1e-8
+
+        def outside(ratio):
+            return np.mean((ratio < band[0]) | (ratio > band[1]))
+
+        np.testing.assert_allclose([ours["outside"], ours["shape_outside"]],
+                                   [outside(a / b), outside(a / b * b.sum() / a.sum())], rtol=1e-9)
+        np.testing.assert_allclose(ours["correlation"], np.corrcoef(np.log(a), np.log(b))[0, 1], rtol=1e-9)
+        np.testing.assert_allclose(ours["mean_frequency"], [frequency @ a / a.sum(), frequency @ b / b.sum()], rtol=1e-9)
+
+
 class Extremes(unittest.TestCase):
     def test_gumbel_fit_has_the_greatest_likelihood(self):
         ours = OURS["extremes"]["gumbel"]
@@ -174,6 +273,7 @@ class Tests(unittest.TestCase):
         values = np.concatenate(GROUPS)
         self.assertLess(len(np.unique(values)), len(values))  # ties are tried
         np.testing.assert_allclose(ours["p"], stats.kendalltau(order, values, method="asymptotic").pvalue, rtol=1e-9)
+        # Without ties the p-value is exact: see the unit tests.
         # J is the sum of Mann-Whitney counts; its distribution under shuffling.
         pairs = sum(len(a) * len(b) for i, a in enumerate(GROUPS) for b in GROUPS[i + 1 :])
 
@@ -198,6 +298,11 @@ class Tests(unittest.TestCase):
             u = stats.mannwhitneyu(a, b, method="asymptotic")
             ours = OURS["tests"]["mann_whitney"][name]
             np.testing.assert_allclose([ours["statistic"], ours["p"]], [u.statistic, u.pvalue], rtol=1e-9)
+
+    def test_kolmogorov_smirnov(self):
+        for name, (a, b) in SAMPLES.items():
+            ours, theirs = OURS["tests"]["kolmogorov_smirnov"][name], stats.ks_2samp(a, b, method="exact")
+            np.testing.assert_allclose([ours["statistic"], ours["p"]], [theirs.statistic, theirs.pvalue], rtol=1e-9)
 
     @staticmethod
     def freedom(a, b):

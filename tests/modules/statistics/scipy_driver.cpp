@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brash/statistics/extremes.hpp"
+#include "brash/statistics/history.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
@@ -53,6 +54,37 @@ json one_history(const Samples& x, const json& in) {
   return out;
 }
 
+json uneven_history(const json& in) {
+  const History history{in["times"].get<Samples>(), in["values"].get<Samples>()};
+  const EvenHistory even = make_even(history);
+  const Moments m = moments(history.values, even.weights);
+  const Spectrum spectrum = welch_spectrum(even.views(), even.sampling.step, in["segment"].get<std::size_t>());
+  const Summary summary = summarise(history, even);
+  json gaps = json::array();
+  for (const Gap& gap : even.sampling.gaps) gaps.push_back({gap.from, gap.to});
+  return {{"step", even.sampling.step},
+          {"even", even.sampling.even},
+          {"gaps", gaps},
+          {"weights", even.weights},
+          {"duration", even.duration},
+          {"pieces", even.pieces},
+          {"moments", {m.mean, m.variance, m.skewness, m.excess_kurtosis}},
+          {"summary", {summary.mean, summary.standard_deviation, summary.skewness}},
+          {"quantiles", quantiles(history.values, even.weights, in["levels"].get<Samples>())},
+          {"spectrum", {{"frequency", spectrum.frequency}, {"density", spectrum.density}}},
+          {"autocorrelation", autocorrelation(even.views(), 200)}};
+}
+
+json spectra(const Samples& a, const Samples& b, double dt) {
+  const auto compared = compare_spectra(welch_spectrum(a, dt, 250), welch_spectrum(b, dt, 250)).value();
+  return {{"ratio", compared.ratio},
+          {"band", of(compared.band)},
+          {"outside", compared.outside},
+          {"shape_outside", compared.shape_outside},
+          {"correlation", compared.shape_correlation},
+          {"mean_frequency", {compared.mean_frequency_a, compared.mean_frequency_b}}};
+}
+
 json extremes(const json& in) {
   const auto gumbel = fit_gumbel(in["maxima"].get<Samples>()).value();
   json out;
@@ -75,6 +107,7 @@ json tests(const json& in) {
     const auto a = pair[0].get<Samples>(), b = pair[1].get<Samples>();
     out["means"][name] = of(compare_means(a, b));
     out["mann_whitney"][name] = of(mann_whitney(a, b));
+    out["kolmogorov_smirnov"][name] = of(kolmogorov_smirnov(a, b));
   }
   out["jonckheere"] = of(jonckheere_terpstra(in["groups"].get<std::vector<Samples>>()));
   return out;
@@ -84,7 +117,10 @@ json tests(const json& in) {
 
 int main() {
   const json in = json::parse(std::cin);
-  std::cout << json{{"history", one_history(in["history"].get<Samples>(), in)},
+  const auto history = in["history"].get<Samples>();
+  std::cout << json{{"history", one_history(history, in)},
+                    {"uneven", uneven_history(in["uneven"])},
+                    {"spectra", spectra(history, in["other"].get<Samples>(), in["dt"])},
                     {"extremes", extremes(in)},
                     {"tests", tests(in)}}
             << '\n';

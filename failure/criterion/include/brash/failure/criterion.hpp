@@ -74,6 +74,8 @@ struct Assessment {
   bool below_range = false;      ///< an input was clamped up to the model's range, or h / l_c lies outside it
   bool above_range = false;      ///< an input exceeds the model's range (and was clamped down)
   bool outline_refused = false;  ///< the outline could not be meshed; the answer is that of the trapezoid
+  bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are those of first order
+  bool split = false;            ///< a radial crack came first: stress and place are those of the split sheet
 };
 
 /// Says whether the ice fails in bending and how far in. Stateless after construction.
@@ -86,6 +88,15 @@ class BendingCriterion {
   virtual bool needs_outline() const { return false; }
 };
 
+/// What goes beyond the paper's criterion. docs/theory/failure.md
+struct BendingOptions {
+  /// The in-plane force N acts on the bent plate: `plate` and `plate-outline`. A plate that buckles under N fails.
+  bool second_order = false;
+  /// Where the edge stress on the other surface exceeds the strength, a radial crack splits the sheet along the centre
+  /// line before it breaks circumferentially: `plate` only.
+  bool radial_first = false;
+};
+
 /// The criterion named `model`:
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
 ///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
@@ -93,16 +104,16 @@ class BendingCriterion {
 /// but
 ///   for the h / l_c of the shear flexibility, which is moved into the model's range.
 /// - `plate`: the floating plate solved for each load case (about a third of a second each). Where the superposition
-///   that comes with the program says less than half of the strength, its answer is taken instead.
+///   that comes with the program says less than 80 % of the strength (less with options), its answer is taken instead.
 /// - `plate-outline`: the same on the load's outline, simplified to min(0.02 l_c, c/4); where it cannot be meshed, or
 ///   there is none, on the trapezoid. It needs no range. Not solved below a third of the strength, as above.
 /// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
 ///   whatever the depth b. It needs no range.
 ///
 /// @param file  of the network or of the superposition; empty: the model that comes with the program, see model_path().
-/// @throws InputError for an unknown name or an unreadable file.
+/// @throws InputError for an unknown name, an unreadable file, or an option that the model does not have.
 std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
-                                                 const IceProperties& ice);
+                                                 const IceProperties& ice, const BendingOptions& options = {});
 
 /// The model file that `make_criterion(model, file, ...)` reads; empty when that model reads none.
 ///

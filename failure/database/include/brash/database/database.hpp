@@ -50,6 +50,18 @@ struct Progress {
 /// @throws InputError when `path` or its chunks belong to another plan. @throws RunError when a file cannot be written.
 Progress build(const Plan& plan, const std::string& path, const std::function<bool(const Progress&)>& go_on = {});
 
+/// The first geometries of the chunks that a build to `path` has still to solve; none when the database is there.
+/// @throws InputError as build.
+std::vector<int> missing_chunks(const Plan& plan, const std::string& path);
+
+/// The file of the chunk that begins with geometry `first`, until `path` is whole.
+std::string chunk_file(const std::string& path, int first);
+
+/// Solves the chunk of `plan` that begins with geometry `first` and writes its file. Chunks may be solved in any order
+/// and by several processes; build then puts them together.
+/// @throws RunError when the file cannot be written.
+void solve_chunk(const Plan& plan, const std::string& path, int first);
+
 /// @throws InputError naming the file and what is wrong.
 Database read_database(const std::string& path);
 

@@ -59,7 +59,7 @@ std::string slurm_folder(const std::string& directory);
 /// How a case ends for the process that runs it.
 enum class CaseEnd {
   kDone,
-  kInterrupted,  ///< a checkpoint is kept
+  kInterrupted,  ///< a checkpoint is kept; or another process is at the case
 };
 
 /// One case, in this process.

@@ -8,11 +8,15 @@
 
 namespace brash::campaign {
 
+/// The path of the running program: `brash` starts itself for the parts of its work.
+std::string this_program();
+
 /// A process to start: no shell is involved.
 struct Job {
   std::size_t ticket = 0;            ///< the caller's own number for it
   std::vector<std::string> command;  ///< the program's path and its arguments
   std::string messages;              ///< file that takes what it prints to stderr, its folder made; stdout is dropped
+  std::string result;                ///< file that is there when the job is done
   std::string record;                ///< file that says why the job failed by itself; empty: the pool stops then
 };
 
@@ -46,7 +50,7 @@ struct PoolCalls {
 ///         ended with kStorageExit: no other job could write its files either.
 bool run_pool(int n_workers, const PoolCalls& calls);
 
-/// The same for a list of jobs.
+/// The same for a list of jobs; those whose result or record is there are skipped.
 bool run_jobs(int n_workers, const std::vector<Job>& jobs,
               const std::function<void(std::size_t n_ended)>& progress = {});
 

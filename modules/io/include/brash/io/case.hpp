@@ -63,8 +63,10 @@ struct FieldSection {
 
 /// [failure]
 struct FailureSection {
-  std::string model = "network";  ///< network | superposition | plate | plate-outline | wedge
-  std::string file;               ///< model file, absolute; empty: the model that comes with the program
+  std::string model = "superposition";          ///< network | superposition | plate | plate-outline | wedge
+  std::string file;                             ///< model file, absolute; empty: the model that comes with the program
+  std::string order = "circumferential-first";  ///< circumferential-first | radial-first
+  bool second_order = false;                    ///< the in-plane force acts on the bent plate
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
@@ -131,6 +133,17 @@ struct ReferenceSection {
   friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
 };
 
+/// [hull]: a ship for the closed form of Lindqvist; the simulation does not see it. All keys or none.
+struct HullSection {
+  std::optional<double> length;  ///< at the waterline
+  std::optional<double> breadth;
+  std::optional<double> draught;
+  std::optional<double> stem_angle;       ///< of the stem from the horizontal [rad]
+  std::optional<double> waterline_angle;  ///< of the waterline's entrance from the centre line [rad]
+
+  friend bool operator==(const HullSection&, const HullSection&) = default;
+};
+
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
 struct Case {
   std::string name;  ///< the file's stem
@@ -145,6 +158,7 @@ struct Case {
   RandomSection random;
   OutputSection output;
   ReferenceSection reference;
+  HullSection hull;
 
   friend bool operator==(const Case&, const Case&) = default;
 };

@@ -143,29 +143,16 @@ struct Columns<CrackEvent> {
         "fit_error", "1", "error of the fitted trapezoid", [](auto& row) -> auto& { return row.fit_error; });
     visit(
         "pieces", "1", "number of pieces cut free", [](auto& row) -> auto& { return row.pieces; });
-  }
-};
-
-template <>
-struct Columns<FloeRecord> {
-  static constexpr const char* dimension = "floe";
-  static constexpr const char* prefix = "floe_";
-
-  template <typename Visit>
-  static void visit(Visit&& visit) {
     visit(
-        "id", "1", "name of the floe", [](auto& row) -> auto& { return row.id; });
+        "tip_x", "m", "middle of the trapezoid's tip edge, x", [](auto& row) -> auto& { return row.tip.x; });
     visit(
-        "area", "m2", "area of the floe's plan", [](auto& row) -> auto& { return row.area; });
+        "tip_y", "m", "middle of the trapezoid's tip edge, y", [](auto& row) -> auto& { return row.tip.y; });
     visit(
-        "birth", "s", "time of birth", [](auto& row) -> auto& { return row.birth; });
+        "towards_x", "1", "unit vector of the trapezoid's axis into the ice, x",
+        [](auto& row) -> auto& { return row.towards.x; });
     visit(
-        "death", "s", "time of death, or the end of the run", [](auto& row) -> auto& { return row.death; });
-    visit(
-        "end", "1", "how the floe ended", [](auto& row) -> auto& { return row.end; });
-    visit(
-        "peak_stress", "Pa", "largest contact stress of the deletion criterion",
-        [](auto& row) -> auto& { return row.peak_stress; });
+        "towards_y", "1", "unit vector of the trapezoid's axis into the ice, y",
+        [](auto& row) -> auto& { return row.towards.y; });
   }
 };
 
@@ -187,6 +174,43 @@ void visit_pose(const std::string& of, Visit&& visit, PoseOf pose) {
   visit(
       of + "qz", "1", "attitude, z of the quaternion", [pose](auto& row) -> auto& { return pose(row).rotation.z; });
 }
+
+template <>
+struct Columns<FloeRecord> {
+  static constexpr const char* dimension = "floe";
+  static constexpr const char* prefix = "floe_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "id", "1", "name of the floe", [](auto& row) -> auto& { return row.id; });
+    visit(
+        "area", "m2", "area of the floe's plan", [](auto& row) -> auto& { return row.area; });
+    visit(
+        "birth", "s", "time of birth", [](auto& row) -> auto& { return row.birth; });
+    visit(
+        "death", "s", "time of death, or the end of the run", [](auto& row) -> auto& { return row.death; });
+    visit(
+        "end", "1", "how the floe ended", [](auto& row) -> auto& { return row.end; });
+    visit(
+        "peak_stress", "Pa", "largest contact stress of the deletion criterion",
+        [](auto& row) -> auto& { return row.peak_stress; });
+    visit_pose(
+        "birth_", visit, [](auto& row) -> auto& { return row.birth_pose; });
+  }
+};
+
+template <>
+struct Columns<CrackedSheet> {
+  static constexpr const char* dimension = "cracked_sheet";
+  static constexpr const char* prefix = "cracked_sheet_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "time", "s", "time of the cracks", [](auto& row) -> auto& { return row.time; });
+  }
+};
 
 template <>
 struct Columns<Frame> {
@@ -213,6 +237,9 @@ struct Columns<FloePose> {
         "floe", "1", "floe_id of the floe", [](auto& row) -> auto& { return row.floe; });
     visit_pose(
         "", visit, [](auto& row) -> auto& { return row.pose; });
+    visit(
+        "contact_force", "N", "sum of the magnitudes of the normal forces on the floe in the step before",
+        [](auto& row) -> auto& { return row.contact_force; });
   }
 };
 

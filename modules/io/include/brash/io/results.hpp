@@ -98,6 +98,8 @@ struct CrackEvent {
   int substeps = 1;
   double area_before = 0.0;  ///< of the sheet [m2]
   double area_after = 0.0;
+  Vec2 tip{};      ///< middle of the trapezoid's tip edge [m]
+  Vec2 towards{};  ///< unit vector from the tip into the ice, along the trapezoid's axis
 
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };
@@ -113,6 +115,7 @@ struct FloeRecord {
   double death = 0.0;                    ///< [s], duration when alive at the end
   FloeEnd end = FloeEnd::kAlive;
   double peak_stress = 0.0;  ///< largest of the deletion criterion's stress [Pa]
+  Pose birth_pose{};         ///< where it lay in the level ice
 
   friend bool operator==(const FloeRecord&, const FloeRecord&) = default;
 };
@@ -121,6 +124,7 @@ struct FloeRecord {
 struct FloePose {
   std::int64_t floe = 0;  ///< FloeRecord::id
   Pose pose;
+  double contact_force = 0.0;  ///< sum of the magnitudes of the normal forces on it in the step before [N]
 
   friend bool operator==(const FloePose&, const FloePose&) = default;
 };
@@ -134,12 +138,21 @@ struct Frame {
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
+/// The sheet after the cracks of a step.
+struct CrackedSheet {
+  double time = 0.0;                     ///< [s]
+  std::vector<std::vector<Vec2>> rings;  ///< outline, then holes [m]
+
+  friend bool operator==(const CrackedSheet&, const CrackedSheet&) = default;
+};
+
 /// Everything a run leaves, filled while it goes.
 struct RunResults {
   std::vector<LoadRow> loads;
   std::vector<CrackEvent> events;
   std::vector<FloeRecord> floes;
   std::vector<Frame> frames;
+  std::vector<CrackedSheet> cracked_sheets;
   std::vector<std::vector<Vec2>> initial_sheet;  ///< rings [m]
   std::vector<std::vector<Vec2>> final_sheet;    ///< rings [m]
 

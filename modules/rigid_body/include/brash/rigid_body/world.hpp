@@ -118,9 +118,9 @@ class World {
   /// Contacts of the last step, sorted by (body, other, point).
   const std::vector<ContactLoad>& contacts() const;
 
-  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`, where
-  /// they are now; in an order that their places give. The spans hold until the world changes. All floes of a world are
-  /// sought at once, so ask for one reach.
+  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`,
+  /// where they are now; in an order that their places give. The spans hold until the world changes. All floes of a
+  /// world are sought at once, so ask for one reach.
   void neighbours(BodyId id, double reach, std::vector<Solid>& solids);
 
   BodyKind kind(BodyId id) const;

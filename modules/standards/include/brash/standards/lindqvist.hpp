@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tl/expected.hpp>
+
 #include "brash/core/constants.hpp"
+#include "brash/standards/applicability.hpp"
 
 namespace brash::standards {
 
@@ -41,10 +44,10 @@ struct LindqvistLoad {
 ///         + mu [0.7 L - T/tan phi - B/(4 tan alpha) + T cos phi cos psi sqrt(1/sin^2 phi + 1/tan^2 alpha)] }
 ///   R   = (R_c + R_b)(1 + 1.4 v/sqrt(g h)) + R_s (1 + 9.4 v/sqrt(g L))
 ///
-/// Applies to conventional icebreaking bows in continuous motion. The bow must not lock: mu sin phi < cos psi
-/// (contract, as a hull is chosen by its designer, not met by chance).
+/// Applies to conventional icebreaking bows in continuous motion. Outside: a bow on which friction locks the ice
+/// (mu sin phi >= cos psi).
 ///
 /// @see G. Lindqvist, A straightforward method for calculation of ice resistance of ships, POAC 1989.
-LindqvistLoad lindqvist(const LindqvistInput& input);
+tl::expected<LindqvistLoad, NotApplicable> lindqvist(const LindqvistInput& input);
 
 }  // namespace brash::standards

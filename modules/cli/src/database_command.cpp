@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+
+#include "brash/campaign/slurm.hpp"
+#include "brash/core/sha256.hpp"
+#include "brash/database/database.hpp"
+#include "commands.hpp"
+#include "failure_commands.hpp"
+
+namespace brash::cli {
+namespace {
+
+struct DatabaseOptions {
+  std::string plan;
+  std::string output;
+  std::string on = "local";
+  int n_jobs = 0;  ///< 0: not given
+  int chunk = -1;  ///< solve this one alone
+  std::vector<std::string> sbatch;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void note_interrupt(int) { interrupted = 1; }
+
+[[noreturn]] void stop(int done, int total, const char* what) {
+  throw Interrupted(fmt::format("stopped after {} of {} {}; the same command goes on from here", done, total, what));
+}
+
+/// A process for each chunk that is missing.
+std::vector<campaign::Job> missing_jobs(const database::Plan& plan, const DatabaseOptions& options) {
+  std::vector<campaign::Job> jobs;
+  for (const int first : database::missing_chunks(plan, options.output)) {
+    const std::string file = database::chunk_file(options.output, first);
+    jobs.push_back({.command = {campaign::this_program(), "failure", "database", options.plan, "-o", options.output,
+                                "--chunk", std::to_string(first)},
+                    .messages = file + ".txt",
+                    .result = file,
+                    .record = {}});
+  }
+  return jobs;
+}
+
+/// Solves the missing chunks in several processes.
+void solve_in_processes(const std::vector<campaign::Job>& jobs, int n_workers) {
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  const bool whole = campaign::run_jobs(n_workers, jobs, [&](std::size_t n_ended) {
+    if (terminal) fmt::print(stderr, "\r{} of {} missing chunks", n_ended, jobs.size());
+  });
+  if (terminal) fmt::print(stderr, "\n");
+  const auto n_done = std::ranges::count_if(jobs, [](const auto& job) { return std::filesystem::exists(job.result); });
+  if (!whole || n_done < std::ssize(jobs)) stop(static_cast<int>(n_done), static_cast<int>(jobs.size()), "chunks");
+}
+
+/// Solves what is missing here, and puts the database together.
+void build_here(const database::Plan& plan, const std::string& output) {
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  const database::Progress progress = database::build(plan, output, [terminal](const database::Progress& now) {
+    if (terminal) fmt::print(stderr, "\r{} of {} geometries, {} not solved", now.done, now.total, now.failed);
+    return interrupted == 0;
+  });
+  if (terminal) fmt::print(stderr, "\n");
+  if (progress.done < progress.total) stop(progress.done, progress.total, "geometries");
+  fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, sha256_of_file(output),
+             progress.total, progress.failed);
+}
+
+/// Submits the missing chunks; the collector is this command again.
+void submit_chunks(const std::vector<campaign::Job>& jobs, const DatabaseOptions& options) {
+  constexpr int kTasks = 100;
+  const int n_tasks = options.n_jobs > 0 ? options.n_jobs : kTasks;
+  std::vector<std::string> collector{
+      campaign::this_program(),         "failure", "database", options.plan, "-o", options.output, "--on", "slurm",
+      fmt::format("--jobs={}", n_tasks)};
+  for (const std::string& option : options.sbatch) collector.push_back("--sbatch=" + option);
+  const campaign::SlurmJobs submitted = campaign::submit(jobs, {.folder = options.output + ".chunks/slurm",
+                                                                .name = "brash-database",
+                                                                .program = campaign::this_program(),
+                                                                .n_tasks = n_tasks,
+                                                                .sbatch = options.sbatch,
+                                                                .collector = collector});
+  fmt::print("{} chunks submitted as Slurm's jobs {} and {}\n", jobs.size(), submitted.array, submitted.collector);
+}
+
+void compute_database(DatabaseOptions options) {
+  const database::Plan plan = database::read_plan(options.plan);
+  refuse_missing_folder(options.output);
+  if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
+  if (options.on == "slurm") {
+    // The tasks run in folders of their own choice.
+    for (std::string* const path : {&options.plan, &options.output})
+      *path = std::filesystem::absolute(*path).lexically_normal().string();
+    const std::vector<campaign::Job> jobs = missing_jobs(plan, options);
+    if (!jobs.empty()) return submit_chunks(jobs, options);
+  } else if (options.n_jobs > 1) {
+    solve_in_processes(missing_jobs(plan, options), options.n_jobs);
+  }
+  build_here(plan, options.output);
+}
+
+}  // namespace
+
+void add_database_command(CLI::App& failure) {
+  auto options = std::make_shared<DatabaseOptions>();
+  CLI::App* command = failure.add_subcommand("database", "Solve the plate problem over a design of experiments");
+  command->add_option("plan", options->plan, "plan (TOML)")->required();
+  command->add_option("-o,--output", options->output, "database to write (netCDF)")->required();
+  command->add_option("--on", options->on, "where it is computed")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  command->add_option("--jobs", options->n_jobs, "processes at once [1]; under Slurm, tasks of the array [100]")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--sbatch", options->sbatch, "an option for Slurm's sbatch")->take_all()->allow_extra_args(false);
+  command->add_option("--chunk", options->chunk)->group("");  // not shown: the processes of --jobs have it
+  command->footer(
+      "A stopped or killed build goes on when the same command is given again.\n"
+      "Example: brash failure database experiments/failure_database/plan.toml -o cone.nc --jobs 2");
+  command->callback([options] { compute_database(*options); });
+}
+
+}  // namespace brash::cli

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace brash::cli {
+
+/// Adds `brash failure database`.
+void add_database_command(CLI::App& failure);
+
+}  // namespace brash::cli

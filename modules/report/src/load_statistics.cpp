@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "load_statistics.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "brash/statistics/peaks.hpp"
+#include "brash/statistics/spectrum.hpp"
+
+namespace brash::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Segments an eighth of the history, so that about 15 are averaged.
+ordered_json spectrum_of(const std::vector<double>& samples, double dt) {
+  const std::size_t segment = samples.size() / 8;
+  if (segment < 16) return nullptr;
+  const statistics::Spectrum spectrum = statistics::welch_spectrum(samples, dt, segment);
+  const statistics::Interval factors = statistics::spectrum_factors(spectrum);
+  return {{"frequency", spectrum.frequency},
+          {"density", spectrum.density},
+          {"factors_95", {factors.lower, factors.upper}},
+          {"n_segments", spectrum.n_segments}};
+}
+
+ordered_json peaks_of(const std::vector<double>& samples, double start, double dt) {
+  double sum = 0.0;
+  for (const double sample : samples) sum += sample;
+  std::vector<statistics::Peak> peaks =
+      statistics::peaks_between_crossings(samples, sum / static_cast<double>(samples.size()));
+  std::ranges::stable_sort(peaks, std::greater<>{}, &statistics::Peak::value);
+  ordered_json values = ordered_json::array(), times = ordered_json::array();
+  for (const statistics::Peak& peak : peaks) {
+    values.push_back(peak.value);
+    times.push_back(start + dt * static_cast<double>(peak.index));
+  }
+  return {{"value", values}, {"time", times}};
+}
+
+}  // namespace
+
+ordered_json load_statistics(const std::vector<io::LoadRow>& loads, double from) {
+  const auto first = std::ranges::find_if(loads, [&](const io::LoadRow& row) { return row.time > from; });
+  if (loads.end() - first < 2) return nullptr;
+  const double dt = (loads.back().time - first->time) / static_cast<double>(loads.end() - first - 1);
+  ordered_json out;
+  const auto add = [&](const char* name, double Vec3::*axis) {
+    std::vector<double> samples;
+    for (auto row = first; row != loads.end(); ++row) samples.push_back(row->total.force.*axis);
+    out[name] = {{"spectrum", spectrum_of(samples, dt)}, {"peaks", peaks_of(samples, first->time, dt)}};
+  };
+  add("horizontal", &Vec3::x);
+  add("vertical", &Vec3::z);
+  return out;
+}
+
+}  // namespace brash::report

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "brash/io/results.hpp"
+
+namespace brash::report {
+
+/// What is drawn of the loads from `from` [s] on: spectrum with its confidence factors, and the peaks between upward
+/// crossings of the mean, largest first. Null where the history is too short.
+nlohmann::ordered_json load_statistics(const std::vector<io::LoadRow>& loads, double from);
+
+}  // namespace brash::report

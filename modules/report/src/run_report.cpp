@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <type_traits>
+
+#include "blocks.hpp"
+#include "brash/core/error.hpp"
+#include "brash/io/result_columns.hpp"
+#include "brash/io/results.hpp"
+#include "brash/report/report.hpp"
+#include "load_statistics.hpp"
+#include "page.hpp"
+
+namespace brash::report {
+namespace {
+
+using nlohmann::ordered_json;
+using Rings = std::vector<std::vector<Vec2>>;
+
+// What is drawn is rounded far below what can be seen; what is read stays as it is.
+constexpr double kOutlineUnit = 1e-4;   ///< of floe outlines [m]
+constexpr double kPlaceUnit = 1e-3;     ///< of poses and sheets [m]
+constexpr double kAttitudeUnit = 5e-5;  ///< of quaternions; half a millimetre at 5 m
+constexpr double kForceUnit = 10.0;     ///< of contact forces [N]
+
+/// Every column of `rows` as a block named `of`.column; loads in single precision.
+template <typename Row>
+void add_columns(Blocks& blocks, const std::string& of, const std::vector<Row>& rows) {
+  io::Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
+    std::vector<double> values;
+    values.reserve(rows.size());
+    for (const Row& row : rows) values.push_back(static_cast<double>(member(row)));
+    const bool drawn_only = std::is_same_v<Row, io::LoadRow> && name != "time";
+    if (drawn_only)
+      blocks.add_single(of + '.' + name, values);
+    else
+      blocks.add(of + '.' + name, values);
+  });
+}
+
+/// Rings one after another, and how many of them each polygon has.
+void add_polygons(Blocks& blocks, const std::string& name, const std::vector<const Rings*>& polygons, double unit) {
+  std::vector<std::int32_t> n_rings, n_nodes;
+  std::vector<double> x, y;
+  for (const Rings* rings : polygons) {
+    n_rings.push_back(static_cast<std::int32_t>(rings->size()));
+    for (const std::vector<Vec2>& ring : *rings) {
+      n_nodes.push_back(static_cast<std::int32_t>(ring.size()));
+      for (const Vec2 node : ring) {
+        x.push_back(node.x);
+        y.push_back(node.y);
+      }
+    }
+  }
+  blocks.add(name + ".rings", n_rings);
+  blocks.add(name + ".nodes", n_nodes);
+  blocks.add_rounded(name + ".x", x, unit);
+  blocks.add_rounded(name + ".y", y, unit);
+}
+
+/// The frames turned about: for each floe its poses one after another, from the first frame that has it.
+struct Tracks {
+  std::vector<std::int32_t> first, count;
+  std::vector<double> x, y, z, qw, qx, qy, qz, force;
+};
+
+Tracks tracks_of(const io::RunResults& results) {
+  std::map<std::int64_t, std::vector<const io::FloePose*>> poses;
+  std::map<std::int64_t, std::int32_t> first;
+  for (std::size_t i = 0; i < results.frames.size(); ++i)
+    for (const io::FloePose& pose : results.frames[i].floes) {
+      poses[pose.floe].push_back(&pose);
+      first.try_emplace(pose.floe, static_cast<std::int32_t>(i));
+    }
+  Tracks tracks;
+  for (const io::FloeRecord& floe : results.floes) {
+    const std::vector<const io::FloePose*>& track = poses[floe.id];
+    tracks.first.push_back(first[floe.id]);
+    tracks.count.push_back(static_cast<std::int32_t>(track.size()));
+    for (const io::FloePose* at : track) {
+      tracks.x.push_back(at->pose.position.x);
+      tracks.y.push_back(at->pose.position.y);
+      tracks.z.push_back(at->pose.position.z);
+      tracks.qw.push_back(at->pose.rotation.w);
+      tracks.qx.push_back(at->pose.rotation.x);
+      tracks.qy.push_back(at->pose.rotation.y);
+      tracks.qz.push_back(at->pose.rotation.z);
+      tracks.force.push_back(at->contact_force);
+    }
+  }
+  return tracks;
+}
+
+void add_tracks(Blocks& blocks, const Tracks& tracks) {
+  blocks.add("track.first", tracks.first);
+  blocks.add("track.count", tracks.count);
+  blocks.add_rounded("track.x", tracks.x, kPlaceUnit);
+  blocks.add_rounded("track.y", tracks.y, kPlaceUnit);
+  blocks.add_rounded("track.z", tracks.z, kPlaceUnit);
+  blocks.add_rounded("track.qw", tracks.qw, kAttitudeUnit);
+  blocks.add_rounded("track.qx", tracks.qx, kAttitudeUnit);
+  blocks.add_rounded("track.qy", tracks.qy, kAttitudeUnit);
+  blocks.add_rounded("track.qz", tracks.qz, kAttitudeUnit);
+  blocks.add_rounded("track.force", tracks.force, kForceUnit);
+}
+
+/// The sheet at the start, after every step with cracks, and at the end.
+void add_sheets(Blocks& blocks, const io::RunResults& results) {
+  std::vector<double> times{0.0};
+  std::vector<const Rings*> polygons{&results.initial_sheet};
+  for (const io::CrackedSheet& sheet : results.cracked_sheets) {
+    times.push_back(sheet.time);
+    polygons.push_back(&sheet.rings);
+  }
+  times.push_back(results.loads.empty() ? 0.0 : results.loads.back().time);
+  polygons.push_back(&results.final_sheet);
+  blocks.add("sheet.time", times);
+  add_polygons(blocks, "sheet", polygons, kPlaceUnit);
+}
+
+Blocks blocks_of(const io::RunResults& results) {
+  Blocks blocks;
+  add_columns(blocks, "load", results.loads);
+  add_columns(blocks, "event", results.events);
+  add_columns(blocks, "floe", results.floes);
+  add_columns(blocks, "frame", results.frames);
+  std::vector<const Rings*> outlines;
+  for (const io::FloeRecord& floe : results.floes) outlines.push_back(&floe.rings);
+  add_polygons(blocks, "outline", outlines, kOutlineUnit);
+  add_tracks(blocks, tracks_of(results));
+  add_sheets(blocks, results);
+  return blocks;
+}
+
+}  // namespace
+
+io::Case case_of_run(const std::string& directory) {
+  const std::string path = directory + "/manifest.json";
+  const ordered_json manifest = read_json(path);
+  try {
+    const ordered_json& described = manifest.at("case");
+    return io::parse_case(described.at("toml").get<std::string>(), described.at("name").get<std::string>() + ".toml");
+  } catch (const ordered_json::exception& error) {
+    throw InputError(path + ": holds no case: " + error.what());
+  }
+}
+
+std::string write_run_report(const std::string& directory, const std::string& closed_forms) {
+  const io::RunResults results = io::read_results(directory + "/run.nc");
+  const ordered_json summary = read_json(directory + "/summary.json");
+  const Blocks blocks = blocks_of(results);
+  const ordered_json data{{"format", "brash-report-1"},
+                          {"kind", "run"},
+                          {"manifest", read_json(directory + "/manifest.json")},
+                          {"summary", summary},
+                          {"schema", ordered_json::parse(io::case_schema())},
+                          {"closed_forms", ordered_json::parse(closed_forms)},
+                          {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0))},
+                          {"blocks", blocks.directory()}};
+  const std::string path = directory + "/report.html";
+  io::write_file(path, page_with(data, blocks.packed()));
+  return path;
+}
+
+}  // namespace brash::report

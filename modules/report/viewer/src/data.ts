@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unpacks what the program put into the page.
+import type { BlockEntry, CampaignData, Numbers, RunData } from "./types";
+
+export type Blocks = Map<string, Numbers>;
+
+function text(id: string): string {
+  return document.getElementById(id)?.textContent ?? "";
+}
+
+export function readData(): RunData | CampaignData {
+  return JSON.parse(text("brash-data")) as RunData | CampaignData;
+}
+
+async function inflate(base64: string): Promise<Uint8Array> {
+  const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** Puts the bytes of `count` numbers, stored byte plane after byte plane from `start` on, together again. */
+function joined(bytes: Uint8Array, start: number, count: number, size: number): ArrayBuffer {
+  const out = new Uint8Array(count * size);
+  for (let plane = 0; plane < size; ++plane)
+    for (let i = 0; i < count; ++i) out[i * size + plane] = bytes[start + plane * count + i];
+  return out.buffer;
+}
+
+/** Whole numbers from their zigzag-coded differences. */
+function summed(coded: Uint32Array): Int32Array {
+  const out = new Int32Array(coded.length);
+  let value = 0;
+  for (let i = 0; i < coded.length; ++i) {
+    value = (value + ((coded[i] >>> 1) ^ -(coded[i] & 1))) | 0;
+    out[i] = value;
+  }
+  return out;
+}
+
+function unpacked(entry: BlockEntry, bytes: Uint8Array, start: number): Numbers {
+  const size = entry.kind === "f64" ? 8 : 4;
+  const buffer = joined(bytes, start, entry.count, size);
+  if (entry.kind === "f64") return new Float64Array(buffer);
+  if (entry.kind === "f32") return new Float32Array(buffer);
+  const whole = summed(new Uint32Array(buffer));
+  return entry.unit === 1 ? whole : Float32Array.from(whole, (n) => n * entry.unit);
+}
+
+export async function readBlocks(directory: BlockEntry[]): Promise<Blocks> {
+  const blocks: Blocks = new Map();
+  if (directory.length === 0) return blocks;
+  const bytes = await inflate(text("brash-packed"));
+  let start = 0;
+  for (const entry of directory) {
+    blocks.set(entry.name, unpacked(entry, bytes, start));
+    start += entry.count * (entry.kind === "f64" ? 8 : 4);
+  }
+  return blocks;
+}
+
+export type Ring = [number, number][];
+
+/** Polygons stored by their rings: `name`.rings, .nodes, .x, .y. */
+export function polygons(blocks: Blocks, name: string): Ring[][] {
+  const column = (part: string) => blocks.get(`${name}.${part}`)!;
+  const [rings, nodes, x, y] = [column("rings"), column("nodes"), column("x"), column("y")];
+  let ring = 0;
+  let node = 0;
+  return Array.from(rings, (n) =>
+    Array.from({ length: n }, () => Array.from({ length: nodes[ring++] }, () => [x[node], y[node++]] as [number, number])),
+  );
+}
+
+/** A run with its arrays at hand. */
+export class Run {
+  readonly outlines: Ring[][];
+  readonly sheets: Ring[][];
+  readonly inputs: Record<string, Record<string, InputValue>>;
+  /** First floe that each event made; floes are in the order of their births. */
+  readonly firstFloe: number[] = [];
+  readonly nFloes: number;
+  readonly nEvents: number;
+  readonly duration: number;
+
+  constructor(
+    readonly data: RunData,
+    readonly blocks: Blocks,
+  ) {
+    this.outlines = polygons(blocks, "outline");
+    this.sheets = polygons(blocks, "sheet");
+    this.inputs = parseToml(data.manifest.case?.toml ?? "");
+    this.nFloes = this.outlines.length;
+    this.nEvents = this.column("event.time").length;
+    const frames = this.column("frame.time");
+    const loads = this.column("load.time");
+    this.duration = Math.max(frames.at(-1) ?? 0, loads.at(-1) ?? 0);
+    const pieces = this.column("event.pieces");
+    let next = this.nFloes;
+    for (const n of pieces) next -= n;
+    for (let i = 0; i < this.nEvents; ++i) {
+      this.firstFloe.push(next);
+      next += pieces[i];
+    }
+  }
+
+  column(name: string): Numbers {
+    const found = this.blocks.get(name);
+    if (!found) throw new Error(`the report has no column ${name}`);
+    return found;
+  }
+
+  input(section: string, key: string): number {
+    const value = this.inputs[section]?.[key]?.value;
+    return typeof value === "number" ? value : NaN;
+  }
+
+  /** The event whose crack made a floe, or -1: the initial crack. */
+  eventOf(floe: number): number {
+    let event = -1;
+    while (event + 1 < this.nEvents && this.firstFloe[event + 1] <= floe) ++event;
+    return event;
+  }
+
+  /** Which sheet lies there at a time: the last one that came about until then. */
+  sheetAt(time: number): number {
+    const times = this.column("sheet.time");
+    let index = 0;
+    // The last sheet is the one at the end; it differs from the one before by what was crushed since.
+    for (let i = 1; i < times.length - 1 && times[i] <= time + 1e-9; ++i) index = i;
+    return time >= this.duration ? times.length - 1 : index;
+  }
+
+  /** The outline of a floe where it broke off, sheet frame. */
+  bornAt(floe: number): Ring[] {
+    const at = (name: string) => this.column(`floe.birth_${name}`)[floe];
+    const angle = 2 * Math.atan2(at("qz"), at("qw"));
+    const [c, s, x, y] = [Math.cos(angle), Math.sin(angle), at("x"), at("y")];
+    return this.outlines[floe].map((ring) => ring.map(([u, v]) => [x + c * u - s * v, y + s * u + c * v]));
+  }
+}
+
+export interface InputValue {
+  value: number | string | boolean | number[];
+  text: string;
+  unit: string;
+}
+
+/** Reads what the program itself wrote as the resolved case: sections, and `key = value  # unit` lines. */
+export function parseToml(toml: string): Record<string, Record<string, InputValue>> {
+  const sections: Record<string, Record<string, InputValue>> = {};
+  let current: Record<string, InputValue> = {};
+  for (const line of toml.split("\n")) {
+    const head = /^\[([a-z_]+)\]$/.exec(line);
+    if (head) current = sections[head[1]] = {};
+    const entry = /^([a-z_0-9]+) = (".*"|[^#]*?)(?:\s+# (.*))?$/.exec(line);
+    if (!entry) continue;
+    let value: InputValue["value"] = entry[2];
+    try {
+      value = JSON.parse(entry[2]) as InputValue["value"];
+    } catch {
+      // A text in TOML's own escapes, or inf: shown as it stands.
+    }
+    current[entry[1]] = { value, text: typeof value === "string" ? value : entry[2], unit: entry[3] ?? "" };
+  }
+  return sections;
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The crack event that was chosen, with all its numbers.
+import type { Run } from "./data";
+import { el } from "./dom";
+import { degrees, kN, kPa, number, seconds } from "./format";
+import { describePeak, type Peak } from "./loads";
+import { eventFigure } from "./plan";
+
+export class EventCard {
+  readonly element = el("div", { class: "event-card", "aria-live": "polite" });
+  private event = -1;
+
+  constructor(
+    private readonly run: Run,
+    private readonly onChoose: (event: number) => void,
+  ) {
+    this.show(-1);
+  }
+
+  /** @param peak the load peak that was clicked, if the event was chosen by one. */
+  show(event: number, peak?: Peak): void {
+    this.event = event;
+    if (event < 0) {
+      const text = this.run.nEvents > 0 ? "Click a load peak, or a red point of the plan, to see the crack event behind it." : "The ice did not break in this run.";
+      this.element.replaceChildren(el("p", { class: "hint" }, text), this.steps());
+      return;
+    }
+    this.element.replaceChildren(
+      el("div", { class: "bar" }, el("strong", {}, `Crack ${event + 1} of ${this.run.nEvents}`),
+        el("span", {}, `at ${seconds(this.run.column("event.time")[event])} s`), this.steps()),
+      el("div", { class: "event-body" }, eventFigure(this.run, event), this.numbers(event)),
+      ...(peak ? [el("p", { class: "hint peak" }, this.behind(peak))] : []),
+    );
+  }
+
+  private behind(peak: Peak): string {
+    const gap = this.run.column("event.time")[peak.event] - peak.time;
+    const when = Math.abs(gap) < 5e-4 ? "in the same step" : `${seconds(Math.abs(gap))} s ${gap > 0 ? "later" : "before"}`;
+    return `Peak of ${describePeak(peak)} The crack came ${when}.`;
+  }
+
+  private steps(): HTMLElement {
+    const to = (event: number) => () => this.onChoose((event + this.run.nEvents) % this.run.nEvents);
+    const none = this.run.nEvents === 0;
+    return el("span", { class: "steps" },
+      el("button", { type: "button", disabled: none, click: to(Math.max(0, this.event) - 1), title: "Previous crack" }, "‹"),
+      el("button", { type: "button", disabled: none, click: to(this.event + 1), title: "Next crack" }, "›"));
+  }
+
+  private numbers(event: number): HTMLElement {
+    const at = (name: string) => this.run.column(`event.${name}`)[event];
+    const force = at("p") * at("c") * this.run.input("ice", "thickness");
+    const rows: [string, string, string, string][] = [
+      ["b", number(at("b"), 4), "m", "depth of the fitted trapezoid"],
+      ["c", number(at("c"), 4), "m", "contact length"],
+      ["θ", degrees(at("theta")), "°", "opening angle of the trapezoid"],
+      ["μ₁", number(at("mu1"), 4), "", "out-of-plane over in-plane normal force"],
+      ["μ₂", number(at("mu2"), 4), "", "in-plane friction over in-plane normal force"],
+      ["p", kPa(at("p")), "kPa", "pressure on the contact"],
+      ["p c h", kN(force), "kN", "in-plane normal force"],
+      ["σ", kPa(at("sigma_max")), "kPa", "largest principal stress on the centre line"],
+      ["l_break", number(at("l_break"), 4), "m", "breaking length"],
+      ["wedges", String(at("wedges")), "", "number of wedges drawn"],
+      ["pieces", String(at("pieces")), "", "floes that came of it"],
+      ["fit error", number(at("fit_error"), 3), "", "area between trapezoid and edge over the window's"],
+      ["in range", at("in_range") ? "yes" : "no", "", "whether the failure model's inputs were within its range"],
+    ];
+    return el("dl", { class: "numbers" },
+      ...rows.map(([name, value, unit, meaning]) => el("div", { title: meaning }, el("dt", {}, name), el("dd", {}, value, unit && el("small", {}, ` ${unit}`)))));
+  }
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Closed forms, ledger, energy, inputs and manifest: the tables.
+import uPlot from "uplot";
+import { axis, Chart } from "./charts";
+import type { InputValue, Run } from "./data";
+import { css, el, section, table } from "./dom";
+import { bytes, degrees, kJ, kN, number, percent, seconds } from "./format";
+import type { Manifest, RunData, Schema } from "./types";
+
+export function closedFormsSection(data: RunData): HTMLElement {
+  const rows = data.closed_forms.loads.map((load) => {
+    const components = Object.entries(load.components ?? {}).map(([name, value]) => `${name} ${kN(value)}`);
+    const note = load.not_applicable ?? components.join(", ") + (load.in_range === false ? "; outside the formula's range" : "");
+    return [load.source, load.method, kN(load.horizontal), kN(load.vertical), note];
+  });
+  const { horizontal, vertical } = data.summary;
+  rows.push(["this run", "mean", kN(horizontal.mean), kN(vertical.mean), ""]);
+  rows.push(["this run", "99 % quantile", kN(horizontal.quantile_99), kN(vertical.quantile_99), ""]);
+  return section("closed-forms", "Closed forms",
+    el("p", {}, `Loads of standards and textbooks for the same structure and ice: ${data.closed_forms.kind}.`),
+    table(["source", "method", "horizontal [kN]", "vertical [kN]", "components [kN]"], rows));
+}
+
+const kAccounts = ["sheet", "floes", "crushed", "deleted", "brash"] as const;
+
+function ledgerChart(run: Run): Chart {
+  const times = Array.from(run.column("load.time"));
+  const colours: Record<string, string> = { floes: "--teal", crushed: "--red", deleted: "--ochre", brash: "--muted" };
+  const names = Object.keys(colours);
+  const data = [times, ...names.map((name) => Array.from(run.column(`load.area_${name}`)))] as uPlot.AlignedData;
+  return new Chart(200, () => ({
+    data,
+    options: {
+      scales: { x: { time: false } },
+      axes: [axis("time [s]"), axis("area [m²]", { size: 50 })],
+      series: [{ label: "time" }, ...names.map((name) => ({ label: name, stroke: css(colours[name]), width: 1.3, points: { show: false } }))],
+    },
+  }), "Where the ice of the sheet has gone.");
+}
+
+/** Loss name, what it is, in the order of the summary. */
+const kLosses: Record<string, string> = {
+  edge: "crushing and its friction at the sheet's edge",
+  structure_contact: "crushing and impact, floes against structure",
+  structure_friction: "friction, floes against structure",
+  sheet_contact: "crushing and impact, floes against sheet",
+  sheet_friction: "friction, floes against sheet",
+  floe_contact: "crushing and impact between floes",
+  floe_friction: "friction between floes",
+  drag: "form and rotational drag of the water",
+  skin_friction: "skin friction of the water",
+};
+
+function energyTable(data: RunData): HTMLElement {
+  const { losses, ...energy } = data.summary.energy;
+  const work = energy.work as number;
+  const row = (name: string, value: number) => [name, kJ(value), work !== 0 ? percent(value / work) : "–"];
+  return table(["energy at the end", "kJ", "of the work"], [
+    row("work of the structure", work),
+    ...Object.entries(losses as Record<string, number>).map(([name, value]) => row(kLosses[name] ?? name, value)),
+    row("motion of the floes", energy.kinetic_energy as number),
+    row("height of the floes", energy.potential_energy as number),
+    row("left with deleted floes", energy.removed_energy as number),
+    row("births (added to the work)", energy.birth_energy as number),
+    row("error of the integration in time", energy.energy_error as number),
+  ], { id: "energy-table" });
+}
+
+export function ledgerSection(run: Run): HTMLElement {
+  const { ledger } = run.data.summary;
+  const area = (name: string) => Number(ledger[name]);
+  return section("ledger", "Ledger and energy",
+    el("div", { class: "columns even" },
+      el("div", {},
+        table(["area", "m²", "of the sheet"], [
+          ["initial", area("initial").toFixed(4), "100.0 %"],
+          ...kAccounts.map((name) => [name, area(name).toFixed(4), percent(area(name) / area("initial"))]),
+          [`rounding (${ledger.n_rounded} crossings)`, number(area("snap"), 3), ""],
+        ]),
+        el("p", { class: ledger.closes ? "note good" : "note bad" },
+          ledger.closes ? "The accounts add up to the initial area exactly." : "THE LEDGER DOES NOT CLOSE."),
+        ledgerChart(run).element),
+      el("div", {}, energyTable(run.data))));
+}
+
+/** A value as text: numbers rounded for the eye, angles in degrees as well; the exact text is its tooltip. */
+function shown({ value, text, unit }: InputValue): HTMLElement {
+  const rounded = typeof value === "number" ? number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : text;
+  const angle = unit === "rad" && typeof value === "number" ? ` = ${degrees(value)}°` : "";
+  return el("span", { class: "value", title: text }, rounded, unit && el("small", {}, ` ${unit}${angle}`));
+}
+
+function inputRows(inputs: Record<string, Record<string, InputValue>>, schema: Schema): HTMLElement[] {
+  return Object.entries(inputs).map(([name, keys]) => {
+    const described = schema.properties?.[name];
+    return el("details", { open: true },
+      el("summary", {}, el("code", {}, `[${name}]`), ` ${described?.description ?? ""}`),
+      table([], Object.entries(keys).map(([key, input]) => [
+        el("code", {}, key), shown(input),
+        el("span", { class: "meaning" }, described?.properties?.[key]?.description ?? ""),
+      ])));
+  });
+}
+
+function files(title: string, list: Manifest["inputs"]): HTMLElement | null {
+  if (!list || list.length === 0) return null;
+  return el("div", {}, el("h3", {}, title),
+    table(["file", "size", "SHA-256"], list.map((file) => [file.path, bytes(file.bytes), el("code", { class: "hash" }, file.sha256)])));
+}
+
+export function manifestTables(manifest: Manifest): HTMLElement {
+  const v = manifest.volatile ?? {};
+  const rows: [string, string][] = [["program", `${manifest.program?.name ?? "brash"} ${manifest.program?.version ?? ""}`]];
+  for (const [name, version] of Object.entries(manifest.built_with ?? {})) rows.push([name, version]);
+  if (manifest.glibc) rows.push(["glibc", manifest.glibc]);
+  if (manifest.seeds) rows.push(["seed, replicate", `${manifest.seeds.seed}, ${manifest.seeds.replicate}`]);
+  if (v.started_at) rows.push(["started", v.started_at]);
+  if (v.wall_seconds !== undefined) rows.push(["wall time", `${seconds(v.wall_seconds, 1)} s`]);
+  if (v.host_cpu) rows.push(["processor", v.host_cpu]);
+  return el("div", {}, el("h3", {}, "Manifest"), table([], rows),
+    files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs));
+}
+
+export function inputsSection(run: Run): HTMLElement {
+  return section("inputs", "Inputs and manifest",
+    el("p", {}, "Every input of the run, defaults included, in SI; the resolved case as a file is in the manifest, and repeats the run to the bit."),
+    el("div", { class: "columns even" },
+      el("div", { class: "inputs" }, ...inputRows(run.inputs, run.data.schema)),
+      manifestTables(run.data.manifest)));
+}

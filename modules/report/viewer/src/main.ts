@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { showCampaign } from "./campaign";
+import { redrawCharts } from "./charts";
+import { readBlocks, readData, Run } from "./data";
+import { el } from "./dom";
+import { type RunReport, showRun } from "./run";
+import type { CampaignData, RunData } from "./types";
+
+declare global {
+  interface Window {
+    /** For scripts that look at an open report. */
+    brashReport?: { run?: Run; report?: RunReport; readyAfter?: number };
+  }
+}
+
+const kThemes = ["auto", "light", "dark"];
+
+function subtitle(data: RunData | CampaignData): string {
+  const { manifest } = data;
+  const parts = [data.kind === "run" ? "simulated run" : "campaign"];
+  if (manifest.seeds) parts.push(`seed ${manifest.seeds.seed}`);
+  if (manifest.volatile?.started_at) parts.push(manifest.volatile.started_at.slice(0, 10));
+  parts.push(`brash ${manifest.program?.version ?? ""}`);
+  return parts.join(" · ");
+}
+
+function header(data: RunData | CampaignData, title: string, onTheme: () => void): HTMLElement {
+  const root = document.documentElement;
+  const theme = el("select", {
+    "aria-label": "Colours",
+    change: () => {
+      root.dataset.theme = theme.value;
+      onTheme();
+    },
+  }, ...kThemes.map((name) => el("option", { value: name }, name)));
+  const keys = data.kind === "run" && el("details", { class: "keys" }, el("summary", {}, "keys"),
+    el("p", {}, "space: play · ← →: one frame, with shift one second · [ ]: slower, faster · , .: start, end · 1 to 5: views · mouse: orbit, wheel, right button"));
+  return el("header", {},
+    el("div", { class: "title" }, el("h1", {}, title), el("p", {}, subtitle(data))),
+    el("nav", { "aria-label": "Contents" }), keys, el("label", { class: "theme" }, theme));
+}
+
+/** Paper is white, whatever the screen is. */
+function printInLight(onTheme: () => void): void {
+  const root = document.documentElement;
+  let chosen: string | undefined;
+  addEventListener("beforeprint", () => {
+    chosen = root.dataset.theme;
+    root.dataset.theme = "light";
+    onTheme();
+  });
+  addEventListener("afterprint", () => {
+    root.dataset.theme = chosen ?? "auto";
+    onTheme();
+  });
+}
+
+function fillContents(head: HTMLElement): void {
+  head.querySelector("nav")!.append(...[...document.querySelectorAll("section")].map((part) =>
+    el("a", { href: `#${part.id}` }, part.querySelector("h2")!.textContent)));
+}
+
+async function main(): Promise<void> {
+  const data = readData();
+  const parent = document.getElementById("report")!;
+  const title = data.kind === "run" ? (data.manifest.case?.name ?? "run") : `${data.summary.settings[0]?.case.replace(`_${data.summary.settings[0].setting}`, "") ?? ""} campaign`;
+  document.title = `${title} – brash report`;
+  const handle: NonNullable<Window["brashReport"]> = {};
+  window.brashReport = handle;
+  const retheme = () => {
+    redrawCharts();
+    handle.report?.replay.scene?.setTheme();
+    handle.report?.player.seek(handle.report.player.time);
+  };
+  const head = header(data, title, retheme);
+  parent.append(head);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
+  printInLight(retheme);
+  if (data.kind === "campaign") {
+    showCampaign(data, parent);
+  } else {
+    handle.run = new Run(data, await readBlocks(data.blocks));
+    handle.report = showRun(handle.run, parent);
+  }
+  fillContents(head);
+  requestAnimationFrame(() => setTimeout(() => (handle.readyAfter = performance.now())));
+}
+
+main().catch((error: unknown) => {
+  document.getElementById("report")!.append(el("p", { class: "note bad" }, `This report cannot be shown: ${String(error)}`));
+  throw error;
+});

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of one run.
+import { citeSection } from "./cite";
+import type { Run } from "./data";
+import { el, section } from "./dom";
+import { EventCard } from "./events";
+import { kN, number, percent } from "./format";
+import { closedFormsSection, inputsSection, ledgerSection } from "./inputs";
+import { LoadHistory, type Peak } from "./loads";
+import { PlanView } from "./plan";
+import { Player } from "./player";
+import { bindKeys, Replay } from "./replay";
+import { statisticsSection } from "./statistics";
+
+function figure(value: string, unit: string, name: string, note = ""): HTMLElement {
+  return el("div", { class: "figure" }, el("b", {}, value, unit && el("small", {}, ` ${unit}`)), el("span", {}, name), note && el("em", {}, note));
+}
+
+function keyFigures(run: Run): HTMLElement {
+  const s = run.data.summary;
+  const measured = run.input("reference", "mean_horizontal");
+  return el("div", { class: "figures" },
+    figure(kN(s.horizontal.mean), "kN", "mean horizontal", `95 %: ${kN(s.horizontal.mean_95[0])} to ${kN(s.horizontal.mean_95[1])}`),
+    figure(kN(s.vertical.mean), "kN", "mean vertical", `95 %: ${kN(s.vertical.mean_95[0])} to ${kN(s.vertical.mean_95[1])}`),
+    figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `deviation ${kN(s.horizontal.standard_deviation)}`),
+    Number.isFinite(measured)
+      ? figure(kN(measured), "kN", "reference mean", `this run: ${percent(s.horizontal.mean / measured - 1).replace(/^(?!−)/, "+")}`)
+      : figure(number(s.fastest_floe, 3), "m/s", "fastest floe"),
+    figure(String(s.n_breaks), "", "breaks", `${number(s.breaking_frequency, 3)} a second`),
+    figure(String(s.n_floes_born), "", "floes born", `${s.n_floes_present} present, ${s.n_floes_crushed} crushed`));
+}
+
+export interface RunReport {
+  player: Player;
+  replay: Replay;
+  loads: LoadHistory;
+  choose: (event: number) => void;
+}
+
+export function showRun(run: Run, parent: HTMLElement): RunReport {
+  const player = new Player(run.duration);
+  const choose = (event: number, peak?: Peak) => {
+    card.show(event, peak);
+    plan.select(event);
+    if (!peak && event >= 0) player.seek(run.column("event.time")[event]);
+  };
+  const card = new EventCard(run, choose);
+  const plan = new PlanView(run, choose);
+  const replay = new Replay(run, player);
+  const loads = new LoadHistory(run, player, (peak) => choose(peak.event, peak));
+  bindKeys(player, replay, run.column("frame.time"));
+
+  const still = el("img", { class: "still", alt: "Replay at the time of printing" });
+  replay.element.prepend(still);
+  addEventListener("beforeprint", () => (still.src = replay.still()));
+
+  parent.append(
+    keyFigures(run),
+    el("div", { class: "stage-row" }, replay.element, el("div", { class: "side" }, loads.element, card.element)),
+    section("channel", "Channel and cracks",
+      plan.element,
+      el("p", { class: "note" }, "Every floe where it broke off (darker: later), the sheet at the end, the structure's waterline at the end, " +
+        "and the points where the ice broke. What lies open between floes and sheet was crushed. Click a point for its crack.")),
+    statisticsSection(run),
+    closedFormsSection(run.data),
+    ledgerSection(run),
+    inputsSection(run),
+    citeSection(run),
+  );
+  if (run.column("load.time").length > 0) loads.chooseLargest();
+  return { player, replay, loads, choose };
+}

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run in space: water, sheet, structure and floes at any time. Axes are those of the sheet: x along the track, y to
+// port, z upwards from the waterplane.
+import {
+  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group,
+  HemisphereLight, LineBasicMaterial, LineLoop, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Run } from "./data";
+import { css } from "./dom";
+import { FloeMesh } from "./floe_mesh";
+import { polygonsOf, Prisms } from "./prisms";
+import { frameAt } from "./tracks";
+
+export interface View {
+  /** Where the camera stands, from the structure's centre at the waterline, in radii of the waterline. */
+  from: [number, number, number];
+  at: [number, number, number];
+}
+
+export const kViews: Record<string, View> = {
+  Bow: { from: [4.1, -3.0, 2.5], at: [0.45, 0, -0.1] },
+  Wake: { from: [-3.7, -2.7, 2.9], at: [-0.15, 0.05, -0.2] },
+  Above: { from: [0.35, -0.01, 6.2], at: [0.35, 0, 0] },
+  Side: { from: [0.5, -4.6, 0.42], at: [0.5, 0, -0.1] },
+  Below: { from: [3.1, -2.7, -1.9], at: [0.1, 0, -0.3] },
+};
+
+export class ReplayScene {
+  readonly renderer: WebGLRenderer;
+  readonly camera = new PerspectiveCamera(36, 1, 0.1, 900);
+  readonly controls: OrbitControls;
+  readonly floes: FloeMesh;
+  follow = true;
+  private readonly scene = new Scene();
+  private readonly structure = new Group();
+  private readonly aboveWater = new Group();
+  private readonly belowWater = new Group();
+  private readonly sheetMesh: Mesh;
+  private readonly sheetLines: LineSegments;
+  private readonly sheets = new Map<number, { solid: BufferGeometry; lines: BufferGeometry }>();
+  private sheetShown = -1;
+  private readonly palette: Record<string, Color> = {};
+  private readonly materials: Record<string, MeshLambertMaterial | MeshBasicMaterial | LineBasicMaterial> = {};
+  private readonly radius: number;
+  private readonly top: number;
+  private readonly bottom: number;
+  private structureX = 0;
+  private pending = false;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly run: Run,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.camera.up.set(0, 0, 1);
+    const h = run.input("ice", "thickness");
+    this.bottom = (-h * run.input("ice", "density")) / run.input("water", "density");
+    this.top = h + this.bottom;
+    this.radius = 0.5 * run.input("structure", "waterline_width");
+
+    const floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true });
+    const edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
+    this.materials.edges = edges;
+    this.floes = new FloeMesh(run, this.palette, { floes, edges });
+    this.materials.sheet = new MeshLambertMaterial({ flatShading: true });
+    this.sheetMesh = new Mesh(new BufferGeometry(), this.materials.sheet);
+    this.sheetLines = new LineSegments(new BufferGeometry(), edges);
+    this.sheetMesh.frustumCulled = this.sheetLines.frustumCulled = false;
+    this.sheetMesh.castShadow = this.sheetMesh.receiveShadow = true;
+    this.scene.add(this.floes.solid, this.floes.lines, this.sheetMesh, this.sheetLines);
+
+    this.addWater();
+    this.addStructure();
+    this.addLights();
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.maxDistance = 160;
+    this.controls.minDistance = 2;
+    this.controls.zoomSpeed = 0.8;
+    this.controls.addEventListener("change", () => this.draw());
+    this.structureX = this.structurePlace(0).x;
+    this.setTheme();
+    this.look("Wake");
+    this.setSeeThrough(true);
+  }
+
+  /** Takes the colours of the page's theme. */
+  setTheme(): void {
+    for (const name of [
+      "sky", "water", "deep", "ice", "floe", "initial", "crushed", "newborn", "structure", "line", "young", "old", "calm", "loaded",
+    ])
+      this.palette[name] = new Color(css(`--scene-${name}`));
+    this.scene.background = this.palette.sky;
+    this.scene.fog = new Fog(this.palette.sky, 70, 260);
+    this.materials.sheet.color = this.palette.ice;
+    this.materials.water.color = this.palette.water;
+    this.materials.deep.color = this.palette.deep;
+    this.materials.structure.color = this.palette.structure;
+    this.materials.edges.color = this.palette.line;
+    this.materials.waterline.color = this.palette.line;
+    this.draw();
+  }
+
+  setSeeThrough(on: boolean): void {
+    const material = this.materials.structure;
+    material.transparent = on;
+    material.opacity = on ? 0.4 : 1;
+    material.depthWrite = !on;
+    material.needsUpdate = true;
+    this.draw();
+  }
+
+  look(name: string): void {
+    const view = kViews[name];
+    const centre = new Vector3(this.structureX, 0, 0);
+    this.camera.position.set(...view.from).multiplyScalar(this.radius).add(centre);
+    this.controls.target.set(...view.at).multiplyScalar(this.radius).add(centre);
+    this.controls.update();
+    this.draw();
+  }
+
+  resize(width: number, height: number): void {
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  /** Moves everything to where it is at `time` [s]. */
+  show(time: number): void {
+    this.showSheet(this.run.sheetAt(time));
+    const at = this.structurePlace(time);
+    if (this.follow) {
+      this.camera.position.x += at.x - this.structureX;
+      this.controls.target.x += at.x - this.structureX;
+    }
+    this.structureX = at.x;
+    this.structure.position.copy(at);
+    this.floes.show(time);
+    this.draw();
+  }
+
+  /** Draws soon, at most once a frame. */
+  draw(): void {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      this.drawNow();
+    });
+  }
+
+  drawNow(): void {
+    this.controls.update();
+    // What is transparent is drawn from the far side of the water to the near one.
+    const over = this.camera.position.z > 0;
+    for (const mesh of this.aboveWater.children) mesh.renderOrder = over ? 3 : 1;
+    for (const mesh of this.belowWater.children) mesh.renderOrder = over ? 1 : 3;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private structurePlace(time: number): Vector3 {
+    const { frame, share } = frameAt(this.run, time);
+    const at = (name: string) => {
+      const column = this.run.column(`frame.structure_${name}`);
+      const next = Math.min(frame + 1, column.length - 1);
+      return column[frame] + share * (column[next] - column[frame]);
+    };
+    return new Vector3(at("x"), at("y"), at("z"));
+  }
+
+  private showSheet(index: number): void {
+    if (index === this.sheetShown) return;
+    this.sheetShown = index;
+    let made = this.sheets.get(index);
+    if (!made) {
+      const prisms = new Prisms();
+      for (const polygon of polygonsOf(this.run.sheets[index])) prisms.add(polygon, this.bottom, this.top);
+      const position = new BufferAttribute(prisms.positions(), 3);
+      const solid = new BufferGeometry().setIndex(prisms.triangles).setAttribute("position", position);
+      const lines = new BufferGeometry().setIndex(prisms.edges).setAttribute("position", position);
+      made = { solid, lines };
+      if (this.sheets.size > 40) this.forgetSheets();
+      this.sheets.set(index, made);
+    }
+    this.sheetMesh.geometry = made.solid;
+    this.sheetLines.geometry = made.lines;
+  }
+
+  private forgetSheets(): void {
+    for (const { solid, lines } of this.sheets.values()) {
+      solid.dispose();
+      lines.dispose();
+    }
+    this.sheets.clear();
+  }
+
+  /** A tinted surface over the dark of the deep, which is seen from above only. */
+  private addWater(): void {
+    this.materials.water = new MeshBasicMaterial({ transparent: true, opacity: 0.5, side: DoubleSide, depthWrite: false });
+    this.materials.deep = new MeshBasicMaterial({});
+    const deep = new Mesh(new PlaneGeometry(1200, 1200), this.materials.deep);
+    deep.position.z = -30;
+    const surface = new Mesh(new PlaneGeometry(1200, 1200), this.materials.water);
+    surface.renderOrder = 2;
+    this.scene.add(deep, surface);
+  }
+
+  private addStructure(): void {
+    const input = (key: string) => this.run.input("structure", key);
+    const below = input("height_under_water");
+    const above = input("height") - below;
+    const downward = this.run.inputs.structure?.breaking?.value !== "upward";
+    const slope = (downward ? 1 : -1) / Math.tan(input("angle"));
+    const [keel, deck] = [Math.max(0.02, this.radius - below * slope), Math.max(0.02, this.radius + above * slope)];
+    this.materials.structure = new MeshLambertMaterial({});
+    this.aboveWater.add(...this.frustum(this.radius, deck, 0, above, above));
+    this.belowWater.add(...this.frustum(keel, this.radius, -below, 0, -below));
+    this.structure.add(this.aboveWater, this.belowWater);
+    this.materials.waterline = new LineBasicMaterial({});
+    for (const [radius, z] of [[this.radius, 0], [deck, above], [keel, -below]]) {
+      const ring = Array.from({ length: 129 }, (_, i) => {
+        const angle = (i * Math.PI) / 64;
+        return new Vector3(1.001 * radius * Math.cos(angle), 1.001 * radius * Math.sin(angle), z);
+      });
+      this.structure.add(new LineLoop(new BufferGeometry().setFromPoints(ring), this.materials.waterline));
+    }
+    this.scene.add(this.structure);
+  }
+
+  /** The structure's surface between two heights, closed at the height `lid`. */
+  private frustum(lower: number, upper: number, bottom: number, top: number, lid: number): Mesh[] {
+    const side = new CylinderGeometry(upper, lower, top - bottom, 128, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5 * (bottom + top));
+    const cover = new CircleGeometry(lid === top ? upper : lower, 128);
+    if (lid === bottom) cover.rotateX(Math.PI);
+    return [side, cover.translate(0, 0, lid)].map((geometry) => {
+      const mesh = new Mesh(geometry, this.materials.structure);
+      mesh.castShadow = mesh.receiveShadow = true;
+      return mesh;
+    });
+  }
+
+  private addLights(): void {
+    const sun = new DirectionalLight(0xffffff, 1.85);
+    sun.position.set(-14, -26, 34);
+    sun.castShadow = true;
+    const reach = 3.4 * this.radius;
+    Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 1, far: 130 });
+    sun.shadow.mapSize.set(2048, 2048);
+    sun.shadow.bias = -0.0006;
+    sun.shadow.normalBias = 0.02;
+    // The sun goes with the structure: its shadow covers what happens.
+    this.structure.add(sun, sun.target);
+    this.scene.add(new HemisphereLight(0xffffff, 0x9db4c3, 1.3), new AmbientLight(0xffffff, 0.55));
+  }
+}

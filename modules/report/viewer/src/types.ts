@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands in the page's data, as modules/report/src writes it. SI throughout.
+
+export interface BlockEntry {
+  name: string;
+  kind: "f64" | "f32" | "i32";
+  count: number;
+  unit: number;
+}
+
+export interface HashedFile {
+  path: string;
+  bytes?: number;
+  sha256: string;
+}
+
+export interface Manifest {
+  program?: { name: string; version: string };
+  built_with?: Record<string, string>;
+  glibc?: string;
+  case?: { name: string; toml: string };
+  plan?: { path: string; sha256: string };
+  seeds?: { seed: number; replicate: number };
+  inputs?: HashedFile[];
+  outputs?: HashedFile[];
+  volatile?: { started_at?: string; wall_seconds?: number; host_cpu?: string; stage_seconds?: Record<string, number> };
+}
+
+export interface LoadSummary {
+  mean: number;
+  mean_95: [number, number];
+  standard_deviation: number;
+  minimum: number;
+  maximum: number;
+  skewness: number;
+  quantile_50: number;
+  quantile_95: number;
+  quantile_99: number;
+  autocorrelation_time: number;
+  effective_sample_size: number;
+  long_enough: boolean;
+  mean_by_cause: Record<string, number>;
+}
+
+export interface RunSummary {
+  statistics_from: number;
+  horizontal: LoadSummary;
+  vertical: LoadSummary;
+  mean_whole_history: { horizontal: number; vertical: number };
+  n_breaks: number;
+  breaking_frequency: number;
+  breaking_length_quantiles: number[];
+  piece_area_quantiles: number[];
+  quantile_levels: number[];
+  n_floes_born: number;
+  n_floes_present: number;
+  n_floes_crushed: number;
+  failure_model_range: { n_substepped: number; n_below: number; n_above: number };
+  n_outlines_refused: number;
+  n_steps_too_long: number;
+  fastest_floe: number;
+  ledger: Record<string, string | number | boolean>;
+  energy: { work: number; losses: Record<string, number>; [key: string]: number | Record<string, number> };
+}
+
+export interface ClosedForm {
+  method: string;
+  source: string;
+  horizontal?: number;
+  vertical?: number;
+  components?: Record<string, number>;
+  not_applicable?: string;
+  in_range?: boolean;
+}
+
+export interface Spectrum {
+  frequency: number[];
+  density: number[];
+  factors_95: [number, number];
+  n_segments: number;
+}
+
+export interface AxisStatistics {
+  spectrum: Spectrum | null;
+  peaks: { value: number[]; time: number[] };
+}
+
+export interface Schema {
+  properties: Record<string, { description?: string; properties?: Record<string, SchemaKey> }>;
+}
+
+export interface SchemaKey {
+  description?: string;
+  "x-unit"?: string;
+  [key: string]: unknown;
+}
+
+export interface RunData {
+  kind: "run";
+  manifest: Manifest;
+  summary: RunSummary;
+  schema: Schema;
+  closed_forms: { kind: string; loads: ClosedForm[] };
+  statistics: { horizontal: AxisStatistics; vertical: AxisStatistics } | null;
+  blocks: BlockEntry[];
+}
+
+export interface CampaignColumn {
+  n: number;
+  mean: number | null;
+  standard_deviation: number | null;
+  mean_95: [number, number] | null;
+}
+
+export interface CampaignSetting {
+  setting: string;
+  case: string;
+  values: Record<string, number | string | boolean | number[]>;
+  n_done: number;
+  n_failed: number;
+  stopped_by?: string;
+  statistics: Record<string, CampaignColumn>;
+}
+
+export interface CampaignData {
+  kind: "campaign";
+  manifest: Manifest & Record<string, unknown>;
+  summary: { n_cases: number; n_done: number; n_failed: number; settings: CampaignSetting[] };
+  schema: Schema;
+  table: string;
+  reports: string[];
+  blocks: BlockEntry[];
+}
+
+export type Numbers = Float64Array | Float32Array | Int32Array;

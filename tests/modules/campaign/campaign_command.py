@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command `brash campaign` from outside, on this machine: campaign_command.py BRASH FOLDER"""
+import csv
+import fcntl
+import json
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+from files import DATABASE_PLAN, PLAN, different
+
+BRASH, FOLDER = sys.argv[1], Path(sys.argv[2]).resolve()
+
+
+def campaign(*arguments, plan=PLAN):
+    return subprocess.run([BRASH, "campaign", plan, *arguments], capture_output=True, text=True)
+
+
+def quick(folder, *options):
+    return campaign("-o", folder, "--quick", *options)
+
+
+class Command(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(FOLDER, ignore_errors=True)
+        FOLDER.mkdir(parents=True)
+        cls.whole = FOLDER / "whole"
+        done = quick(cls.whole, "--jobs", "1")
+        assert done.returncode == 0, done.stderr
+
+    def status(self, folder):
+        return json.loads(quick(folder, "--status", "--json").stdout)
+
+    def refuses(self, done, *parts):
+        self.assertEqual(done.returncode, 2, done.stderr)
+        for part in parts:
+            self.assertIn(part, done.stderr)
+
+    def test_several_workers_give_the_bytes_of_one(self):
+        folder = FOLDER / "workers"
+        self.assertEqual(quick(folder, "--jobs", "3").returncode, 0)
+        self.assertEqual(different(self.whole, folder), [])
+
+    def test_a_case_alone_gives_the_bytes_that_it_has_in_the_campaign(self):
+        folder = FOLDER / "alone"
+        subprocess.run([BRASH, "run", self.whole / "settings" / "plan_speed-1.4.toml", "--set", "random.replicate=2",
+                        "-o", folder], check=True, capture_output=True)
+        for name in ("summary.json", "history.csv"):
+            self.assertEqual((folder / name).read_bytes(), (self.whole / "cases" / "speed-1.4-r0002" / name).read_bytes())
+
+    def test_a_killed_campaign_is_counted_and_resumed_to_the_same_bytes(self):
+        folder = FOLDER / "killed"
+        process = subprocess.Popen([BRASH, "campaign", PLAN, "-o", folder, "--quick", "--jobs", "2"],
+                                   stdout=subprocess.DEVNULL)
+        while process.poll() is None and len(list((folder / "cases").glob("*[0-9]"))) < 4:
+            time.sleep(0.005)
+        process.kill()
+        self.assertEqual(process.wait(), -signal.SIGKILL)
+        status = self.status(folder)
+        self.assertEqual(status["n_cases"], 12)
+        self.assertEqual(status["n_done"] + status["n_missing"], 12)
+        self.assertGreater(status["n_missing"], 0)
+        self.assertFalse((folder / "campaign.csv").exists())
+        self.assertEqual(quick(folder, "--resume").returncode, 0)
+        self.assertEqual(different(self.whole, folder), [])
+
+    def test_an_interrupted_campaign_says_so_with_exit_code_3(self):
+        folder = FOLDER / "interrupted"
+        process = subprocess.Popen([BRASH, "campaign", PLAN, "-o", folder, "--quick", "--jobs", "2"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        while process.poll() is None and not list((folder / "cases").glob("*[0-9]")):
+            time.sleep(0.005)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate()
+        self.assertEqual(process.returncode, 3)
+        self.assertIn("`--resume` goes on", errors)
+        self.assertEqual(quick(folder, "--resume").returncode, 0)
+        self.assertEqual(different(self.whole, folder), [])
+
+    def test_a_folder_that_another_process_works_in_is_refused(self):
+        with open(self.whole / "campaign.lock", "r+", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            self.refuses(quick(self.whole, "--resume"), "is in use by process", "remedy:")
+
+    def test_a_folder_with_cases_needs_resume_and_the_same_settings(self):
+        self.refuses(quick(self.whole), "holds the cases of a campaign already", "`--resume`")
+        self.refuses(quick(self.whole, "--resume", "--set", "ice.thickness=0.4"), "settings/plan_speed-1.0.toml", "remedy:")
+        self.assertEqual(quick(self.whole, "--resume").returncode, 0)
+
+    def test_a_broken_plan_leaves_nothing_behind(self):
+        plan = FOLDER / "broken.toml"
+        plan.write_text("[campaign]\ncase = \"none.toml\"\n", encoding="utf-8")
+        self.refuses(campaign("-o", FOLDER / "broken", plan=plan), "none.toml", "remedy:")
+        self.assertFalse((FOLDER / "broken").exists())
+
+    def test_a_case_that_fails_by_itself_is_recorded_and_the_others_are_done(self):
+        model = FOLDER / "model.json"
+        model.write_text("{}", encoding="utf-8")
+        plan = FOLDER / "failing.toml"
+        plan.write_text(PLAN.read_text(encoding="utf-8").replace(
+            "[quick]", "[[grid]]\nlabels = [\"good\", \"bad\"]\nfailure.model = [\"wedge\", \"network\"]\n"
+            "failure.file = [\"\", \"model.json\"]\n[quick]"), encoding="utf-8")
+        folder = FOLDER / "failing"
+        done = campaign("-o", folder, "--quick", "--set", "output.statistics_from=0.3", plan=plan)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("12 cases failed", done.stderr)
+        record = json.loads((folder / "cases" / "speed-1.2_bad-r0001.failed").read_text(encoding="utf-8"))
+        self.assertIn("model.json", record["error"])
+        with open(folder / "campaign.csv", newline="", encoding="utf-8") as file:
+            rows = {row["case"]: row for row in csv.DictReader(file)}
+        self.assertEqual(len(rows), 24)
+        self.assertEqual((rows["speed-1.2_bad-r0001"]["status"], rows["speed-1.2_bad-r0001"]["horizontal.mean"]),
+                         ("failed", ""))
+        self.assertGreater(float(rows["speed-1.2_good-r0001"]["horizontal.mean"]), 0.0)
+        self.assertEqual([p.name for p in (folder / "cases").glob("*.part")], [])
+
+    def test_the_failure_database_of_several_processes_is_that_of_one(self):
+        one, several = FOLDER / "one.nc", FOLDER / "several.nc"
+        for output, jobs in ((one, "1"), (several, "2")):
+            subprocess.run([BRASH, "failure", "database", DATABASE_PLAN, "-o", output, "--jobs", jobs], check=True,
+                           capture_output=True)
+        self.assertEqual(one.read_bytes(), several.read_bytes())
+        self.assertFalse((FOLDER / "several.nc.chunks").exists())
+
+    def test_the_tables_agree_with_each_other(self):
+        import netCDF4
+        import numpy as np
+        from scipy import stats
+        with open(self.whole / "campaign.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        summary = json.loads((self.whole / "summary.json").read_text(encoding="utf-8"))
+        with netCDF4.Dataset(self.whole / "campaign.nc") as table:
+            self.assertEqual(table["setting"].flag_meanings.split(), [s["setting"] for s in summary["settings"]])
+            for name in ("horizontal.mean", "structure.speed", "replicate"):
+                np.testing.assert_array_equal(table[name][:], [float(row[name]) for row in rows])
+            self.assertEqual(table["structure.speed"].units, "m s-1")
+        for setting in summary["settings"]:
+            values = [float(row["horizontal.mean"]) for row in rows if row["setting"] == setting["setting"]]
+            interval = stats.t.interval(0.95, len(values) - 1, np.mean(values), stats.sem(values))
+            # Two ways to sum and to invert Student's distribution.
+            np.testing.assert_allclose(setting["statistics"]["horizontal.mean"]["mean_95"], interval, rtol=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "brash/core/constants.hpp"
+#include "brash/statistics/random.hpp"
+#include "chart.hpp"
+#include "history_comparison.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::cli;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A load about `mean` with a memory of five steps.
+LoadHistory noise(std::uint64_t replicate, std::size_t n, double mean, double deviation, double dt = 0.1) {
+  statistics::RandomStream stream(3, "compare", replicate, "noise");
+  LoadHistory load;
+  load.column = "Fx";
+  double state = stream.normal();
+  for (std::size_t i = 0; i < n; ++i) {
+    state = 0.8 * state + 0.6 * stream.normal();
+    load.history.times.push_back(dt * static_cast<double>(i));
+    load.history.values.push_back(mean + deviation * state);
+  }
+  load.even = statistics::make_even(load.history);
+  return load;
+}
+
+std::vector<std::string> differs(const LoadHistory& run, const LoadHistory& measured) {
+  return compare_histories(run, measured)["differs"].get<std::vector<std::string>>();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(compare_command)
+
+BOOST_AUTO_TEST_CASE(a_history_does_not_differ_from_itself) {
+  const LoadHistory load = noise(1, 2000, 100.0, 20.0);
+  const auto c = compare_histories(load, load);
+  BOOST_TEST(c["differs"].empty());
+  BOOST_TEST(c["mean"]["ratio"].get<double>() == 1.0);
+  BOOST_TEST(c["distribution"]["p"].get<double>() == 1.0);
+  BOOST_TEST(c["spectrum"]["outside_95"].get<double>() == 0.0);
+  BOOST_TEST(contains(comparison_text(c), "no difference at 5 %"));
+}
+
+BOOST_AUTO_TEST_CASE(replicates_of_one_process_differ_in_few_cases) {
+  int different = 0;
+  for (std::uint64_t r = 0; r < 100; ++r)
+    different += differs(noise(2 * r, 1500, 100.0, 20.0), noise(2 * r + 1, 1000, 100.0, 20.0)).empty() ? 0 : 1;
+  BOOST_TEST(different <= 12);  // 5 of 100 wanted; three errors of a count above it
+}
+
+BOOST_AUTO_TEST_CASE(what_is_changed_is_what_differs) {
+  const LoadHistory measured = noise(1, 3000, 100.0, 10.0);
+  const auto has = [&](const LoadHistory& run, const char* name) {
+    const auto names = differs(run, measured);
+    return std::ranges::find(names, name) != names.end();
+  };
+  const LoadHistory higher = noise(2, 3000, 110.0, 10.0), wilder = noise(2, 3000, 100.0, 14.0);
+  BOOST_TEST(has(higher, "mean"));
+  BOOST_TEST(has(higher, "distribution"));
+  BOOST_TEST(!has(higher, "deviation"));
+  BOOST_TEST(!has(wilder, "mean"));
+  BOOST_TEST(has(wilder, "deviation"));
+  const LoadHistory faster = noise(2, 3000, 100.0, 10.0, 0.05);
+  BOOST_TEST(has(faster, "peak_rate"));
+  BOOST_TEST(!has(faster, "deviation"));
+}
+
+BOOST_AUTO_TEST_CASE(the_picture_holds_both_histories_and_closes_its_elements) {
+  LoadHistory measured = noise(1, 3000, 100.0, 10.0);
+  measured.history.times.erase(measured.history.times.begin() + 500, measured.history.times.begin() + 900);
+  measured.history.values.erase(measured.history.values.begin() + 500, measured.history.values.begin() + 900);
+  measured.even = statistics::make_even(measured.history);
+  const LoadHistory run = noise(2, 1000, 100.0, 10.0);
+  const std::string svg = comparison_picture(run, measured, compare_histories(run, measured));
+  BOOST_TEST(contains(svg, "run: Fx"));
+  BOOST_TEST(contains(svg, "measured: Fx"));
+  BOOST_TEST(!contains(svg, "nan"));
+  const auto count = [&](const std::string& part) {
+    int n = 0;
+    for (std::size_t at = svg.find(part); at != std::string::npos; at = svg.find(part, at + 1)) ++n;
+    return n;
+  };
+  BOOST_TEST(count("<svg") == count("</svg>"));
+  BOOST_TEST(count("<text") == count("</text>"));
+}
+
+BOOST_AUTO_TEST_CASE(a_line_breaks_where_a_logarithmic_axis_has_no_place) {
+  Chart chart(0.0, 0.0, 100.0, 100.0, "a < b", {"x", 1.0, 3.0}, {"y", 1.0, 100.0, true});
+  chart.line({1.0, 2.0, 2.5, 3.0}, {100.0, 0.0, 10.0, 1.0}, "#000");
+  const std::string svg = chart.svg();
+  BOOST_TEST(contains(svg, "M0.0 0.0M75.0 50.0L100.0 100.0"));
+  BOOST_TEST(contains(svg, "a &lt; b"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/io/campaign_plan.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "brash/core/error.hpp"
+#include "scratch.hpp"
+
+using namespace brash;
+using namespace brash::io;
+
+namespace {
+
+const std::vector<std::string> kColumns{"horizontal.mean", "vertical.mean"};
+
+/// Reads `text` as a plan beside a least case named cone.toml.
+CampaignPlan read(const std::string& text, bool quick = false, std::vector<std::string> overrides = {}) {
+  const Scratch scratch;
+  scratch.write("cone.toml", kLeastCase);
+  return read_campaign_plan(scratch.write("plan.toml", text), {quick, std::move(overrides), kColumns});
+}
+
+const std::string kBase = "[campaign]\ncase = \"cone.toml\"\n";
+
+std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    read(text, false, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void check_has(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    BOOST_TEST(message.find(part) != std::string::npos, "\"" << part << "\" is not in:\n" << message);
+}
+
+std::vector<std::string> names(const CampaignPlan& plan) {
+  std::vector<std::string> all;
+  for (const Setting& setting : plan.settings) all.push_back(setting.name);
+  return all;
+}
+
+const std::string kGrid = kBase + R"([set]
+time.duration = 30
+[[grid]]
+structure.angle = ["55 deg", "61.4 deg", "65 deg"]
+[[grid]]
+structure.speed = [0.5, 1.2]
+output.statistics_from = [16, 8]
+)";
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(campaign_plan)
+
+BOOST_AUTO_TEST_CASE(a_plan_without_a_grid_has_one_setting_with_the_name_of_its_case) {
+  const CampaignPlan plan = read(kBase);
+  BOOST_TEST(plan.replicates == 1);
+  BOOST_TEST(plan.keep == "summary");
+  BOOST_TEST(plan.columns == kColumns, boost::test_tools::per_element());
+  BOOST_REQUIRE(plan.settings.size() == 1u);
+  BOOST_TEST(plan.settings[0].name == "base");
+  BOOST_TEST(plan.settings[0].resolved.name == "cone");
+  BOOST_TEST(plan.settings[0].resolved.structure.speed == 1.202);
+}
+
+BOOST_AUTO_TEST_CASE(the_settings_are_all_combinations_the_last_axis_fastest) {
+  const CampaignPlan plan = read(kGrid);
+  const std::vector<std::string> expected{"angle-55deg_speed-0.5",   "angle-55deg_speed-1.2", "angle-61.4deg_speed-0.5",
+                                          "angle-61.4deg_speed-1.2", "angle-65deg_speed-0.5", "angle-65deg_speed-1.2"};
+  BOOST_TEST(names(plan) == expected, boost::test_tools::per_element());
+  const Setting& setting = plan.settings[3];
+  BOOST_TEST(setting.resolved.name == "cone_angle-61.4deg_speed-1.2");
+  BOOST_TEST(setting.resolved.structure.speed == 1.2);
+  BOOST_TEST(setting.resolved.time.duration == 30.0);
+  BOOST_TEST(*setting.resolved.output.statistics_from == 8.0);
+  // The keys in the order of the file, the values from the resolved case: an angle in rad.
+  BOOST_REQUIRE(plan.keys.size() == 3u);
+  BOOST_TEST(plan.keys[0].name == "structure.angle");
+  BOOST_TEST(plan.keys[0].unit == "rad");
+  BOOST_TEST(plan.keys[1].name == "structure.speed");
+  BOOST_TEST(*setting.values[0].number == setting.resolved.structure.angle);
+  BOOST_TEST(setting.values[2].text == "8");
+}
+
+BOOST_AUTO_TEST_CASE(the_base_case_may_stand_in_the_plan) {
+  std::string inside;
+  for (std::string rest = kLeastCase; !rest.empty();) {
+    const std::string line = rest.substr(0, rest.find('\n'));
+    rest.erase(0, line.size() + 1);
+    inside += (line.starts_with('[') ? "[case." + line.substr(1) : line) + "\n";
+  }
+  const CampaignPlan plan = read(inside + "[set]\nice.thickness = 0.4\n");
+  BOOST_TEST(plan.settings[0].resolved.name == "plan");
+  BOOST_TEST(plan.settings[0].resolved.ice.thickness == 0.4);
+}
+
+BOOST_AUTO_TEST_CASE(labels_name_the_values) {
+  const CampaignPlan plan = read(kBase + "[[grid]]\nlabels = [\"few\", \"many\"]\nfailure.wedges = [[3, 3], [3, 5]]\n");
+  BOOST_TEST(names(plan) == (std::vector<std::string>{"few", "many"}), boost::test_tools::per_element());
+  BOOST_TEST(plan.settings[0].values[0].text == "3 3");
+  BOOST_TEST(!plan.settings[0].values[0].number);
+}
+
+BOOST_AUTO_TEST_CASE(the_quick_variant_takes_fewer_points_and_replicates_and_no_stop_rule) {
+  const std::string text = kGrid + "[stop]\nhalf_width = 0.05\nmost_replicates = 20\n" +
+                           "[quick]\nreplicates = 2\npoints = 2\nset.time.duration = 17\n";
+  const std::string long_plan = "[campaign]\ncase = \"cone.toml\"\nreplicates = 5\n" + text.substr(kBase.size());
+  const CampaignPlan quick = read(long_plan, true);
+  BOOST_TEST(quick.replicates == 2);
+  BOOST_TEST(!quick.stop);
+  BOOST_TEST(names(quick) == (std::vector<std::string>{"angle-55deg_speed-0.5", "angle-55deg_speed-1.2",
+                                                       "angle-65deg_speed-0.5", "angle-65deg_speed-1.2"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(quick.settings[0].resolved.time.duration == 17.0);
+
+  const CampaignPlan whole = read(long_plan);
+  BOOST_TEST(whole.replicates == 5);
+  BOOST_TEST(whole.settings.size() == 6u);
+  BOOST_REQUIRE(whole.stop.has_value());
+  BOOST_CHECK(*whole.stop == (StopRule{"horizontal.mean", 0.05, 0.95, 20, 1}));
+}
+
+BOOST_AUTO_TEST_CASE(a_setting_does_not_depend_on_what_else_the_grid_has) {
+  const CampaignPlan many = read(kGrid);
+  const CampaignPlan few = read(kBase + "[set]\ntime.duration = 30\n[[grid]]\nstructure.angle = [\"65 deg\"]\n" +
+                                "[[grid]]\nstructure.speed = [1.2]\noutput.statistics_from = [8]\n");
+  BOOST_CHECK(few.settings[0] == many.settings[5]);
+}
+
+BOOST_AUTO_TEST_CASE(the_command_line_comes_last) {
+  BOOST_TEST(read(kGrid, false, {"structure.speed=2"}).settings[0].resolved.structure.speed == 2.0);
+}
+
+BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_remedy) {
+  check_has(message_of(kBase + "replicate = 3\n"),
+            {"plan.toml:3:1: campaign.replicate = 3: is not a known key", "nearest: campaign.replicates"});
+  check_has(message_of(kBase + "replicates = 0\n"),
+            {"plan.toml:3:14: campaign.replicates = 0: is out of range", ">= 1"});
+  check_has(message_of("[campaign]\nreplicates = 2\n"), {"campaign.case: is missing", "add `case = \"cone.toml\"`"});
+  check_has(message_of("[campaign]\ncase = \"none.toml\"\n"), {"none.toml:1:1: case file: cannot be opened"});
+  check_has(message_of(kBase + "[set]\nspeed = 3\n"), {"plan.toml:4:9: set.speed = 3", "section.key = value"});
+  check_has(message_of(kBase + "[set]\nstructure.sped = 3\n"),
+            {"plan.toml:4:18: structure.sped = 3: is not a known key", "nearest: structure.speed"});
+  check_has(message_of(kBase + "[[grid]]\nstructure.speed = 1\n"),
+            {"plan.toml:4:19: grid.structure.speed = 1: is no array of values"});
+  check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1, 2]\nice.thickness = [0.3]\n"),
+            {"plan.toml:5:17", "has 1 values, but structure.speed has 2"});
+  check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1.0, -2.0]\n"),
+            {"setting speed--2.0:", "plan.toml:4:25: structure.speed = -2.0: is out of range"});
+  check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1.0, 1.0]\n"), {"two settings have the name speed-1.0"});
+  check_has(message_of(kBase + "[set]\nstructure.speed = 1\n[[grid]]\nstructure.speed = [1, 2]\n"),
+            {"plan.toml:6:20: structure.speed = 1: is set twice"});
+  check_has(message_of(kBase + "[[grid]]\nrandom.replicate = [1, 2]\n"),
+            {"random.replicate: is counted by the campaign"});
+  check_has(message_of(kBase, {"random.replicate=3"}), {"random.replicate: is counted by the campaign"});
+  check_has(message_of(kBase + "[output]\ncolumns = [\"horizontal.men\"]\n"),
+            {"output.columns = \"horizontal.men\": is not a column", "nearest: horizontal.mean"});
+  check_has(
+      message_of(kBase + "[stop]\nhalf_width = 0.1\nmost_replicates = 9\n"),
+      {"campaign.replicates = 1: is no least number of replicates for [stop]", "from 2 to stop.most_replicates = 9"});
+  check_has(message_of(kBase + "[stop]\nhalf_width = 0.1\n"), {"stop.most_replicates: is missing"});
+  check_has(message_of(kBase + "grid = 3\n"), {"campaign.grid = 3: is not a known key"});
+  check_has(message_of("grid = 3\n" + kBase), {"plan.toml:1:8: grid = 3: is no grid"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A report in headless Chromium: what the tests and the pictures share.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const { BRASH, BRASH_PACKAGES, BRASH_CHROMIUM = "/usr/bin/chromium" } = process.env;
+
+const kFlags = [
+  "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync", "--force-color-profile=srgb",
+];
+
+export function brash(...args) {
+  return execFileSync(BRASH, args, { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+}
+
+export function scratch() {
+  return mkdtempSync(join(tmpdir(), "brash-report-"));
+}
+
+/** Rows of a CSV file as objects of texts. */
+export function readCsv(path) {
+  const [head, ...rows] = readFileSync(path, "utf8").trim().split("\n").map((line) => line.split(","));
+  return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
+}
+
+/** Waits until `holds` does in the page, half a minute at most. The page's policy forbids what Playwright's own wait does. */
+export async function until(page, holds) {
+  for (let i = 0; i < 600; ++i) {
+    if (await page.evaluate(holds)) return;
+    await new Promise((done) => setTimeout(done, 50));
+  }
+  throw new Error(`still waiting for ${holds}`);
+}
+
+/** Opens pages in one browser. Everything that goes wrong in them, and every request, is written down. */
+export async function browse({ width = 1366, height = 768, dark = false } = {}) {
+  const { chromium } = createRequire(join(BRASH_PACKAGES, "package.json"))("playwright-core");
+  const profile = mkdtempSync(join(tmpdir(), "brash-chromium-"));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: BRASH_CHROMIUM, headless: true, args: kFlags, viewport: { width, height },
+    colorScheme: dark ? "dark" : "light", offline: true,
+  });
+  const complaints = [];
+  const requests = [];
+  context.on("request", (request) => requests.push(request.url()));
+  return {
+    context, complaints, requests,
+    async open(file) {
+      const page = await context.newPage();
+      page.on("console", (message) => {
+        // Reading pixels back, as the tests do, is slow, and the browser says so.
+        if (["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver Message|willReadFrequently/.test(message.text()))
+          complaints.push(message.text());
+      });
+      page.on("pageerror", (error) => complaints.push(String(error)));
+      await page.goto(pathToFileURL(file).href);
+      await until(page, () => window.brashReport?.readyAfter > 0);
+      return page;
+    },
+    async close() {
+      await context.close();
+      rmSync(profile, { recursive: true, force: true });
+    },
+  };
+}

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of a run, seen as its reader sees it: pixels and numbers.
+import assert from "node:assert/strict";
+import { copyFileSync, readFileSync, rmSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { brash, browse, readCsv, scratch, until } from "./browser.mjs";
+
+const kHostile = "</script><script>window.pwned = 1</script><img src=x onerror='window.pwned = 2'>";
+const folder = scratch();
+const run = join(folder, "run");
+let browser, page, summary, events, history;
+
+before(async () => {
+  // A case whose name and texts would run if anything took them for HTML.
+  const file = join(folder, "<script>window.pwned = 3<.toml");
+  copyFileSync(join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml"), file);
+  brash("run", file, "-o", run, "--set", "time.duration=4", "--set", `reference.source="${kHostile}"`);
+  summary = JSON.parse(readFileSync(join(run, "summary.json"), "utf8"));
+  events = readCsv(join(run, "events.csv")).filter((row) => row.event === "break");
+  history = readCsv(join(run, "history.csv"));
+  browser = await browse();
+  page = await browser.open(join(run, "report.html"));
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** Calls `look(report, run, argument)` in the page. */
+const ask = (look, argument) =>
+  page.evaluate(`(${look})(window.brashReport.report, window.brashReport.run, ${JSON.stringify(argument ?? null)})`);
+
+/** Colours of the replay on a coarse grid, as the reader sees them. */
+async function replayColours() {
+  const picture = (await page.locator(".stage canvas").screenshot()).toString("base64");
+  return page.evaluate(async (data) => {
+    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]));
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    const { data: pixels } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    return Array.from({ length: Math.floor(pixels.length / 124) }, (_, i) => [...pixels.slice(124 * i, 124 * i + 3)]);
+  }, picture);
+}
+
+test("the arrays in the page are those of the run's files", async () => {
+  const columns = await ask((_, r) => ({
+    b: [...r.column("event.b")], x: [...r.column("event.x")], time: [...r.column("event.time")], Fx: [...r.column("load.Fx")],
+  }));
+  for (const name of ["b", "x", "time"]) assert.deepEqual(columns[name], events.map((row) => Number(row[name])));
+  assert.deepEqual(columns.Fx, history.map((row) => Math.fround(Number(row.Fx))));
+});
+
+test("the replay shows structure, ice and water", async () => {
+  await page.getByLabel("see through").uncheck();
+  await page.waitForTimeout(100);
+  const colours = await replayColours();
+  const share = (is) => colours.filter(([r, g, b]) => is(r, g, b)).length / colours.length;
+  // The camera looks at all three; each fills far more than a twentieth of the picture.
+  assert.ok(share((r, g, b) => r > 1.4 * b && r > g) > 0.05, "no structure");
+  assert.ok(share((r, g, b) => r > 190 && g > 200 && b > 205) > 0.05, "no ice");
+  assert.ok(share((r, g, b) => b > 1.15 * r && b < 220) > 0.02, "no water");
+});
+
+test("as many floes are drawn as the events made until then", async () => {
+  const n_initial = summary.n_floes_born - events.reduce((sum, row) => sum + Number(row.pieces), 0);
+  for (const time of [0, 1.5, 2.5, 4]) {
+    const shown = await ask((report, _, t) => (report.player.seek(t), report.replay.scene.floes.nVisible), time);
+    const born = events.filter((row) => Number(row.time) <= time + 1e-9).reduce((sum, row) => sum + Number(row.pieces), n_initial);
+    const deaths = readCsv(join(run, "events.csv")).filter((row) => row.event === "deleted" && Number(row.time) <= time);
+    assert.equal(shown, born - deaths.length, `at ${time} s`);
+  }
+});
+
+test("floes at rest lie in the waterline, and where they broke off", async () => {
+  const { z, gap } = await ask((_, r) => {
+    const first = r.column("track.first"), count = r.column("track.count");
+    let start = 0, gap = 0, z = [];
+    for (let i = 0; i < r.nFloes; start += count[i++]) {
+      if (first[i] !== 0) continue;
+      z.push(r.column("track.z")[start]);
+      gap = Math.max(gap, Math.hypot(r.column("track.x")[start] - r.column("floe.birth_x")[i], r.column("track.y")[start] - r.column("floe.birth_y")[i]));
+    }
+    return { z, gap };
+  });
+  assert.ok(z.length > 0);
+  // h (1/2 - rho_i / rho_w) with 0.33 m, 900 and 1025 kg/m3; places are rounded to 1 mm.
+  for (const height of z) assert.ok(Math.abs(height - 0.33 * (0.5 - 900 / 1025)) <= 1e-3, `${height}`);
+  assert.ok(gap <= 1.5e-3);
+});
+
+test("the sheet of the replay is that of the ledger", async () => {
+  const areas = await ask((_, r) => {
+    const area = (rings) => rings.reduce((sum, ring) => sum + ring.reduce((s, [x, y], i) => {
+      const [u, v] = ring[(i + 1) % ring.length];
+      return s + 0.5 * (x * v - u * y);
+    }, 0), 0);
+    return r.sheets.map(area);
+  });
+  // Vertices are rounded to 1 mm; the boundary is about 200 m long.
+  assert.ok(Math.abs(areas.at(-1) - Number(summary.ledger.sheet)) < 0.2, `${areas.at(-1)}`);
+  for (let i = 1; i < areas.length; ++i) assert.ok(areas[i] <= areas[i - 1] + 0.05);
+});
+
+test("the means shown are those of summary.json", async () => {
+  const cells = await page.locator("#moments tbody tr").first().locator("td").allTextContents();
+  assert.deepEqual(cells.slice(1), [summary.horizontal.mean, summary.vertical.mean].map((n) => (n / 1e3).toFixed(1).replace("-", "−")));
+});
+
+test("the load history's cursor stands at the replay's time and stays in view", async () => {
+  const cursor = (time) => ask(async (report, _, t) => {
+    report.player.seek(t);
+    await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30)));
+    const plot = report.loads.chart.plot;
+    const x = Math.round(plot.valToPos(t, "x", true));
+    const column = plot.ctx.getImageData(x - 1, plot.bbox.top, 3, plot.bbox.height).data;
+    const ink = getComputedStyle(document.documentElement).getPropertyValue("--ink").trim();
+    const want = [1, 3, 5].map((i) => parseInt(ink.slice(i, i + 2), 16));
+    let dark = 0;
+    for (let i = 0; i < column.length; i += 4)
+      if (column[i + 3] > 100 && want.every((value, k) => Math.abs(column[i + k] - value) < 60)) ++dark;
+    return { share: dark / plot.bbox.height, min: plot.scales.x.min, max: plot.scales.x.max };
+  }, time);
+  assert.ok((await cursor(2)).share > 0.5);
+  await ask((report) => report.loads.chart.plot.setScale("x", { min: 0.5, max: 1 }));
+  const moved = await cursor(3);
+  assert.ok(moved.min <= 3 && moved.max >= 3 && Math.abs(moved.max - moved.min - 0.5) < 1e-6);
+  await ask((report) => report.loads.showAll());
+});
+
+test("every sample can be zoomed to", async () => {
+  await ask(async (report) => {
+    report.player.seek(2);
+    for (let i = 0; i < 20; ++i) {
+      report.loads.zoom(0.5);
+      await new Promise((done) => setTimeout(done));
+    }
+  });
+  const { span, n } = await ask(({ loads }) => {
+    const plot = loads.chart.plot;
+    return { span: plot.scales.x.max - plot.scales.x.min, n: plot.data[0].length };
+  });
+  assert.equal(n, history.length);
+  assert.ok(span <= 0.0401);
+  await ask((report) => report.loads.showAll());
+});
+
+test("a click on a load peak shows the numbers of the crack behind it", async () => {
+  const peak = history.reduce((best, row) => (Number(row.Fx) > Number(best.Fx) ? row : best));
+  const at = await ask(({ loads }, _, [t, f]) => {
+    const plot = loads.chart.plot;
+    const box = plot.over.getBoundingClientRect();
+    return [box.left + plot.valToPos(t, "x"), box.top + plot.valToPos(f, "y")];
+  }, [Number(peak.time), Number(peak.Fx) / 1e3]);
+  await page.mouse.click(at[0], at[1] + 2);
+  const card = await page.locator(".event-card").innerText();
+  const gaps = events.map((row) => Math.abs(Number(row.time) - Number(peak.time)));
+  const nearest = events.filter((_, i) => gaps[i] <= Math.min(...gaps) + 1e-6);
+  const event = nearest.reduce((best, row) => (row.p * row.c > best.p * best.c ? row : best));
+  assert.match(card, new RegExp(`Crack ${events.indexOf(event) + 1} of ${events.length}`));
+  for (const name of ["b", "c", "mu1", "l_break"]) {
+    const shown = await page.locator(".numbers div", { has: page.locator(`dt:text-is("${{ mu1: "μ₁" }[name] ?? name}")`) }).locator("dd").innerText();
+    assert.equal(Number(shown.replace(" m", "").replace("−", "-")), Number(Number(event[name]).toPrecision(4)), name);
+  }
+  assert.ok(card.includes((Number(peak.Fx) / 1e3).toFixed(1)), "the peak's load is missing");
+  assert.equal(await ask((report) => report.player.time), Number(peak.time));
+  assert.equal(await page.locator(".breaks .chosen").count(), 1);
+});
+
+test("the fitted trapezoid has the depth, tip and angle of the event", async () => {
+  const data = await page.locator(".event-body .trapezoid").getAttribute("d");
+  const points = data.match(/-?[\d.]+ -?[\d.]+/g).map((pair) => pair.split(" ").map(Number));
+  const index = Number((await page.locator(".event-card strong").innerText()).match(/\d+/)[0]) - 1;
+  const distance = ([a, b], [c, d]) => Math.hypot(a - c, b - d);
+  // The path is written to the millimetre.
+  assert.ok(Math.abs(distance(points[0], points[3]) - events[index].c) < 2e-3);
+  assert.ok(Math.abs(distance(points[1], points[2]) - events[index].c - 2 * events[index].b * Math.tan(events[index].theta / 2)) < 4e-3);
+});
+
+test("keys play, step and change the view", async () => {
+  await page.locator("body").click({ position: { x: 5, y: 5 } });
+  await ask((report) => report.player.seek(1));
+  await page.keyboard.press("ArrowRight");
+  const next = await ask((_, r) => r.column("frame.time").find((time) => time > 1 + 1e-9));
+  assert.equal(await ask((report) => report.player.time), next);
+  await page.keyboard.press("Space");
+  assert.equal(await ask((report) => report.player.playing), true);
+  await until(page, () => window.brashReport.report.player.time > 1.15);
+  await page.keyboard.press("Space");
+  assert.equal(await ask((report) => report.player.playing), false);
+  const place = () => ask((report) => report.replay.scene.camera.position.toArray());
+  const before = await place();
+  await page.keyboard.press("3");
+  assert.notDeepEqual(await place(), before);
+  await page.keyboard.press("1");
+});
+
+test("floes can be coloured by contact force and age", async () => {
+  for (const choice of ["force", "age", "cause"]) {
+    await page.locator("#colouring").selectOption(choice);
+    assert.equal(await ask((report) => report.replay.scene.floes.colouring), choice);
+    assert.ok((await page.locator(".legend span").count()) >= 2);
+  }
+});
+
+test("light and dark differ in page, replay and charts", async () => {
+  const sky = async () => (await replayColours())[40];
+  const look = async () => [await page.evaluate(() => getComputedStyle(document.body).backgroundColor), ...(await sky())];
+  await ask((report) => report.replay.scene.look("Side"));
+  const light = await look();
+  await page.getByLabel("Colours").selectOption("dark");
+  await page.waitForTimeout(100);
+  const dark = await look();
+  assert.notEqual(light[0], dark[0]);
+  assert.ok(dark[1] + dark[2] + dark[3] < light[1] + light[2] + light[3] - 200);
+  await page.getByLabel("Colours").selectOption("light");
+});
+
+test("texts of the case are shown and not run", async () => {
+  assert.equal(await page.evaluate(() => window.pwned), undefined);
+  assert.equal(await page.locator("h1").innerText(), "<script>window.pwned = 3<");
+  assert.ok((await page.locator("#inputs").innerText()).includes(kHostile));
+});
+
+test("nothing is complained about, nothing is asked of a network, and the file is small", () => {
+  assert.deepEqual(browser.complaints, []);
+  assert.deepEqual(browser.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
+  assert.ok(statSync(join(run, "report.html")).size < 2e6);
+});
