@@ -18,6 +18,7 @@ void add_arms(const CLI::App& app, const std::string& path, std::string& arms, s
     add_arms(*command, below, arms, paths);
   }
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;
     for (const std::string& name : option->get_snames()) words.push_back('-' + name);
     for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
   }

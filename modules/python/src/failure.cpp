@@ -196,7 +196,9 @@ void add_criterion(py::module_& m) {
 model: network, superposition, plate, plate-outline or wedge; left out, that of the case.)")
       .def(py::init([](const Case& c, const py::object& model) {
              const io::FailureSection& section = c.resolved.failure;
-             if (model.is_none()) return failure::make_criterion(section.model, section.file, ice_of(c));
+             const failure::BendingOptions options{.second_order = section.second_order,
+                                                   .radial_first = section.order == "radial-first"};
+             if (model.is_none()) return failure::make_criterion(section.model, section.file, ice_of(c), options);
              return failure::make_criterion(model.cast<std::string>(), "", ice_of(c));
            }),
            py::arg("case"), py::arg("model") = py::none())

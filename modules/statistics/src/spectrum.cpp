@@ -69,6 +69,8 @@ Spectrum welch_spectrum(std::span<const double> samples, double dt, std::size_t 
 
 Spectrum welch_spectrum(const Pieces& pieces, double dt, std::size_t segment) {
   BRASH_EXPECTS(segment >= 4 && dt > 0.0, segment, dt);
+  // Before anything of that size is made.
+  BRASH_EXPECTS(std::ranges::any_of(pieces, [&](const auto piece) { return piece.size() >= segment; }), segment);
   quiet_gsl();
   const RealTransform transform(segment);
   const std::vector<double> window = hann(segment);
@@ -87,7 +89,6 @@ Spectrum welch_spectrum(const Pieces& pieces, double dt, std::size_t segment) {
       ++spectrum.n_segments;
     }
   }
-  BRASH_EXPECTS(spectrum.n_segments > 0, segment);
 
   const double scale = dt / (window_power * static_cast<double>(spectrum.n_segments));
   for (std::size_t k = 0; k < spectrum.density.size(); ++k) {

@@ -124,7 +124,7 @@ class Runs(unittest.TestCase):
         def interrupt(*_):
             raise KeyboardInterrupt
 
-        case = brash.Case.from_file(CONE, {"time.duration": "6 s"})
+        case = brash.Case.from_file(CONE, {"time.duration": "4 s"})
         before = signal.signal(signal.SIGALRM, interrupt)
         self.addCleanup(signal.signal, signal.SIGALRM, before)
         signal.setitimer(signal.ITIMER_REAL, 0.3)

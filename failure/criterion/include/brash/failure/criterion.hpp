@@ -88,7 +88,7 @@ class BendingCriterion {
   virtual bool needs_outline() const { return false; }
 };
 
-/// What goes beyond the paper's criterion. docs/theory/failure.md
+/// What goes beyond the paper's criterion. docs/theory/failure.md, (4)
 struct BendingOptions {
   /// The in-plane force N acts on the bent plate: `plate` and `plate-outline`. A plate that buckles under N fails.
   bool second_order = false;

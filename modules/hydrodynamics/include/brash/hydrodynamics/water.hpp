@@ -80,7 +80,7 @@ struct StepInertia {
 /// steady velocity, and it never reverses a motion.
 ///
 /// @param neighbours  convex bodies near the floe that may shade it, world frame.
-/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8).
+/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8), (H9).
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
                      const StepInertia& step = {}, std::span<const Solid> neighbours = {});
 
