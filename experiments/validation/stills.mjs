@@ -24,7 +24,7 @@ await page.addStyleTag({
 });
 await page.waitForTimeout(300);
 for (const [i, [part, view]] of kStills.entries()) {
-  const time = await page.evaluate(async ([share, name]) => {
+  const { time, still } = await page.evaluate(([share, name]) => {
     const { player, replay } = window.brashReport.report;
     const { scene } = replay;
     scene.follow = false;
@@ -33,12 +33,10 @@ for (const [i, [part, view]] of kStills.entries()) {
     scene.look(name);
     if (name === "Wake") scene.camera.position.sub(scene.controls.target).multiplyScalar(1.15).add(scene.controls.target);
     player.seek(share * player.duration);
-    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-    return player.time;
+    return { time: player.time, still: replay.still() };
   }, [part, view]);
-  await page.waitForTimeout(200);
   const path = join(pictures, `replay-${i + 1}.png`);
-  writeFileSync(path, await page.screenshot({ clip: { x: 0, y: 0, width: kWidth, height: kHeight } }));
+  writeFileSync(path, Buffer.from(still.split(",")[1], "base64"));
   console.log(`${path}: ${time.toFixed(2)} s, ${view}`);
 }
 await browser.close();

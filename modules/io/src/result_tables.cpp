@@ -18,12 +18,12 @@ void write_cracked_sheets(NetcdfWriter& file, const std::vector<CrackedSheet>& s
   std::vector<std::vector<std::vector<Vec2>>> polygons;
   for (const CrackedSheet& sheet : sheets) polygons.push_back(sheet.rings);
   write_rows(file, sheets);
-  write_polygons(file, "cracked_sheet", "cracked_sheet", {"m", "sheet frame"}, polygons);
+  write_polygons(file, "cracked_sheet_outline", "cracked_sheet", {"m", "sheet frame"}, polygons);
 }
 
 std::vector<CrackedSheet> read_cracked_sheets(const NetcdfReader& file) {
   std::vector<CrackedSheet> sheets = read_rows<CrackedSheet>(file);
-  auto polygons = read_polygons<Vec2>(file, "cracked_sheet", "cracked_sheet");
+  auto polygons = read_polygons<Vec2>(file, "cracked_sheet_outline", "cracked_sheet");
   for (std::size_t i = 0; i < sheets.size(); ++i) sheets[i].rings = std::move(polygons[i]);
   return sheets;
 }

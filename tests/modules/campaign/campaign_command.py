@@ -12,7 +12,7 @@ import time
 import unittest
 from pathlib import Path
 
-from files import PLAN, different
+from files import DATABASE_PLAN, PLAN, different
 
 BRASH, FOLDER = sys.argv[1], Path(sys.argv[2]).resolve()
 
@@ -119,6 +119,14 @@ class Command(unittest.TestCase):
                          ("failed", ""))
         self.assertGreater(float(rows["speed-1.2_good-r0001"]["horizontal.mean"]), 0.0)
         self.assertEqual([p.name for p in (folder / "cases").glob("*.part")], [])
+
+    def test_the_failure_database_of_several_processes_is_that_of_one(self):
+        one, several = FOLDER / "one.nc", FOLDER / "several.nc"
+        for output, jobs in ((one, "1"), (several, "2")):
+            subprocess.run([BRASH, "failure", "database", DATABASE_PLAN, "-o", output, "--jobs", jobs], check=True,
+                           capture_output=True)
+        self.assertEqual(one.read_bytes(), several.read_bytes())
+        self.assertFalse((FOLDER / "several.nc.chunks").exists())
 
     def test_the_tables_agree_with_each_other(self):
         import netCDF4

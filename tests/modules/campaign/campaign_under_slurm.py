@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 import cluster
-from files import PLAN, different
+from files import DATABASE_PLAN, PLAN, different
 
 SKIPPED = 77
 
@@ -124,6 +124,19 @@ def with_faults(campaign, folder, env):
     return waiting.wait()
 
 
+def database_under_slurm(brash, folder, env):
+    """The failure database has the bytes that it has without Slurm."""
+    here, there = folder / "here.nc", folder / "there.nc"
+    command = [brash, "failure", "database", DATABASE_PLAN, "-o"]
+    subprocess.run([*command, here], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([*command, there, "--on", "slurm", "--jobs", "2"], check=True, stdout=subprocess.DEVNULL, env=env)
+    end = time.monotonic() + 120
+    while not there.exists() and time.monotonic() < end:
+        time.sleep(0.1)
+    if here.read_bytes() != there.read_bytes():
+        raise RuntimeError("the failure database differs")
+
+
 def main():
     brash, folder, faults = sys.argv[1], Path(sys.argv[2]).resolve(), "--faults" in sys.argv[3:]
     shutil.rmtree(folder, ignore_errors=True)
@@ -146,6 +159,7 @@ def main():
                 print(f"the command that waited ended with exit code {code}")
         else:
             there.run("--on", "slurm", "--jobs", "4", "--wait", env=env)
+            database_under_slurm(brash, folder, env)
         status = there.status()
         rounds = json.loads((there.folder / "slurm" / "submitted.json").read_text(encoding="utf-8"))
         print(f"{status}, {len(rounds)} rounds of jobs: {[r['n_jobs'] for r in rounds]}")

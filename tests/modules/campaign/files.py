@@ -4,6 +4,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PLAN = HERE / "plan.toml"
+DATABASE_PLAN = HERE / "database_plan.toml"
 #: What may differ between two runs of one campaign: times and hosts, locks.
 VOLATILE = {"manifest.json", "campaign.lock"}
 

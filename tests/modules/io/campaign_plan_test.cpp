@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_r
   check_has(message_of("[campaign]\ncase = \"none.toml\"\n"), {"none.toml:1:1: case file: cannot be opened"});
   check_has(message_of(kBase + "[set]\nspeed = 3\n"), {"plan.toml:4:9: set.speed = 3", "section.key = value"});
   check_has(message_of(kBase + "[set]\nstructure.sped = 3\n"),
-            {"plan.toml:4:1: structure.sped = 3: is not a known key", "nearest: structure.speed"});
+            {"plan.toml:4:18: structure.sped = 3: is not a known key", "nearest: structure.speed"});
   check_has(message_of(kBase + "[[grid]]\nstructure.speed = 1\n"),
             {"plan.toml:4:19: grid.structure.speed = 1: is no array of values"});
   check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1, 2]\nice.thickness = [0.3]\n"),
