@@ -12,6 +12,7 @@
 #include "brash/io/results.hpp"
 #include "brash/statistics/random.hpp"
 #include "load_history.hpp"
+#include "closed_forms.hpp"
 #include "stats_commands.hpp"
 
 namespace {
