@@ -51,7 +51,7 @@ for name, variable in run.variables.items():
 
 # The page names every variable; families of a vector's components are named by their first and last.
 page = (pathlib.Path(__file__).parents[3] / "docs/reference/outputs.md").read_text(encoding="utf-8")
-families = ("crushing_", "floe_normal_", "floe_friction_", "frame_structure_")
+families = ("crushing_", "floe_birth_", "floe_normal_", "floe_friction_", "frame_structure_")
 for name in run.variables:
     assert f"`{name}`" in page or name.startswith(families), name
 
