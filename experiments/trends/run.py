@@ -126,7 +126,7 @@ def claims(brash):
         return list(study.groups(grid, ANGLE, FORCE, structure__speed=speed).values())
 
     at_61 = list(study.groups(speeds, SPEED, FORCE).values())
-    ends = {50: of_angle(50), 55: of_angle(55), 61.4: at_61, 65: of_angle(65), 70: of_angle(70)}
+    ends = {50: of_angle(50), 61.4: at_61, 65: of_angle(65), 70: of_angle(70)}
     rise = {angle: (group[0], group[-1]) for angle, group in ends.items()}
     return [
         monotone(brash, "cone_angle", "the mean rises with the cone angle", ANGLE, FORCE),
