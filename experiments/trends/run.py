@@ -25,7 +25,8 @@ LITTLE = 0.25  # a load that changes by less than this over a whole range change
 NEARLY = 0.10  # "nearly independent"
 PAPER_RATIO = 0.491
 ANGLE, SPEED, WIDTH, THICKNESS = "structure.angle", "structure.speed", "structure.waterline_width", "ice.thickness"
-FORCE, VERTICAL, FREQUENCY = "horizontal.mean", "vertical.mean", "mean_frequency"
+FORCE, VERTICAL = "horizontal.mean", "vertical.mean"
+FREQUENCY, CONTENT = "mean_frequency", "high_frequency_deviation"
 
 
 def recorded(experiment):
@@ -131,9 +132,11 @@ def claims(brash):
     return [
         monotone(brash, "cone_angle", "the mean rises with the cone angle", ANGLE, FORCE),
         steepens("cone_angle", "and faster at large angles", study.groups(angles, ANGLE, FORCE), math.radians(61.4)),
-        monotone(brash, "cone_angle", "larger angles have higher frequencies", ANGLE, FREQUENCY),
+        monotone(brash, "cone_angle", "larger angles have a higher mean frequency", ANGLE, FREQUENCY),
+        monotone(brash, "cone_angle", "larger angles have a larger deviation above 2 Hz", ANGLE, CONTENT),
         monotone(brash, "velocity", "the mean rises with the speed", SPEED, FORCE),
-        monotone(brash, "velocity", "higher speeds have higher frequencies", SPEED, FREQUENCY),
+        monotone(brash, "velocity", "higher speeds have a higher mean frequency", SPEED, FREQUENCY),
+        monotone(brash, "velocity", "higher speeds have a larger deviation above 2 Hz", SPEED, CONTENT),
         flat("angle_velocity", f"at 50 deg the speed has little influence (< {LITTLE:.0%})", ends[50], LITTLE),
         monotone(brash, "angle_velocity", "at 65 deg the mean rises with the speed", SPEED, FORCE, "angle-65deg_*"),
         monotone(brash, "angle_velocity", "at 70 deg the mean rises with the speed", SPEED, FORCE, "angle-70deg_*"),
