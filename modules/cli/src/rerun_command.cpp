@@ -45,7 +45,7 @@ std::vector<Recorded> files_of(const json& list) {
 
 Manifest read_manifest(const std::string& path) {
   std::ifstream stream(path);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read; name the manifest.json of a run", path));
+  if (!stream || !fs::is_regular_file(path)) throw InputError(fmt::format("{}: cannot be read; name the manifest.json of a run", path));
   try {
     const json m = json::parse(stream);
     if (m.at("format") != "brash-manifest-1")

@@ -160,9 +160,7 @@ IceProperties ice_of(const Case& c) {
           .water_density = c.resolved.water.density};
 }
 
-}  // namespace
-
-void add_failure(py::module_& m) {
+void add_failure_model(py::module_& m) {
   const py::object response = named_tuple(m, "Response", "sigma_over_p lbreak_over_lc in_range",
                                           "Arrays of the common shape: sigma_max/p [-], l_break/l_c [-], and False "
                                           "where an input was moved into the model's range.");
@@ -186,7 +184,9 @@ a third of a second), or the path of a model file.
           py::arg("thickness_over_lc") = py::none(),
           "Arrays of any shapes that broadcast: b/l_c >= 0, c/l_c > 0, theta in [0, pi) [rad], mu1 > 0, mu2, and h/l_c "
           "(left out: that of the training rows; 0.1 for the plate). Returns a Response.");
+}
 
+void add_criterion(py::module_& m) {
   const py::object assessment =
       named_tuple(m, "Assessment", "fails sigma_max breaking_length in_range",
                   "Arrays of the common shape: whether the ice fails, sigma_max [Pa], l_break [m], and False where an "
@@ -211,7 +211,13 @@ model: network, superposition, plate, plate-outline or wedge; left out, that of 
           py::arg("pressure"),
           "Arrays of any shapes that broadcast: b >= 0 [m], c > 0 [m], theta in [0, pi) [rad], mu1 > 0, mu2, p >= 0 "
           "[Pa]. Returns an Assessment.");
+}
 
+}  // namespace
+
+void add_failure(py::module_& m) {
+  add_failure_model(m);
+  add_criterion(m);
   m.def(
       "characteristic_length", [](const Case& c) { return failure::characteristic_length(ice_of(c)); }, py::arg("case"),
       "l_c of the case's ice [m], Eq. 18.");

@@ -13,6 +13,7 @@
 #include "brash/statistics/random.hpp"
 #include "closed_forms.hpp"
 #include "load_history.hpp"
+#include "closed_forms.hpp"
 #include "stats_commands.hpp"
 
 namespace {
