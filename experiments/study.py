@@ -148,8 +148,8 @@ def print_table(rows, columns):
 # The quick mode: two settings, a few seconds.
 
 QUICK_COLUMNS = ["mean_whole_history.horizontal", "mean_whole_history.vertical"]
-# One case on another machine is another replicate (a last digit changes the order of breaks): so many deviations between
-# replicates are allowed, and at least this share of the mean where replicates hardly differ yet.
+# One case on another machine is another replicate (a last digit changes the order of breaks): so many deviations
+# between replicates are allowed, and at least this share of the mean where replicates hardly differ yet.
 QUICK_DEVIATIONS, QUICK_SHARE = 4.0, 0.02
 
 
@@ -162,8 +162,8 @@ def check_quick(rows, recorded):
             wrong.append(f"{row['setting']}: nothing recorded")
         for r in known:
             if abs(row[r["column"]] - r["mean"]) > max(QUICK_DEVIATIONS * r["deviation"], QUICK_SHARE * abs(r["mean"])):
-                wrong.append(f"{row['setting']}: {r['column']} is {row[r['column']]:.0f}, recorded {r['mean']:.0f} with a "
-                             f"deviation between replicates of {r['deviation']:.0f}")
+                wrong.append(f"{row['setting']}: {r['column']} is {row[r['column']]:.0f}, recorded {r['mean']:.0f} with "
+                             f"a deviation between replicates of {r['deviation']:.0f}")
     return wrong
 
 
@@ -194,7 +194,7 @@ def quick(options, folder, output):
 
 
 def main(folder, keys, columns, draw, description):
-    """Runs an experiment from its command line; `draw(rows, closed, output)` makes its pictures there and names them."""
+    """Runs an experiment from its command line; `draw(rows, closed, output, folder)` makes its pictures in `folder`."""
     options = arguments(description).parse_args()
     name = folder.name + ("-quick" if options.quick else "")
     output = options.output or Path("results") / name

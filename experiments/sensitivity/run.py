@@ -26,6 +26,8 @@ import study
 LOADS = {"horizontal.mean": "mean horizontal", "vertical.mean": "mean vertical",
          "horizontal.quantile_99": "99 % horizontal"}
 
+NUMBERS = ["mean_effect", "half_width_95", "mean_magnitude", "noise_limit", "deviation_beyond_noise"]
+
 
 def level(key, written):
     """Where a value of the table stands in the range of its input, 0 to 1; choices are evenly apart."""
@@ -104,8 +106,8 @@ def main():
     table = ranking(rows)
     print("over the whole range of each input [kN]: mean effect, 95 %, mean magnitude (noise alone), beyond noise")
     for row in table:
-        print(f"  {row['load']:24s}{row['input']:32s}{row['mean_effect'] / 1e3:8.1f} ±{row['half_width_95'] / 1e3:5.1f}"
-              f"{row['mean_magnitude'] / 1e3:8.1f} ({row['noise_limit'] / 1e3:.1f}){row['deviation_beyond_noise'] / 1e3:8.1f}")
+        effect, half, magnitude, limit, beyond = (row[name] / 1e3 for name in NUMBERS)
+        print(f"  {row['load']:24s}{row['input']:32s}{effect:8.1f} ±{half:5.1f}{magnitude:8.1f} ({limit:.1f}){beyond:8.1f}")
     target = HERE if options.record else output
     if options.record:
         study.write_rows(HERE / "recorded.csv", rows)

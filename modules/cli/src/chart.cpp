@@ -48,7 +48,8 @@ std::vector<double> ticks(const ChartAxis& axis) {
 /// A number as a tick shows it: thousands from 1000 on, powers of ten as such.
 std::string tick_text(const ChartAxis& axis, double value) {
   if (axis.logarithmic) return fmt::format("{:.4g}", value);
-  if (std::max(std::abs(axis.lower), std::abs(axis.upper)) >= 1e4 && value != 0.0) return fmt::format("{:.6g}k", value / 1e3);
+  if (std::max(std::abs(axis.lower), std::abs(axis.upper)) >= 1e4 && value != 0.0)
+    return fmt::format("{:.6g}k", value / 1e3);
   return fmt::format("{:.6g}", value);
 }
 

@@ -63,6 +63,7 @@ CaseTable read_cases(const std::string& given) {
   if (!file)
     throw InputError(fmt::format("{}: cannot be read; give the folder of a campaign that is done", table.path));
   for (std::string line; std::getline(file, line);) {
+    if (line.ends_with('\r')) line.pop_back();
     Row cells = cells_of(line);
     if (table.names.empty()) {
       table.names = std::move(cells);

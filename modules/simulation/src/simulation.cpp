@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
@@ -270,13 +271,17 @@ const StageTimes& Simulation::stage_times() const { return impl_->times; }
 
 io::Frame Simulation::frame() const {
   io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
-  std::map<BodyId, double> contact_force;
+  std::map<BodyId, std::vector<double>> forces;
   for (const rigid_body::ContactLoad& contact : impl_->world.contacts()) {
-    contact_force[contact.body] += contact.normal_force;
-    contact_force[contact.other] += contact.normal_force;
+    forces[contact.body].push_back(contact.normal_force);
+    forces[contact.other].push_back(contact.normal_force);
   }
-  for (const auto& [body, floe] : impl_->floes.floes())
-    frame.floes.push_back({floe.id, impl_->world.pose(body), contact_force[body]});
+  for (const auto& [body, floe] : impl_->floes.floes()) {
+    // Summed in the order of their sizes: that of the contacts names tiles of the sheet, which a resumed run lays anew.
+    std::vector<double>& on_floe = forces[body];
+    std::ranges::sort(on_floe);
+    frame.floes.push_back({floe.id, impl_->world.pose(body), std::accumulate(on_floe.begin(), on_floe.end(), 0.0)});
+  }
   return frame;
 }
 

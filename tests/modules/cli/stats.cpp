@@ -11,7 +11,9 @@
 #include "brash/core/error.hpp"
 #include "brash/io/results.hpp"
 #include "brash/statistics/random.hpp"
+#include "closed_forms.hpp"
 #include "load_history.hpp"
+#include "closed_forms.hpp"
 #include "stats_commands.hpp"
 
 namespace {
@@ -220,6 +222,19 @@ BOOST_AUTO_TEST_CASE(the_validation_cone_has_its_known_peaks) {
                  loads[0]["horizontal"].get<double>() / loads[0]["vertical"].get<double>(),
              tolerance(1e-12));  // the same slope and friction
   BOOST_TEST(contains(loads_text(closed_form_loads(validation_cone())), "Croasdale"));
+}
+
+BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
+  const std::string cone = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
+  const io::Case ship = io::read_case(cone, {"hull.length=75.2", "hull.breadth=18", "hull.draught=6.5",
+                                             "hull.stem_angle=30 deg", "hull.waterline_angle=35 deg"});
+  const auto load = closed_form_loads(ship)["loads"].back();
+  BOOST_TEST(load["source"].get<std::string>() == "Lindqvist 1989");
+  const auto& parts = load["components"];
+  BOOST_TEST(load["horizontal"].get<double>() >
+             parts["R_c"].get<double>() + parts["R_b"].get<double>() + parts["R_s"].get<double>());
+  BOOST_TEST(contains(loads_text(closed_form_loads(ship)), "Lindqvist"));
+  BOOST_CHECK_THROW(io::read_case(cone, {"hull.length=75.2"}), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {

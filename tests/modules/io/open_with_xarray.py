@@ -46,12 +46,12 @@ assert run["final_sheet_part_node_count"].values.tolist() == [4, 3]
 # Every variable has a unit and a meaning.
 for name, variable in run.variables.items():
     assert variable.attrs["long_name"], name
-    if name != "floe_outline":
+    if name not in ("floe_outline", "cracked_sheet_outline"):
         assert variable.attrs["units"], name
 
 # The page names every variable; families of a vector's components are named by their first and last.
 page = (pathlib.Path(__file__).parents[3] / "docs/reference/outputs.md").read_text(encoding="utf-8")
-families = ("crushing_", "floe_normal_", "floe_friction_", "frame_structure_")
+families = ("crushing_", "floe_birth_", "floe_normal_", "floe_friction_", "frame_structure_")
 for name in run.variables:
     assert f"`{name}`" in page or name.startswith(families), name
 

@@ -64,8 +64,8 @@ RatioComparison compare_deviations(const Summary& squares_a, const Summary& squa
 /// Kolmogorov and Smirnov's test that two independent samples have one distribution. Statistic: the largest distance
 /// of the two shares; exact p without ties, too large with them.
 ///
-/// @param a, b  not empty; time grows as the product of the counts. Samples of a history are independent when they are
-///              two autocorrelation times apart.
+/// @param a, b  not empty; time grows as the product of the counts. Samples of a history are nearly independent when
+///              they are four autocorrelation times apart.
 TestResult kolmogorov_smirnov(std::span<const double> a, std::span<const double> b);
 
 /// Mann and Whitney's test that neither sample tends to larger values; statistic U of `a`; two-sided, normal with
