@@ -142,7 +142,6 @@ def of_angles_and_speeds(brash):
     slow = list(study.groups(grid, ANGLE, FORCE, structure__speed=0.5).values())
     return [
         flat("angle_velocity", f"at 50 deg the speed has little influence (< {LITTLE:.0%})", at_50, LITTLE),
-        monotone(brash, "angle_velocity", "at 65 deg the mean rises with the speed", SPEED, FORCE, "angle-65deg_*"),
         monotone(brash, "angle_velocity", "at 70 deg the mean rises with the speed", SPEED, FORCE, "angle-70deg_*"),
         stronger("angle_velocity", "the speed acts more at 61.4 than at 50 deg", at_61, at_50),
         stronger("angle_velocity", "the speed acts more at 70 than at 50 deg", at_70, at_50),

@@ -28,9 +28,12 @@ export function readCsv(path) {
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
 }
 
-/** Waits until `holds` does in the page, half a minute at most. The page's policy forbids what Playwright's own wait does. */
+/** Software draws the replay, and a busy machine draws it slowly [ms]. */
+const kPatience = 300e3;
+
+/** Waits until `holds` does in the page. The page's policy forbids what Playwright's own wait does. */
 export async function until(page, holds) {
-  for (let i = 0; i < 600; ++i) {
+  for (const start = Date.now(); Date.now() - start < kPatience; ) {
     if (await page.evaluate(holds)) return;
     await new Promise((done) => setTimeout(done, 50));
   }
@@ -45,6 +48,7 @@ export async function browse({ width = 1366, height = 768, dark = false } = {}) 
     executablePath: BRASH_CHROMIUM, headless: true, args: kFlags, viewport: { width, height },
     colorScheme: dark ? "dark" : "light", offline: true,
   });
+  context.setDefaultTimeout(kPatience);
   const complaints = [];
   const requests = [];
   context.on("request", (request) => requests.push(request.url()));
