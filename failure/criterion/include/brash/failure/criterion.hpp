@@ -101,8 +101,7 @@ struct BendingOptions {
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
 ///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
 /// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h,
-/// but
-///   for the h / l_c of the shear flexibility, which is moved into the model's range.
+///   but for the h / l_c of the shear flexibility, which is moved into the model's range.
 /// - `plate`: the floating plate solved for each load case (about a third of a second each). Where the superposition
 ///   that comes with the program says less than 80 % of the strength (less with options), its answer is taken instead.
 /// - `plate-outline`: the same on the load's outline, simplified to min(0.02 l_c, c/4); where it cannot be meshed, or
