@@ -21,16 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
-/// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is crushed
-/// (sigma/p >= 0.25) it is wrong by less than 5 % on geometries that it has not seen: docs/theory/meta-model.md.
+/// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is
+/// crushed (sigma/p >= 0.25) it is wrong by less than 5 % on geometries that it has not seen:
+/// docs/theory/meta-model.md.
 constexpr double kPlateMargin = 1.25;
 /// The same for the outline, which may differ more from its trapezoid.
 constexpr double kOutlineMargin = 3.0;
 /// A split sheet has up to 1.3 times the stress of a whole one.
 constexpr double kSplitMargin = 1.5;
-/// Below half of sqrt(k D), the least buckling load of a free edge, N raises bending to less than 1 / (1 - 0.5).
-constexpr double kHarmlessInPlaneLoad = 0.5;
-constexpr double kSecondOrderMargin = 2.0;
 
 void expect_valid(const IceProperties& ice) {
   BRASH_EXPECTS(ice.thickness > 0.0 && ice.youngs_modulus > 0.0, ice.thickness, ice.youngs_modulus);
@@ -54,16 +52,9 @@ fs::path shipped_models() {
 std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exact, const IceProperties& ice,
                                            const BendingOptions& options, double margin) {
   if (options.radial_first) margin *= kSplitMargin;
-  Screen screen{.harmless_stress = ice.flexural_strength / margin,
-                .harmless_pressure = std::numeric_limits<double>::infinity()};
-  if (options.second_order) {
-    const double l_c = characteristic_length(ice);
-    screen.harmless_stress /= kSecondOrderMargin;
-    screen.harmless_pressure =
-        kHarmlessInPlaneLoad * ice.water_density * kGravity * l_c * l_c / ice.thickness;  // sqrt(k D) = k l_c^2
-  }
-  return make_screened_criterion(make_superposition_criterion(model_path("superposition", ""), ice), std::move(exact),
-                                 screen);
+  return make_screened_criterion(
+      make_superposition_criterion(model_path("superposition", ""), ice, {.second_order = options.second_order}),
+      std::move(exact), ice.flexural_strength / margin);
 }
 
 void refuse_options(const std::string& model, const BendingOptions& options) {
@@ -71,10 +62,11 @@ void refuse_options(const std::string& model, const BendingOptions& options) {
     throw InputError(
         fmt::format("failure.order = \"radial-first\" is not for failure.model = \"{}\"; it needs \"plate\"", model));
   }
-  if (options.second_order && model != "plate" && model != "plate-outline") {
-    throw InputError(fmt::format(
-        "failure.second_order = true is not for failure.model = \"{}\"; it needs \"plate\" or \"plate-outline\"",
-        model));
+  if (options.second_order && (model == "network" || model == "wedge")) {
+    throw InputError(
+        fmt::format("failure.second_order = true is not for failure.model = \"{}\"; it needs "
+                    "\"superposition\", \"plate\" or \"plate-outline\"",
+                    model));
   }
 }
 
@@ -124,7 +116,7 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
   expect_valid(ice);
   refuse_options(model, options);
   if (model == "network") return make_network_criterion(model_path(model, file), ice);
-  if (model == "superposition") return make_superposition_criterion(model_path(model, file), ice);
+  if (model == "superposition") return make_superposition_criterion(model_path(model, file), ice, options);
   if (model == "plate") return screened(make_plate_criterion(ice, options), ice, options, kPlateMargin);
   if (model == "plate-outline") {
     return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);

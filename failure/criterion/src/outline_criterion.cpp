@@ -94,7 +94,7 @@ class OutlineCriterion final : public BendingCriterion {
                               .contact_length = load.contact_length / l_c_,
                               .thickness = thickness_over_lc,
                               .poisson_ratio = ice_.poisson_ratio,
-                              .in_plane_load = in_plane_load(ice_, l_c_, load, options_)};
+                              .in_plane_load = in_plane_load(ice_, l_c_, load.pressure, options_)};
     auto profiles = plate::solve_outline(sheet);
     const bool buckled = !profiles && profiles.error().buckled;
     if (buckled) {

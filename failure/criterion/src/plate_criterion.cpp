@@ -29,10 +29,10 @@ plate::UnitProfiles solve(const plate::WedgePlate& wedge, bool& buckled) {
 
 }  // namespace
 
-double in_plane_load(const IceProperties& ice, double l_c, const LoadCase& load, const BendingOptions& options) {
+double in_plane_load(const IceProperties& ice, double l_c, double pressure, const BendingOptions& options) {
   if (!options.second_order) return 0.0;
   const double k = ice.water_density * kGravity;  // sqrt(k D) = k l_c^2
-  return load.pressure * ice.thickness / (k * l_c * l_c);
+  return pressure * ice.thickness / (k * l_c * l_c);
 }
 
 Assessment assess_trapezoid(const IceProperties& ice, double l_c, const LoadCase& load, const BendingOptions& options) {
@@ -41,7 +41,7 @@ Assessment assess_trapezoid(const IceProperties& ice, double l_c, const LoadCase
                           .angle = load.angle,
                           .thickness = ice.thickness / l_c,
                           .poisson_ratio = ice.poisson_ratio,
-                          .in_plane_load = in_plane_load(ice, l_c, load, options)};
+                          .in_plane_load = in_plane_load(ice, l_c, load.pressure, options)};
   Assessment answer;
   plate::Response r = plate::respond(solve(wedge, answer.buckled), wedge.thickness, load.mu1, load.mu2);
   if (options.radial_first && r.sigma_radial_over_p * load.pressure > ice.flexural_strength) {

@@ -10,17 +10,16 @@ namespace {
 class ScreenedCriterion final : public BendingCriterion {
  public:
   ScreenedCriterion(std::unique_ptr<BendingCriterion> fast, std::unique_ptr<BendingCriterion> exact,
-                    const Screen& screen)
-      : fast_(std::move(fast)), exact_(std::move(exact)), screen_(screen) {}
+                    double harmless_stress)
+      : fast_(std::move(fast)), exact_(std::move(exact)), harmless_stress_(harmless_stress) {}
 
   bool needs_outline() const override { return exact_->needs_outline(); }
 
   Assessment assess(const LoadCase& load) const override {
-    if (load.pressure > 0.0 && load.pressure < screen_.harmless_pressure) {
+    if (load.pressure > 0.0) {
       const Assessment quick = fast_->assess(load);
-      if (!quick.above_range && quick.sigma_max < screen_.harmless_stress) {
+      if (!quick.above_range && !quick.buckled && quick.sigma_max < harmless_stress_)
         return {.sigma_max = quick.sigma_max, .breaking_length = quick.breaking_length};
-      }
     }
     return exact_->assess(load);
   }
@@ -28,15 +27,15 @@ class ScreenedCriterion final : public BendingCriterion {
  private:
   std::unique_ptr<BendingCriterion> fast_;
   std::unique_ptr<BendingCriterion> exact_;
-  Screen screen_;
+  double harmless_stress_;  ///< [Pa]
 };
 
 }  // namespace
 
 std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<BendingCriterion> fast,
                                                           std::unique_ptr<BendingCriterion> exact,
-                                                          const Screen& screen) {
-  return std::make_unique<ScreenedCriterion>(std::move(fast), std::move(exact), screen);
+                                                          double harmless_stress) {
+  return std::make_unique<ScreenedCriterion>(std::move(fast), std::move(exact), harmless_stress);
 }
 
 }  // namespace brash::failure

@@ -72,7 +72,8 @@ std::vector<DesignPoint> design(const Plan& plan) {
                    .angle = at(plan.theta, u[2]),
                    .thickness = at(plan.thickness_over_lc, u[3]),
                    .poisson_ratio = plan.poisson_ratio,
-                   .theory = plan.theory};
+                   .theory = plan.theory,
+                   .with_in_plane_terms = true};
     for (int r = 0; r < plan.rows_per_geometry; ++r) {
       const auto v = loads.next();
       point.loads.push_back({at(plan.mu1, v[0]), at(plan.mu2, v[1])});

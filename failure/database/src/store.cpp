@@ -28,7 +28,7 @@ struct Variable {
   double& (*value)(Owner&, Index...);
 };
 
-constexpr std::array<Variable<Record>, 7> kRecordVariables{{
+constexpr std::array<Variable<Record>, 8> kRecordVariables{{
     {"depth", "1", "b / l_c", [](Record& r) -> double& { return r.plate.depth; }},
     {"contact_length", "1", "c / l_c", [](Record& r) -> double& { return r.plate.contact_length; }},
     {"angle", "rad", "theta, full opening angle", [](Record& r) -> double& { return r.plate.angle; }},
@@ -39,10 +39,12 @@ constexpr std::array<Variable<Record>, 7> kRecordVariables{{
      [](Record& r) -> double& { return r.profiles.root_normal; }},
     {"root_tangential", "1", "largest absolute principal membrane stress there, under f",
      [](Record& r) -> double& { return r.profiles.root_tangential; }},
+    {"buckling_load", "1", "N / sqrt(k D) at which the plate buckles",
+     [](Record& r) -> double& { return r.profiles.in_plane.buckling_load; }},
 }};
 
 // On the centre line symmetry leaves xx and yy of bending and normal load, and xy of the tangential one.
-constexpr std::array<Variable<UnitProfiles, std::size_t>, 11> kStationVariables{{
+constexpr std::array<Variable<UnitProfiles, std::size_t>, 15> kStationVariables{{
     {"station", "1", "|AB| / l_c", [](UnitProfiles& p, std::size_t i) -> double& { return p.station[i]; }},
     {"bending_xx", "1", "moment over P l_c", [](UnitProfiles& p, std::size_t i) -> double& { return p.bending[i].xx; }},
     {"bending_yy", "1", "moment over P l_c", [](UnitProfiles& p, std::size_t i) -> double& { return p.bending[i].yy; }},
@@ -57,6 +59,14 @@ constexpr std::array<Variable<UnitProfiles, std::size_t>, 11> kStationVariables{
     {"tangential_xy", "1", "stress over p, f",
      [](UnitProfiles& p, std::size_t i) -> double& { return p.tangential[i].xy; }},
     {"deflection", "1", "w k l_c / P", [](UnitProfiles& p, std::size_t i) -> double& { return p.deflection[i]; }},
+    {"first_xx", "1", "in-plane term of first degree of the moment",
+     [](UnitProfiles& p, std::size_t i) -> double& { return p.in_plane.first[i].xx; }},
+    {"first_yy", "1", "in-plane term of first degree of the moment",
+     [](UnitProfiles& p, std::size_t i) -> double& { return p.in_plane.first[i].yy; }},
+    {"rest_xx", "1", "in-plane terms of higher degree of the moment",
+     [](UnitProfiles& p, std::size_t i) -> double& { return p.in_plane.rest[i].xx; }},
+    {"rest_yy", "1", "in-plane terms of higher degree of the moment",
+     [](UnitProfiles& p, std::size_t i) -> double& { return p.in_plane.rest[i].yy; }},
 }};
 
 constexpr std::array<Variable<Row>, 8> kRowVariables{{
@@ -79,6 +89,8 @@ void resize(UnitProfiles& p, std::size_t n) {
   p.normal.resize(n);
   p.tangential.resize(n);
   p.deflection.resize(n);
+  p.in_plane.first.resize(n);
+  p.in_plane.rest.resize(n);
 }
 
 /// An open netCDF file; `Error` is what a failure means: RunError when writing, InputError when reading.

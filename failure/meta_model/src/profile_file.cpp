@@ -10,7 +10,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kProfileVersion = 2;
+constexpr int kProfileVersion = 3;
 constexpr std::array<const char*, kGeometryInputs> kNames{"b_lc", "c_lc", "theta", "h_lc"};
 
 std::array<double, kGeometryInputs> to_array(const Geometry& g) { return {g.b_lc, g.c_lc, g.theta, g.h_lc}; }
@@ -35,27 +35,36 @@ MatrixXd read_matrix(const Place& place, Index n_rows, Index n_columns) {
   return Eigen::Map<const RowMajor>(values.data(), n_rows, n_columns);
 }
 
+Json to_json(const Interpolant& c) {
+  return {{"n_centres", c.centres.cols()}, {"offset", list_of(c.offset)},   {"factor", list_of(c.factor)},
+          {"centres", rows_of(c.centres)}, {"weights", rows_of(c.weights)}, {"polynomial", rows_of(c.polynomial)}};
+}
+
 Json to_json(const FieldModel& field) {
-  const Interpolant& c = field.coefficients;
-  return {{"n_centres", c.centres.cols()},       {"n_modes", field.modes.cols()}, {"offset", list_of(c.offset)},
-          {"factor", list_of(c.factor)},         {"centres", rows_of(c.centres)}, {"weights", rows_of(c.weights)},
-          {"polynomial", rows_of(c.polynomial)}, {"mean", list_of(field.mean)},   {"modes", rows_of(field.modes)}};
+  Json json = to_json(field.coefficients);
+  json["n_modes"] = field.modes.cols();
+  json["mean"] = list_of(field.mean);
+  json["modes"] = rows_of(field.modes);
+  return json;
+}
+
+Interpolant read_interpolant(const Place& place, Index n_features, Index n_values) {
+  const auto n_centres = static_cast<Index>(place["n_centres"].count());
+  Interpolant interpolant{.offset = read_vector(place["offset"], n_features),
+                          .factor = read_vector(place["factor"], n_features),
+                          .centres = read_matrix(place["centres"], n_features, n_centres),
+                          .weights = read_matrix(place["weights"], n_values, n_centres),
+                          .polynomial = read_matrix(place["polynomial"], n_values, n_polynomial_terms(n_features))};
+  if (!(interpolant.factor.array() > 0.0).all()) place["factor"].refuse("must be > 0");
+  return interpolant;
 }
 
 FieldModel read_field(const Place& place, Index n_features, Index n_components) {
-  const auto n_centres = static_cast<Index>(place["n_centres"].count());
   const auto n_modes = static_cast<Index>(place["n_modes"].count());
   const Index n_values = n_components * kProfileStations;
-  FieldModel field{
-      .coefficients = {.offset = read_vector(place["offset"], n_features),
-                       .factor = read_vector(place["factor"], n_features),
-                       .centres = read_matrix(place["centres"], n_features, n_centres),
-                       .weights = read_matrix(place["weights"], n_modes, n_centres),
-                       .polynomial = read_matrix(place["polynomial"], n_modes, n_polynomial_terms(n_features))},
-      .mean = read_vector(place["mean"], n_values),
-      .modes = read_matrix(place["modes"], n_values, n_modes)};
-  if (!(field.coefficients.factor.array() > 0.0).all()) place["factor"].refuse("must be > 0");
-  return field;
+  return {.coefficients = read_interpolant(place, n_features, n_modes),
+          .mean = read_vector(place["mean"], n_values),
+          .modes = read_matrix(place["modes"], n_values, n_modes)};
 }
 
 void read_range(const Place& place, std::array<Geometry, 2>& range) {
@@ -87,6 +96,8 @@ std::string ProfileModel::write(const std::string& path) const {
                       {"reach", m.reach},
                       {"n_stations", kProfileStations},
                       {"bending", to_json(m.bending)},
+                      {"in_plane", to_json(m.in_plane)},
+                      {"buckling", to_json(m.buckling)},
                       {"membrane", to_json(m.membrane)}},
                      -1);
 }
@@ -102,6 +113,8 @@ ProfileModel ProfileModel::read(const std::string& path) {
     place["n_stations"].refuse(fmt::format("must be {}", kProfileStations));
   }
   m->bending = read_field(place["bending"], bending_features({}).size(), kBendingComponents);
+  m->in_plane = read_field(place["in_plane"], bending_features({}).size(), kInPlaneComponents);
+  m->buckling = read_interpolant(place["buckling"], bending_features({}).size(), 1);
   m->membrane = read_field(place["membrane"], membrane_features({}).size(), kMembraneComponents);
   return ProfileModel(std::move(m));
 }

@@ -11,8 +11,9 @@
 namespace brash::meta_model {
 
 inline constexpr std::size_t kGeometryInputs = 4;
-/// xx and yy of bending; xx and yy under N and xy under f of the membrane.
+/// xx and yy of bending and of each of its in-plane terms; xx and yy under N and xy under f of the membrane.
 inline constexpr int kBendingComponents = 2;
+inline constexpr int kInPlaneComponents = 4;
 inline constexpr int kMembraneComponents = 3;
 
 /// Some components of the profile in their principal modes, whose coefficients are interpolated.
@@ -26,7 +27,8 @@ struct ProfileModel::Impl {
   std::array<Geometry, 2> range;  ///< lower, upper
   std::string data_sha256;
   double reach = 0.0;  ///< last station beyond the base line / l_c
-  FieldModel bending, membrane;
+  FieldModel bending, in_plane, membrane;
+  Interpolant buckling;  ///< ln(buckling load), one value
 };
 
 }  // namespace brash::meta_model

@@ -42,6 +42,8 @@ struct Component {
 };
 constexpr std::array<Component, kBendingComponents> kBending{
     {{&Profiles::bending_xx, 1.0}, {&Profiles::bending_yy, 1.0}}};
+constexpr std::array<Component, kInPlaneComponents> kInPlane{
+    {{&Profiles::first_xx, 1.0}, {&Profiles::first_yy, 1.0}, {&Profiles::rest_xx, 1.0}, {&Profiles::rest_yy, 1.0}}};
 constexpr std::array<Component, kMembraneComponents> kMembrane{
     {{&Profiles::normal_xx, 1.0}, {&Profiles::normal_yy, 1.0}, {&Profiles::tangential_xy, kTangentialShare}}};
 
@@ -101,6 +103,14 @@ FieldModel fit_field(const MatrixXd& features, const MatrixXd& values, const Vec
   return field;
 }
 
+/// The same for values that need no modes.
+Interpolant fit_values(const MatrixXd& features, const MatrixXd& values, const VectorXd& lengths) {
+  const std::vector<Index> kept = distinct_points(features);
+  Interpolant interpolant = interpolate(features(Eigen::all, kept), values(Eigen::all, kept), lengths);
+  interpolant.weights = interpolant.weights.unaryExpr(&to_ten_digits).eval();
+  return interpolant;
+}
+
 /// Evaluates a field and writes its components into `p`.
 template <std::size_t N>
 void add_components(const FieldModel& field, const VectorXd& features, const std::array<Component, N>& components,
@@ -119,7 +129,8 @@ void drop_equal_stations(Profiles& p) {
   for (std::size_t i = 0; i < p.station.size(); ++i) {
     if (i + 1 == p.station.size() || p.station[i + 1] - p.station[i] >= kSameStation) kept.push_back(i);
   }
-  for (auto* values : {&p.station, &p.bending_xx, &p.bending_yy, &p.normal_xx, &p.normal_yy, &p.tangential_xy}) {
+  for (auto* values : {&p.station, &p.bending_xx, &p.bending_yy, &p.normal_xx, &p.normal_yy, &p.tangential_xy,
+                       &p.first_xx, &p.first_yy, &p.rest_xx, &p.rest_yy}) {
     for (std::size_t i = 0; i < kept.size(); ++i) (*values)[i] = (*values)[kept[i]];
     values->resize(kept.size());
   }
@@ -148,17 +159,22 @@ ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, const std
   const auto n = static_cast<Index>(samples.size());
   MatrixXd of_bending(bending_features({}).size(), n), of_membrane(membrane_features({}).size(), n);
   MatrixXd bending(kBendingComponents * kProfileStations, n), membrane(kMembraneComponents * kProfileStations, n);
+  MatrixXd in_plane(kInPlaneComponents * kProfileStations, n), buckling(1, n);
   for (Index i = 0; i < n; ++i) {
     const ProfileSample& s = samples[static_cast<std::size_t>(i)];
     const ProfileShape shape = shape_of(s.geometry, impl->reach);
     of_bending.col(i) = bending_features(s.geometry);
     of_membrane.col(i) = membrane_features(s.geometry);
     bending.col(i) = values_of(s.profiles, kBending, shape.station, shape.bending);
+    in_plane.col(i) = values_of(s.profiles, kInPlane, shape.station, shape.bending);
+    buckling(0, i) = std::log(s.profiles.buckling_load);
     membrane.col(i) = values_of(s.profiles, kMembrane, shape.station, shape.membrane);
   }
   VectorXd lengths = VectorXd::Ones(of_bending.rows());
   lengths.tail(1).setConstant(kThicknessLength);
   impl->bending = fit_field(of_bending, bending, lengths);
+  impl->in_plane = fit_field(of_bending, in_plane, lengths);
+  impl->buckling = fit_values(of_bending, buckling, lengths);
   impl->membrane = fit_field(of_membrane, membrane, VectorXd::Ones(of_membrane.rows()));
   return ProfileModel(std::move(impl));
 }
@@ -169,6 +185,8 @@ Profiles ProfileModel::predict(const Geometry& geometry) const {
   Profiles p;
   p.station = shape.station;
   add_components(impl_->bending, bending_features(geometry), kBending, shape.bending, p);
+  add_components(impl_->in_plane, bending_features(geometry), kInPlane, shape.bending, p);
+  p.buckling_load = std::exp(impl_->buckling(bending_features(geometry))(0));
   add_components(impl_->membrane, membrane_features(geometry), kMembrane, shape.membrane, p);
   drop_equal_stations(p);
   return p;
@@ -190,7 +208,7 @@ Geometry ProfileModel::clamp(const Geometry& g) const {
 
 const std::array<Geometry, 2>& ProfileModel::range() const { return impl_->range; }
 int ProfileModel::n_modes() const {
-  return static_cast<int>(impl_->bending.modes.cols() + impl_->membrane.modes.cols());
+  return static_cast<int>(impl_->bending.modes.cols() + impl_->in_plane.modes.cols() + impl_->membrane.modes.cols());
 }
 
 }  // namespace brash::meta_model

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "condensed_system.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 
 #include "brash/core/contract.hpp"
@@ -30,7 +29,9 @@ void CondensedSystem::add(const Eigen::MatrixXd& stiffness, const Eigen::MatrixX
     elimination.leftCols(n_shared) = coupling;
     elimination.rightCols(load_.cols()) = load(interior_, Eigen::all);
     const Eigen::MatrixXd inner = stiffness(interior_, interior_);
-    elimination = inner.llt().solve(elimination).eval();
+    const Eigen::LLT<Eigen::MatrixXd> inner_factor(inner);
+    elimination = inner_factor.solve(elimination).eval();
+    inner_inverse_.push_back(inner_factor.solve(Eigen::MatrixXd::Identity(inner.rows(), inner.cols())));
     condensed.noalias() -= coupling.transpose() * elimination.leftCols(n_shared);
     shared_load.noalias() -= coupling.transpose() * elimination.rightCols(load_.cols());
   }
@@ -47,20 +48,42 @@ void CondensedSystem::add(const Eigen::MatrixXd& stiffness, const Eigen::MatrixX
   elimination_.push_back(std::move(elimination));
 }
 
-tl::expected<std::vector<Eigen::MatrixXd>, std::string> CondensedSystem::solve() const {
+tl::expected<std::vector<Eigen::MatrixXd>, std::string> CondensedSystem::solve() {
   Eigen::SparseMatrix<double> matrix(load_.rows(), load_.rows());
   matrix.setFromTriplets(entries_.begin(), entries_.end());
-  const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(matrix);
-  if (factor.info() != Eigen::Success) return tl::unexpected(std::string("the stiffness is not positive definite"));
-  const Eigen::MatrixXd solutions = factor.solve(load_);
+  factor_ = std::make_unique<decltype(factor_)::element_type>(matrix);
+  if (factor_->info() != Eigen::Success) return tl::unexpected(std::string("the stiffness is not positive definite"));
+  const Eigen::MatrixXd solutions = factor_->solve(load_);
+  const auto n_shared = static_cast<Eigen::Index>(shared_.size());
   std::vector<Eigen::MatrixXd> result;
   for (Eigen::Index which = 0; which < solutions.cols(); ++which) {
-    result.push_back(expand(solutions.col(which), which));
+    result.push_back(
+        expand(solutions.col(which), [&](std::size_t e) { return elimination_[e].col(n_shared + which); }));
   }
   return result;
 }
 
-Eigen::MatrixXd CondensedSystem::expand(const Eigen::VectorXd& solution, Eigen::Index which) const {
+Eigen::MatrixXd CondensedSystem::solve_again(const Eigen::MatrixXd& element_loads) const {
+  BRASH_EXPECTS(factor_ && element_loads.rows() == n_local_, element_loads.rows(), n_local_);
+  const auto n_shared = static_cast<Eigen::Index>(shared_.size());
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(load_.rows());
+  for (std::size_t e = 0; e < unknowns_.size(); ++e) {
+    const auto column = element_loads.col(static_cast<Eigen::Index>(e));
+    Eigen::VectorXd shared = column(shared_);
+    if (!interior_.empty()) shared -= elimination_[e].leftCols(n_shared).transpose() * column(interior_);
+    for (Eigen::Index i = 0; i < n_shared; ++i) {
+      const int unknown = unknowns_[e][static_cast<std::size_t>(i)];
+      if (unknown >= 0) load(unknown) += shared(i);
+    }
+  }
+  return expand(factor_->solve(load), [&](std::size_t e) -> Eigen::VectorXd {
+    return inner_inverse_[e] * element_loads.col(static_cast<Eigen::Index>(e))(interior_);
+  });
+}
+
+/// The local unknowns of every element; `inner(e)` is K_ii^-1 f_i of element e.
+Eigen::MatrixXd CondensedSystem::expand(const Eigen::VectorXd& solution,
+                                        const std::function<Eigen::VectorXd(std::size_t)>& inner) const {
   Eigen::MatrixXd local(n_local_, static_cast<Eigen::Index>(unknowns_.size()));
   const auto n_shared = static_cast<Eigen::Index>(shared_.size());
   for (std::size_t e = 0; e < unknowns_.size(); ++e) {
@@ -71,8 +94,7 @@ Eigen::MatrixXd CondensedSystem::expand(const Eigen::VectorXd& solution, Eigen::
     }
     const auto column = static_cast<Eigen::Index>(e);
     local(shared_, column) = shared;
-    if (interior_.empty()) continue;
-    local(interior_, column) = elimination_[e].col(n_shared + which) - elimination_[e].leftCols(n_shared) * shared;
+    if (!interior_.empty()) local(interior_, column) = inner(e) - elimination_[e].leftCols(n_shared) * shared;
   }
   return local;
 }

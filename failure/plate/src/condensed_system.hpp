@@ -3,6 +3,9 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+#include <functional>
+#include <memory>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -29,17 +32,23 @@ class CondensedSystem {
   }
 
   /// Factorises once and solves; for each load the local unknowns of every element, shape=(n_local, n_elements).
-  tl::expected<std::vector<Eigen::MatrixXd>, std::string> solve() const;
+  tl::expected<std::vector<Eigen::MatrixXd>, std::string> solve();
+
+  /// After solve(), with the same factors: the answer to other loads on the elements, shape=(n_local, n_elements) both.
+  Eigen::MatrixXd solve_again(const Eigen::MatrixXd& element_loads) const;
 
  private:
-  Eigen::MatrixXd expand(const Eigen::VectorXd& solution, Eigen::Index which) const;
+  Eigen::MatrixXd expand(const Eigen::VectorXd& solution,
+                         const std::function<Eigen::VectorXd(std::size_t)>& inner) const;
 
   std::vector<int> interior_;
   std::vector<int> shared_;
   Eigen::MatrixXd load_;
   std::vector<Eigen::Triplet<double>> entries_;  ///< lower triangle
   std::vector<std::vector<int>> unknowns_;
-  std::vector<Eigen::MatrixXd> elimination_;  ///< K_ii^-1 K_ib and, in the last columns, K_ii^-1 f_i
+  std::vector<Eigen::MatrixXd> elimination_;    ///< K_ii^-1 K_ib and, in the last columns, K_ii^-1 f_i
+  std::vector<Eigen::MatrixXd> inner_inverse_;  ///< K_ii^-1
+  std::unique_ptr<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>> factor_;  ///< from solve() on
   int n_local_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "brash/core/contract.hpp"
@@ -179,6 +180,42 @@ std::vector<int> unknowns_of(const std::vector<int>& nodes, const std::vector<in
   return result;
 }
 
+CondensedSystem assemble_bending(const Mesh& mesh, int order, const BendingProblem& problem) {
+  const auto& element = reference_element(order);
+  const Nodes nodes(mesh, order);
+  // Symmetry about a line: no rotation across it. Components: w, theta_x, theta_y.
+  const auto [numbers, n_unknowns] = number_unknowns(mesh, nodes, 3, [](Side side, int component) {
+    return (side == Side::kSymmetryY && component == 2) || (side == Side::kSymmetryX && component == 1);
+  });
+  const int n = element.n_lagrange();
+  const int m = element.n_rotation();
+  std::vector<int> interior;
+  for (int i = element.n_boundary(); i < n; ++i) interior.push_back(i);
+  for (int i = element.n_boundary(); i < m; ++i) interior.push_back(n + i);
+  for (int i = element.n_boundary(); i < m; ++i) interior.push_back(n + m + i);
+
+  CondensedSystem system(n_unknowns, 1, static_cast<int>(mesh.triangles.size()), n + 2 * m, std::move(interior));
+  for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+    const Eigen::Matrix2d jacobian = jacobian_of(mesh, triangle);
+    Eigen::MatrixXd stiffness = problem.shear_stiffness * shear(element, jacobian);
+    stiffness.topLeftCorner(n, n) += jacobian.determinant() * element.mass();
+    stiffness.bottomRightCorner(2 * m, 2 * m) += elasticity(element, jacobian, problem.poisson_ratio, m);
+    if (problem.in_plane_load != 0.0) {
+      stiffness.topLeftCorner(n, n) +=
+          problem.in_plane_load * slope_work(element, jacobian, *problem.in_plane_stress, static_cast<int>(triangle));
+    }
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(n + 2 * m);
+    if (problem.pressure) {
+      load.head(n) = problem.pressure(static_cast<int>(triangle)) * jacobian.determinant() * element.load();
+    }
+    system.add(stiffness, load, unknowns_of(nodes.of_triangle(triangle), numbers, 3));
+  }
+  for_each_tip_node(mesh, nodes, element, [&, &map = numbers](int node, double weight) {
+    system.add_load(map[static_cast<std::size_t>(3 * node)], 0, problem.tip_line_load * weight);
+  });
+  return system;
+}
+
 }  // namespace
 
 double shear_stiffness(double poisson_ratio, double thickness_over_lc) {
@@ -219,39 +256,40 @@ Vec2 Field::place(int triangle, double xi, double eta) const {
 
 tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, const BendingProblem& problem) {
   const auto& element = reference_element(order);
-  const Nodes nodes(mesh, order);
-  // Symmetry about a line: no rotation across it. Components: w, theta_x, theta_y.
-  const auto [numbers, n_unknowns] = number_unknowns(mesh, nodes, 3, [](Side side, int component) {
-    return (side == Side::kSymmetryY && component == 2) || (side == Side::kSymmetryX && component == 1);
+  return assemble_bending(mesh, order, problem).solve().map([&](const auto& locals) {
+    return Field(mesh, order, problem.poisson_ratio, locals.front(), element.n_lagrange(), element.n_rotation());
   });
-  const int n = element.n_lagrange();
-  const int m = element.n_rotation();
-  std::vector<int> interior;
-  for (int i = element.n_boundary(); i < n; ++i) interior.push_back(i);
-  for (int i = element.n_boundary(); i < m; ++i) interior.push_back(n + i);
-  for (int i = element.n_boundary(); i < m; ++i) interior.push_back(n + m + i);
+}
 
-  CondensedSystem system(n_unknowns, 1, static_cast<int>(mesh.triangles.size()), n + 2 * m, std::move(interior));
-  for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-    const Eigen::Matrix2d jacobian = jacobian_of(mesh, triangle);
-    Eigen::MatrixXd stiffness = problem.shear_stiffness * shear(element, jacobian);
-    stiffness.topLeftCorner(n, n) += jacobian.determinant() * element.mass();
-    stiffness.bottomRightCorner(2 * m, 2 * m) += elasticity(element, jacobian, problem.poisson_ratio, m);
-    if (problem.in_plane_load != 0.0) {
-      stiffness.topLeftCorner(n, n) +=
-          problem.in_plane_load * slope_work(element, jacobian, *problem.in_plane_stress, static_cast<int>(triangle));
+tl::expected<InPlaneSeries, std::string> solve_in_plane_series(const Mesh& mesh, int order,
+                                                               const BendingProblem& problem) {
+  BRASH_EXPECTS(problem.in_plane_stress != nullptr && problem.in_plane_load == 0.0, problem.in_plane_load);
+  const auto& element = reference_element(order);
+  const int n = element.n_lagrange();
+  CondensedSystem system = assemble_bending(mesh, order, problem);
+  const auto solved = system.solve();
+  if (!solved) return tl::unexpected(solved.error());
+
+  std::vector<Eigen::MatrixXd> w{solved->front()};  // local unknowns of w_0, w_1, w_2
+  std::vector<Eigen::MatrixXd> loads;               // G w_0, G w_1
+  for (int i = 0; i < 2; ++i) {
+    Eigen::MatrixXd load = Eigen::MatrixXd::Zero(w.back().rows(), w.back().cols());
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+      const auto column = static_cast<Eigen::Index>(triangle);
+      load.col(column).head(n) =
+          -slope_work(element, jacobian_of(mesh, triangle), *problem.in_plane_stress, static_cast<int>(triangle)) *
+          w.back().col(column).head(n);
     }
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(n + 2 * m);
-    if (problem.pressure) {
-      load.head(n) = problem.pressure(static_cast<int>(triangle)) * jacobian.determinant() * element.load();
-    }
-    system.add(stiffness, load, unknowns_of(nodes.of_triangle(triangle), numbers, 3));
+    w.push_back(system.solve_again(load));
+    loads.push_back(std::move(load));
   }
-  for_each_tip_node(mesh, nodes, element, [&, &map = numbers](int node, double weight) {
-    system.add_load(map[static_cast<std::size_t>(3 * node)], 0, problem.tip_line_load * weight);
-  });
-  return system.solve().map(
-      [&](const auto& locals) { return Field(mesh, order, problem.poisson_ratio, locals.front(), n, m); });
+  const double work = w[1].cwiseProduct(loads[1]).sum();  // <w_1, G w_1>; <w_1, K w_1> = <w_1, G w_0>
+  InPlaneSeries series{
+      .terms = {},
+      .buckling_load = work > 0.0 ? w[1].cwiseProduct(loads[0]).sum() / work : std::numeric_limits<double>::infinity()};
+  for (const Eigen::MatrixXd& local : w)
+    series.terms.emplace_back(mesh, order, problem.poisson_ratio, local, n, element.n_rotation());
+  return series;
 }
 
 tl::expected<std::vector<Field>, std::string> solve_membrane(const Mesh& mesh, int order,

@@ -65,6 +65,18 @@ class Field {
 /// Reissner-Mindlin bending on the elements of that order. Free on every edge that is not one of symmetry.
 tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, const BendingProblem& problem);
 
+/// How the bent plate answers to an in-plane load n that acts on its slope: K w = f + n G w, with G the work of the
+/// unit in-plane stress (compression positive), is w_0 + n w_1 + n^2 w_2 + ..., w_i = K^-1 G w_(i-1).
+struct InPlaneSeries {
+  std::vector<Field> terms;  ///< w_0, w_1, w_2
+  double buckling_load =
+      0.0;  ///< Rayleigh's quotient of w_1, an upper bound on the least n that makes K - n G singular
+};
+
+/// The series of `problem.in_plane_stress`, about `problem.in_plane_load` = 0.
+tl::expected<InPlaneSeries, std::string> solve_in_plane_series(const Mesh& mesh, int order,
+                                                               const BendingProblem& problem);
+
 /// Plane stress; clamped on the edges tagged kFar. One field for each load case.
 tl::expected<std::vector<Field>, std::string> solve_membrane(const Mesh& mesh, int order,
                                                              const MembraneProblem& problem);

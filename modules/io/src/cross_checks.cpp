@@ -129,10 +129,11 @@ void check_rest(const Case& c, Checks& checks) {
   checks.require(!radial_first || c.failure.model == "plate", {"failure", "order"}, {"failure", "model"},
                  fmt::format("the model {} cannot split the sheet", c.failure.model),
                  "radial-first with failure.model = \"plate\"", "take that model, or circumferential-first");
-  checks.require(!c.failure.second_order || c.failure.model == "plate" || c.failure.model == "plate-outline",
+  checks.require(!c.failure.second_order || (c.failure.model != "network" && c.failure.model != "wedge"),
                  {"failure", "second_order"}, {"failure", "model"},
                  fmt::format("the model {} is of first order", c.failure.model),
-                 "true with failure.model = \"plate\" or \"plate-outline\"", "take one of these models, or false");
+                 "true with failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
+                 "take one of these models, or false");
   std::error_code ignored;
   checks.require(c.failure.file.empty() || std::filesystem::is_regular_file(c.failure.file, ignored),
                  {"failure", "file"}, {"failure", "file"}, fmt::format("there is no file {}", c.failure.file),

@@ -90,7 +90,8 @@ class BendingCriterion {
 
 /// What goes beyond the paper's criterion. docs/theory/failure.md, (4)
 struct BendingOptions {
-  /// The in-plane force N acts on the bent plate: `plate` and `plate-outline`. A plate that buckles under N fails.
+  /// The in-plane force N acts on the bent plate: `superposition`, `plate` and `plate-outline`. A plate that buckles
+  /// under N fails.
   bool second_order = false;
   /// Where the edge stress on the other surface exceeds the strength, a radial crack splits the sheet along the centre
   /// line before it breaks circumferentially: `plate` only.

@@ -25,6 +25,9 @@ struct Profiles {
   std::vector<double> bending_xx, bending_yy;
   std::vector<double> normal_xx, normal_yy;
   std::vector<double> tangential_xy;
+  double buckling_load = 0.0;  ///< plate::InPlaneTerms, like the next two
+  std::vector<double> first_xx, first_yy;
+  std::vector<double> rest_xx, rest_yy;
 };
 
 /// One solved geometry.

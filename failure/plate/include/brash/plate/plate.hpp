@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -23,6 +24,8 @@ struct WedgePlate {
   Theory theory = Theory::kReissnerMindlin;
   /// N / sqrt(k D) [-] of the in-plane load that also acts on the bent plate (second order); 0: first order.
   double in_plane_load = 0.0;
+  /// Whether UnitProfiles::in_plane is wanted; then in_plane_load must be 0.
+  bool with_in_plane_terms = false;
   /// Whether a radial crack from B has split the sheet along the whole centre line: no moments across it. In the plane
   /// it is closed.
   bool split = false;
@@ -40,6 +43,19 @@ struct Tensor2 {
   double xx = 0.0;
   double yy = 0.0;
   double xy = 0.0;
+
+  friend Tensor2 operator+(const Tensor2& a, const Tensor2& b) { return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy}; }
+  friend Tensor2 operator*(double factor, const Tensor2& t) { return {factor * t.xx, factor * t.yy, factor * t.xy}; }
+};
+
+/// How the in-plane normal load changes the moments of UnitProfiles (second order). With n = N / sqrt(k D) and
+/// r = n / buckling_load the moments are `bending + r first + r^2 / (1 - r) rest`: the exact series up to r^2, and a
+/// geometric one of the buckling mode beyond.
+/// @see docs/theory/failure.md, (5)
+struct InPlaneTerms {
+  double buckling_load = 0.0;  ///< n at which the plate buckles [-]; 0: the terms are not there
+  std::vector<Tensor2> first;  ///< shape=(n_stations,) both, as UnitProfiles::bending
+  std::vector<Tensor2> rest;
 };
 
 /// The three unit fields along the centre line; shape=(n_stations,) each, n_stations >= 200, from B to 4 l_c beyond the
@@ -53,6 +69,7 @@ struct UnitProfiles {
   std::vector<Tensor2> normal;      ///< membrane stress over p, for the in-plane normal load N
   std::vector<Tensor2> tangential;  ///< membrane stress over p, for the in-plane tangential load f = N
   std::vector<double> deflection;   ///< w k l_c / P [-] along the stations
+  InPlaneTerms in_plane{};          ///< where WedgePlate::with_in_plane_terms asked for them
   double root_bending = 0.0;        ///< largest principal moment outside a disc of radius h/2 at the re-entrant roots
   double root_normal = 0.0;         ///< largest principal membrane stress there, under N
   double root_tangential = 0.0;     ///< largest absolute principal membrane stress there, under f
@@ -88,6 +105,11 @@ struct OutlinePlate {
 /// are the re-entrant corners within 3 l_c of B.
 /// @return the fields, or why not: the edge crosses itself, misses B, or leaves no ice ahead of B.
 tl::expected<UnitProfiles, PlateError> solve_outline(const OutlinePlate& plate, const MeshOptions& options = {});
+
+/// The fields with the moments of the plate that is also compressed by n = N / sqrt(k D) [-], from their in-plane
+/// terms.
+/// @return nothing where the plate buckles.
+std::optional<UnitProfiles> compressed(UnitProfiles profiles, double in_plane_load);
 
 /// What decides about failure, for one pair of load ratios.
 struct Response {
