@@ -10,8 +10,9 @@ namespace brash::failure {
 
 // One function per model; each file holds one.
 std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice);
-std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const IceProperties& ice,
-                                                               const BendingOptions& options);
+/// @param split_file  the model of the sheet that a radial crack has split; read where the options ask for it.
+std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const std::string& split_file,
+                                                               const IceProperties& ice, const BendingOptions& options);
 std::unique_ptr<BendingCriterion> make_plate_criterion(const IceProperties& ice, const BendingOptions& options);
 std::unique_ptr<BendingCriterion> make_outline_criterion(const IceProperties& ice, const BendingOptions& options);
 std::unique_ptr<BendingCriterion> make_wedge_criterion(const IceProperties& ice);

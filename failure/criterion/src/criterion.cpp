@@ -49,18 +49,33 @@ fs::path shipped_models() {
   return BRASH_MODEL_DIR;
 }
 
+/// The model `name` that comes with the program.
+std::string shipped(const std::string& name) {
+  const char* folder = std::getenv(kModelPathVariable);
+  const fs::path models = folder != nullptr && *folder != '\0' ? folder : shipped_models();
+  return (models / ("cone_" + name + ".json")).string();
+}
+
+std::unique_ptr<BendingCriterion> superposition(const std::string& file, const IceProperties& ice,
+                                                const BendingOptions& options) {
+  return make_superposition_criterion(model_path("superposition", file), shipped("superposition_split"), ice, options);
+}
+
+/// The stress of a split sheet is screened by that of the whole one.
 std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exact, const IceProperties& ice,
                                            const BendingOptions& options, double margin) {
   if (options.radial_first) margin *= kSplitMargin;
-  return make_screened_criterion(
-      make_superposition_criterion(model_path("superposition", ""), ice, {.second_order = options.second_order}),
-      std::move(exact), ice.flexural_strength / margin);
+  return make_screened_criterion(superposition("", ice, {.second_order = options.second_order}), std::move(exact),
+                                 ice.flexural_strength / margin);
 }
 
-void refuse_options(const std::string& model, const BendingOptions& options) {
-  if (options.radial_first && model != "plate") {
+void refuse_options(const std::string& model, const std::string& file, const BendingOptions& options) {
+  const bool splits = model == "plate" || (model == "superposition" && file.empty());
+  if (options.radial_first && !splits) {
     throw InputError(
-        fmt::format("failure.order = \"radial-first\" is not for failure.model = \"{}\"; it needs \"plate\"", model));
+        fmt::format("failure.order = \"radial-first\" is not for failure.model = \"{}\"{}; it needs "
+                    "\"plate\", or \"superposition\" without a file",
+                    model, file.empty() ? "" : " with a file"));
   }
   if (options.second_order && (model == "network" || model == "wedge")) {
     throw InputError(
@@ -106,17 +121,15 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
 std::string model_path(const std::string& model, const std::string& file) {
   if (model != "network" && model != "superposition") return "";
   if (!file.empty()) return file;
-  const char* folder = std::getenv(kModelPathVariable);
-  const fs::path models = folder != nullptr && *folder != '\0' ? folder : shipped_models();
-  return (models / ("cone_" + model + ".json")).string();
+  return shipped(model);
 }
 
 std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
                                                  const IceProperties& ice, const BendingOptions& options) {
   expect_valid(ice);
-  refuse_options(model, options);
+  refuse_options(model, file, options);
   if (model == "network") return make_network_criterion(model_path(model, file), ice);
-  if (model == "superposition") return make_superposition_criterion(model_path(model, file), ice, options);
+  if (model == "superposition") return superposition(file, ice, options);
   if (model == "plate") return screened(make_plate_criterion(ice, options), ice, options, kPlateMargin);
   if (model == "plate-outline") {
     return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);

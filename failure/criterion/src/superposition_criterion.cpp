@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 
 #include "brash/failure/unit_profiles.hpp"
 #include "criteria.hpp"
@@ -25,35 +26,48 @@ namespace {
 /// Interpolated unit profiles, superposed for the case's mu1, mu2 and h / l_c; then the largest stress.
 class SuperpositionCriterion final : public BendingCriterion {
  public:
-  SuperpositionCriterion(const std::string& file, const IceProperties& ice, const BendingOptions& options)
-      : model_(meta_model::ProfileModel::read(file)),
+  SuperpositionCriterion(const std::string& file, const std::string& split_file, const IceProperties& ice,
+                         const BendingOptions& options)
+      : whole_(meta_model::ProfileModel::read(file)),
         ice_(ice),
         options_(options),
         l_c_(characteristic_length(ice)),
         thickness_over_lc_(ice.thickness / l_c_),
-        shear_thickness_(std::clamp(thickness_over_lc_, model_.range()[0].h_lc, model_.range()[1].h_lc)) {}
+        shear_thickness_(std::clamp(thickness_over_lc_, whole_.range()[0].h_lc, whole_.range()[1].h_lc)) {
+    if (options.radial_first) split_ = meta_model::ProfileModel::read(split_file);
+  }
 
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
     const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle, shear_thickness_};
-    const meta_model::RangeCheck range = model_.check(wanted);
-    const meta_model::Geometry used = model_.clamp(wanted);
+    const meta_model::RangeCheck range = whole_.check(wanted);
+    const meta_model::Geometry used = whole_.clamp(wanted);
     // A contact that is widened to the smallest c keeps its force p c h: far from the tip only the force counts.
     const double pressure = wanted.c_lc < used.c_lc ? load.pressure * wanted.c_lc / used.c_lc : load.pressure;
-    plate::UnitProfiles unit = to_unit_profiles(model_.predict(used));
-    const auto bent = plate::compressed(unit, in_plane_load(ice_, l_c_, pressure, options_));
-    const plate::Response r = plate::respond(bent ? *bent : unit, thickness_over_lc_, load.mu1, load.mu2);
-    const double sigma = r.sigma_over_p * pressure;
-    return {.fails = !bent || sigma > ice_.flexural_strength,
-            .sigma_max = sigma,
-            .breaking_length = r.lbreak_over_lc * l_c_,
-            .below_range = range.below || shear_thickness_ != thickness_over_lc_,
-            .above_range = range.above,
-            .buckled = !bent};
+
+    Assessment answer{.below_range = range.below || shear_thickness_ != thickness_over_lc_, .above_range = range.above};
+    plate::Response r = respond(whole_, used, pressure, load, answer.buckled);
+    if (split_ && r.sigma_radial_over_p * pressure > ice_.flexural_strength) {
+      answer.split = true;
+      r = respond(*split_, used, pressure, load, answer.buckled);
+    }
+    answer.sigma_max = r.sigma_over_p * pressure;
+    answer.breaking_length = r.lbreak_over_lc * l_c_;
+    answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
+    return answer;
   }
 
  private:
-  meta_model::ProfileModel model_;
+  plate::Response respond(const meta_model::ProfileModel& model, const meta_model::Geometry& geometry, double pressure,
+                          const LoadCase& load, bool& buckled) const {
+    plate::UnitProfiles unit = to_unit_profiles(model.predict(model.clamp(geometry)));
+    const auto bent = plate::compressed(unit, in_plane_load(ice_, l_c_, pressure, options_));
+    if (!bent) buckled = true;
+    return plate::respond(bent ? *bent : unit, thickness_over_lc_, load.mu1, load.mu2);
+  }
+
+  meta_model::ProfileModel whole_;
+  std::optional<meta_model::ProfileModel> split_;  ///< by a radial crack
   IceProperties ice_;
   BendingOptions options_;
   double l_c_;
@@ -63,9 +77,10 @@ class SuperpositionCriterion final : public BendingCriterion {
 
 }  // namespace
 
-std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const IceProperties& ice,
+std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const std::string& split_file,
+                                                               const IceProperties& ice,
                                                                const BendingOptions& options) {
-  return std::make_unique<SuperpositionCriterion>(file, ice, options);
+  return std::make_unique<SuperpositionCriterion>(file, split_file, ice, options);
 }
 
 }  // namespace brash::failure

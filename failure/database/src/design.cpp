@@ -73,7 +73,8 @@ std::vector<DesignPoint> design(const Plan& plan) {
                    .thickness = at(plan.thickness_over_lc, u[3]),
                    .poisson_ratio = plan.poisson_ratio,
                    .theory = plan.theory,
-                   .with_in_plane_terms = true};
+                   .with_in_plane_terms = true,
+                   .split = plan.split};
     for (int r = 0; r < plan.rows_per_geometry; ++r) {
       const auto v = loads.next();
       point.loads.push_back({at(plan.mu1, v[0]), at(plan.mu2, v[1])});

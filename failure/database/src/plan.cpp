@@ -60,6 +60,12 @@ class Table {
     }
     return static_cast<int>(*value);
   }
+  bool flag_or(const std::string& key, bool otherwise) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return otherwise;
+    if (!node->is_boolean()) refuse(*node, key, "must be true or false");
+    return *node->value<bool>();
+  }
   template <std::size_t N>
   std::size_t choice_or(const std::string& key, const std::array<const char*, N>& names, std::size_t otherwise) {
     const toml::node* node = find(key);
@@ -153,6 +159,7 @@ Plan read_plan(const std::string& path) {
   Table solver = file.table("plate");
   plan.poisson_ratio = solver.number("poisson_ratio", 0.0, 0.49);
   plan.theory = static_cast<plate::Theory>(solver.choice_or("theory", kTheoryNames, 0));
+  plan.split = solver.flag_or("split", plan.split);
   plan.mesh.tip_size = solver.number_or("tip_size", 0.0, 0.0, 1.0);
   plan.mesh.far_size = solver.number_or("far_size", 0.0, 0.0, 10.0);
   plan.mesh.half_width = solver.number_or("half_width", 0.0, 0.0, 100.0);
@@ -170,7 +177,8 @@ std::string to_text(const Plan& plan) {
          axis_text("mu2", plan.mu2) +
          fmt::format("[plate]\npoisson_ratio = {}\ntheory = \"{}\"\ntip_size = {}\nfar_size = {}\nhalf_width = {}\n",
                      plan.poisson_ratio, kTheoryNames[static_cast<std::size_t>(plan.theory)], plan.mesh.tip_size,
-                     plan.mesh.far_size, plan.mesh.half_width);
+                     plan.mesh.far_size, plan.mesh.half_width) +
+         (plan.split ? "split = true\n" : "");
 }
 
 }  // namespace brash::database

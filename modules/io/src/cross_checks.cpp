@@ -126,9 +126,11 @@ void check_rest(const Case& c, Checks& checks) {
                  fmt::format("less than time.duration = {} s", c.time.duration),
                  "lower output.statistics_from or raise time.duration");
   const bool radial_first = c.failure.order == "radial-first";
-  checks.require(!radial_first || c.failure.model == "plate", {"failure", "order"}, {"failure", "model"},
+  const bool splits = c.failure.model == "plate" || (c.failure.model == "superposition" && c.failure.file.empty());
+  checks.require(!radial_first || splits, {"failure", "order"}, {"failure", "model"},
                  fmt::format("the model {} cannot split the sheet", c.failure.model),
-                 "radial-first with failure.model = \"plate\"", "take that model, or circumferential-first");
+                 "radial-first with failure.model = \"plate\", or \"superposition\" without failure.file",
+                 "take one of these models, or circumferential-first");
   checks.require(!c.failure.second_order || (c.failure.model != "network" && c.failure.model != "wedge"),
                  {"failure", "second_order"}, {"failure", "model"},
                  fmt::format("the model {} is of first order", c.failure.model),

@@ -94,7 +94,7 @@ struct BendingOptions {
   /// under N fails.
   bool second_order = false;
   /// Where the edge stress on the other surface exceeds the strength, a radial crack splits the sheet along the centre
-  /// line before it breaks circumferentially: `plate` only.
+  /// line before it breaks circumferentially: `plate`, and `superposition` with the models that come with the program.
   bool radial_first = false;
 };
 

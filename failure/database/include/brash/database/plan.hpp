@@ -33,6 +33,7 @@ struct Plan {
   Axis mu2;
   double poisson_ratio = 0.3;
   plate::Theory theory = plate::Theory::kReissnerMindlin;
+  bool split = false;  ///< by a radial crack, as plate::WedgePlate::split
   plate::MeshOptions mesh;
 };
 
