@@ -42,9 +42,33 @@ struct Columns<CheckpointFloe> {
     for (std::size_t i = 0; i < kNames.size(); ++i)
       visit(
           std::string("stress_") + kNames[i], "Pa", "mean stress", [i](auto& row) -> auto& { return row.stress[i]; });
+    visit_bearing(visit);
   }
 
  private:
+  template <typename Visit>
+  static void visit_bearing(Visit&& visit) {
+    visit_vector(
+        "bearing_force_", "N", "mean force on the sheet", [](auto& row) -> auto& { return row.bearing.force; }, visit);
+    visit(
+        "bearing_thrust_x", "N", "mean normal force on the sheet in plan, x",
+        [](auto& row) -> auto& { return row.bearing.thrust.x; });
+    visit(
+        "bearing_thrust_y", "N", "mean normal force on the sheet in plan, y",
+        [](auto& row) -> auto& { return row.bearing.thrust.y; });
+    visit(
+        "bearing_weight", "N", "sum of their sizes", [](auto& row) -> auto& { return row.bearing.weight; });
+    visit(
+        "bearing_first_x", "N m", "their first moment, x", [](auto& row) -> auto& { return row.bearing.first.x; });
+    visit(
+        "bearing_first_y", "N m", "their first moment, y", [](auto& row) -> auto& { return row.bearing.first.y; });
+    constexpr std::array<const char*, 3> kNames{"xx", "xy", "yy"};
+    for (std::size_t i = 0; i < kNames.size(); ++i)
+      visit(
+          std::string("bearing_second_") + kNames[i], "N m2",
+          "their second moment", [i](auto& row) -> auto& { return row.bearing.second[i]; });
+  }
+
   template <typename VectorOf, typename Visit>
   static void visit_vector(const std::string& name, const char* unit, const std::string& meaning, VectorOf of,
                            Visit&& visit) {

@@ -99,7 +99,8 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .pose = floe.pose,
                    .twist = floe.twist,
                    .stress = floe.stress,
-                   .peak_compression = floe.peak_stress});
+                   .peak_compression = floe.peak_stress,
+                   .bearing = floe.bearing});
   floes.set_next_id(checkpoint.counters.at("next_floe"));
 }
 
@@ -132,7 +133,8 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
                            .pose = world.pose(body),
                            .twist = world.twist(body),
                            .stress = floe.stress,
-                           .peak_stress = floe.peak_compression});
+                           .peak_stress = floe.peak_compression,
+                           .bearing = floe.bearing});
   return saved;
 }
 

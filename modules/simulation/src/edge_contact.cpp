@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bearing.hpp"
+
 namespace brash::simulation {
 namespace {
 
@@ -14,6 +16,8 @@ constexpr double kFitReach = 2.0;
 constexpr double kOutlineReach = 3.0;
 /// The chord's ends lie on the free edge to within this [m]; they are rounded to the geometry's grid, 2^-30 m.
 constexpr double kOnTheEdge = 1e-6;
+/// A floe that presses without any vertical part; the criteria ask for some.
+constexpr double kLeastMu1 = 1e-6;
 
 geometry::Ring section_at(const structure::Cone& cone, double z, Vec2 centre) {
   std::vector<Vec2> vertices = structure::section(cone, z);
@@ -101,6 +105,22 @@ void load_contact(const EdgeModel& model, EdgeContact& contact) {
   contact.point = {contact.region.midpoint.x, contact.region.midpoint.y, 0.0};
 }
 
+/// The wedge behind the chord, which the crushed tip has become.
+void fit(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact& contact) {
+  const geometry::ContactRegion& region = contact.region;
+  contact.wedge = geometry::fit_trapezoid(sheet, {.at = 0.5 * (region.chord_from + region.chord_to),
+                                                  .towards = region.normal,
+                                                  .contact_length = region.contact_length,
+                                                  .reach = kFitReach * failure::characteristic_length(model.ice)});
+}
+
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact& contact) {
+  if (!(contact.load.pressure > 0.0)) return;
+  if (model.criterion.needs_outline())
+    contact.load.outline = outline_of(sheet, contact.region, kOutlineReach * failure::characteristic_length(model.ice));
+  contact.assessment = model.criterion.assess(contact.load);
+}
+
 }  // namespace
 
 Freeboard freeboard(const io::Case& resolved) {
@@ -136,24 +156,46 @@ geometry::Ring trailing_section(const EdgeModel& model, Vec2 centre) {
 }
 
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet, Vec2 centre) {
-  const double reach = kFitReach * failure::characteristic_length(model.ice);
   std::vector<EdgeContact> contacts;
   for (geometry::ContactRegion& region : sheet.contacts(leading_section(model, centre))) {
     if (!(region.contact_length > 0.0)) continue;
     EdgeContact contact;
-    // The wedge that is left stands behind the chord, which the crushed tip has become.
-    const Vec2 tip = 0.5 * (region.chord_from + region.chord_to);
-    contact.wedge = geometry::fit_trapezoid(
-        sheet, {.at = tip, .towards = region.normal, .contact_length = region.contact_length, .reach = reach});
     contact.region = std::move(region);
+    fit(model, sheet, contact);
     load_contact(model, contact);
-    if (contact.load.pressure > 0.0 && model.criterion.needs_outline()) {
-      contact.load.outline = outline_of(sheet, contact.region, kOutlineReach / kFitReach * reach);
-    }
-    if (contact.load.pressure > 0.0) contact.assessment = model.criterion.assess(contact.load);
+    assess(model, sheet, contact);
     contacts.push_back(std::move(contact));
   }
   return contacts;
+}
+
+std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
+                                           const io::Bearing& bearing) {
+  const double h = model.ice.thickness;
+  // A cantilever of the width h and the length l_c does not break under less.
+  const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));
+  if (bearing.weight < harmless || norm(bearing.thrust) == 0.0) return std::nullopt;
+  const LineLoad line = line_load(bearing);
+  if (line.normal <= 0.0) return std::nullopt;
+
+  EdgeContact contact;
+  contact.floe = floe;
+  geometry::ContactRegion& region = contact.region;
+  region.contact_length = std::max(line.length, h);
+  region.midpoint = line.middle;
+  region.normal = line.towards;
+  const Vec2 half = 0.5 * region.contact_length * perpendicular(line.towards);
+  region.chord_from = line.middle - half;
+  region.chord_to = line.middle + half;
+  fit(model, sheet, contact);
+  contact.load = {.depth = contact.wedge.depth,
+                  .contact_length = region.contact_length,
+                  .angle = contact.wedge.angle,
+                  .mu1 = std::max(line.out_of_plane / line.normal, kLeastMu1),
+                  .mu2 = line.across / line.normal,
+                  .pressure = line.normal / (region.contact_length * h)};
+  assess(model, sheet, contact);
+  return contact;
 }
 
 }  // namespace brash::simulation

@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
 #include "brash/structure/cone.hpp"
 
 namespace brash::simulation {
 
-/// The structure against the edge of the fixed sheet, at one place, at one instant.
+/// The structure, or a floe, against the edge of the fixed sheet, at one place, at one instant.
 struct EdgeContact {
   geometry::ContactRegion region;
   geometry::Trapezoid wedge;
   failure::LoadCase load;
   failure::Assessment assessment;
-  Vec3 force{};  ///< on the structure [N], Eq. 15 with friction
-  Vec3 point{};  ///< where it acts [m]
+  Vec3 force{};                     ///< on the structure [N], Eq. 15 with friction; none where a floe presses
+  Vec3 point{};                     ///< where it acts [m]
+  std::int64_t floe = io::kNoFloe;  ///< that presses
 };
 
 /// What the edge contacts depend on besides the sheet.
@@ -52,5 +56,13 @@ geometry::Ring trailing_section(const EdgeModel& model, Vec2 centre);
 /// Crushing: F_n = sigma_c A R (Eq. 15). A is the area of the structure's surface inside the ice: the overlap in plan
 /// over cos(slope), or the overlap itself for `contact.area = "projected"`.
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet, Vec2 centre);
+
+/// The edge under a floe that presses on it, assessed by the same criterion; nothing where it hardly presses.
+///
+/// The mean forces are taken as the line load of the failure model: N along the floe's thrust, f across it, |P| the
+/// vertical part. Its length c is that of an even load with the same second moment about its middle, at least h: plate
+/// theory says nothing of less. docs/theory/simulation.md, (S1).
+std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
+                                           const io::Bearing& bearing);
 
 }  // namespace brash::simulation

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bearing.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/simulation/scales.hpp"
@@ -22,7 +23,8 @@ double shading_gap(const io::Case& resolved) {
   return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
-/// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0 [J].
+/// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0
+/// [J].
 double potential(const Floe& floe, const Pose& pose, double water_density) {
   const hydrodynamics::Displacement wet = hydrodynamics::displacement(floe.prism, pose);
   return floe.weight * pose.position.z - water_density * kGravity * wet.volume * wet.centre.z;
@@ -100,6 +102,7 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   floe.id = state.id;
   floe.stress = state.stress;
   floe.peak_compression = state.peak_compression;
+  floe.bearing = state.bearing;
   const BodyId body = world.add_floe(floe.prism, floe.inertia, state.pose, state.twist);
   floes_.emplace(body, std::move(floe));
 }
@@ -122,8 +125,9 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt) {
   }
 }
 
-void FloePopulation::update_stress(const rigid_body::World& world, double dt) {
+void FloePopulation::average_contacts(const rigid_body::World& world, double dt) {
   std::map<BodyId, std::array<double, 6>> dipoles;
+  std::map<BodyId, io::Bearing> bearings;
   // In the order of their places, so that the sums do not depend on how the bodies came to their ids.
   std::vector<rigid_body::ContactLoad> contacts = world.contacts();
   std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad& c) {
@@ -132,19 +136,24 @@ void FloePopulation::update_stress(const rigid_body::World& world, double dt) {
   for (const rigid_body::ContactLoad& contact : contacts) {
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
     add_dipole(dipoles[contact.body], contact.point - world.pose(contact.body).position, force);
-    if (world.kind(contact.other) == rigid_body::BodyKind::kFloe)
+    const rigid_body::BodyKind other = world.kind(contact.other);
+    if (other == rigid_body::BodyKind::kFloe)
       add_dipole(dipoles[contact.other], contact.point - world.pose(contact.other).position, -force);
+    if (other == rigid_body::BodyKind::kSheet) add_contact(bearings[contact.body], contact);
   }
   for (auto& [body, floe] : floes_) {
     const double volume = floe.area.square_metres() * case_->ice.thickness;
     const double share = 1.0 - std::exp(-dt / floe.collision_time);
-    const auto dipole = dipoles.find(body);
-    for (std::size_t i = 0; i < 6; ++i) {
-      const double now = dipole == dipoles.end() ? 0.0 : dipole->second[i] / volume;
-      floe.stress[i] += share * (now - floe.stress[i]);
-    }
+    const std::array<double, 6>& dipole = dipoles[body];
+    for (std::size_t i = 0; i < 6; ++i) floe.stress[i] += share * (dipole[i] / volume - floe.stress[i]);
     floe.peak_compression = std::max(floe.peak_compression, largest_compression(floe.stress));
+    approach(floe.bearing, bearings[body], share);
   }
+}
+
+void FloePopulation::forget_bearings(Vec2 at, double radius) {
+  for (auto& [body, floe] : floes_)
+    if (floe.bearing.weight > 0.0 && norm(floe.bearing.first / floe.bearing.weight - at) < radius) floe.bearing = {};
 }
 
 std::vector<BodyId> FloePopulation::overstressed(double strength) const {

@@ -12,6 +12,7 @@
 #include "brash/geometry/polygon.hpp"
 #include "brash/hydrodynamics/water.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
 #include "brash/rigid_body/world.hpp"
 
@@ -30,6 +31,7 @@ struct Floe {
   /// Mean stress (xx, yy, zz, xy, yz, zx) from contact forces, averaged over T_col; tension positive [Pa].
   std::array<double, 6> stress{};
   double peak_compression = 0.0;  ///< [Pa]
+  io::Bearing bearing{};          ///< on the sheet's edge, averaged over T_col
   Wrench drag{};                  ///< of the last step, form and rotational, about the centre of mass
   Wrench skin_friction{};         ///< likewise
 };
@@ -41,6 +43,7 @@ struct FloeState {
   Twist twist;
   std::array<double, 6> stress{};
   double peak_compression = 0.0;
+  io::Bearing bearing{};
 };
 
 /// All floes present: births, water, the stress that decides about crushing, deaths.
@@ -57,8 +60,12 @@ class FloePopulation {
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
   void apply_water(rigid_body::World& world, double dt);
 
-  /// Mean stress of each floe from the last step's contacts (Love-Weber), averaged over its collision time T_col.
-  void update_stress(const rigid_body::World& world, double dt);
+  /// Mean stress of each floe from the last step's contacts (Love-Weber) and what it presses on the sheet, both
+  /// averaged over its collision time T_col.
+  void average_contacts(const rigid_body::World& world, double dt);
+
+  /// Forgets what floes pressed on ice that has broken off within `radius` of `at`.
+  void forget_bearings(Vec2 at, double radius);
 
   /// Floes whose mean compressive stress exceeds `strength` [Pa], sorted by body.
   std::vector<BodyId> overstressed(double strength) const;

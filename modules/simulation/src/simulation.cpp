@@ -38,6 +38,12 @@ Wrench in_load_axes(const Wrench& w) {
   return {{-w.force.x, -w.force.y, w.force.z}, {-w.moment.x, -w.moment.y, w.moment.z}};
 }
 
+void count_range(const failure::Assessment& assessment, StepReport& report) {
+  report.n_above_range += assessment.above_range ? 1 : 0;
+  report.n_below_range += assessment.below_range ? 1 : 0;
+  report.n_outlines_refused += assessment.outline_refused ? 1 : 0;
+}
+
 /// Adds the wall time of a scope to one stage.
 class StageClock {
  public:
@@ -86,6 +92,7 @@ void Simulation::Impl::initial_crack() {
 /// One circumferential crack with its radial cracks: sheet, floes and collision shapes follow.
 std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
   const geometry::Ring section = leading_section(edge_model(), centre);
+  floes.forget_bearings(at, radius);
   const Broken broken =
       field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, section, resolved.failure.smallest_floe);
   std::vector<io::FloeRecord> births;
@@ -117,10 +124,20 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, Step
 
   centre += share * whole_step;
   if (crush_passed_ice()) contacts = edge_contacts(edge_model(), field.sheet(), centre);
-  const auto count = [&](auto&& what) { return static_cast<int>(std::ranges::count_if(contacts, what)); };
-  report.n_above_range += count(above_range);
-  report.n_below_range += count([](const EdgeContact& c) { return c.assessment.below_range; });
-  report.n_outlines_refused += count([](const EdgeContact& c) { return c.assessment.outline_refused; });
+  for (const EdgeContact& contact : contacts) count_range(contact.assessment, report);
+  return contacts;
+}
+
+/// The sheet's edge under the floes that press on it, by their forces up to the step before. In the order of the floes.
+std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report) const {
+  std::vector<EdgeContact> contacts;
+  if (!resolved.failure.under_floes) return contacts;
+  for (const auto& [body, floe] : floes.floes()) {
+    auto contact = bearing_contact(edge_model(), field.sheet(), floe.id, floe.bearing);
+    if (!contact) continue;
+    count_range(contact->assessment, report);
+    contacts.push_back(std::move(*contact));
+  }
   return contacts;
 }
 
@@ -160,7 +177,8 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                          .substeps = report.n_substeps,
                          .area_before = field.ledger().sheet.square_metres(),
                          .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
-                         .towards = contact.region.normal};
+                         .towards = contact.region.normal,
+                         .pressing_floe = contact.floe};
     std::vector<io::FloeRecord> births =
         break_off(contact.region.midpoint, contact.assessment.breaking_length, n_wedges, report);
     event.pieces = static_cast<int>(births.size());
@@ -186,12 +204,13 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
     break_ice(contacts, report);
   }
   --report.n_substeps;
+  break_ice(contacts_of_floes(report), report);
   world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
 }
 
 /// Floes whose mean compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
 void Simulation::Impl::remove_crushed_floes(StepReport& report) {
-  floes.update_stress(world, resolved.time.step);
+  floes.average_contacts(world, resolved.time.step);
   if (!resolved.contact.delete_crushed) return;
   for (const BodyId body : floes.overstressed(resolved.ice.compressive_strength)) {
     energy.remove(world, floes, body);

@@ -48,6 +48,7 @@ struct Simulation::Impl {
   void advance_through_ice(StepReport& report);
   std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
   bool crush_passed_ice();
+  std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   void remove_crushed_floes(StepReport& report);
   void collect_loads(std::int64_t first_newborn, StepReport& report);

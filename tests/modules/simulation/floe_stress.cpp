@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
     pool.world.move_structure(from_left, left, {{speed, 0, 0}, {}});
     pool.world.move_structure(from_right, right, {{-speed, 0, 0}, {}});
     (void)pool.step(dt);
-    pool.floes.update_stress(pool.world, dt);
+    pool.floes.average_contacts(pool.world, dt);
   }
   const double bound = 0.5e6;
   const double depth = n_steps * dt * speed;

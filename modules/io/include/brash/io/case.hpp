@@ -67,6 +67,7 @@ struct FailureSection {
   std::string file;                             ///< model file, absolute; empty: the model that comes with the program
   std::string order = "circumferential-first";  ///< circumferential-first | radial-first
   bool second_order = false;                    ///< the in-plane force acts on the bent plate
+  bool under_floes = true;                      ///< the sheet also breaks where floes press on it
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range

@@ -24,6 +24,18 @@ struct GridPoint {
 /// One polygon: its outline, then its holes.
 using GridRings = std::vector<std::vector<GridPoint>>;
 
+/// What a floe presses on the edge of the sheet: sums over its contacts there, averaged over its collision time. All
+/// moments are of the in-plane sizes of the normal forces.
+struct Bearing {
+  Vec3 force{};                    ///< on the sheet, friction included [N]
+  Vec2 thrust{};                   ///< in-plane part of its normal forces [N]
+  double weight = 0.0;             ///< sum of the sizes of these parts [N]
+  Vec2 first{};                    ///< first moments about the origin [N m]
+  std::array<double, 3> second{};  ///< second moments xx, xy, yy about the origin [N m2]
+
+  friend bool operator==(const Bearing&, const Bearing&) = default;
+};
+
 /// A floe that is in the world when a checkpoint is taken.
 struct CheckpointFloe {
   std::int64_t id = 0;  ///< FloeRecord::id
@@ -34,6 +46,7 @@ struct CheckpointFloe {
   Twist twist;
   std::array<double, 6> stress{};  ///< mean stress xx, yy, zz, xy, yz, zx [Pa]
   double peak_stress = 0.0;        ///< [Pa]
+  Bearing bearing{};
 
   friend bool operator==(const CheckpointFloe&, const CheckpointFloe&) = default;
 };

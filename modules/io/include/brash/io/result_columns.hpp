@@ -153,6 +153,9 @@ struct Columns<CrackEvent> {
     visit(
         "towards_y", "1", "unit vector of the trapezoid's axis into the ice, y",
         [](auto& row) -> auto& { return row.towards.y; });
+    visit(
+        "pressing_floe", "1", "floe_id of the floe that broke the sheet; -1: the structure itself",
+        [](auto& row) -> auto& { return row.pressing_floe; });
   }
 };
 

@@ -79,6 +79,9 @@ struct LoadRow {
   friend bool operator==(const LoadRow&, const LoadRow&) = default;
 };
 
+/// In place of a floe where the structure itself acts.
+constexpr std::int64_t kNoFloe = -1;
+
 /// One crack event; the columns of events.csv.
 struct CrackEvent {
   double time = 0.0;
@@ -100,6 +103,7 @@ struct CrackEvent {
   double area_after = 0.0;
   Vec2 tip{};      ///< middle of the trapezoid's tip edge [m]
   Vec2 towards{};  ///< unit vector from the tip into the ice, along the trapezoid's axis
+  std::int64_t pressing_floe = kNoFloe;
 
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };
