@@ -23,6 +23,8 @@ double bending(const Geometry& g, double x) {
   return g.c_lc * x / width * std::exp(-x) * (1.0 + g.h_lc);
 }
 
+double buckling_load(const Geometry& g) { return 3.0 / g.c_lc / (1.0 + g.b_lc); }
+
 ProfileSample sample(const Geometry& g) {
   ProfileSample s{g, {}};
   for (int i = 0; i <= 400; ++i) {
@@ -33,7 +35,12 @@ ProfileSample sample(const Geometry& g) {
     s.profiles.normal_xx.push_back(-g.c_lc / (g.c_lc + x));
     s.profiles.normal_yy.push_back(0.3 * g.c_lc / (g.c_lc + 2.0 * x));
     s.profiles.tangential_xy.push_back(0.2 * g.c_lc * x / (g.c_lc + x));
+    s.profiles.first_xx.push_back(1.5 * bending(g, x));
+    s.profiles.first_yy.push_back(0.2 * bending(g, x));
+    s.profiles.rest_xx.push_back(1.4 * bending(g, x));
+    s.profiles.rest_yy.push_back(0.1 * bending(g, x));
   }
+  s.profiles.buckling_load = buckling_load(g);
   return s;
 }
 
@@ -79,7 +86,8 @@ BOOST_AUTO_TEST_CASE(the_model_interpolates_between_them) {
 
 BOOST_AUTO_TEST_CASE(stations_increase_also_at_the_straight_edge_and_hold_the_base_line) {
   const ProfileModel model = ProfileModel::fit(samples(50), "none");
-  for (const Geometry& g : {Geometry{0.0, 0.5, 1.0, 0.1}, Geometry{1e-8, 0.5, 1.0, 0.1}, Geometry{0.7, 0.5, 1.0, 0.1}}) {
+  for (const Geometry& g :
+       {Geometry{0.0, 0.5, 1.0, 0.1}, Geometry{1e-8, 0.5, 1.0, 0.1}, Geometry{0.7, 0.5, 1.0, 0.1}}) {
     const Profiles p = model.predict(g);
     bool has_base_line = false;
     for (std::size_t i = 0; i < p.station.size(); ++i) {

@@ -184,10 +184,10 @@ BOOST_AUTO_TEST_CASE(values_that_do_not_go_together_are_refused) {
   check_has(message_of(with_line("duration", "duration = 0.001")),
             {"time.step = its default: the step is longer than the run"});
   check_has(message_of(with_more("[failure]\nwedges = [5, 3]\n")), {"failure.wedges = [5, 3]", "swap the two numbers"});
-  check_has(message_of(with_more("[failure]\norder = \"radial-first\"\n")),
-            {"failure.order = \"radial-first\"", "superposition cannot split the sheet", "failure.model = \"plate\""});
-  check_has(message_of(with_more("[failure]\nsecond_order = true\n")),
-            {"failure.second_order = true", "superposition is of first order"});
+  check_has(message_of(with_more("[failure]\nmodel = \"network\"\norder = \"radial-first\"\n")),
+            {"failure.order = \"radial-first\"", "network cannot split the sheet", "failure.model = \"plate\""});
+  check_has(message_of(with_more("[failure]\nmodel = \"wedge\"\nsecond_order = true\n")),
+            {"failure.second_order = true", "wedge is of first order"});
   check_has(message_of(with_more("[water]\ndensity = 900\n")), {"ice.density = its default", "does not float"});
   check_has(message_of(with_more("[failure]\nfile = \"no.json\"\n")),
             {"failure.file = \"no.json\"", "there is no file"});

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "bearing.hpp"
 #include "brash/core/constants.hpp"
 #include "ice_field.hpp"
 
@@ -74,6 +75,62 @@ BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_rig
   failure::LoadCase heavy = load;
   heavy.pressure = 1e6;  // enough for the plate to be solved
   BOOST_TEST(!plate->assess(heavy).outline_refused);
+}
+
+/// A floe that presses evenly on 2 m of the straight edge around y = 1, over a thousand points.
+io::Bearing even_bearing(double normal, double downward) {
+  constexpr int kPoints = 1000;
+  io::Bearing bearing;
+  for (int i = 0; i < kPoints; ++i) {
+    simulation::add_contact(bearing, {.point = {0.0, 2.0 * (i + 0.5) / kPoints, 0.0},
+                                      .normal = {-1.0, 0.0, 0.0},
+                                      .normal_force = normal / kPoints,
+                                      .friction_force = {0.0, 0.0, downward / kPoints}});
+  }
+  return bearing;
+}
+
+BOOST_AUTO_TEST_CASE(an_even_bearing_is_the_line_load_that_it_is) {
+  const simulation::LineLoad load = simulation::line_load(even_bearing(8e4, 3e4));
+  BOOST_TEST(load.length == 2.0, boost::test_tools::tolerance(1e-6));  // of the sum in place of the integral
+  BOOST_TEST(load.middle.y == 1.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(load.towards.x == 1.0);
+  BOOST_TEST(load.normal == 8e4, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(load.out_of_plane == 3e4, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under_the_structure) {
+  Scene scene;
+  const auto criterion = failure::make_criterion("superposition", "", scene.ice);
+  const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, *criterion};
+  const auto fails = [&](double normal, double downward) {
+    return simulation::bearing_contact(model, scene.field.sheet(), 7, even_bearing(normal, downward))->assessment.fails;
+  };
+  // A straight edge of this ice breaks at 85 kN out of the plane, with 160 kN in it (docs/theory/failure.md).
+  BOOST_TEST(!fails(1.2e5, 6e4));
+  BOOST_TEST(fails(2e5, 1.1e5));
+  BOOST_TEST(!fails(2e5, 0.0));
+
+  const auto contact = simulation::bearing_contact(model, scene.field.sheet(), 7, even_bearing(8e4, 3e4)).value();
+  BOOST_TEST(contact.floe == 7);
+  BOOST_TEST(contact.load.mu1 == 0.375, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(contact.load.pressure == 8e4 / (2.0 * 0.33), boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_that_hardly_presses_is_not_looked_at) {
+  Scene scene;
+  const Listening criterion(false);
+  const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, criterion};
+  BOOST_TEST(!simulation::bearing_contact(model, scene.field.sheet(), 0, even_bearing(500.0, 0.0)).has_value());
+  BOOST_TEST(!simulation::bearing_contact(model, scene.field.sheet(), 0, {}).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_mean_bearing_approaches_what_stays) {
+  io::Bearing mean;
+  const io::Bearing now = even_bearing(8e4, 3e4);
+  for (int i = 0; i < 3; ++i) simulation::approach(mean, now, 0.5);
+  BOOST_TEST(mean.weight == 0.875 * now.weight, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(simulation::line_load(mean).length == 2.0, boost::test_tools::tolerance(1e-6));
 }
 
 }  // namespace
