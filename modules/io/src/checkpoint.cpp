@@ -85,7 +85,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-1";
+constexpr const char* kFormat = "brash-checkpoint-2";
 
 /// The side of the grid, 2^-30 m, as a unit.
 const NodeFrame kGrid{"9.313225746154785e-10 m", "sheet frame, exact"};
