@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace brash::hydrodynamics {
 namespace {
@@ -53,7 +53,7 @@ void Shade::keep(Solid solid, Vec3 box_centre, Vec3 half_box) {
   near_ends_.push_back(near_.size());
 }
 
-void Shade::face(std::span<const Vec3> corners, Vec3 normal) {
+void Shade::face(std::span<const Vec3> corners, Vec3 normal, const Patch& around) {
   planes_.clear();
   ends_.clear();
   closed_ = false;
@@ -61,24 +61,25 @@ void Shade::face(std::span<const Vec3> corners, Vec3 normal) {
   Vec3 centre{};
   for (const Vec3 corner : corners) centre += corner / static_cast<double>(corners.size());
   const Vec3 middle = to_world(pose_, centre) + gap_ * rotate(pose_.rotation, normal);
+  const Vec3 shift = around.centre - centre;
   const double cut = 0.5 * gap_ + kMargin;
-  std::size_t i = 0;
-  for (const std::size_t near_end : near_ends_) {
+  std::size_t begin = 0;
+  for (const std::size_t end : near_ends_) {
     const std::size_t first = planes_.size();
     bool apart = false;
-    for (; i < near_end && !apart; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       const auto& [world, n] = near_[i];
-      const double offset = dot(n, centre) - (dot(world.normal, middle) - world.offset);
-      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-      for (const Vec3 corner : corners) {
-        const double distance = dot(n, corner) - offset;
-        lowest = std::min(lowest, distance);
-        highest = std::max(highest, distance);
+      const double distance = dot(world.normal, middle) - world.offset;
+      const double at_centre = distance + dot(n, shift);
+      const double extent = std::abs(dot(n, around.u)) + std::abs(dot(n, around.v));
+      apart = at_centre > extent + cut;
+      if (apart) {
+        std::swap(near_[begin], near_[i]);  // it is likely to part the next face from this neighbour too
+        break;
       }
-      apart = lowest > cut;
-      if (!apart && highest >= -cut) planes_.push_back({n, offset});
+      if (at_centre >= -(extent + cut)) planes_.push_back({n, dot(n, centre) - distance});
     }
-    i = near_end;
+    begin = end;
     if (apart) {
       planes_.resize(first);
     } else {

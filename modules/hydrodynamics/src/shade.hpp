@@ -22,6 +22,13 @@ struct Points {
   Lanes z;
 };
 
+/// The points centre + s u + t v with s and t from -1 to 1.
+struct Patch {
+  Vec3 centre{};
+  Vec3 u{};
+  Vec3 v{};
+};
+
 /// Water that neighbours hold, at points of a floe's surface.
 ///
 /// A neighbour counts where the probes of a point come nearer to it than half the gap. What lies farther from the whole
@@ -32,8 +39,8 @@ class Shade {
   /// Keeps of `neighbours` (world frame) what can matter to `prism` at `pose`; `gap` as in Water.
   Shade(const Prism& prism, const Pose& pose, std::span<const Solid> neighbours, double gap);
 
-  /// Turns to a flat convex face (corners and unit normal in the body frame).
-  void face(std::span<const Vec3> corners, Vec3 normal);
+  /// Turns to a flat convex face, which lies within `around` (all in the body frame).
+  void face(std::span<const Vec3> corners, Vec3 normal, const Patch& around);
   /// Whether no point of the face feels the stream.
   bool closed() const { return closed_; }
   /// Share of the free stream that the face feels at `points` (body frame).

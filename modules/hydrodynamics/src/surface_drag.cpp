@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_drag.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -83,11 +84,11 @@ class Integral {
         skin_(0.5 * water.density * water.skin_friction),
         shade_(shade) {}
 
-  /// A flat convex face, corners counter-clockwise or clockwise.
-  void add(std::span<const Vec3> corners, Vec3 normal) {
+  /// A flat convex face, corners counter-clockwise or clockwise, which lies within `around`.
+  void add(std::span<const Vec3> corners, Vec3 normal, const Patch& around) {
     const Signs height = signs(corners, [&](Vec3 p) { return plane_.height(p); });
     if (!height.negative) return;
-    shade_.face(corners, normal);
+    shade_.face(corners, normal, around);
     if (shade_.closed()) return;
     if (corners.size() == 4) {
       add({{corners[0], corners[1], corners[2], corners[3]}, 4}, height.positive, normal);
@@ -154,6 +155,16 @@ class Integral {
   Shade& shade_;
 };
 
+/// The box around points at one height.
+Patch plan_patch(std::span<const Vec3> points) {
+  Vec3 low = points.front(), high = low;
+  for (const Vec3 p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), low.z};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), high.z};
+  }
+  return {0.5 * (low + high), {0.5 * (high.x - low.x), 0.0, 0.0}, {0.0, 0.5 * (high.y - low.y), 0.0}};
+}
+
 }  // namespace
 
 SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twist& relative, const Water& water,
@@ -165,7 +176,7 @@ SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twis
     for (const auto& part : prism.parts) {
       corners.clear();
       for (const Vec2 vertex : part) corners.push_back({vertex.x, vertex.y, side * half});
-      integral.add(corners, {0.0, 0.0, side});
+      integral.add(corners, {0.0, 0.0, side}, plan_patch(corners));
     }
   }
   for (const auto& ring : prism.rings) {
@@ -176,7 +187,8 @@ SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twis
       const Vec2 out = -perpendicular(to - from) / length;
       const std::array<Vec3, 4> face{Vec3{from.x, from.y, -half}, Vec3{to.x, to.y, -half}, Vec3{to.x, to.y, half},
                                      Vec3{from.x, from.y, half}};
-      integral.add(face, {out.x, out.y, 0.0});
+      const Vec2 middle = 0.5 * (from + to), u = 0.5 * (to - from);
+      integral.add(face, {out.x, out.y, 0.0}, {{middle.x, middle.y, 0.0}, {u.x, u.y, 0.0}, {0.0, 0.0, half}});
     }
   }
   return integral.result;
