@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <span>
+#include <vector>
 
 namespace brash::hydrodynamics {
 namespace {
@@ -16,30 +17,61 @@ struct Piece {
   void add(Vec3 corner) { corners[n++] = corner; }
 };
 
+/// Whether a quantity, linear over a piece, is negative, or positive, somewhere on it.
+struct Signs {
+  bool negative = false;
+  bool positive = false;
+  bool both() const { return negative && positive; }
+};
+
+template <typename Value>
+Signs signs(std::span<const Vec3> corners, Value value) {
+  Signs s;
+  for (const Vec3 corner : corners) {
+    const double at = value(corner);
+    s.negative |= at < 0.0;
+    s.positive |= at > 0.0;
+  }
+  return s;
+}
+
 /// The part of `piece` where `value`, linear in the point, is negative.
 template <typename Value>
 Piece where_negative(const Piece& piece, Value value) {
   Piece part;
+  Vec3 a = piece.corners[0];
+  double at_a = value(a);
   for (std::size_t i = 0; i < piece.n; ++i) {
-    const Vec3 a = piece.corners[i], b = piece.corners[i + 1 == piece.n ? 0 : i + 1];
-    const double at_a = value(a), at_b = value(b);
+    const Vec3 b = piece.corners[i + 1 == piece.n ? 0 : i + 1];
+    const double at_b = value(b);
     if (at_a <= 0.0) part.add(a);
     if ((at_a < 0.0 && at_b > 0.0) || (at_a > 0.0 && at_b < 0.0)) part.add(waterline_point(a, at_a, b, at_b));
+    a = b;
+    at_a = at_b;
   }
   return part;
 }
 
-/// Calls `visit(point, weight)` for the four points of Stroud's conical product rule on the triangle: positive weights,
-/// exact for polynomials of degree 3. The weights sum to the area.
-template <typename Visit>
-void for_each_point(Vec3 a, Vec3 b, Vec3 c, Visit visit) {
+/// Points with their weights.
+struct Rule {
+  Points points;
+  Lanes weights;
+};
+
+/// The four points of Stroud's conical product rule on the triangle: positive weights, exact for polynomials of degree
+/// 3. The weights sum to the area.
+Rule rule_on(Vec3 a, Vec3 b, Vec3 c) {
   // Gauss-Jacobi for the weight 1 - u and Gauss-Legendre on [0, 1], two points each.
-  static constexpr std::array<double, 2> kU{0.15505102572168219, 0.64494897427831781};
-  static constexpr std::array<double, 2> kUWeight{0.31804138174397717, 0.18195861825602283};
-  static constexpr std::array<double, 2> kV{0.21132486540518712, 0.78867513459481288};
-  const double area = 0.5 * norm(cross(b - a, c - a));
-  for (std::size_t i = 0; i < 2; ++i)
-    for (const double v : kV) visit(a + (1.0 - kU[i]) * ((1.0 - v) * (b - a) + v * (c - a)), area * kUWeight[i]);
+  static constexpr double kU0 = 0.15505102572168219, kU1 = 0.64494897427831781;
+  static constexpr double kWeight0 = 0.31804138174397717, kWeight1 = 0.18195861825602283;
+  static constexpr double kV0 = 0.21132486540518712, kV1 = 0.78867513459481288;
+  const Vec3 ab = b - a, ac = c - a;
+  const Vec3 e0 = (1.0 - kV0) * ab + kV0 * ac, e1 = (1.0 - kV1) * ab + kV1 * ac;
+  const Lanes s(1.0 - kU0, 1.0 - kU0, 1.0 - kU1, 1.0 - kU1);
+  const double area = 0.5 * norm(cross(ab, ac));
+  return {{a.x + s * Lanes(e0.x, e1.x, e0.x, e1.x), a.y + s * Lanes(e0.y, e1.y, e0.y, e1.y),
+           a.z + s * Lanes(e0.z, e1.z, e0.z, e1.z)},
+          area * Lanes(kWeight0, kWeight0, kWeight1, kWeight1)};
 }
 
 /// Sums the drag of one piece of the surface after another.
@@ -52,59 +84,68 @@ class Integral {
         skin_(0.5 * water.density * water.skin_friction),
         shade_(shade) {}
 
-  /// A flat convex face, corners counter-clockwise or clockwise.
-  void add(std::span<const Vec3> corners, Vec3 normal) {
-    if (std::ranges::all_of(corners, [&](Vec3 p) { return plane_.height(p) >= 0.0; })) return;
-    turn_shade(corners, normal);
+  /// A flat convex face, corners counter-clockwise or clockwise, which lies within `around`.
+  void add(std::span<const Vec3> corners, Vec3 normal, const Patch& around) {
+    const Signs height = signs(corners, [&](Vec3 p) { return plane_.height(p); });
+    if (!height.negative) return;
+    shade_.face(corners, normal, around);
+    if (shade_.closed()) return;
     if (corners.size() == 4) {
-      add({{corners[0], corners[1], corners[2], corners[3]}, 4}, normal);
+      add({{corners[0], corners[1], corners[2], corners[3]}, 4}, height.positive, normal);
     } else {
-      for (std::size_t i = 2; i < corners.size(); ++i) add({{corners[0], corners[i - 1], corners[i]}, 3}, normal);
+      for (std::size_t i = 2; i < corners.size(); ++i)
+        add({{corners[0], corners[i - 1], corners[i]}, 3}, height.positive, normal);
     }
   }
 
   SurfaceDrag result;
 
  private:
-  void turn_shade(std::span<const Vec3> corners, Vec3 normal) {
-    Vec3 centre{};
-    for (const Vec3 corner : corners) centre += corner / static_cast<double>(corners.size());
-    double square = 0.0;
-    for (const Vec3 corner : corners) square = std::max(square, dot(corner - centre, corner - centre));
-    shade_.face(centre, normal, std::sqrt(square));
+  void add(const Piece& piece, bool partly_dry, Vec3 normal) {
+    if (!partly_dry) {
+      add_wet(piece, normal);
+      return;
+    }
+    const Piece wet = where_negative(piece, [&](Vec3 p) { return plane_.height(p); });
+    if (wet.n >= 3) add_wet(wet, normal);
   }
 
-  void add(const Piece& whole, Vec3 normal) {
-    const Piece wet = where_negative(whole, [&](Vec3 p) { return plane_.height(p); });
-    if (wet.n < 3) return;
+  void add_wet(const Piece& wet, Vec3 normal) {
     // Where the surface moves against its normal it is on the lee side: no form drag there.
     const auto against = [&](Vec3 p) { return -dot(normal, velocity_at(relative_, p)); };
-    bool leads = false, lees = false;
-    for (std::size_t i = 0; i < wet.n; ++i) {
-      const double speed = against(wet.corners[i]);
-      leads |= speed < 0.0;
-      lees |= speed > 0.0;
-    }
-    if (leads && lees) {
+    const Signs speed = signs({wet.corners.data(), wet.n}, against);
+    if (speed.both()) {
       add_side(where_negative(wet, against), normal, true);
       add_side(where_negative(wet, [&](Vec3 p) { return -against(p); }), normal, false);
     } else {
-      add_side(wet, normal, leads);
+      add_side(wet, normal, speed.negative);
     }
   }
 
   void add_side(const Piece& piece, Vec3 normal, bool leads) {
     if (!leads && skin_ == 0.0) return;
-    for (std::size_t i = 2; i < piece.n; ++i)
-      for_each_point(piece.corners[0], piece.corners[i - 1], piece.corners[i], [&](Vec3 point, double weight) {
-        const double share = weight * shade_.open_share(point);
-        const Vec3 velocity = velocity_at(relative_, point);
-        const double outwards = dot(velocity, normal);
-        if (leads) result.form.add(share * form_ * std::max(0.0, outwards), point);
-        const Vec3 along = velocity - outwards * normal;
-        const Vec3 force = -share * skin_ * norm(along) * along;
-        result.skin_friction += {force, cross(point, force)};
-      });
+    for (std::size_t i = 2; i < piece.n; ++i) {
+      const Rule rule = rule_on(piece.corners[0], piece.corners[i - 1], piece.corners[i]);
+      add_drag(rule.points, rule.weights * shade_.open_share(rule.points), normal, leads);
+    }
+  }
+
+  /// Adds the drag at four points; each sum takes the points in turn.
+  void add_drag(const Points& p, const Lanes& share, Vec3 normal, bool leads) {
+    const Vec3 v = relative_.linear, w = relative_.angular;
+    const Lanes vx = v.x + (w.y * p.z - w.z * p.y);
+    const Lanes vy = v.y + (w.z * p.x - w.x * p.z);
+    const Lanes vz = v.z + (w.x * p.y - w.y * p.x);
+    const Lanes outwards = vx * normal.x + vy * normal.y + vz * normal.z;
+    if (leads) {
+      const Lanes coefficient = share * form_ * outwards.max(0.0);
+      for (int k = 0; k < 4; ++k) result.form.add(coefficient[k], {p.x[k], p.y[k], p.z[k]});
+    }
+    const Lanes ax = vx - outwards * normal.x, ay = vy - outwards * normal.y, az = vz - outwards * normal.z;
+    const Lanes factor = -share * skin_ * (ax * ax + ay * ay + az * az).sqrt();
+    const Lanes fx = factor * ax, fy = factor * ay, fz = factor * az;
+    const Lanes mx = p.y * fz - p.z * fy, my = p.z * fx - p.x * fz, mz = p.x * fy - p.y * fx;
+    for (int k = 0; k < 4; ++k) result.skin_friction += {{fx[k], fy[k], fz[k]}, {mx[k], my[k], mz[k]}};
   }
 
   const Waterplane& plane_;
@@ -114,56 +155,17 @@ class Integral {
   Shade& shade_;
 };
 
+/// The box around points at one height.
+Patch plan_patch(std::span<const Vec3> points) {
+  Vec3 low = points.front(), high = low;
+  for (const Vec3 p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), low.z};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), high.z};
+  }
+  return {0.5 * (low + high), {0.5 * (high.x - low.x), 0.0, 0.0}, {0.0, 0.5 * (high.y - low.y), 0.0}};
+}
+
 }  // namespace
-
-Shade::Shade(const Prism& prism, const Pose& pose, std::span<const Solid> neighbours, double gap)
-    : pose_(pose), gap_(gap) {
-  if (gap <= 0.0 || neighbours.empty()) return;
-  double radius = 0.0;
-  for (const Vec2 vertex : prism.rings.front()) radius = std::max(radius, norm(vertex));
-  const double reach = radius + 0.5 * prism.thickness + kShadingReach * gap;
-  for (const Solid solid : neighbours)
-    if (signed_distance(solid, pose.position) < reach) near_.push_back(solid);
-}
-
-void Shade::face(Vec3 centre, Vec3 normal, double radius) {
-  planes_.clear();
-  ends_.clear();
-  if (near_.empty()) return;
-  const Vec3 axis = rotate(pose_.rotation, normal);
-  const Vec3 middle = to_world(pose_, centre) + gap_ * axis;
-  const Quaternion to_axes = conjugate(pose_.rotation);
-  for (const Solid solid : near_) {
-    const std::size_t first = planes_.size();
-    bool apart = false;
-    for (const Plane& plane : solid) {
-      // The probes lie on a disc, which reaches radius times the sine of the angle to its axis along another direction.
-      const double distance = dot(plane.normal, middle) - plane.offset;
-      const double cosine = dot(plane.normal, axis);
-      const double off = std::abs(distance) - 0.5 * gap_;
-      if (off > 0.0 && off * off > radius * radius * (1.0 - cosine * cosine)) {
-        apart = distance > 0.0;
-        if (apart) break;
-        continue;  // all probes are well inside
-      }
-      const Vec3 n = rotate(to_axes, plane.normal);
-      planes_.push_back({n, dot(n, centre) - distance});
-    }
-    planes_.resize(apart ? first : planes_.size());
-    if (!apart) ends_.push_back(planes_.size());
-  }
-}
-
-double Shade::open_share(Vec3 point) const {
-  double held = 0.0;
-  std::size_t i = 0;
-  for (const std::size_t end : ends_) {
-    double share = 1.0;
-    for (; i < end; ++i) share = std::min(share, 0.5 - (dot(planes_[i].normal, point) - planes_[i].offset) / gap_);
-    held += std::max(0.0, share);
-  }
-  return std::max(0.0, 1.0 - held);
-}
 
 SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twist& relative, const Water& water,
                          Shade shade) {
@@ -174,7 +176,7 @@ SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twis
     for (const auto& part : prism.parts) {
       corners.clear();
       for (const Vec2 vertex : part) corners.push_back({vertex.x, vertex.y, side * half});
-      integral.add(corners, {0.0, 0.0, side});
+      integral.add(corners, {0.0, 0.0, side}, plan_patch(corners));
     }
   }
   for (const auto& ring : prism.rings) {
@@ -185,7 +187,8 @@ SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twis
       const Vec2 out = -perpendicular(to - from) / length;
       const std::array<Vec3, 4> face{Vec3{from.x, from.y, -half}, Vec3{to.x, to.y, -half}, Vec3{to.x, to.y, half},
                                      Vec3{from.x, from.y, half}};
-      integral.add(face, {out.x, out.y, 0.0});
+      const Vec2 middle = 0.5 * (from + to), u = 0.5 * (to - from);
+      integral.add(face, {out.x, out.y, 0.0}, {{middle.x, middle.y, 0.0}, {u.x, u.y, 0.0}, {0.0, 0.0, half}});
     }
   }
   return integral.result;

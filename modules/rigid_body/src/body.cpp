@@ -71,6 +71,7 @@ bool is_finite(const Pose& pose, const Twist& twist) {
 }
 
 bool comes_before(const Body& a, const Body& b) {
+  if (a.pose.position.x != b.pose.position.x) return a.pose.position.x < b.pose.position.x;
   const auto key = [](const Body& body) {
     const Vec3& p = body.pose.position;
     const Quaternion& q = body.pose.rotation;

@@ -16,39 +16,106 @@ void BoundedSolver::convertContacts(btPersistentManifold** manifolds, int n_mani
   }
 }
 
+BoundedSolver::Side BoundedSolver::side(int body, const btVector3& linear, const btVector3& angular,
+                                        const btVector3& turned) const {
+  const btVector3 pushed = linear * m_tmpSolverBodyPool[body].internalGetInvMass();
+  Side s{.body = static_cast<std::size_t>(body)};
+  for (int k = 0; k < 3; ++k) {
+    s.jacobian[static_cast<std::size_t>(k)] = Pair{linear[k], angular[k]};
+    s.response[static_cast<std::size_t>(k)] = Pair{pushed[k], turned[k]};
+  }
+  return s;
+}
+
+BoundedSolver::Row BoundedSolver::compact(const btSolverConstraint& row) const {
+  return {.a = side(row.m_solverBodyIdA, row.m_contactNormal1, row.m_relpos1CrossNormal, row.m_angularComponentA),
+          .b = side(row.m_solverBodyIdB, row.m_contactNormal2, row.m_relpos2CrossNormal, row.m_angularComponentB),
+          .rhs = row.m_rhs,
+          .softness = row.m_cfm,
+          .inverse_jacobian = row.m_jacDiagABInv,
+          .jacobian = 1.0 / row.m_jacDiagABInv,
+          .lower = row.m_lowerLimit,
+          .upper = row.m_upperLimit,
+          .impulse = row.m_appliedImpulse};
+}
+
+void BoundedSolver::copy_in() {
+  const btConstraintArray& friction = m_tmpSolverContactFrictionConstraintPool;
+  rows_.clear();
+  for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i) {
+    const btSolverConstraint& normal = m_tmpSolverContactConstraintPool[i];
+    const btSolverConstraint& first = friction[normal.m_frictionIndex];
+    rows_.push_back({compact(normal), first.m_friction, compact(first), compact(friction[normal.m_frictionIndex + 1])});
+  }
+  velocities_.assign(static_cast<std::size_t>(m_tmpSolverBodyPool.size()), Spatial{});
+}
+
+void BoundedSolver::copy_out() {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const btSolverConstraint& normal = m_tmpSolverContactConstraintPool[static_cast<int>(i)];
+    normal.m_appliedImpulse = rows_[i].normal.impulse;
+    m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex].m_appliedImpulse = rows_[i].first.impulse;
+    m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex + 1].m_appliedImpulse = rows_[i].second.impulse;
+  }
+  for (std::size_t i = 0; i < velocities_.size(); ++i) {
+    const auto& [x, y, z] = velocities_[i];
+    btSolverBody& body = m_tmpSolverBodyPool[static_cast<int>(i)];
+    body.internalGetDeltaLinearVelocity().setValue(x[0], y[0], z[0]);
+    body.internalGetDeltaAngularVelocity().setValue(x[1], y[1], z[1]);
+  }
+}
+
 /// Changes the row's impulse within its limits; returns the change of relative velocity [m/s].
-double BoundedSolver::resolve(const btSolverConstraint& row) {
-  return m_resolveSingleConstraintRowGeneric(m_tmpSolverBodyPool[row.m_solverBodyIdA],
-                                             m_tmpSolverBodyPool[row.m_solverBodyIdB], row);
+double BoundedSolver::resolve(Row& row) {
+  const auto relative = [](const Spatial& jacobian, const Spatial& velocity) {
+    const Pair sum = jacobian[0] * velocity[0] + jacobian[1] * velocity[1] + jacobian[2] * velocity[2];
+    return sum[0] + sum[1];
+  };
+  Spatial& a = velocities_[row.a.body];
+  Spatial& b = velocities_[row.b.body];
+  double change = row.rhs - row.impulse * row.softness;
+  change -= relative(row.a.jacobian, a) * row.inverse_jacobian;
+  change -= relative(row.b.jacobian, b) * row.inverse_jacobian;
+  double impulse = row.impulse + change;
+  if (impulse < row.lower || impulse > row.upper) {
+    impulse = impulse < row.lower ? row.lower : row.upper;
+    change = impulse - row.impulse;
+  }
+  row.impulse = impulse;
+  for (std::size_t k = 0; k < 3; ++k) {
+    a[k] += row.a.response[k] * change;
+    b[k] += row.b.response[k] * change;
+  }
+  return change * row.jacobian;
 }
 
 /// Eq. 6 for both tangential rows of a contact, as a disc.
-double BoundedSolver::resolve_friction(const btSolverConstraint& normal) {
-  btSolverConstraint& first = m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex];
-  btSolverConstraint& second = m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex + 1];
-  const double radius = first.m_friction * normal.m_appliedImpulse;
-  if (radius == 0.0 && first.m_appliedImpulse == 0.0 && second.m_appliedImpulse == 0.0) return 0.0;
-  first.m_upperLimit = radius;
-  first.m_lowerLimit = -radius;
+double BoundedSolver::resolve_friction(ContactRows& contact) {
+  auto& [normal, friction, first, second] = contact;
+  const double radius = friction * normal.impulse;
+  if (radius == 0.0 && first.impulse == 0.0 && second.impulse == 0.0) return 0.0;
+  first.upper = radius;
+  first.lower = -radius;
   const double change = resolve(first);
-  const double along = first.m_appliedImpulse;
+  const double along = first.impulse;
   const double left = std::sqrt(std::max(0.0, (radius - along) * (radius + along)));
-  second.m_upperLimit = left;
-  second.m_lowerLimit = -left;
+  second.upper = left;
+  second.lower = -left;
   return std::max(std::abs(change), std::abs(resolve(second)));
 }
 
-btScalar BoundedSolver::solveSingleIteration(int, btCollisionObject**, int, btPersistentManifold**, int,
+btScalar BoundedSolver::solveSingleIteration(int iteration, btCollisionObject**, int, btPersistentManifold**, int,
                                              btTypedConstraint**, int, const btContactSolverInfo&, btIDebugDraw*) {
+  if (iteration == 0) copy_in();
   double largest = 0.0;
-  const btConstraintArray& contacts = m_tmpSolverContactConstraintPool;
-  for (int i = 0; i < contacts.size(); ++i) largest = std::max(largest, std::abs(resolve(contacts[i])));
-  for (int i = 0; i < contacts.size(); ++i) largest = std::max(largest, resolve_friction(contacts[i]));
+  for (ContactRows& contact : rows_) largest = std::max(largest, std::abs(resolve(contact.normal)));
+  for (ContactRows& contact : rows_) largest = std::max(largest, resolve_friction(contact));
   return largest * largest;
 }
 
 btScalar BoundedSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int n_bodies,
                                                       const btContactSolverInfo& info) {
+  copy_out();
   // Bullet reports impulses only when it warm starts, which would carry history from step to step.
   writeBackContacts(0, m_tmpSolverContactConstraintPool.size(), info);
   return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, n_bodies, info);

@@ -2,6 +2,7 @@
 #include "broad_phase.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 namespace brash::rigid_body {
@@ -75,10 +76,15 @@ const std::vector<PartPair>& BroadPhase::near_pairs() {
 
 const std::vector<PartPair>& BroadPhase::pairs() {
   collect(0.0);
-  const auto key = [](const PartPair& p) {
-    return std::tuple(p.first->body->rank, p.first->number, p.second->body->rank, p.second->number);
+  const auto place = [](const Part& part) {
+    return static_cast<std::uint64_t>(part.body->rank) << 32 | static_cast<std::uint32_t>(part.number);
   };
-  std::sort(pairs_.begin(), pairs_.end(), [&](const PartPair& p, const PartPair& q) { return key(p) < key(q); });
+  ordered_.clear();
+  for (const PartPair& p : pairs_) ordered_.push_back({place(*p.first), place(*p.second), p});
+  std::sort(ordered_.begin(), ordered_.end(), [](const Ordered& p, const Ordered& q) {
+    return std::tie(p.first, p.second) < std::tie(q.first, q.second);
+  });
+  for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i] = ordered_[i].pair;
   return pairs_;
 }
 

@@ -3,6 +3,7 @@
 
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,12 @@ class BroadPhase {
   const std::vector<PartPair>& near_pairs();
 
  private:
+  /// A pair with the places of its parts in the order of the step.
+  struct Ordered {
+    std::uint64_t first;
+    std::uint64_t second;
+    PartPair pair;
+  };
   void grow();
   void collect(double distance);
 
@@ -39,6 +46,7 @@ class BroadPhase {
   std::vector<Part*> parts_;
   std::unique_ptr<bt32BitAxisSweep3> sweep_;
   std::vector<PartPair> pairs_;
+  std::vector<Ordered> ordered_;  ///< scratch of pairs
 };
 
 }  // namespace brash::rigid_body

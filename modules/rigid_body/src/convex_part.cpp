@@ -121,17 +121,22 @@ std::array<Vec3, 2> plane_axes(Vec3 normal) {
   return {u, cross(normal, u)};
 }
 
-void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result) {
-  result.clear();
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 a = polygon[i];
-    const Vec3 b = polygon[i + 1 == n ? 0 : i + 1];
-    const double da = dot(plane.normal, a) - plane.offset;
-    const double db = dot(plane.normal, b) - plane.offset;
-    if (da <= 0.0) result.push_back(a);
-    if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0)) result.push_back(a + (da / (da - db)) * (b - a));
+void clip(std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& scratch) {
+  const auto height = [&](Vec3 p) { return dot(plane.normal, p) - plane.offset; };
+  if (std::all_of(polygon.begin(), polygon.end(), [&](Vec3 p) { return height(p) <= 0.0; })) return;
+  scratch.clear();
+  Vec3 a = polygon.front();
+  double at_a = height(a);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const double at_b = height(b);
+    if (at_a <= 0.0) scratch.push_back(a);
+    if ((at_a < 0.0 && at_b > 0.0) || (at_a > 0.0 && at_b < 0.0))
+      scratch.push_back(a + (at_a / (at_a - at_b)) * (b - a));
+    a = b;
+    at_a = at_b;
   }
+  polygon.swap(scratch);
 }
 
 ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top) {
@@ -198,7 +203,6 @@ std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset) {
     for (std::size_t g = 0; g < part.planes.size() && !face.empty(); ++g) {
       if (g == f) continue;
       clip(face, {part.planes[g].normal, part.planes[g].offset - inset}, clipped);
-      face.swap(clipped);
     }
     corners.insert(corners.end(), face.begin(), face.end());
   }

@@ -28,8 +28,8 @@ ConvexPart convex_hull(std::span<const Vec3> points);
 /// Two unit vectors that make a right-handed frame with the unit vector `normal`.
 std::array<Vec3, 2> plane_axes(Vec3 normal);
 
-/// The part of the convex `polygon` inside `plane`, to `result`.
-void clip(const std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& result);
+/// Leaves the part of the convex `polygon` inside `plane`; `scratch` saves it from allocating.
+void clip(std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& scratch);
 
 /// Vertices of the solid with every face moved inwards by `inset` [m]; nothing when it is too thin for that.
 std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset);

@@ -49,11 +49,14 @@ bool leads_on(const Overlap& overlap, Vec3 normal, std::span<const Part* const> 
 WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
   const auto shorter = [](const WayOut& a, const WayOut& b) { return a.depth < b.depth; };
   const WayOut shortest = *std::min_element(overlap.ways.begin(), overlap.ways.end(), shorter);
-  if (beside.none()) return shortest;
+  if (beside.none() || !leads_on(overlap, shortest.normal, beside.first, beside.second)) return shortest;
+  // Few are tried before one leads out, so they are ordered as they are asked for, the first of equals first.
   ways_ = overlap.ways;
-  std::stable_sort(ways_.begin(), ways_.end(), shorter);
-  for (const WayOut& way : ways_)
-    if (!leads_on(overlap, way.normal, beside.first, beside.second)) return way;
+  for (auto rest = ways_.begin(); rest != ways_.end(); ++rest) {
+    const auto next = std::min_element(rest, ways_.end(), shorter);
+    std::rotate(rest, next, next + 1);
+    if (!leads_on(overlap, rest->normal, beside.first, beside.second)) return *rest;
+  }
   return shortest;
 }
 

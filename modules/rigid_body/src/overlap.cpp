@@ -68,7 +68,6 @@ void OverlapFinder::add_faces(const PlacedPart& a, std::span<const int> faces, c
       polygon_.push_back(a.vertices[static_cast<std::size_t>(i)]);
     for (const int g : cutting) {
       clip(polygon_, b.planes[static_cast<std::size_t>(g)], clipped_);
-      polygon_.swap(clipped_);
       if (polygon_.empty()) break;
     }
     overlap_.vertices.insert(overlap_.vertices.end(), polygon_.begin(), polygon_.end());

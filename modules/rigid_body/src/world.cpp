@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <map>
 #include <tuple>
 
@@ -46,9 +45,16 @@ void collect_others(const Part& part, std::vector<const Part*>& others) {
 
 /// A contact of two parts on its way through the solver.
 struct Contact {
-  Body* first = nullptr;
-  Body* second = nullptr;
-  Vec3 normal{};
+  Contact(Body& one, Body& other, Vec3 direction, const Patch& overlap)
+      : first(&one),
+        second(&other),
+        normal(direction),
+        patch(overlap),
+        manifold(one.bullet.get(), other.bullet.get(), 0, BT_LARGE_FLOAT, BT_LARGE_FLOAT) {}
+
+  Body* first;
+  Body* second;
+  Vec3 normal;
   Patch patch;
   btPersistentManifold manifold;
 };
@@ -65,7 +71,7 @@ struct World::Impl {
   BroadPhase broad_phase;
   NarrowPhase narrow_phase;
   BoundedSolver solver;
-  std::deque<Contact> contacts;
+  std::vector<Contact> contacts;
   std::vector<ContactLoad> loads;
   std::vector<const Part*> near_sheet;     ///< scratch of find_contacts
   std::vector<const Part*> beside_first;   ///< scratch of find_contacts
@@ -138,7 +144,9 @@ void World::Impl::find_neighbours(double reach) {
     return std::tuple(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, part->body->id, part->number);
   };
   for (const auto& [id, body] : bodies) {
-    std::sort(body->near.begin(), body->near.end(), [&](const Part* a, const Part* b) { return key(a) < key(b); });
+    std::sort(body->near.begin(), body->near.end(), [&](const Part* a, const Part* b) {
+      return a->now.lower.x != b->now.lower.x ? a->now.lower.x < b->now.lower.x : key(a) < key(b);
+    });
     body->near.erase(std::unique(body->near.begin(), body->near.end()), body->near.end());
   }
   neighbours_known = true;
@@ -187,15 +195,10 @@ void World::Impl::find_contacts(double dt) {
 
 /// Eq. 16: the normal impulse of each point is bounded by dt sigma_c R times its share of the overlap's area.
 void World::Impl::add_contact(const PartPair& pair, double dt) {
-  Contact& contact = contacts.emplace_back();
-  contact.first = pair.first->body;
-  contact.second = pair.second->body;
-  contact.normal = narrow_phase.normal;
-  contact.patch = narrow_phase.patch;
+  Contact& contact =
+      contacts.emplace_back(*pair.first->body, *pair.second->body, narrow_phase.normal, narrow_phase.patch);
   const ContactLaw& how = law(*contact.second);
   const bool breakable = std::isfinite(how.crushing_pressure);
-  contact.manifold = btPersistentManifold(contact.first->bullet.get(), contact.second->bullet.get(), 0, BT_LARGE_FLOAT,
-                                          BT_LARGE_FLOAT);
   for (int i = 0; i < contact.patch.n_points; ++i) {
     const PatchPoint& p = contact.patch.points[static_cast<std::size_t>(i)];
     // Overlap of breakable ice is crushed ice: nothing pushes it apart, so the solver sees no depth.
