@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "brash/failure/unit_profiles.hpp"
 #include "criteria.hpp"
@@ -14,6 +15,8 @@ plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
     unit.bending.push_back({p.bending_xx[i], p.bending_yy[i], 0.0});
     unit.normal.push_back({p.normal_xx[i], p.normal_yy[i], 0.0});
     unit.tangential.push_back({0.0, 0.0, p.tangential_xy[i]});
+  }
+  for (std::size_t i = 0; i < p.first_xx.size(); ++i) {
     unit.in_plane.first.push_back({p.first_xx[i], p.first_yy[i], 0.0});
     unit.in_plane.rest.push_back({p.rest_xx[i], p.rest_yy[i], 0.0});
   }
@@ -60,10 +63,15 @@ class SuperpositionCriterion final : public BendingCriterion {
  private:
   plate::Response respond(const meta_model::ProfileModel& model, const meta_model::Geometry& geometry, double pressure,
                           const LoadCase& load, bool& buckled) const {
-    plate::UnitProfiles unit = to_unit_profiles(model.predict(model.clamp(geometry)));
-    const auto bent = plate::compressed(unit, in_plane_load(ice_, l_c_, pressure, options_));
-    if (!bent) buckled = true;
-    return plate::respond(bent ? *bent : unit, thickness_over_lc_, load.mu1, load.mu2);
+    plate::UnitProfiles unit = to_unit_profiles(model.predict(model.clamp(geometry), options_.second_order));
+    if (options_.second_order) {
+      auto bent = plate::compressed(unit, in_plane_load(ice_, l_c_, pressure, options_));
+      if (bent)
+        unit = std::move(*bent);
+      else
+        buckled = true;
+    }
+    return plate::respond(unit, thickness_over_lc_, load.mu1, load.mu2);
   }
 
   meta_model::ProfileModel whole_;

@@ -131,6 +131,7 @@ void drop_equal_stations(Profiles& p) {
   }
   for (auto* values : {&p.station, &p.bending_xx, &p.bending_yy, &p.normal_xx, &p.normal_yy, &p.tangential_xy,
                        &p.first_xx, &p.first_yy, &p.rest_xx, &p.rest_yy}) {
+    if (values->empty()) continue;
     for (std::size_t i = 0; i < kept.size(); ++i) (*values)[i] = (*values)[kept[i]];
     values->resize(kept.size());
   }
@@ -179,14 +180,16 @@ ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, const std
   return ProfileModel(std::move(impl));
 }
 
-Profiles ProfileModel::predict(const Geometry& geometry) const {
+Profiles ProfileModel::predict(const Geometry& geometry, bool with_in_plane_terms) const {
   BRASH_EXPECTS(check(geometry).inside(), geometry.b_lc, geometry.c_lc, geometry.theta, geometry.h_lc);
   const ProfileShape shape = shape_of(geometry, impl_->reach);
   Profiles p;
   p.station = shape.station;
   add_components(impl_->bending, bending_features(geometry), kBending, shape.bending, p);
-  add_components(impl_->in_plane, bending_features(geometry), kInPlane, shape.bending, p);
-  p.buckling_load = std::exp(impl_->buckling(bending_features(geometry))(0));
+  if (with_in_plane_terms) {
+    add_components(impl_->in_plane, bending_features(geometry), kInPlane, shape.bending, p);
+    p.buckling_load = std::exp(impl_->buckling(bending_features(geometry))(0));
+  }
   add_components(impl_->membrane, membrane_features(geometry), kMembrane, shape.membrane, p);
   drop_equal_stations(p);
   return p;

@@ -58,8 +58,9 @@ class ProfileModel {
   ProfileModel& operator=(ProfileModel&&) noexcept;
   ~ProfileModel();
 
-  /// @param geometry  inside the range, see clamp().
-  Profiles predict(const Geometry& geometry) const;
+  /// @param geometry             inside the range, see clamp().
+  /// @param with_in_plane_terms  whether buckling load, first and rest are wanted; else 0 and empty.
+  Profiles predict(const Geometry& geometry, bool with_in_plane_terms = false) const;
 
   RangeCheck check(const Geometry& geometry) const;
   Geometry clamp(const Geometry& geometry) const;
