@@ -110,7 +110,7 @@ WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, c
   load.buoyancy.moment = cross(rotate(pose.rotation, centre), load.buoyancy.force);
 
   const Quaternion to_body_axes = conjugate(pose.rotation);
-  const Twist relative{rotate(to_body_axes, twist.linear - Vec3{water.current.x, water.current.y, 0.0}),
+  const Twist relative{rotate(to_body_axes, twist.linear - water.current),
                        rotate(to_body_axes, twist.angular)};
   const SurfaceDrag drag =
       water.drag_law == DragLaw::kSurface

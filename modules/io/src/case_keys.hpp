@@ -60,6 +60,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hydrodynamics", "rotational_drag", c.hydrodynamics.rotational_drag);
   visit("hydrodynamics", "skin_friction", c.hydrodynamics.skin_friction);
   visit("hydrodynamics", "added_mass", c.hydrodynamics.added_mass);
+  visit("hydrodynamics", "structure_flow", c.hydrodynamics.structure_flow);
   visit("time", "step", c.time.step);
   visit("time", "duration", c.time.duration);
   visit("random", "seed", c.random.seed);

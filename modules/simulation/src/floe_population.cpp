@@ -10,6 +10,7 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/simulation/scales.hpp"
+#include "cone_of.hpp"
 #include "plan.hpp"
 
 namespace brash::simulation {
@@ -54,12 +55,16 @@ double largest_compression(const std::array<double, 6>& s) {
 FloePopulation::FloePopulation(const io::Case& resolved)
     : case_(&resolved),
       water_{.density = resolved.water.density,
-             .current = resolved.water.current,
+             .current = {resolved.water.current.x, resolved.water.current.y, 0.0},
              .drag_law = resolved.hydrodynamics.drag == "paper" ? DragLaw::kPaper : DragLaw::kSurface,
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction,
-             .shading_gap = shading_gap(resolved)} {}
+             .shading_gap = shading_gap(resolved)} {
+  if (!resolved.hydrodynamics.structure_flow) return;
+  const structure::Cone cone = cone_of(resolved);
+  flow_.emplace(0.5 * cone.waterline_width, structure::displaced_volume(cone));
+}
 
 std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygon& polygon) const {
   const std::vector<geometry::Ring> parts = geometry::convex_parts(polygon);
@@ -107,14 +112,18 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   floes_.emplace(body, std::move(floe));
 }
 
-void FloePopulation::apply_water(rigid_body::World& world, double dt) {
+void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
   for (auto& [body, floe] : floes_) {
     if (water_.shading_gap > 0.0)
       world.neighbours(body, hydrodynamics::kShadingReach * water_.shading_gap, neighbours_);
     const hydrodynamics::StepInertia step{
         .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
+    const Pose pose = world.pose(body);
+    hydrodynamics::Water water = water_;
+    if (flow_)
+      water.current += flow_->at(pose.position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
     const hydrodynamics::WaterLoad load =
-        hydrodynamics::water_load(floe.prism, world.pose(body), world.twist(body), water_, step, neighbours_);
+        hydrodynamics::water_load(floe.prism, pose, world.twist(body), water, step, neighbours_);
     Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
     wrench += load.buoyancy;
     wrench += load.drag;

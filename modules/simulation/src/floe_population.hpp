@@ -10,6 +10,7 @@
 
 #include "brash/core/prism.hpp"
 #include "brash/geometry/polygon.hpp"
+#include "brash/hydrodynamics/structure_flow.hpp"
 #include "brash/hydrodynamics/water.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
@@ -58,7 +59,8 @@ class FloePopulation {
   void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
 
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
-  void apply_water(rigid_body::World& world, double dt);
+  /// @param structure  its centre on the waterplane [m]; the water gives way to it (hydrodynamics.structure_flow).
+  void apply_water(rigid_body::World& world, double dt, Vec2 structure);
 
   /// Mean stress of each floe from the last step's contacts (Love-Weber) and what it presses on the sheet, both
   /// averaged over its collision time T_col.
@@ -87,6 +89,7 @@ class FloePopulation {
 
   const io::Case* case_;
   hydrodynamics::Water water_;
+  std::optional<hydrodynamics::StructureFlow> flow_;
   std::vector<Solid> neighbours_;  ///< scratch of apply_water
   std::map<BodyId, Floe> floes_;
   std::int64_t next_id_ = 0;

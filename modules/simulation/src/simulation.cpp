@@ -9,21 +9,13 @@
 
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
+#include "cone_of.hpp"
 #include "initial_crack.hpp"
 #include "plan.hpp"
 #include "simulation_impl.hpp"
 
 namespace brash::simulation {
 namespace {
-
-structure::Cone make_cone(const io::StructureSection& s) {
-  return {.angle = s.angle,
-          .waterline_width = s.waterline_width,
-          .height = s.height,
-          .height_under_water = s.height_under_water,
-          .downward_breaking = s.breaking == "downward",
-          .facets = s.facets};
-}
 
 rigid_body::WorldSettings world_settings(const io::Case& c) {
   const double crushing = c.ice.compressive_strength * c.ice.crushing_factor;
@@ -62,7 +54,7 @@ class StageClock {
 Simulation::Impl::Impl(const io::Case& c, IceField laid)
     : resolved(c),
       ice(ice_properties(c)),
-      cone(make_cone(c.structure)),
+      cone(cone_of(c)),
       criterion(make_criterion(c, ice)),
       field(std::move(laid)),
       world(world_settings(c)),
@@ -260,7 +252,7 @@ StepReport Simulation::Impl::step() {
   advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
   {
     const StageClock clock(times.water);
-    floes.apply_water(world, resolved.time.step);  // weight, buoyancy, drag: Eqs. 13, 14
+    floes.apply_water(world, resolved.time.step, centre);  // weight, buoyancy, drag: Eqs. 13, 14
   }
   {
     const StageClock clock(times.world);

@@ -13,6 +13,11 @@ double radius_at(const Cone& cone, double z) {
   return 0.5 * cone.waterline_width + (cone.downward_breaking ? widening : -widening);
 }
 
+double displaced_volume(const Cone& cone) {
+  const double top = radius_at(cone, 0.0), keel = radius_at(cone, -cone.height_under_water);
+  return kPi * cone.height_under_water / 3.0 * (top * top + top * keel + keel * keel);
+}
+
 std::vector<Vec2> section(const Cone& cone, double z) {
   const double radius = radius_at(cone, z);
   BRASH_EXPECTS(radius > 0.0 && cone.facets >= 3, radius, z, cone.facets);

@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(water_at_rest_does_not_drag_a_floe_at_rest) {
 
 BOOST_AUTO_TEST_CASE(a_floe_that_drifts_with_the_current_feels_no_drag) {
   Water water;
-  water.current = {0.4, -0.3};
+  water.current = {0.4, -0.3, 0.0};
   const WaterLoad load = water_load(box(3.0, 2.0, 0.5), kDeep, {{0.4, -0.3, 0.0}, {}}, water);
   BOOST_CHECK(load.drag == Wrench{});
   BOOST_CHECK(load.skin_friction == Wrench{});

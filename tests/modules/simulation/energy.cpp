@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_floe_born_with_energy_is_booked_and_a_deleted_one_takes_i
   Pool pool;
   const BodyId floe = pool.add({0, 0}, {3, 2}, {{0.9, 0, 0}, {}});
   const double energy = pool.world.kinetic_energy();
-  pool.floes.apply_water(pool.world, 0.01);
+  pool.floes.apply_water(pool.world, 0.01, {});
   pool.world.step(0.01);
   pool.ledger.book_step(pool.world, pool.floes, 0, 0.01);
   io::LoadRow row;

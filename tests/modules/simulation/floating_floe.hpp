@@ -35,7 +35,7 @@ struct FloatingFloe {
   FloatingFloe& operator=(const FloatingFloe&) = delete;
 
   void step(double dt) {
-    floes.apply_water(world, dt);
+    floes.apply_water(world, dt, {});
     world.step(dt);
   }
   double h() const { return ice.ice.thickness; }

@@ -70,7 +70,7 @@ struct Basin {
     Pose next = w.pose(wall);
     next.position.x += kSpeed * kStep;
     w.move_structure(wall, next, {{kSpeed, 0.0, 0.0}, {}});
-    floes.apply_water(w, kStep);
+    floes.apply_water(w, kStep, {});
     w.step(kStep);
   }
 

@@ -29,7 +29,7 @@ struct Pool {
 
   /// Energies after a step of `dt`. The floes are not newborn.
   io::LoadRow step(double dt) {
-    floes.apply_water(world, dt);
+    floes.apply_water(world, dt, {});
     world.step(dt);
     ledger.book_step(world, floes, floes.next_id(), dt);
     io::LoadRow row;

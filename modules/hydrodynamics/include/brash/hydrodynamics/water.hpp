@@ -18,7 +18,7 @@ enum class DragLaw {
 /// The water: free surface at z = 0.
 struct Water {
   double density = 1025.0;  ///< rho_w [kg/m3]
-  Vec2 current{};           ///< [m/s]
+  Vec3 current{};           ///< velocity of the water at the floe [m/s]
   DragLaw drag_law = DragLaw::kSurface;
   double form_drag = 1.0;        ///< C_d of Eq. 13 [-]
   double rotational_drag = 1.0;  ///< C_a of Eq. 14, kPaper only [-]

@@ -97,6 +97,7 @@ struct HydrodynamicsSection {
   double rotational_drag = 1.0;
   double skin_friction = 0.005;
   double added_mass = 0.5;
+  bool structure_flow = true;  ///< the water gives way to the structure
 
   friend bool operator==(const HydrodynamicsSection&, const HydrodynamicsSection&) = default;
 };

@@ -20,6 +20,9 @@ struct Cone {
 /// Radius of the section at height z [m].
 double radius_at(const Cone& cone, double z);
 
+/// Volume below the waterplane, of the round cone [m3].
+double displaced_volume(const Cone& cone);
+
 /// The section at height z, counter-clockwise, in the structure's frame [m]; shape=(facets,).
 /// Its vertices lie on the circle of radius_at(cone, z).
 std::vector<Vec2> section(const Cone& cone, double z);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/hydrodynamics/structure_flow.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+
+namespace {
+
+using namespace brash;
+using brash::hydrodynamics::StructureFlow;
+
+constexpr Vec2 kVelocity{1.2, 0.0};
+
+double volume(double radius, double depth) { return 2.0 / 3.0 * kPi * radius * radius * depth; }
+
+BOOST_AUTO_TEST_CASE(around_a_sphere_it_is_the_dipole) {
+  const StructureFlow flow(2.0, volume(2.0, 2.0));
+  // u = U R^3 / (2 r^3) (3 cos(theta) e_r - e_x)
+  for (const Vec3 p : {Vec3{3.0, 0.0, 0.0}, Vec3{0.0, 2.5, 0.0}, Vec3{1.5, -2.0, -1.0}}) {
+    const double r = norm(p);
+    const Vec3 expected = 1.2 * 8.0 / (2.0 * r * r * r) * (3.0 * p.x / (r * r) * p - Vec3{1.0, 0.0, 0.0});
+    BOOST_TEST(norm(flow.at(p, kVelocity) - expected) < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_water_at_the_surface_moves_along_the_normal_as_the_structure_does) {
+  for (const double depth : {0.5, 1.9995, 2.0005, 5.0}) {
+    const StructureFlow flow(2.0, volume(2.0, depth));
+    for (const double theta : {0.1, 0.7, 1.4})
+      for (const double phi : {0.0, 1.0, 2.5}) {
+        const double outside = 1.0 + 1e-9;
+        const Vec3 p = outside * Vec3{2.0 * std::cos(theta) * std::cos(phi), 2.0 * std::cos(theta) * std::sin(phi),
+                                      -depth * std::sin(theta)};
+        const Vec3 n{p.x / 4.0, p.y / 4.0, p.z / (depth * depth)};
+        BOOST_TEST(std::abs(dot(flow.at(p, kVelocity) - Vec3{1.2, 0.0, 0.0}, n)) / norm(n) < 1e-6);
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_water_is_made_and_none_turns) {
+  const StructureFlow flow(6.8, 506.0);
+  constexpr double kStep = 1e-4;
+  for (const Vec3 p : {Vec3{8.0, 1.0, -1.0}, Vec3{-3.0, 7.0, -2.0}, Vec3{1.0, 2.0, -9.0}}) {
+    const auto slope = [&](Vec3 along) {
+      return (flow.at(p + kStep * along, kVelocity) - flow.at(p - kStep * along, kVelocity)) / (2.0 * kStep);
+    };
+    const Vec3 x = slope({1, 0, 0}), y = slope({0, 1, 0}), z = slope({0, 0, 1});
+    BOOST_TEST(std::abs(x.x + y.y + z.z) < 1e-7);  // central differences: the third derivative times 1e-8
+    BOOST_TEST(norm(Vec3{z.y - y.z, x.z - z.x, y.x - x.y}) < 1e-7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_passes_the_surface_and_far_away_the_water_is_at_rest) {
+  const StructureFlow flow(6.8, 506.0);
+  BOOST_TEST(flow.at({9.0, 3.0, 0.0}, kVelocity).z == 0.0);
+  BOOST_TEST(norm(flow.at({100.0, 50.0, 0.0}, kVelocity)) < 1e-3);
+  BOOST_TEST(flow.at({1.0, 1.0, -1.0}, kVelocity).x == 1.2);  // inside
+}
+
+}  // namespace
