@@ -48,9 +48,9 @@ std::string quantile_row(const char* name, const std::vector<double>& q) {
 
 std::string ice(const simulation::RunSummary& s) {
   std::string text = "ice\n";
-  text += fmt::format("  {} breaks ({:.2f} a second), {} floes born, {} present, {} crushed; fastest floe {:.2f} m/s\n",
-                      s.n_breaks, s.breaking_frequency, s.n_floes_born, s.n_floes_present, s.n_floes_crushed,
-                      s.fastest_floe);
+  text += fmt::format("  {} breaks ({:.2f} a second), {} floes born, {} present, {} crushed", s.n_breaks,
+                      s.breaking_frequency, s.n_floes_born, s.n_floes_present, s.n_floes_crushed);
+  text += s.fastest_floe ? fmt::format("; fastest floe {:.2f} m/s\n", *s.fastest_floe) : "\n";
   text += "  quantiles               5 %  25 %  50 %  75 %  95 %\n";
   text += quantile_row("piece area [m2]", s.piece_area_quantiles);
   text += quantile_row("breaking length [m]", s.breaking_length_quantiles);

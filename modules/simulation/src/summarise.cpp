@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "brash/statistics/quantile.hpp"
 
@@ -36,8 +37,9 @@ LoadSplit split(std::span<const io::LoadRow> rows, Axis axis) {
           mean(rows, [&](const io::LoadRow& r) { return axis(r.floe_friction.force); })};
 }
 
-/// The largest speed of a floe between two frames [m/s].
-double fastest(std::span<const io::Frame> frames) {
+/// The largest speed of a floe between two frames [m/s]; nothing without them.
+std::optional<double> fastest(std::span<const io::Frame> frames) {
+  if (frames.size() < 2) return std::nullopt;
   double speed = 0.0;
   std::map<std::int64_t, Vec3> before;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -184,7 +186,7 @@ std::string to_json(const RunSummary& s) {
        {{"n_substepped", s.n_substepped}, {"n_below", s.n_below_range}, {"n_above", s.n_above_range}}},
       {"n_outlines_refused", s.n_outlines_refused},
       {"n_steps_too_long", s.n_steps_too_long},
-      {"fastest_floe", s.fastest_floe},
+      {"fastest_floe", s.fastest_floe ? nlohmann::ordered_json(*s.fastest_floe) : nlohmann::ordered_json()},
       {"ledger", json_of(s.ledger)},
       {"energy", json_of(s.energy)}};
   return json.dump(2) + "\n";

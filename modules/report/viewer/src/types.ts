@@ -58,7 +58,7 @@ export interface RunSummary {
   failure_model_range: { n_substepped: number; n_below: number; n_above: number };
   n_outlines_refused: number;
   n_steps_too_long: number;
-  fastest_floe: number;
+  fastest_floe: number | null;
   ledger: Record<string, string | number | boolean>;
   energy: { work: number; losses: Record<string, number>; [key: string]: number | Record<string, number> };
 }

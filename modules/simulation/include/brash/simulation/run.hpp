@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "brash/io/results.hpp"
@@ -50,7 +51,7 @@ struct RunSummary {
   int n_outlines_refused = 0;
   int n_above_range = 0;
   int n_steps_too_long = 0;
-  double fastest_floe = 0.0;  ///< largest speed of any floe between two frames [m/s]
+  std::optional<double> fastest_floe;  ///< largest speed of any floe between two frames [m/s]; absent without frames
   geometry::Ledger ledger;
   EnergyBalance energy;
 };
