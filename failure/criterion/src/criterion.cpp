@@ -21,8 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
-/// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is crushed
-/// (sigma/p >= 0.25) it is wrong by less than 5 % on geometries that it has not seen: docs/theory/meta-model.md.
+/// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is
+/// crushed (sigma/p >= 0.25) it is wrong by less than 5 % on geometries that it has not seen:
+/// docs/theory/meta-model.md.
 constexpr double kPlateMargin = 1.25;
 /// The same for the outline, which may differ more from its trapezoid.
 constexpr double kOutlineMargin = 3.0;
@@ -68,13 +69,13 @@ std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exa
 
 void refuse_options(const std::string& model, const BendingOptions& options) {
   if (options.radial_first && model != "plate") {
-    throw InputError(
-        fmt::format("failure.order = \"radial-first\" is not for failure.model = \"{}\"; it needs \"plate\"", model));
+    throw InputError(Complaint{"failure.order",
+                               fmt::format("= \"radial-first\" is not for failure.model = \"{}\"", model),
+                               "failure.model = \"plate\"", "take that model, or \"circumferential-first\""});
   }
   if (options.second_order && model != "plate" && model != "plate-outline") {
-    throw InputError(fmt::format(
-        "failure.second_order = true is not for failure.model = \"{}\"; it needs \"plate\" or \"plate-outline\"",
-        model));
+    throw InputError(Complaint{"failure.second_order", fmt::format("= true is not for failure.model = \"{}\"", model),
+                               "failure.model = \"plate\" or \"plate-outline\"", "take one of these models, or false"});
   }
 }
 
@@ -130,8 +131,8 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
     return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);
   }
   if (model == "wedge") return make_wedge_criterion(ice);
-  throw InputError(fmt::format(
-      "failure.model = \"{}\" is not known; allowed: network, superposition, plate, plate-outline, wedge", model));
+  throw InputError(Complaint{"failure.model", fmt::format("= \"{}\" is not known", model),
+                             "network, superposition, plate, plate-outline, wedge", "take one of these"});
 }
 
 }  // namespace brash::failure
