@@ -156,7 +156,7 @@ def make_profiles(text, folder):
     write("modes-huge", r'"n_modes":\d+', '"n_modes":1000000')
     write("centres-none", r'"n_centres":\d+', '"n_centres":0')
     write("centre-missing", r'"centres":\[\[[^,]+,', '"centres":[[')
-    write("weight-null", r'"weights":\[\[[^,]+,', '"weights":[[null,')
+    write("profile-weight-null", r'"weights":\[\[[^,]+,', '"weights":[[null,')
     write("factor-negative", r'"factor":\[[^,]+,', '"factor":[-1.0,')
     write("reach-negative", r'"reach":[^,}]+', '"reach":-1.0')
     write("mean-missing", r'"mean":', '"means":')
@@ -293,7 +293,8 @@ def make_runs(good, folder):
                        ("deep", "[" * 200_000 + "]" * 200_000)):
         (copy(f"summary-{name}") / "summary.json").write_text(text)
     for name, text in (("empty", ""), ("cut", '{"case": {"toml": "'), ("list", "[]"), ("without-case", "{}"),
-                       ("case-broken", '{"case": {"name": "x", "toml": "[ice"}}')):
+                       ("case-broken", '{"format": "brash-manifest-1", "case": {"name": "x", "toml": "[ice"}, '
+                        '"program": {"version": "0"}, "inputs": [], "outputs": []}')):
         (copy(f"manifest-{name}") / "manifest.json").write_text(text)
     (copy("manifest-missing") / "manifest.json").unlink()
 
