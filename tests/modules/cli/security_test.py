@@ -147,13 +147,12 @@ class Pictures(Scratch):
         self.assertEqual(tags & {"script", "image", "foreignObject"}, set())
         self.assertTrue(any("<script>alert(1)</script>" in (element.text or "") for element in picture.iter()))
 
-    def test_xml_for_paraview_is_well_formed_whatever_the_case_is_called(self):
+    def test_the_list_of_files_for_paraview_is_well_formed_whatever_the_case_is_called(self):
         case = self.path / "<a & \"b'>.toml"
         case.write_text(QUICK_CASE)
         brash("run", case, "-o", "out", cwd=self.path)
         brash("export", "vtk", "out/run.nc", "-o", "vtk <&>", cwd=self.path)
-        for file in (self.path / "vtk <&>").iterdir():
-            xml.etree.ElementTree.parse(file)
+        xml.etree.ElementTree.parse(self.path / "vtk <&>/run.pvd")
 
 
 class Modes(Scratch):
