@@ -82,7 +82,7 @@ class Reader {
   void read_properties(const JsonNode& properties, Feature& feature) {
     if (const JsonNode* kind = find(properties, "kind")) {
       if (kind->text != "sheet" && kind->text != "floe") {
-        return fail(properties, "\"kind\" is neither \"sheet\" nor \"floe\"");
+        return fail(properties, fmt::format("\"kind\" = \"{}\" is neither \"sheet\" nor \"floe\"", kind->text));
       }
       feature.kind = kind->text;
     }

@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
   BOOST_TEST(fault_of_geojson(R"({"type":"Polygon","type":"Polygon"})") == "line 1, column 1: \"type\" is given twice");
   BOOST_TEST(fault_of_geojson(R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"kind":"berg"},"geometry":null}]})") ==
-             "line 2, column 32: \"kind\" is neither \"sheet\" nor \"floe\"");
+             "line 2, column 32: \"kind\" = \"berg\" is neither \"sheet\" nor \"floe\"");
   BOOST_TEST(fault_of_geojson(R"({"type":"Feature","geometry":null})") ==
              "line 1, column 1: the feature has no geometry");
   BOOST_TEST(fault_of_geojson(R"({"type":"Feature","properties":{"id":1.5},"geometry":null})") ==

@@ -72,16 +72,16 @@ std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exa
 void refuse_options(const std::string& model, const std::string& file, const BendingOptions& options) {
   const bool splits = model == "plate" || (model == "superposition" && file.empty());
   if (options.radial_first && !splits) {
-    throw InputError(
-        fmt::format("failure.order = \"radial-first\" is not for failure.model = \"{}\"{}; it needs "
-                    "\"plate\", or \"superposition\" without a file",
-                    model, file.empty() ? "" : " with a file"));
+    throw InputError(Complaint{"failure.order",
+                               fmt::format("= \"radial-first\" is not for failure.model = \"{}\"{}", model,
+                                           file.empty() ? "" : " with a file"),
+                               "failure.model = \"plate\", or \"superposition\" without failure.file",
+                               "take one of these models, or \"circumferential-first\""});
   }
   if (options.second_order && (model == "network" || model == "wedge")) {
-    throw InputError(
-        fmt::format("failure.second_order = true is not for failure.model = \"{}\"; it needs "
-                    "\"superposition\", \"plate\" or \"plate-outline\"",
-                    model));
+    throw InputError(Complaint{"failure.second_order", fmt::format("= true is not for failure.model = \"{}\"", model),
+                               "failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
+                               "take one of these models, or false"});
   }
 }
 
@@ -135,8 +135,8 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
     return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);
   }
   if (model == "wedge") return make_wedge_criterion(ice);
-  throw InputError(fmt::format(
-      "failure.model = \"{}\" is not known; allowed: network, superposition, plate, plate-outline, wedge", model));
+  throw InputError(Complaint{"failure.model", fmt::format("= \"{}\" is not known", model),
+                             "network, superposition, plate, plate-outline, wedge", "take one of these"});
 }
 
 }  // namespace brash::failure

@@ -37,7 +37,8 @@ bool read_if_there(const std::string& path, const std::string& plan_sha256, Data
   if (!fs::exists(path)) return false;
   database = read_database(path);
   if (database.plan_sha256 == plan_sha256) return true;
-  throw InputError(fmt::format("{}: was computed for another plan; remove it or give another output name", path));
+  throw InputError(Complaint{path, "was computed for another plan", "a database of this plan, or no file",
+                             "remove it, or give another output name"});
 }
 
 void count(const std::vector<Record>& records, Progress& progress) {

@@ -7,9 +7,13 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/nesting.hpp"
+#include "brash/core/text.hpp"
 
 namespace brash::database {
 namespace {
@@ -19,15 +23,27 @@ constexpr std::array<const char*, 2> kTheoryNames{"reissner-mindlin", "kirchhoff
 constexpr int kMostGeometries = 1'000'000;
 constexpr int kMostRows = 10'000;
 
+constexpr const char* kRemedy = "write it as in experiments/failure_database/plan.toml";
+
+/// A value as a plan has it, for messages.
+std::string shown(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  return printable(text.str());
+}
+
 /// A table of the plan that knows its file and name; keys that nobody asked for are refused at the end.
 class Table {
  public:
   Table(const std::string& file, std::string name, const toml::table& table)
       : file_(file), name_(std::move(name)), table_(table) {}
 
-  [[noreturn]] void refuse(const toml::node& node, const std::string& key, const std::string& what) const {
+  [[noreturn]] void refuse(const toml::node& node, const std::string& key, const std::string& what,
+                           const std::string& allowed) const {
     const auto at = node.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: `{}`: {}", file_, at.line, at.column, full(key), what));
+    throw InputError(Complaint{fmt::format("{}:{}:{}", file_, at.line, at.column),
+                               fmt::format("`{}` {}", full(key), what), allowed, kRemedy});
   }
   const toml::node* find(const std::string& key) {
     known_.insert(key);
@@ -37,7 +53,7 @@ class Table {
     const toml::node* node = find(key);
     if (node == nullptr) {
       throw InputError(
-          fmt::format("{}: the key `{}` is missing; see experiments/failure_database/plan.toml", file_, full(key)));
+          Complaint{file_, fmt::format("`{}` is missing", full(key)), "a plan of a failure database", kRemedy});
     }
     return *node;
   }
@@ -45,7 +61,7 @@ class Table {
     const toml::node& node = get(key);
     const auto value = node.value<double>();
     if (!value || !std::isfinite(*value) || *value < least || *value > most) {
-      refuse(node, key, fmt::format("must be a number in [{}, {}]", least, most));
+      refuse(node, key, "= " + shown(node) + " is not allowed", fmt::format("a number from {} to {}", least, most));
     }
     return *value;
   }
@@ -56,7 +72,8 @@ class Table {
     const toml::node& node = get(key);
     const auto value = node.value_exact<std::int64_t>();
     if (!value || *value < least || *value > most) {
-      refuse(node, key, fmt::format("must be a whole number in [{}, {}]", least, most));
+      refuse(node, key, "= " + shown(node) + " is not allowed",
+             fmt::format("a whole number from {} to {}", least, most));
     }
     return static_cast<int>(*value);
   }
@@ -74,17 +91,17 @@ class Table {
     for (std::size_t i = 0; i < N; ++i) {
       if (value == names[i]) return i;
     }
-    refuse(*node, key, fmt::format("must be one of \"{}\"", fmt::join(names, "\", \"")));
+    refuse(*node, key, "= " + shown(*node) + " is not allowed", fmt::format("\"{}\"", fmt::join(names, "\", \"")));
   }
-  Table table(const std::string& key) {
+  Table table(const std::string& key, const std::string& allowed = "a table") {
     const toml::node& node = get(key);
-    if (!node.is_table()) refuse(node, key, "must be a table");
+    if (!node.is_table()) refuse(node, key, "= " + shown(node) + " is not allowed", allowed);
     return {file_, full(key), *node.as_table()};
   }
   void refuse_unknown_keys() const {
     for (const auto& [key, node] : table_) {
       if (known_.contains(std::string(key.str()))) continue;
-      refuse(node, std::string(key.str()), fmt::format("is not known; allowed here: {}", fmt::join(known_, ", ")));
+      refuse(node, std::string(key.str()), "is not known", fmt::format("{}", fmt::join(known_, ", ")));
     }
   }
 
@@ -103,27 +120,31 @@ Axis read_axis(Table& tables, const std::string& key, double least, double most,
     const double value = tables.number(key, least, most) * unit;
     return {value, value, Spacing::kLinear};
   }
-  Table table = tables.table(key);
+  Table table = tables.table(key, fmt::format("a number from {} to {}, or {{ from = .., to = .. }}", least, most));
   Axis axis{table.number("from", least, most) * unit, table.number("to", least, most) * unit};
   axis.spacing = static_cast<Spacing>(table.choice_or("spacing", kSpacingNames, 0));
-  if (axis.to < axis.from) table.refuse(table.get("to"), "to", "must not be below `from`");
+  if (axis.to < axis.from) table.refuse(table.get("to"), "to", "is below `from`", "`from` or more");
   if (axis.spacing == Spacing::kLogarithmic && !(axis.from > 0.0)) {
-    table.refuse(table.get("from"), "from", "must be > 0 with logarithmic spacing");
+    table.refuse(table.get("from"), "from", "is 0", "above 0 with logarithmic spacing");
   }
   if (axis.spacing == Spacing::kByContact && key != "b_lc") {
-    table.refuse(table.get("spacing"), "spacing", "\"by-contact\" is a spacing of `b_lc` only");
+    table.refuse(table.get("spacing"), "spacing", "= \"by-contact\" is not allowed", "that spacing for `b_lc` only");
   }
   table.refuse_unknown_keys();
   return axis;
 }
 
 toml::table parse(const std::string& path) {
+  const std::string text = read_text_file(path, "a plan of a failure database (TOML)", 1);
+  if (const auto deep = find_deep_nesting(text))
+    throw InputError(Complaint{fmt::format("{}:{}:{}", path, deep->line, deep->column), "is nested too deeply",
+                               fmt::format("at most {} levels", kDeepestNesting), kRemedy});
   try {
-    return toml::parse_file(path);
+    return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     const auto at = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: {}; write it as experiments/failure_database/plan.toml is written", path,
-                                 at.line, at.column, error.description()));
+    throw InputError(Complaint{fmt::format("{}:{}:{}", path, at.line, at.column), std::string(error.description()),
+                               "TOML 1.0: lines `key = value` under a line `[section]`", kRemedy});
   }
 }
 

@@ -7,11 +7,17 @@
 #include <netcdf.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <functional>
 #include <limits>
 
+#include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 
@@ -108,7 +114,13 @@ class File {
   File& operator=(const File&) = delete;
 
   void check(int code, const std::string& what) const {
-    if (code != NC_NOERR) throw Error(fmt::format("{}: {}: {}", path_, what, nc_strerror(code)));
+    if (code != NC_NOERR) refuse(what, nc_strerror(code));
+  }
+  [[noreturn]] void refuse(const std::string& what, const std::string& fault) const {
+    const InputError complaint(Complaint{path_ + ", " + what, fault,
+                                         "a whole database of `brash failure database` (netCDF)",
+                                         "check folder and space, and compute or copy the database again"});
+    throw Error(complaint.what());
   }
   void close() {
     open_ = false;
@@ -139,6 +151,8 @@ class File {
     std::size_t size = 0;
     check(nc_inq_dimid(id_, name, &dimension), name);
     check(nc_inq_dimlen(id_, dimension, &size), name);
+    if (size > most_values_in(std::filesystem::file_size(path_)))
+      refuse(name, fmt::format("states {} values, more than the file's bytes can hold", size));
     return size;
   }
   int variable(const char* name) const {
@@ -146,12 +160,28 @@ class File {
     check(nc_inq_varid(id_, name, &variable), name);
     return variable;
   }
+  /// The library fills a variable's own size, whatever the room for it.
+  void expect_size(const char* name, std::size_t size) const {
+    int n_dimensions = 0;
+    std::array<int, NC_MAX_VAR_DIMS> dimensions{};
+    check(nc_inq_var(id_, variable(name), nullptr, nullptr, &n_dimensions, dimensions.data(), nullptr), name);
+    std::size_t held = 1;
+    for (int i = 0; i < n_dimensions && held <= size; ++i) {
+      std::size_t length = 0;
+      check(nc_inq_dimlen(id_, dimensions[i], &length), name);
+      held *= length;
+    }
+    if (held != size || size > most_values_in(std::filesystem::file_size(path_)))
+      refuse(name, fmt::format("has not the {} values that the dimensions ask for", size));
+  }
   std::vector<double> doubles(const char* name, std::size_t size) const {
+    expect_size(name, size);
     std::vector<double> values(size);
     if (size > 0) check(nc_get_var_double(id_, variable(name), values.data()), name);
     return values;
   }
   std::vector<int> ints(const char* name, std::size_t size) const {
+    expect_size(name, size);
     std::vector<int> values(size);
     if (size > 0) check(nc_get_var_int(id_, variable(name), values.data()), name);
     return values;
@@ -244,11 +274,33 @@ void put_records(Writer& file, std::vector<Record> records, const Shape& shape) 
 
 std::vector<std::string> read_messages(const Reader& file, std::size_t n) {
   std::vector<char*> raw(n, nullptr);
+  file.expect_size("error", n);
   file.check(nc_get_var_string(file.id(), file.variable("error"), raw.data()), "error");
   std::vector<std::string> messages;
   for (const char* message : raw) messages.emplace_back(message == nullptr ? "" : message);
   file.check(nc_free_string(n, raw.data()), "error");
   return messages;
+}
+
+/// Refuses numbers that no solved geometry has.
+void check_solved(const Reader& file, const Record& r) {
+  const auto refuse = [&](const std::string& what) { file.refuse(fmt::format("geometry {}", r.geometry), what); };
+  const plate::WedgePlate& g = r.plate;
+  const bool in_range =
+      g.depth >= 0.0 && g.contact_length > 0.0 && g.angle >= 0.0 && g.angle < kPi && g.thickness > 0.0;
+  if (!in_range || !std::isfinite(g.depth + g.contact_length + g.thickness))
+    refuse(fmt::format("b/l_c = {}, c/l_c = {}, theta = {}, h/l_c = {} is no geometry", g.depth, g.contact_length,
+                       g.angle, g.thickness));
+  if (r.profiles.station.size() < 2 || r.rows.empty()) refuse("is solved, but has no profile or no load");
+  UnitProfiles profiles = r.profiles;
+  for (const auto& v : kStationVariables)
+    for (std::size_t i = 0; i < profiles.station.size(); ++i)
+      if (!std::isfinite(v.value(profiles, i))) refuse(fmt::format("{} has a value that is not finite", v.name));
+  if (std::ranges::adjacent_find(profiles.station, std::greater_equal<>()) != profiles.station.end())
+    refuse("has stations that do not rise");
+  for (Row row : r.rows)
+    for (const auto& v : kRowVariables)
+      if (!std::isfinite(v.value(row))) refuse(fmt::format("{} has a value that is not finite", v.name));
 }
 
 void read_values(const Reader& file, std::vector<Record>& records) {
@@ -298,8 +350,7 @@ Database read_database(const std::string& path) {
   const Reader file(path, NC_NOWRITE, false);
   Database database{.plan = file.text("plan"), .plan_sha256 = file.text("plan_sha256")};
   if (sha256(database.plan) != database.plan_sha256) {
-    throw InputError(
-        fmt::format("{}: plan_sha256 does not fit the plan: the file was changed; compute it again", path));
+    file.refuse("plan_sha256", "does not fit the plan: the file was changed");
   }
   const std::size_t n = file.dimension("geometry");
   const std::size_t most_stations = file.dimension("centre_line"), most_rows = file.dimension("load");
@@ -309,7 +360,7 @@ Database read_database(const std::string& path) {
   for (std::size_t g = 0; g < n; ++g) {
     const auto stations = static_cast<std::size_t>(n_stations[g]), rows = static_cast<std::size_t>(n_rows[g]);
     if (stations > most_stations || rows > most_rows) {
-      throw InputError(fmt::format("{}: geometry {}: more stations or loads than the file has", path, index[g]));
+      file.refuse(fmt::format("geometry {}", index[g]), "has more stations or loads than the file");
     }
     Record r{.geometry = index[g], .solved = solved[g] == 1, .error = messages[g]};
     r.profiles.n_elements = n_elements[g];
@@ -318,6 +369,8 @@ Database read_database(const std::string& path) {
     database.records.push_back(std::move(r));
   }
   read_values(file, database.records);
+  for (const Record& r : database.records)
+    if (r.solved) check_solved(file, r);
   return database;
 }
 

@@ -5,8 +5,8 @@
 
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 
+#include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/meta_model/network.hpp"
@@ -22,16 +22,12 @@ std::string content_hash(Json model) {
 }
 
 Json parse(const std::string& path) {
-  std::ifstream stream(path);
-  std::stringstream text;
-  if (!stream || !(text << stream.rdbuf())) {
-    throw InputError(fmt::format("{}: cannot be read; give a model file written by `brash failure train`", path));
-  }
+  constexpr const char* kAllowed = "a model written by `brash failure train` (JSON)";
+  const std::string text = read_json_text(path, kAllowed);
   try {
-    return Json::parse(text.str());
-  } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{}: byte {}: is not JSON ({}); give a model file written by `brash failure train`",
-                                 path, error.byte, error.what()));
+    return Json::parse(text);
+  } catch (const Json::exception& error) {  // syntax, or a number beyond what a double holds
+    throw InputError(Complaint{path, fmt::format("is no JSON: {}", error.what()), kAllowed, "copy or write it again"});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
 
 namespace brash::meta_model {
 
@@ -21,8 +22,9 @@ class Place {
       : file_(file), value_(value), pointer_(std::move(pointer)) {}
 
   [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(fmt::format("{}: {}: {}; write the model again with `brash failure train`, or copy it again",
-                                 file_, pointer_.empty() ? "/" : pointer_, what));
+    throw InputError(Complaint{fmt::format("{}: {}", file_, pointer_.empty() ? "/" : pointer_), what,
+                               "a whole model file that this version of `brash failure train` wrote",
+                               "write the model again with `brash failure train`, or copy it again"});
   }
   Place operator[](const char* key) const {
     if (!value_.is_object() || !value_.contains(key)) refuse(fmt::format("the key `{}` is missing", key));
@@ -30,25 +32,28 @@ class Place {
   }
   Place operator[](std::size_t index) const { return {file_, value_.at(index), fmt::format("{}/{}", pointer_, index)}; }
   double number() const {
-    if (!value_.is_number() || !std::isfinite(value_.get<double>())) refuse("must be a finite number");
+    if (!value_.is_number() || !std::isfinite(value_.get<double>()))
+      refuse("is " + shown() + ", must be a finite number");
     return value_.get<double>();
   }
   double positive() const {
-    if (!(number() > 0.0)) refuse("must be > 0");
+    if (!(number() > 0.0)) refuse("is " + shown() + ", must be > 0");
     return number();
   }
   /// A whole number in [1, 1e6]; more is beyond any use.
   std::size_t count() const {
     constexpr double kMost = 1e6;
-    if (positive() != std::floor(number()) || number() > kMost) refuse("must be a whole number");
+    if (positive() != std::floor(number()) || number() > kMost) {
+      refuse(fmt::format("is {}, must be a whole number from 1 to {}", shown(), kMost));
+    }
     return static_cast<std::size_t>(number());
   }
   std::string text() const {
-    if (!value_.is_string()) refuse("must be a text");
+    if (!value_.is_string()) refuse("is " + shown() + ", must be a text");
     return value_.get<std::string>();
   }
   void expect_size(std::size_t size) const {
-    if (!value_.is_array() || value_.size() != size) refuse(fmt::format("must be a list of {}", size));
+    if (!value_.is_array() || value_.size() != size) refuse(fmt::format("is {}, must be a list of {}", shown(), size));
   }
   void expect_text(const std::string& wanted) const {
     if (text() != wanted) refuse(fmt::format("is `{}`, must be `{}`", text(), wanted));
@@ -70,6 +75,11 @@ class Place {
   }
 
  private:
+  /// The value, for messages.
+  std::string shown() const {
+    return value_.is_array() ? fmt::format("a list of {}", value_.size()) : printable(value_.dump());
+  }
+
   const std::string& file_;
   const Json& value_;
   std::string pointer_;

@@ -147,8 +147,8 @@ ProfileModel::~ProfileModel() = default;
 ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, const std::string& data_sha256) {
   constexpr std::size_t kFewest = 10;
   if (samples.size() < kFewest) {
-    throw InputError(fmt::format("{} solved geometries, at least {} are needed; raise `geometries` in the plan",
-                                 samples.size(), kFewest));
+    throw InputError(Complaint{"the database", fmt::format("has {} solved geometries", samples.size()),
+                               fmt::format("at least {}", kFewest), "raise `geometries` in the plan"});
   }
   auto impl = std::make_unique<Impl>();
   impl->range = range_of(samples);

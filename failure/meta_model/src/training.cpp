@@ -37,9 +37,9 @@ void check_rows(std::span<const Sample> samples) {
                         std::isfinite(s.output.sigma_over_p) && std::isfinite(s.output.lbreak_over_lc);
     if (usable) continue;
     throw InputError(
-        fmt::format("training row {} (geometry {}): c/l_c = {}, mu1 = {}, sigma/p = {} must be > 0 and finite; "
-                    "leave the row out or compute the database again",
-                    i, s.geometry, s.input.c_lc, s.input.mu1, s.output.sigma_over_p));
+        Complaint{fmt::format("training row {} (geometry {})", i, s.geometry),
+                  fmt::format("c/l_c = {}, mu1 = {}, sigma/p = {}", s.input.c_lc, s.input.mu1, s.output.sigma_over_p),
+                  "finite numbers above 0", "leave the row out or compute the database again"});
   }
 }
 
@@ -103,10 +103,8 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
   std::vector<int> geometries(unique.begin(), unique.end());
   constexpr std::size_t kFewest = 10;  // below this a share of 15 % is no sample
   if (geometries.size() < kFewest) {
-    throw InputError(
-        fmt::format("the database has {} solved geometries, training needs at least {}; raise "
-                    "`geometries` in the plan",
-                    geometries.size(), kFewest));
+    throw InputError(Complaint{"the database", fmt::format("has {} solved geometries", geometries.size()),
+                               fmt::format("at least {} for training", kFewest), "raise `geometries` in the plan"});
   }
   gsl_rng* rng = gsl_rng_alloc(gsl_rng_ranlxd2);
   gsl_rng_set(rng, static_cast<unsigned long>(options.seed) + 1);
@@ -177,10 +175,9 @@ void train_group(const Group& group, const Split& split, const TrainingOptions& 
   const WeightLayout layout{options.hidden, static_cast<int>(group.size())};
   const NormalisedRows training = normalise(split.train, p, group), validation = normalise(split.validation, p, group);
   if (training.y.size() < layout.size()) {
-    throw InputError(
-        fmt::format("{} training rows cannot fix {} weights; raise `geometries` in the plan or take fewer "
-                    "hidden units",
-                    split.train.size(), layout.size()));
+    throw InputError(Complaint{
+        "the database", fmt::format("{} training rows cannot fix {} weights", split.train.size(), layout.size()),
+        "at least as many rows as weights", "raise `geometries` in the plan, or take fewer hidden units"});
   }
   std::vector<StartResult> results;
   for (int number = 0; number < options.starts; ++number) {

@@ -60,7 +60,8 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
     return CaseEnd::kDone;
   }
 
-  const io::Case resolved = io::read_case(task.case_file, {fmt::format("random.replicate={}", task.replicate)});
+  const io::Case resolved =
+      io::read_case(task.case_file, {fmt::format("random.replicate={}", task.replicate)}, io::ModelFile::kAnywhere);
   const std::string checkpoint = partial + "/checkpoint.nc";
   remove_if_damaged(checkpoint);
   const simulation::Run run = simulation::run(

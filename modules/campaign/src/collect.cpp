@@ -154,10 +154,12 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
     if (row.failed) continue;
     const Json manifest =
         Json::parse(read_text(folder.case_folder(row.key) + "/manifest.json"), nullptr, /*allow_exceptions=*/false);
-    Json maker{{"program", manifest.value("program", Json())}, {"model_sha256", nullptr}, {"n_cases", 1}};
-    // The first input is the setting's file, the second the failure model's.
-    if (manifest.contains("inputs") && manifest["inputs"].size() > 1)
-      maker["model_sha256"] = manifest["inputs"][1].value("sha256", Json());
+    // The first input is the setting's file, the second the failure model's. What is not there is null.
+    const auto at = [&](const char* pointer) {
+      const Json::json_pointer place(pointer);
+      return manifest.contains(place) ? manifest.at(place) : Json();
+    };
+    Json maker{{"program", at("/program")}, {"model_sha256", at("/inputs/1/sha256")}, {"n_cases", 1}};
     const auto same = std::find_if(all.begin(), all.end(), [&](const Json& other) {
       return other["program"] == maker["program"] && other["model_sha256"] == maker["model_sha256"];
     });
@@ -170,12 +172,10 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
 }
 
 void write_campaign_manifest(const Folder& folder, const std::string& plan_file, const std::vector<Row>& rows) {
-  Json manifest{{"format", "brash-campaign-manifest-1"},
-                {"program", {{"name", "brash"}, {"version", kVersion}}},
-                {"glibc", gnu_get_libc_version()},
-                {"plan", {{"path", plan_file}, {"sha256", sha256_of_file(plan_file)}}},
-                {"cases_made_by", makers(folder, rows)},
-                {"outputs", Json::array()}};
+  Json manifest{
+      {"format", "brash-campaign-manifest-1"}, {"program", {{"name", "brash"}, {"version", kVersion}}},
+      {"glibc", gnu_get_libc_version()},       {"plan", {{"path", plan_file}, {"sha256", sha256_of_file(plan_file)}}},
+      {"cases_made_by", makers(folder, rows)}, {"outputs", Json::array()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   for (const char* const name : {"campaign.csv", "campaign.nc", "summary.json"})
     manifest["outputs"].push_back({{"path", name}, {"sha256", sha256_of_file(folder.directory() + "/" + name)}});

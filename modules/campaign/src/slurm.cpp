@@ -96,8 +96,18 @@ Json parts(const std::vector<Job>& jobs, std::size_t n) {
 
 /// What was submitted so far, oldest first; empty when nothing was.
 Json read_rounds(const std::string& folder) {
-  const Json rounds = Json::parse(read_text(folder + "/submitted.json"), nullptr, /*allow_exceptions=*/false);
-  return rounds.is_array() ? rounds : Json::array();
+  const std::string path = folder + "/submitted.json";
+  if (!fs::exists(path)) return Json::array();
+  const Json rounds = Json::parse(read_text(path), nullptr, /*allow_exceptions=*/false);
+  const auto is_round = [](const Json& round) {
+    return round.is_object() && round.value("array", Json()).is_string() &&
+           round.value("collector", Json()).is_string() && round.value("n_jobs", Json()).is_number_unsigned() &&
+           round.value("idle_rounds", Json()).is_number_unsigned();
+  };
+  if (!rounds.is_array() || !std::ranges::all_of(rounds, is_round))
+    throw InputError(Complaint{path, "is no list of what was submitted", "the file that brash wrote",
+                               "`scancel` what is left of this campaign, and remove the file"});
+  return rounds;
 }
 
 /// In a collector: how often in a row there was not less to do than before, this time included.

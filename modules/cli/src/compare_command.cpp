@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/io/results.hpp"
 #include "history_comparison.hpp"
 #include "stats_commands.hpp"
@@ -19,20 +19,26 @@ struct CompareOptions {
   bool json = false;
 };
 
+double statistics_from(const std::string& summary) {
+  constexpr const char* kAllowed = "the summary.json of a run, with a number `statistics_from`";
+  try {
+    return nlohmann::json::parse(read_json_text(summary, kAllowed)).at("statistics_from").get<double>();
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(Complaint{summary, error.what(), kAllowed, "copy it again, or give --from"});
+  }
+}
+
 /// The history of a run's folder; its statistics begin where those of its summary do.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
   if (!std::filesystem::is_directory(given)) return given;
-  if (!choice.has_from) {
-    std::ifstream summary(given + "/summary.json");
-    const auto json = nlohmann::json::parse(summary, nullptr, false);
-    if (json.is_object() && json.contains("statistics_from")) {
-      choice.from = json["statistics_from"].get<double>();
-      choice.has_from = true;
-    }
+  if (const std::string summary = given + "/summary.json"; !choice.has_from && std::filesystem::exists(summary)) {
+    choice.from = statistics_from(summary);
+    choice.has_from = true;
   }
   for (const char* name : {"/run.nc", "/history.csv"})
     if (std::filesystem::exists(given + name)) return given + name;
-  throw InputError(fmt::format("{}: neither run.nc nor history.csv is in it; give the folder of a run", given));
+  throw InputError(Complaint{given, "neither run.nc nor history.csv is in it", "the folder of a run, or a history",
+                             "give the folder that `brash run` wrote"});
 }
 
 void compare(CompareOptions& options) {

@@ -10,12 +10,14 @@
 #include <utility>
 
 #include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
 #include "brash/geometry/point.hpp"
 
 namespace brash::cli {
 namespace {
 
 constexpr std::array<std::string_view, 5> kColumns{"x", "y", "radius", "wedges", "angles"};
+constexpr const char* kRemedy = "correct the line; a line that begins with # is passed over";
 /// More radial cracks than anyone breaks ice into, and few enough to draw.
 constexpr int kMostWedges = 1000;
 
@@ -42,13 +44,15 @@ class Row {
   Row(const std::string& file, int line, std::string_view text) : place_(fmt::format("{}, line {}", file, line)) {
     fields_ = split_at(text, ",");
     if (fields_.size() < 4 || fields_.size() > 5) {
-      throw InputError(fmt::format("{}: {} fields; x,y,radius,wedges or x,y,radius,wedges,angles are expected", place_,
-                                   fields_.size()));
+      throw InputError(Complaint{place_, fmt::format("'{}': {} fields", printable(std::string(text)), fields_.size()),
+                                 "x,y,radius,wedges or x,y,radius,wedges,angles", kRemedy});
     }
   }
 
   [[noreturn]] void refuse(std::size_t column, std::string_view allowed) const {
-    throw InputError(fmt::format("{}: {} = '{}': {}", place_, kColumns[column], fields_[column], allowed));
+    throw InputError(Complaint{
+        place_, fmt::format("{} = '{}' is not allowed", kColumns[column], printable(std::string(fields_[column]))),
+        std::string(allowed), kRemedy});
   }
 
   template <typename T>
@@ -62,10 +66,10 @@ class Row {
 
   CrackEvent event() const {
     CrackEvent event;
-    event.centre = {number<double>(0, fields_[0], "a number of metres is expected"),
-                    number<double>(1, fields_[1], "a number of metres is expected")};
-    event.radius = number<double>(2, fields_[2], "a number of metres above 0 is expected");
-    if (!(event.radius > 0.0)) refuse(2, "a number of metres above 0 is expected");
+    event.centre = {number<double>(0, fields_[0], "a number of metres"),
+                    number<double>(1, fields_[1], "a number of metres")};
+    event.radius = number<double>(2, fields_[2], "a number of metres above 0");
+    if (!(event.radius > 0.0)) refuse(2, "a number of metres above 0");
     for (const std::size_t axis : {0, 1}) {
       const double at = axis == 0 ? event.centre.x : event.centre.y;
       // A NaN fails the comparison.
@@ -74,7 +78,7 @@ class Row {
     }
     if (fields_.size() == 5 && !fields_[4].empty()) event.angles = angles();
     if (event.angles && fields_[3].empty()) return event;
-    const auto allowed = fmt::format("a whole number from 1 to {} is expected", kMostWedges);
+    const auto allowed = fmt::format("a whole number from 1 to {}", kMostWedges);
     event.wedges = number<int>(3, fields_[3], allowed);
     if (event.wedges < 1 || event.wedges > kMostWedges) refuse(3, allowed);
     if (!event.angles) return event;
@@ -90,8 +94,8 @@ class Row {
     std::vector<double> result;
     for (const std::string_view text : split_at(fields_[4], " ;")) {
       if (text.empty()) continue;
-      result.push_back(number<double>(4, text, "radians, separated by spaces or semicolons, are expected"));
-      if (!std::isfinite(result.back())) refuse(4, "finite radians are expected");
+      result.push_back(number<double>(4, text, "radians, separated by spaces or semicolons"));
+      if (!std::isfinite(result.back())) refuse(4, "finite radians");
       if (result.size() > static_cast<std::size_t>(kMostWedges)) refuse(4, fmt::format("at most {}", kMostWedges));
     }
     return result;

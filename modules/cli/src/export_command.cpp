@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <span>
 
+#include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/io/results.hpp"
@@ -37,7 +39,7 @@ class SheetReplay {
   SheetReplay(const io::Case& resolved, const io::RunResults& results)
       : case_(resolved), results_(results), section_(structure::section(cone_of(resolved.structure), 0.0)) {
     auto sheet = IceSheet::from_polygons(polygons_of(results.initial_sheet));
-    if (!sheet) throw InputError("the sheet at the start of the run: " + sheet.error().what);
+    BRASH_EXPECTS(sheet.has_value(), sheet.error().what);
     sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
   }
 
@@ -105,9 +107,24 @@ io::PolyData structure_at(const std::vector<Vec3>& hull, const Pose& pose) {
   return data;
 }
 
+/// Refuses polygons that cannot be drawn, before anything is written.
+void check_polygons(const std::string& run_file, const io::RunResults& results) {
+  const auto check = [&](const std::string& of, std::span<const std::vector<Vec2>> rings) {
+    const auto sheet = IceSheet::from_polygons(polygons_of(rings));
+    if (sheet) return;
+    throw InputError(Complaint{fmt::format("{}, {}", run_file, of), sheet.error().what,
+                               "polygons that neither cross nor overlap",
+                               "copy the run.nc again, or run the case again"});
+  };
+  check("initial_sheet", results.initial_sheet);
+  check("final_sheet", results.final_sheet);
+  for (const io::FloeRecord& floe : results.floes) check(fmt::format("floe {}", floe.id), floe.rings);
+}
+
 void export_vtk(const std::string& run_file, const std::string& directory) {
   const io::RunResults results = io::read_results(run_file);
-  const io::Case resolved = io::parse_case(io::read_case_of(run_file), run_file);
+  const io::Case resolved = io::parse_case(io::read_case_of(run_file), run_file, {}, io::ModelFile::kAnywhere);
+  check_polygons(run_file, results);
   std::map<std::int64_t, const io::FloeRecord*> records;
   for (const io::FloeRecord& floe : results.floes) records[floe.id] = &floe;
   const std::vector<Vec3> hull = structure::hull(cone_of(resolved.structure));

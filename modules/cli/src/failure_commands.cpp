@@ -20,6 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What `work` returns; what it complains of is of the file `path`.
+template <typename Work>
+auto of_file(const std::string& path, Work work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
 /// The rows of the solved geometries; all must have the same h / l_c.
 std::vector<meta_model::Sample> to_samples(const std::string& file, const database::Database& data,
                                            double& thickness_over_lc) {
@@ -28,10 +38,10 @@ std::vector<meta_model::Sample> to_samples(const std::string& file, const databa
     if (!record.solved) continue;
     if (samples.empty()) thickness_over_lc = record.plate.thickness;
     if (record.plate.thickness != thickness_over_lc) {
-      throw InputError(fmt::format(
-          "{}: geometry {} has h/l_c = {}, others {}: the five inputs of Eq. 17 leave h/l_c out; give the plan one "
-          "value of thickness_over_lc",
-          file, record.geometry, record.plate.thickness, thickness_over_lc));
+      throw InputError(Complaint{fmt::format("{}, geometry {}", file, record.geometry),
+                                 fmt::format("has h/l_c = {}, others {}", record.plate.thickness, thickness_over_lc),
+                                 "one h/l_c, which the five inputs of Eq. 17 leave out",
+                                 "give the plan one value of thickness_over_lc, or train with --superposition"});
     }
     for (const database::Row& row : record.rows) {
       samples.push_back(
@@ -68,7 +78,7 @@ void train_network(const std::string& database_file, const std::string& output, 
   const database::Database data = database::read_database(database_file);
   const auto samples = to_samples(database_file, data, options.thickness_over_lc);
   options.data_sha256 = sha256_of_file(database_file);
-  const meta_model::Trained trained = meta_model::train(samples, options);
+  const meta_model::Trained trained = of_file(database_file, [&] { return meta_model::train(samples, options); });
   const std::string hash = trained.network.write(output);
 
   const std::string card = write_card(output, meta_model::model_card(trained.network, trained.report, options,
@@ -120,7 +130,8 @@ void fit_profiles(const std::string& database_file, const std::string& test_file
   const database::Database test = test_file.empty() ? database::Database{} : database::read_database(test_file);
   const auto records = solved_records(data);
   const std::string hash = sha256_of_file(database_file);
-  const auto model = meta_model::ProfileModel::fit(to_profile_samples(records), hash);
+  const auto model =
+      of_file(database_file, [&] { return meta_model::ProfileModel::fit(to_profile_samples(records), hash); });
   const std::string content = model.write(output);
   const auto [rows, name] = judge_profiles(model, records, test, test_file);
   const std::string card =
@@ -187,7 +198,9 @@ void add_predict_command(CLI::App& failure) {
 
 void refuse_missing_folder(const std::string& path) {
   const fs::path folder = fs::absolute(path).parent_path();
-  if (!fs::is_directory(folder)) throw InputError(fmt::format("{}: the folder does not exist; make it first", path));
+  if (!fs::is_directory(folder)) {
+    throw InputError(Complaint{path, "is in no folder", "a file in a folder that exists", "make the folder first"});
+  }
 }
 
 void add_failure_command(CLI::App& app) {

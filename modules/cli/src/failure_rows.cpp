@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <sstream>
@@ -15,6 +14,8 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "brash/failure/response_model.hpp"
 #include "brash/meta_model/network.hpp"
 #include "brash/plate/plate.hpp"
@@ -27,6 +28,7 @@ constexpr const char* kHeader = "b_lc,c_lc,theta_deg,mu1,mu2";
 constexpr const char* kThickness = ",lc_over_h";
 constexpr std::size_t kColumns = 5;
 constexpr std::array<const char*, kColumns + 1> kNames{"b_lc", "c_lc", "theta_deg", "mu1", "mu2", "lc_over_h"};
+constexpr const char* kRemedy = "correct the line";
 /// h / l_c of rows that do not state it: that of the paper's validation case, rounded.
 constexpr double kUsualThickness = 0.1;
 
@@ -53,13 +55,14 @@ double number(const std::string& text, const std::string& place, const char* nam
   const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
   const bool rest = text.find_first_not_of(' ', static_cast<std::size_t>(end - text.data())) != std::string::npos;
   if (code != std::errc() || rest || !std::isfinite(value)) {
-    throw InputError(fmt::format("{}: {} = `{}` is not a finite number", place, name, text));
+    throw InputError(Complaint{place, fmt::format("{} = `{}` is not a finite number", name, printable(text)),
+                               "numbers with a decimal point", kRemedy});
   }
   return value;
 }
 
 void expect(bool allowed, const std::string& place, const char* name, double value, const char* what) {
-  if (!allowed) throw InputError(fmt::format("{}: {} = {} is not allowed; {}", place, name, value, what));
+  if (!allowed) throw InputError(Complaint{place, fmt::format("{} = {} is not allowed", name, value), what, kRemedy});
 }
 
 PredictedRow parse_row(const std::string& line, const std::string& place, std::size_t n_columns) {
@@ -67,26 +70,29 @@ PredictedRow parse_row(const std::string& line, const std::string& place, std::s
   std::stringstream stream(line);
   for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
   if (fields.size() != n_columns) {
-    throw InputError(fmt::format("{}: has {} values, must have {}", place, fields.size(), n_columns));
+    throw InputError(Complaint{place, fmt::format("has {} values", fields.size()),
+                               fmt::format("{} values, as the first line says", n_columns), kRemedy});
   }
   std::array<double, kColumns + 1> v{};
   for (std::size_t i = 0; i < n_columns; ++i) v[i] = number(fields[i], place, kNames[i]);
-  expect(v[0] >= 0.0, place, kNames[0], v[0], "must be >= 0");
-  expect(v[1] > 0.0, place, kNames[1], v[1], "must be > 0");
-  expect(v[2] >= 0.0 && v[2] < 180.0, place, kNames[2], v[2], "must be in [0, 180) degrees");
-  expect(v[3] > 0.0, place, kNames[3], v[3], "must be > 0");
-  if (n_columns > kColumns) expect(v[5] > 0.0, place, kNames[5], v[5], "must be > 0");
+  expect(v[0] >= 0.0, place, kNames[0], v[0], "at least 0");
+  expect(v[1] > 0.0, place, kNames[1], v[1], "above 0");
+  expect(v[2] >= 0.0 && v[2] < 180.0, place, kNames[2], v[2], "from 0 to below 180 degrees");
+  expect(v[3] > 0.0, place, kNames[3], v[3], "above 0");
+  if (n_columns > kColumns) expect(v[5] > 0.0, place, kNames[5], v[5], "above 0");
   return {line, {v[0], v[1], radians(v[2]), v[3], v[4]}, v[5]};
 }
 
 std::vector<PredictedRow> read_rows(std::istream& stream, const std::string& name, std::string& header) {
   std::string line;
   if (!std::getline(stream, line))
-    throw InputError(fmt::format("{}: is empty; first line: {}[{}]", name, kHeader, kThickness));
+    throw InputError(Complaint{name, "is empty", fmt::format("a first line `{}[{}]`, then rows", kHeader, kThickness),
+                               "check that it is the right file and whole"});
   header = without_line_end(line);
   if (header != kHeader && header != std::string(kHeader) + kThickness) {
-    throw InputError(fmt::format("{}:1: the first line is `{}`, must be `{}` or `{}{}`", name, header, kHeader, kHeader,
-                                 kThickness));
+    throw InputError(Complaint{name + ":1", fmt::format("the first line is `{}`", printable(header)),
+                               fmt::format("`{}` or `{}{}`", kHeader, kHeader, kThickness),
+                               "write that line first, and the columns in its order"});
   }
   const std::size_t n_columns = header == kHeader ? kColumns : kColumns + 1;
   std::vector<PredictedRow> rows;
@@ -126,8 +132,7 @@ void predict_rows(const PredictOptions& options) {
   if (options.rows.empty()) {
     rows = read_rows(std::cin, "standard input", header);
   } else {
-    std::ifstream file(options.rows);
-    if (!file) throw InputError(fmt::format("{}: cannot be read; give a CSV file that exists", options.rows));
+    std::istringstream file(read_text_file(options.rows, "rows of inputs (CSV)", 64));
     rows = read_rows(file, options.rows, header);
   }
   const auto model = failure::make_response_model(options.model);

@@ -3,17 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "brash/geometry/ledger.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
@@ -28,29 +26,27 @@ using geometry::Feature;
 using geometry::IceSheet;
 using geometry::Polygon;
 
-std::string read_text(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  // A folder opens, and is bad when it is read; an empty file inserts nothing, which `<<` would count as a failure.
-  if (stream && stream.peek() == std::ifstream::traits_type::eof()) {
-    if (!stream.bad()) return {};
-  } else if (stream && text << stream.rdbuf()) {
-    return text.str();
-  }
-  throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+/// What is read takes some twenty times the memory of its text; so much text holds a million vertices.
+constexpr std::size_t kMostMebibytes = 64;
+
+[[noreturn]] void refuse_polygons(const std::string& where, const std::string& what) {
+  throw InputError(Complaint{where, what,
+                             "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON: closed rings of finite metres "
+                             "that neither cross nor overlap, holes inside their outline",
+                             "correct what is named; docs/reference/command.md describes such files"});
 }
 
 /// The features of a GeoJSON text, or the polygons of a WKT text as sheet.
 std::vector<Feature> read_features(const std::string& path) {
-  const std::string text = read_text(path);
+  const std::string text = read_text_file(path, "a sheet (WKT or GeoJSON)", kMostMebibytes);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   if (first != std::string::npos && text[first] == '{') {
     auto features = geometry::from_geojson(text);
-    if (!features) throw InputError(fmt::format("{}, {}", path, features.error().what));
+    if (!features) refuse_polygons(path, features.error().what);
     return *std::move(features);
   }
   auto polygons = geometry::from_wkt(text);
-  if (!polygons) throw InputError(fmt::format("{}, {}", path, polygons.error().what));
+  if (!polygons) refuse_polygons(path, polygons.error().what);
   std::vector<Feature> features;
   for (Polygon& p : *polygons) {
     features.push_back({std::move(p), "sheet", static_cast<std::int64_t>(features.size())});
@@ -64,20 +60,23 @@ IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features)
     if (f.kind == "sheet") ice.push_back(f.polygon);
   }
   auto sheet = IceSheet::from_polygons(ice);
-  if (!sheet) throw InputError(fmt::format("{}: {} (sheet polygons count from 0)", path, sheet.error().what));
+  if (!sheet) refuse_polygons(path, sheet.error().what + " (sheet polygons count from 0)");
   return *std::move(sheet);
 }
 
 /// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
 std::vector<Polygon> read_cutters(const std::string& path) {
-  auto polygons = geometry::from_wkt(read_text(path));
-  if (!polygons) throw InputError(fmt::format("{}, {}", path, polygons.error().what));
+  auto polygons = geometry::from_wkt(read_text_file(path, "cutters (WKT)", kMostMebibytes));
+  if (!polygons) refuse_polygons(path, polygons.error().what);
   for (std::size_t i = 0; i < polygons->size(); ++i) {
     const Polygon& cutter = (*polygons)[i];
-    const std::string name = fmt::format("{}: cutter {}", path, i + 1);
-    if (!cutter.holes.empty()) throw InputError(name + " has a hole; give its parts as polygons without holes");
+    const std::string name = fmt::format("cutter {}", i + 1);
+    if (!cutter.holes.empty()) {
+      throw InputError(
+          Complaint{path, name + " has a hole", "polygons without holes", "give its parts as polygons without holes"});
+    }
     if (const auto alone = IceSheet::from_polygons(std::span(&cutter, 1)); !alone) {
-      throw InputError(fmt::format("{} is not simple: {}", name, alone.error().what));
+      refuse_polygons(path, fmt::format("{} is not simple: {}", name, alone.error().what));
     }
   }
   return *std::move(polygons);
@@ -167,12 +166,14 @@ struct CrackOptions {
 
 void crack(const CrackOptions& options) {
   if (options.events.empty() == options.cutters.empty()) {
-    throw InputError("crack: give either --events FILE.csv or --cutters FILE.wkt");
+    throw InputError(Complaint{"crack", options.events.empty() ? "nothing to cut with" : "two things to cut with",
+                               "one of --events FILE.csv and --cutters FILE.wkt", "give one of the two"});
   }
   const std::vector<Feature> features = read_features(options.sheet);
   CrackRun run(sheet_of(options.sheet, features), features);
   if (!options.events.empty()) {
-    for (const CrackEvent& event : read_crack_events(options.events, read_text(options.events))) {
+    for (const CrackEvent& event :
+         read_crack_events(options.events, read_text_file(options.events, "crack events (CSV)", kMostMebibytes))) {
       run.apply(event, options.sides);
       if (options.release_detached) run.release();
     }
@@ -195,6 +196,12 @@ struct FitOptions {
   double reach = 3.0;
 };
 
+[[noreturn]] void refuse_option(const std::string& option, const std::string& value, const std::string& what,
+                                const std::string& allowed) {
+  throw InputError(
+      Complaint{"fit", fmt::format("{} = '{}' {}", option, printable(value), what), allowed, "change the option"});
+}
+
 /// Reads "X,Y".
 Vec2 to_vector(const std::string& option, const std::string& text) {
   Vec2 result;
@@ -207,29 +214,30 @@ Vec2 to_vector(const std::string& option, const std::string& text) {
       return result;
     }
   }
-  throw InputError(fmt::format("fit: {} = '{}': X,Y within +-{} is expected", option, text, geometry::kMaxCoordinate));
+  refuse_option(option, text, "is no place", fmt::format("X,Y within +-{} m", geometry::kMaxCoordinate));
 }
 
 void fit(const FitOptions& options) {
   if (!(options.reach > 0.0 && options.reach <= geometry::kMaxCoordinate)) {
-    throw InputError(fmt::format("fit: --reach = {}: metres above 0 are expected", options.reach));
+    refuse_option("--reach", fmt::format("{}", options.reach), "is out of range", "metres above 0");
   }
   if (!(options.contact_length >= 0.0 && std::isfinite(options.contact_length))) {
-    throw InputError(
-        fmt::format("fit: --contact-length = {}: metres, at least 0, are expected", options.contact_length));
+    refuse_option("--contact-length", fmt::format("{}", options.contact_length), "is out of range",
+                  "metres, at least 0");
   }
   const Vec2 at = to_vector("--at", options.at), towards = to_vector("--towards", options.towards);
-  if (!(norm(towards) > 0.0)) throw InputError("fit: --towards = 0,0: a direction is expected");
+  if (!(norm(towards) > 0.0)) refuse_option("--towards", options.towards, "is no direction", "X,Y other than 0,0");
   for (const double way : {at.x, at.y}) {
     if (std::abs(way) + 2.0 * options.reach > geometry::kMaxCoordinate) {
-      throw InputError(fmt::format("fit: --at = '{}' with --reach {}: the window must stay within +-{} m", options.at,
-                                   options.reach, geometry::kMaxCoordinate));
+      refuse_option("--at", options.at, fmt::format("is too far out for --reach {}", options.reach),
+                    fmt::format("a window within +-{} m", geometry::kMaxCoordinate));
     }
   }
 
   const IceSheet sheet = sheet_of(options.sheet, read_features(options.sheet));
   if (sheet.free_edge(at, options.reach).empty()) {
-    throw InputError(fmt::format("fit: --at = '{}': no free edge within {} m of it", options.at, options.reach));
+    refuse_option("--at", options.at, fmt::format("has no free edge within {} m of it", options.reach),
+                  "a place at an edge of the sheet");
   }
   const geometry::Trapezoid found = geometry::fit_trapezoid(
       sheet,

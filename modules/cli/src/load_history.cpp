@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
 #include "brash/io/series.hpp"
 
 namespace brash::cli {
@@ -17,18 +18,21 @@ std::size_t load_column(const io::Series& series, const std::string& wanted, con
   if (wanted.empty()) {
     const std::size_t first = series.time == std::size_t{0} ? 1 : 0;
     if (first < series.names.size()) return first;
+    throw InputError(Complaint{path, "holds no column but that of the times", "a column of times and one of loads",
+                               "check that it is the right file"});
   }
   const auto found = std::ranges::find(series.names, wanted);
   if (found == series.names.end())
-    throw InputError(fmt::format("{}: no column '{}'; there are: {}", path, wanted, fmt::join(series.names, ", ")));
+    throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(wanted)),
+                               fmt::format("one of: {}", fmt::join(series.names, ", ")), "name another column"});
   return static_cast<std::size_t>(found - series.names.begin());
 }
 
 void require_rising(const io::Series& series, const std::vector<double>& times) {
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (!(times[i] > times[i - 1]))
-      throw InputError(fmt::format("{}: time {} after {}: the times must rise; sort the rows and remove doubled ones",
-                                   series.place(i), times[i], times[i - 1]));
+      throw InputError(Complaint{series.place(i), fmt::format("time {} after {}", times[i], times[i - 1]),
+                                 "times that rise", "sort the rows and remove doubled ones"});
   }
 }
 
@@ -38,7 +42,8 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   io::Series series = io::read_series(path);
   if (choice.dt > 0.0) series.time.reset();
   if (choice.dt <= 0.0 && !series.time)
-    throw InputError(fmt::format("{}: one column, so no times; give the time step with --dt", path));
+    throw InputError(
+        Complaint{path, "one column, so no times", "a column of times, or --dt", "give the time step with --dt"});
   const auto time_of = [&](std::size_t row) {
     return series.time ? series.columns[*series.time][row] : choice.dt * static_cast<double>(row);
   };
@@ -60,8 +65,11 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
     load.history.values.push_back(values[row]);
   }
   if (load.history.values.size() < 2) {
-    throw InputError(choice.has_from ? fmt::format("{}: --from {}: fewer than two samples are left", path, choice.from)
-                                     : fmt::format("{}: column '{}' has fewer than two values", path, load.column));
+    throw InputError(
+        Complaint{path,
+                  choice.has_from ? fmt::format("--from {} leaves fewer than two values", choice.from)
+                                  : fmt::format("column '{}' has fewer than two values", printable(load.column)),
+                  "two values at least", choice.has_from ? "give an earlier time" : "name another column"});
   }
   load.even = statistics::make_even(load.history, choice.longest_interval);
   return load;

@@ -3,12 +3,13 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
+#include "brash/core/text.hpp"
 #include "brash/failure/criterion.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
@@ -25,6 +26,14 @@ struct Recorded {
   std::string path;
   std::string sha256;
 };
+
+/// What a manifest names is written and compared in one folder: a name, and no path.
+std::string name_in(const json& value, const std::string& manifest, const char* key) {
+  const std::string name = value.get<std::string>();
+  if (!name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos) return name;
+  throw InputError(Complaint{manifest, fmt::format("{} = '{}' leads out of the folder", key, printable(name)),
+                             "a name without /", "name a manifest.json that `brash run` wrote"});
+}
 
 /// What is needed of a manifest.
 struct Manifest {
@@ -44,21 +53,24 @@ std::vector<Recorded> files_of(const json& list) {
 }
 
 Manifest read_manifest(const std::string& path) {
-  std::ifstream stream(path);
-  if (!stream || !fs::is_regular_file(path)) throw InputError(fmt::format("{}: cannot be read; name the manifest.json of a run", path));
+  constexpr const char* kAllowed = "the manifest.json that `brash run` wrote (format \"brash-manifest-1\")";
+  const std::string text = read_json_text(path, kAllowed);
   try {
-    const json m = json::parse(stream);
+    const json m = json::parse(text);
     if (m.at("format") != "brash-manifest-1")
-      throw InputError(fmt::format("{}: format is {}, must be \"brash-manifest-1\"", path, m["format"].dump()));
+      throw InputError(Complaint{path, "format = " + printable(m["format"].dump()), kAllowed, "name such a manifest"});
+    std::vector<Recorded> outputs = files_of(m.at("outputs"));
+    for (const Recorded& output : outputs) name_in(output.path, path, "outputs.path");
     return {.folder = fs::path(path).parent_path(),
-            .case_name = m.at("case").at("name"),
+            .case_name = name_in(m.at("case").at("name"), path, "case.name"),
             .case_toml = m.at("case").at("toml"),
             .program_version = m.at("program").at("version"),
             .program_sha256 = m.at("program").value("sha256", ""),
             .inputs = files_of(m.at("inputs")),
-            .outputs = files_of(m.at("outputs"))};
+            .outputs = std::move(outputs)};
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: is not the manifest of a run: {}", path, error.what()));
+    throw InputError(Complaint{path, fmt::format("is not the manifest of a run: {}", error.what()), kAllowed,
+                               "name the manifest.json of a run, or copy it again"});
   }
 }
 
@@ -72,7 +84,7 @@ std::string hash_of(const fs::path& file) {
 std::vector<std::string> changes_since(const Manifest& manifest, const io::Case& resolved) {
   std::vector<std::string> changes;
   const auto expect = [&](const std::string& what, const std::string& was, const std::string& is) {
-    if (was != is) changes.push_back(fmt::format("{}\n    was {}\n    is  {}", what, was, is));
+    if (was != is) changes.push_back(fmt::format("{}\n    was {}\n    is  {}", escaped(what), printable(was), is));
   };
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   const std::string model_hash = model.empty() ? "" : hash_of(model);
@@ -84,6 +96,11 @@ std::vector<std::string> changes_since(const Manifest& manifest, const io::Case&
     const bool here = fs::exists(input.path);
     const fs::path file = is_model ? fs::path(model) : here ? fs::path(input.path) : manifest.folder / input.path;
     expect((is_model ? "model " : "input ") + file.string(), input.sha256, is_model ? model_hash : hash_of(file));
+  }
+  // Results may have been cleared away; those that are there must be the run's own.
+  for (const Recorded& output : manifest.outputs) {
+    const fs::path file = manifest.folder / output.path;
+    if (fs::exists(file)) expect("output " + file.string(), output.sha256, hash_of(file));
   }
   if (!knows_model) changes.push_back(fmt::format("model {}: the run used another one", model));
   if (!manifest.program_sha256.empty())
@@ -118,6 +135,14 @@ void run_into(const std::string& folder, const io::Case& resolved, const Manifes
   write_run_folder(folder, case_file, resolved, run);
 }
 
+io::Case case_in(const Manifest& manifest, const std::string& path) {
+  try {
+    return io::parse_case(manifest.case_toml, manifest.case_name + ".toml", {}, io::ModelFile::kAnywhere);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: the case in it:\n{}", escaped(path), error.what()));
+  }
+}
+
 struct RerunOptions {
   std::string manifest;
   std::string output;
@@ -126,13 +151,15 @@ struct RerunOptions {
 
 void rerun(const RerunOptions& options) {
   const Manifest manifest = read_manifest(options.manifest);
-  const io::Case resolved = io::parse_case(manifest.case_toml, manifest.case_name + ".toml");
+  const io::Case resolved = case_in(manifest, options.manifest);
   const std::vector<std::string> changes = changes_since(manifest, resolved);
   std::string text;
   for (const std::string& change : changes) text += "\n  " + change;
   if (!changes.empty() && !options.anyway)
-    throw InputError(fmt::format("{}: not what it was:{}\n  remedy:  put it back, or repeat the run with --anyway",
-                                 options.manifest, text));
+    throw InputError(
+        fmt::format("{}: not what it was:{}\n  allowed: the bytes that the manifest has the hashes of"
+                    "\n  remedy:  put them back, or repeat the run with --anyway",
+                    escaped(options.manifest), text));
   if (!changes.empty()) fmt::print("not what it was:{}\n", text);
 
   const TemporaryFolder temporary;
@@ -144,7 +171,7 @@ void rerun(const RerunOptions& options) {
     fmt::print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
     if (!same) different += " " + output.path;
   }
-  if (!different.empty()) throw RunError("the repeated run differs in" + different);
+  if (!different.empty()) throw RunError("the repeated run differs in" + escaped(different));
 }
 
 }  // namespace
@@ -154,7 +181,8 @@ void add_rerun_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("rerun", "Check every hash of a run, repeat it and compare the results");
   command->add_option("manifest", options->manifest, "manifest.json of the run")->required();
   command->add_option("-o,--output", options->output, "folder to keep the results in [they are not kept]");
-  command->add_flag("--anyway", options->anyway, "repeat it although an input, the model or the program has changed");
+  command->add_flag("--anyway", options->anyway,
+                    "repeat it although an input, the model, the program or a result has changed");
   command->footer(
       "The case comes from the manifest. Exit code 2: something has changed; 1: the results differ.\n"
       "Example: brash rerun results/cone/manifest.json");

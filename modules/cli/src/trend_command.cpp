@@ -7,12 +7,14 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "stats_commands.hpp"
@@ -51,7 +53,8 @@ struct CaseTable {
   std::size_t column(const std::string& name) const {
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
-      throw InputError(fmt::format("{}: no column '{}'; there are: {}", path, name, fmt::join(names, ", ")));
+      throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(name)),
+                                 fmt::format("one of: {}", fmt::join(names, ", ")), "name another column"});
     return static_cast<std::size_t>(found - names.begin());
   }
 };
@@ -59,9 +62,7 @@ struct CaseTable {
 CaseTable read_cases(const std::string& given) {
   CaseTable table;
   table.path = std::filesystem::is_directory(given) ? given + "/campaign.csv" : given;
-  std::ifstream file(table.path);
-  if (!file)
-    throw InputError(fmt::format("{}: cannot be read; give the folder of a campaign that is done", table.path));
+  std::istringstream file(read_text_file(table.path, "the campaign.csv of a campaign that is done"));
   for (std::string line; std::getline(file, line);) {
     if (line.ends_with('\r')) line.pop_back();
     Row cells = cells_of(line);
@@ -70,10 +71,15 @@ CaseTable read_cases(const std::string& given) {
     } else if (cells.size() == table.names.size()) {
       table.rows.push_back(std::move(cells));
     } else {
-      throw InputError(fmt::format("{}:{}: {} values in a table of {} columns", table.path, table.rows.size() + 2,
-                                   cells.size(), table.names.size()));
+      throw InputError(Complaint{fmt::format("{}:{}", table.path, table.rows.size() + 2),
+                                 fmt::format("{} values in a table of {} columns", cells.size(), table.names.size()),
+                                 "as many values in each line as in the first",
+                                 "run the campaign with `--resume`, which writes the table again"});
     }
   }
+  if (table.names.size() < 2)
+    throw InputError(Complaint{table.path, "is no table", "the campaign.csv of a campaign that is done",
+                               "run the campaign with `--resume`, which writes the table again"});
   return table;
 }
 
@@ -89,8 +95,11 @@ Groups groups_of(const CaseTable& table, const std::string& along, const std::st
   }
   const bool repeated = std::ranges::all_of(groups, [](const auto& group) { return group.second.size() >= 2; });
   if (groups.size() < 2 || !repeated)
-    throw InputError(fmt::format("{}: '{}' has {} settings{}; a trend needs at least 2 with 2 replicates each",
-                                 table.path, along, groups.size(), repeated ? "" : ", some with a single replicate"));
+    throw InputError(Complaint{table.path,
+                               fmt::format("'{}' has {} settings{}", printable(along), groups.size(),
+                                           repeated ? "" : ", some with a single replicate"),
+                               "2 settings at least with 2 numbers of '" + of + "' each",
+                               "run more settings and replicates, or choose another --along, --of or --where"});
   return groups;
 }
 

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -119,10 +119,8 @@ std::map<std::string, Value> read_map(const NetcdfReader& file, const std::strin
 }
 
 [[noreturn]] void refuse_file(const std::string& path, const std::string& what) {
-  throw InputError(
-      fmt::format("{}: {}\n  allowed: a checkpoint that this version of the program wrote"
-                  "\n  remedy:  use an older checkpoint, or start the run again",
-                  path, what));
+  throw InputError(Complaint{path, what, "a checkpoint that this version of the program wrote",
+                             "use an older checkpoint, or start the run again"});
 }
 
 /// The end of a checkpoint: the digest of all before it. HDF5 ignores what follows its own data, and does not survive
@@ -135,11 +133,16 @@ std::string seal_of(const std::string& bytes) { return kSealMark + sha256(bytes)
 std::string read_sealed(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse_file(path, "cannot be opened: " + std::generic_category().message(errno));
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  const std::size_t mark = bytes.rfind(kSealMark);
-  if (mark == std::string::npos) refuse_file(path, "is no checkpoint, or was cut short");
-  const std::string seal = bytes.substr(mark);
-  bytes.resize(mark);
+  // The end comes first: what has no seal there is not read into memory, however large it is.
+  const std::size_t seal_size = seal_of("").size();
+  std::string seal(seal_size, '\0');
+  stream.seekg(-static_cast<std::streamoff>(seal_size), std::ios::end);
+  const auto size = static_cast<std::size_t>(std::max(std::streamoff{0}, std::streamoff{stream.tellg()}));
+  if (!stream.read(seal.data(), static_cast<std::streamsize>(seal_size)) || !seal.starts_with(kSealMark))
+    refuse_file(path, "is no checkpoint, or was cut short");
+  std::string bytes(size, '\0');
+  stream.seekg(0);
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) refuse_file(path, "cannot be read");
   if (seal != seal_of(bytes)) refuse_file(path, "is damaged: its bytes do not have the digest at its end");
   return bytes;
 }

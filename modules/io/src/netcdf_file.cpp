@@ -6,10 +6,12 @@
 #include <netcdf_mem.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 
 namespace brash::io {
 namespace {
@@ -129,9 +131,12 @@ std::string NetcdfWriter::finish() {
 
 NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
   check(nc_open(path.c_str(), NC_NOWRITE, &file_), "file");
+  std::error_code unknown;
+  most_values_ = most_values_in(std::filesystem::file_size(path, unknown));
 }
 
-NetcdfReader::NetcdfReader(const std::string& path, std::string bytes) : path_(path), bytes_(std::move(bytes)) {
+NetcdfReader::NetcdfReader(const std::string& path, std::string bytes)
+    : path_(path), bytes_(std::move(bytes)), most_values_(most_values_in(bytes_.size())) {
   check(nc_open_mem(path.c_str(), NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "file");
 }
 
@@ -140,8 +145,8 @@ NetcdfReader::~NetcdfReader() {
 }
 
 void NetcdfReader::refuse(const std::string& what) const {
-  throw InputError(fmt::format(
-      "{}: {}\n  allowed: a file that this version of the program wrote\n  remedy:  write it again", path_, what));
+  throw InputError(
+      Complaint{path_, what, "a whole file that this version of the program wrote", "copy or write it again"});
 }
 
 void NetcdfReader::check(int status, const std::string& what) const {
@@ -163,6 +168,8 @@ std::size_t NetcdfReader::length(const std::string& dimension) const {
   std::size_t result = 0;
   check(nc_inq_dimid(file_, dimension.c_str(), &id), dimension);
   check(nc_inq_dimlen(file_, id, &result), dimension);
+  if (result > most_values_)
+    refuse(fmt::format("{} states {} values, more than the file's bytes can hold", dimension, result));
   return result;
 }
 

@@ -67,6 +67,7 @@ class NetcdfReader {
   NetcdfReader& operator=(const NetcdfReader&) = delete;
 
   std::string attribute(const std::string& name) const;
+  /// Never more than the file's bytes can hold.
   std::size_t length(const std::string& dimension) const;
   /// Reads the one-dimensional variable `name` along `dimension`.
   void read(const std::string& name, const std::string& dimension, std::vector<double>& values) const;
@@ -83,6 +84,7 @@ class NetcdfReader {
 
   std::string path_;
   std::string bytes_;
+  std::size_t most_values_ = 0;
   int file_ = -1;
 };
 

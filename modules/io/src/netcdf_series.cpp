@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "series.hpp"
 
 namespace brash::io {
@@ -15,9 +17,7 @@ namespace {
 /// Any netCDF file, read without knowing what is in it.
 class OpenFile {
  public:
-  explicit OpenFile(const std::string& path) : path_(path) {
-    check(nc_open(path.c_str(), NC_NOWRITE, &id_), "cannot be opened as netCDF");
-  }
+  explicit OpenFile(const std::string& path) : path_(path) { check(nc_open(path.c_str(), NC_NOWRITE, &id_), "file"); }
   ~OpenFile() { nc_close(id_); }
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
@@ -61,6 +61,9 @@ class OpenFile {
   std::vector<double> values(const Variable& variable) const {
     std::size_t length = 0;
     check(nc_inq_dimlen(id_, variable.dimension, &length), variable.name);
+    if (length > most_values_in(std::filesystem::file_size(path_))) {
+      refuse(variable.name, fmt::format("states {} values, more than the file's bytes can hold", length));
+    }
     std::vector<double> result(length);
     if (length > 0) check(nc_get_var_double(id_, variable.id, result.data()), variable.name);
     const double fill = number(variable, "_FillValue", default_fill(variable.type));
@@ -94,7 +97,11 @@ class OpenFile {
     }
   }
   void check(int status, const std::string& what) const {
-    if (status != NC_NOERR) throw InputError(fmt::format("{}: {}: {}", path_, what, nc_strerror(status)));
+    if (status != NC_NOERR) refuse(what, nc_strerror(status));
+  }
+  [[noreturn]] void refuse(const std::string& where, const std::string& what) const {
+    throw InputError(Complaint{path_ + ", " + where, what, "a whole netCDF file",
+                               "copy or write the file again; a name that does not end in .nc is read as text"});
   }
 
   std::string path_;
@@ -116,10 +123,10 @@ Series read_netcdf_series(const std::string& path) {
   const std::vector<OpenFile::Variable> variables = file.variables();
   const OpenFile::Variable* const times = times_of(file, variables);
   if (times == nullptr)
-    throw InputError(
-        fmt::format("{}: no variable named time or t along one dimension, and none in a unit such as "
-                    "'seconds since ...'",
-                    path));
+    throw InputError(Complaint{path, "has no times",
+                               "a variable named time or t along one dimension, or one in a unit such as "
+                               "'seconds since 2020-01-01'",
+                               "name the variable of the times so, or write its unit"});
   Series series;
   series.row_prefix = path + ", sample ";
   for (const OpenFile::Variable& variable : variables) {
@@ -128,12 +135,14 @@ Series read_netcdf_series(const std::string& path) {
     series.names.push_back(variable.name);
     series.columns.push_back(file.values(variable));
   }
-  const double factor = seconds_in(file.text(*times, "units"), fmt::format("{}: {}", path, times->name));
+  const double factor = seconds_in(file.text(*times, "units"), fmt::format("{}, {}", path, times->name));
   std::vector<double>& column = series.columns[*series.time];
-  if (column.size() < 2) throw InputError(fmt::format("{}: {} samples; 2 are needed", path, column.size()));
+  if (column.size() < 2)
+    throw InputError(Complaint{fmt::format("{}, {}", path, times->name), fmt::format("{} samples", column.size()),
+                               "2 samples at least", "check that it is the right file and whole"});
   for (std::size_t i = 0; i < column.size(); ++i) {
     series.rows.push_back(i + 1);
-    if (std::isnan(column[i])) throw InputError(fmt::format("{}: the time is missing", series.place(i)));
+    if (std::isnan(column[i])) refuse_missing_time(series.place(i));
     column[i] *= factor;
   }
   return series;

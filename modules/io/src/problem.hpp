@@ -33,9 +33,4 @@ struct Problem {
 /// The name in `known` with the least edit distance from `name` (ties: the first), or "" when none is similar.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
-/// `text` with control characters and what is not UTF-8 escaped: what a file says may not steer a terminal.
-std::string escaped(const std::string& text);
-/// The same, cut after 80 bytes.
-std::string printable(const std::string& text);
-
 }  // namespace brash::io

@@ -47,25 +47,40 @@ std::string resolve_file(const std::string& file, const CaseSource& source) {
   return std::filesystem::absolute(base / file).lexically_normal().string();
 }
 
+/// What is wrong with a model file outside the folder of the file that names it.
+std::vector<Problem> leads_out(const std::string& file, const CaseSource& source) {
+  const Place named = place_of(source, "failure", "file");
+  if (file.empty() || !named.override_text.empty()) return {};
+  const auto folder = std::filesystem::absolute(named.file).lexically_normal().parent_path();
+  const std::filesystem::path inside = std::filesystem::path(file).lexically_relative(folder);
+  if (!inside.empty() && *inside.begin() != "..") return {};
+  return {{named, "failure.file", value_text(source, "failure", "file"),
+           "leads out of the folder of the file that names it", "a file in that folder or below", "",
+           "put the model beside the case, or name it on the command line: --set failure.file=PATH may lead anywhere"}};
+}
+
 }  // namespace
 
-Case resolve(const CaseSource& source, const std::string& name) {
+Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
   Case result = case_from(validated(source, schema_of_cases()));
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
-  std::vector<Problem> problems = cross_check(result, source);
+  std::vector<Problem> problems;
+  if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source);
+  if (problems.empty()) problems = cross_check(result, source);
   if (!problems.empty()) refuse(std::move(problems));
   return result;
 }
 
-Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_case(read_case_text(path), path, overrides);
+Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
+  return parse_case(read_case_text(path), path, overrides, model_file);
 }
 
 std::string read_case_text(const std::string& path) { return read_text(path, "case file"); }
 
-Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
-  return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string());
+Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
+                ModelFile model_file) {
+  return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string(), model_file);
 }
 
 }  // namespace brash::io

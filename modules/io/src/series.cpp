@@ -8,10 +8,12 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "quantity.hpp"
 
 namespace brash::io {
@@ -19,7 +21,11 @@ namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Cells of a line: between commas, semicolons or tabs where there are any, else between blanks.
+/// More columns than anyone measures, and few enough to make room for.
+constexpr std::size_t kMostColumns = 10'000;
+
+/// Cells of a line: between commas, semicolons or tabs where there are any, else between blanks. Of too many, the
+/// first.
 std::vector<std::string_view> cells_of(std::string_view line) {
   const bool separated = line.find_first_of(",;\t") != std::string_view::npos;
   const std::string_view separators = separated ? ",;\t" : " ";
@@ -30,7 +36,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
     while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
     while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\r')) cell.remove_suffix(1);
     if (separated || !cell.empty()) cells.push_back(cell);
-    if (end == std::string_view::npos) return cells;
+    if (end == std::string_view::npos || cells.size() > kMostColumns) return cells;
     line.remove_prefix(end + 1);
   }
 }
@@ -65,11 +71,17 @@ void add_row(Series& series, const std::vector<std::string_view>& cells, std::si
   series.rows.push_back(line);
   const auto place = [&] { return series.place(series.rows.size() - 1); };
   if (cells.size() != series.names.size())
-    throw InputError(fmt::format("{}: {} values in a table of {} columns", place(), cells.size(), series.names.size()));
+    throw InputError(Complaint{place(),
+                               fmt::format("{} values in a table of {} columns", cells.size(), series.names.size()),
+                               "as many values in each line as in the first", "correct the line; # begins a comment"});
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::optional<double> value = number(cells[i]);
     if (!value)
-      throw InputError(fmt::format("{}: column '{}': '{}' is not a finite number", place(), series.names[i], cells[i]));
+      throw InputError(Complaint{place(),
+                                 fmt::format("column '{}': '{}' is not a finite number", printable(series.names[i]),
+                                             printable(std::string(cells[i]))),
+                                 "numbers with a decimal point; nothing, NaN, NA or - where a value is missing",
+                                 "correct the value, or begin the line with #"});
     series.columns[i].push_back(*value);
   }
 }
@@ -93,17 +105,16 @@ void find_times(Series& series, const std::string& path) {
   }
   if (!series.time && series.names.size() > 1) series.time = 0;
   if (!series.time) return;
-  const double factor = seconds_in(unit, fmt::format("{}: column '{}'", path, series.names[*series.time]));
+  const double factor = seconds_in(unit, fmt::format("{}, column '{}'", path, series.names[*series.time]));
   std::vector<double>& times = series.columns[*series.time];
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (std::isnan(times[i])) throw InputError(fmt::format("{}: the time is missing", series.place(i)));
+    if (std::isnan(times[i])) refuse_missing_time(series.place(i));
     times[i] *= factor;
   }
 }
 
 Series read_text_series(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(fmt::format("{}: cannot be read; give the path of a CSV or netCDF file", path));
+  std::istringstream file(read_text_file(path, "a history (CSV)"));
   Series series;
   series.row_prefix = path + ":";
   std::size_t line_number = 0;
@@ -111,16 +122,26 @@ Series read_text_series(const std::string& path) {
     ++line_number;
     const std::vector<std::string_view> cells = cells_of(line);
     if (cells.empty() || (cells.size() == 1 && cells[0].empty()) || cells[0].starts_with('#')) continue;
+    if (cells.size() > kMostColumns)
+      throw InputError(Complaint{fmt::format("{}:{}", path, line_number), "has more columns than a history has",
+                                 fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});
     if (series.names.empty() && begin(series, cells)) continue;
     add_row(series, cells, line_number);
   }
   if (series.rows.size() < 2)
-    throw InputError(fmt::format("{}: {} rows of numbers; 2 are needed", path, series.rows.size()));
+    throw InputError(Complaint{path, fmt::format("{} rows of numbers", series.rows.size()),
+                               "lines of numbers, 2 at least, after one of names",
+                               "check that it is the right file and whole"});
   find_times(series, path);
   return series;
 }
 
 }  // namespace
+
+void refuse_missing_time(const std::string& place) {
+  throw InputError(Complaint{place, "the time is missing", "a finite time in each line or sample",
+                             "write the time, or remove the line or sample"});
+}
 
 bool is_time_name(std::string_view name) {
   std::string lower(name);
@@ -132,8 +153,9 @@ double seconds_in(const std::string& unit, const std::string& place) {
   if (unit.empty()) return 1.0;
   const auto seconds = read_quantity("1 " + unit.substr(0, unit.find(" since ")), "s");
   if (!seconds)
-    throw InputError(
-        fmt::format("{}: the times' unit '{}': {}; {}", place, unit, seconds.error().what, seconds.error().remedy));
+    throw InputError(Complaint{place, fmt::format("the times' unit '{}': {}", printable(unit), seconds.error().what),
+                               "a unit of time in UDUNITS-2, such as s, ms, min or \"seconds since 2020-01-01\"",
+                               seconds.error().remedy});
   return *seconds;
 }
 

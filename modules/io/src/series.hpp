@@ -16,6 +16,9 @@ bool is_time_name(std::string_view name);
 /// @throws InputError when it is no unit of time.
 double seconds_in(const std::string& unit, const std::string& place);
 
+/// @throws InputError, always: the row at `place` has no time.
+[[noreturn]] void refuse_missing_time(const std::string& place);
+
 Series read_netcdf_series(const std::string& path);
 
 }  // namespace brash::io

@@ -7,7 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "nesting.hpp"
+#include "brash/core/nesting.hpp"
+#include "brash/core/text.hpp"
 #include "schema.hpp"
 
 namespace brash::io {

@@ -105,8 +105,4 @@ void write_history(const std::string& directory, const RunResults& results) {
   write_file((std::filesystem::path(directory) / "history.csv").string(), history_csv(results.loads));
 }
 
-std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
-
-RunResults read_results(const std::string& path) { return read_tables(NetcdfReader(path)); }
-
 }  // namespace brash::io

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
-#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/report.hpp"
@@ -27,12 +26,6 @@ ordered_json reports_of_cases(const std::string& directory) {
   return found;
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path + ": cannot be read\n  remedy:  give the folder that `brash campaign` wrote");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 }  // namespace
 
 bool is_campaign(const std::string& directory) { return std::filesystem::exists(directory + "/campaign.csv"); }
@@ -43,7 +36,7 @@ std::string write_campaign_report(const std::string& directory) {
                           {"manifest", read_json(directory + "/manifest.json")},
                           {"summary", read_json(directory + "/summary.json")},
                           {"schema", ordered_json::parse(io::case_schema())},
-                          {"table", text_of(directory + "/campaign.csv")},
+                          {"table", read_text_file(directory + "/campaign.csv", "the table of a campaign")},
                           {"reports", reports_of_cases(directory)},
                           {"blocks", ordered_json::array()}};
   const std::string path = directory + "/report.html";

@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/report/report.hpp"
 
 namespace brash::report {
@@ -48,14 +46,13 @@ std::string page_with(const nlohmann::ordered_json& data, const std::string& pac
 }
 
 nlohmann::ordered_json read_json(const std::string& path) {
-  std::ifstream stream(path);
-  if (!stream)
-    throw InputError(
-        fmt::format("{}: cannot be read\n  remedy:  give the folder that `brash run` or `brash campaign` wrote", path));
+  constexpr const char* kAllowed = "a file (JSON) of the folder that `brash run` or `brash campaign` wrote";
+  const std::string text = read_json_text(path, kAllowed);
   try {
-    return nlohmann::ordered_json::parse(stream);
+    return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: is no JSON: {}", path, error.what()));
+    throw InputError(Complaint{path, fmt::format("is no JSON: {}", error.what()), kAllowed,
+                               "copy it again, or run the case or campaign again"});
   }
 }
 

@@ -139,15 +139,22 @@ io::Case case_of_run(const std::string& directory) {
   const ordered_json manifest = read_json(path);
   try {
     const ordered_json& described = manifest.at("case");
-    return io::parse_case(described.at("toml").get<std::string>(), described.at("name").get<std::string>() + ".toml");
+    return io::parse_case(described.at("toml").get<std::string>(), described.at("name").get<std::string>() + ".toml",
+                          {}, io::ModelFile::kAnywhere);
+  } catch (const InputError& error) {
+    throw InputError(path + ": the case in it:\n" + error.what());
   } catch (const ordered_json::exception& error) {
-    throw InputError(path + ": holds no case: " + error.what());
+    throw InputError(Complaint{path, std::string("holds no case: ") + error.what(), "the manifest.json of a run",
+                               "copy it again, or run the case again"});
   }
 }
 
 std::string write_run_report(const std::string& directory, const std::string& closed_forms) {
   const io::RunResults results = io::read_results(directory + "/run.nc");
   const ordered_json summary = read_json(directory + "/summary.json");
+  if (!summary.is_object() || !summary.value("statistics_from", ordered_json(0.0)).is_number())
+    throw InputError(Complaint{directory + "/summary.json", "has no number `statistics_from`",
+                               "the summary.json of a run", "copy it again, or run the case again"});
   const Blocks blocks = blocks_of(results);
   const ordered_json data{{"format", "brash-report-1"},
                           {"kind", "run"},

@@ -77,9 +77,11 @@ geometry::Ledger ledger_of(const io::Checkpoint& checkpoint) {
 /// The ice of `checkpoint`, once it is known to be of this case.
 IceField field_of(const io::Case& resolved, const io::Checkpoint& checkpoint) {
   if (checkpoint.case_name != resolved.name || checkpoint.case_toml != io::to_toml(resolved))
-    throw InputError("the checkpoint is of case \"" + checkpoint.case_name +
-                     "\" with other values than this one\n  remedy:  resume with the case file and the --set options "
-                     "of the interrupted run, or start again without --resume");
+    throw InputError(Complaint{"the checkpoint",
+                               "is of case \"" + checkpoint.case_name + "\" with other values than this one",
+                               "a checkpoint of this case with the same values",
+                               "resume with the case file and the --set options of the interrupted run, or start again "
+                               "without --resume"});
   std::vector<geometry::Polygon> sheet;
   for (const io::GridRings& rings : checkpoint.sheet) sheet.push_back(from_grid(rings));
   return {sheet, ledger_of(checkpoint)};

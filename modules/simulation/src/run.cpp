@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <stdexcept>
 
 #include "brash/core/error.hpp"
 #include "plan.hpp"
@@ -93,10 +94,18 @@ Progress begin(const io::Case& resolved, const RunOptions& options) {
     return {std::move(simulation), std::move(recorder), {}};
   }
   io::Checkpoint saved = io::read_checkpoint(options.checkpoint_file);
-  Progress progress{Simulation(resolved, saved), Recorder(resolved, std::move(saved.results)), {}};
-  visit_counters(progress.counts,
-                 [&](const char* name, int& count) { count = static_cast<int>(saved.counters.at(name)); });
-  return progress;
+  try {
+    Progress progress{Simulation(resolved, saved), Recorder(resolved, std::move(saved.results)), {}};
+    visit_counters(progress.counts,
+                   [&](const char* name, int& count) { count = static_cast<int>(saved.counters.at(name)); });
+    return progress;
+  } catch (const InputError& error) {
+    throw InputError(options.checkpoint_file + ": " + error.what());
+  } catch (const std::logic_error& error) {  // a value that is missing, or a body that cannot be
+    throw InputError(Complaint{options.checkpoint_file, std::string("holds no state of a run: ") + error.what(),
+                               "a checkpoint that this version of the program wrote",
+                               "use an older checkpoint, or start the run again"});
+  }
 }
 
 void keep_checkpoint(const std::string& file, io::Checkpoint saved, const Progress& progress) {

@@ -80,13 +80,13 @@ BOOST_AUTO_TEST_CASE(a_plan_is_read_in_si) {
 BOOST_AUTO_TEST_CASE(a_plan_with_a_mistake_is_refused_with_its_place) {
   expect_refusal("geometries = 20", "geometrys = 20", "`design.geometries` is missing");
   expect_refusal("rows_per_geometry = 3", "rows_per_geometry = 3\nrows = 4",
-                 "plan.toml:5:8: `design.rows`: is not known");
+                 "plan.toml:5:8: `design.rows` is not known");
   expect_refusal("geometries = 20", "geometries = 2.5", "whole number");
-  expect_refusal("from = 0.1, to = 1.0", "from = 2.0, to = 1.0", "must not be below");
+  expect_refusal("from = 0.1, to = 1.0", "from = 2.0, to = 1.0", "`range.c_lc.to` is below");
   expect_refusal("from = 0.1, to = 1.0", "from = 0.1, too = 1.0", "`range.c_lc.to` is missing");
-  expect_refusal("\"quadratic\"", "\"cubic\"", "must be one of");
-  expect_refusal("to = 100.0", "to = 190.0", "must be a number in [0, 170]");
-  expect_refusal("to = 100.0", "to = nan", "must be a number");
+  expect_refusal("\"quadratic\"", "\"cubic\"", "`range.b_lc.spacing` = ");
+  expect_refusal("to = 100.0", "to = 190.0", "= 190 is not allowed\n  allowed: a number from 0 to 170");
+  expect_refusal("to = 100.0", "to = nan", "= nan is not allowed");
   expect_refusal("[plate]", "[plat]", "`plate` is missing");
   expect_refusal("geometries = 20", "geometries = ", "plan.toml:3");
   BOOST_CHECK_THROW(read_plan("/nonexistent/plan.toml"), InputError);

@@ -137,6 +137,15 @@ def database_under_slurm(brash, folder, env):
         raise RuntimeError("the failure database differs")
 
 
+def check_addresses(folder):
+    """The controller and the nodes accept connections from this machine only."""
+    addresses = cluster.listening_addresses(folder)
+    # 127.0.0.1 as the kernel prints it on a little-endian machine, and the same in IPv6.
+    loopback = ("0100007F:", "0000000000000000FFFF00000100007F:", "00000000000000000000000001000000:")
+    if len(addresses) < 1 + len(cluster.NODES) or not all(address.startswith(loopback) for address in addresses):
+        raise RuntimeError(f"the daemons listen on {addresses}")
+
+
 def main():
     brash, folder, faults = sys.argv[1], Path(sys.argv[2]).resolve(), "--faults" in sys.argv[3:]
     shutil.rmtree(folder, ignore_errors=True)
@@ -149,6 +158,7 @@ def main():
         cluster.down(slurm)
         sys.exit(SKIPPED)
     try:
+        check_addresses(slurm)
         here = Campaign(brash, folder / "local", not faults)
         here.run("--jobs", "2")
         there = Campaign(brash, folder / "under-slurm", not faults)

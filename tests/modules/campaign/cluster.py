@@ -84,6 +84,25 @@ def configure(folder):
         (folder / name).mkdir(mode=0o700)
 
 
+def make_key(folder):
+    """A key for this cluster alone; nobody else may read it at any time."""
+    with open(os.open(folder / "munge.key", os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o400), "wb") as key:
+        key.write(os.urandom(1024))
+
+
+def munged(folder):
+    return ["/usr/sbin/munged", "--force", f"--key-file={folder}/munge.key", f"--socket={folder}/munge.socket",
+            f"--pid-file={folder}/munged.pid", f"--log-file={folder}/munged.log", f"--seed-file={folder}/munged.seed"]
+
+
+def prepare(folder):
+    """Makes FOLDER with all that the daemons need; starts nothing."""
+    folder.mkdir(parents=True, mode=0o700)
+    os.chmod(folder, 0o700)
+    make_key(folder)
+    configure(folder)
+
+
 def environment(folder):
     return {**os.environ, "SLURM_CONF": str(folder / "slurm.conf")}
 
@@ -91,9 +110,7 @@ def environment(folder):
 def start(folder, name):
     """Starts munged, slurmctld or the slurmd of a node, as a daemon."""
     if name == "munged":
-        subprocess.run(["/usr/sbin/munged", "--force", f"--key-file={folder}/munge.key", f"--socket={folder}/munge.socket",
-                        f"--pid-file={folder}/munged.pid", f"--log-file={folder}/munged.log",
-                        f"--seed-file={folder}/munged.seed"], check=True)
+        subprocess.run(munged(folder), check=True)
         return
     command = ["/usr/sbin/slurmctld"] if name == "slurmctld" else ["/usr/sbin/slurmd", "-N", name]
     with open(folder / f"{name}.out", "ab") as out:
@@ -121,14 +138,30 @@ def process_of(folder, name):
     return process if command.startswith("slurmd" if name in NODES else name) else None
 
 
+def listening_addresses(folder):
+    """Addresses on which the running daemons accept connections, "address:port" as in /proc/net/tcp."""
+    sockets = set()
+    for name in ["munged", "slurmctld", *NODES]:
+        process = process_of(folder, name)
+        for descriptor in Path(f"/proc/{process}/fd").iterdir():
+            try:
+                sockets.add(os.readlink(descriptor))
+            except OSError:
+                pass  # closed since
+    found = []
+    for table in ("tcp", "tcp6", "udp", "udp6"):
+        for line in Path(f"/proc/net/{table}").read_text(encoding="utf-8").splitlines()[1:]:
+            cells = line.split()
+            is_listening = cells[3] == "0A" or table.startswith("udp")
+            if is_listening and f"socket:[{cells[9]}]" in sockets:
+                found.append(cells[1])
+    return found
+
+
 def up(folder):
     folder = folder.resolve()
     down(folder)
-    folder.mkdir(parents=True, mode=0o700)
-    os.chmod(folder, 0o700)
-    (folder / "munge.key").write_bytes(os.urandom(1024))
-    os.chmod(folder / "munge.key", 0o400)
-    configure(folder)
+    prepare(folder)
     for name in ["munged", "slurmctld", *NODES]:
         start(folder, name)
     wait_until_idle(folder)

@@ -102,7 +102,8 @@ BOOST_AUTO_TEST_CASE(a_row_that_cannot_be_used_is_refused_with_its_line) {
   const Folder folder;
   const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.6,0.3,60,0.5,0\n0.6,0,60,0.5,0\n");
   BOOST_CHECK_EXCEPTION(run({"predict", "--model", kNetwork, "--in", rows}), InputError, [](const InputError& error) {
-    return std::string(error.what()).find("rows.csv:3: c_lc = 0 is not allowed") != std::string::npos;
+    return std::string(error.what()).find("rows.csv:3: c_lc = 0 is not allowed\n  allowed: above 0") !=
+           std::string::npos;
   });
 }
 

@@ -137,10 +137,10 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_with_its_place) {
   const auto refused = [&](std::vector<std::string> arguments, const std::string& what) {
     BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& e) { return names(e, what); });
   };
-  refused({"crack", "--sheet", (path / "none").string(), "--events", events}, "none: cannot be read");
-  refused({"crack", "--sheet", path.string(), "--events", events}, "cannot be read: Is a directory");
+  refused({"crack", "--sheet", (path / "none").string(), "--events", events}, "none: cannot be opened: No such file");
+  refused({"crack", "--sheet", path.string(), "--events", events}, "is a folder");
   refused({"crack", "--sheet", write("empty", ""), "--events", events}, "line 1, column 1: there is no geometry");
-  refused({"crack", "--sheet", bad, "--events", events}, "bad.wkt, line 2, column 3");
+  refused({"crack", "--sheet", bad, "--events", events}, "bad.wkt: line 2, column 3");
   refused({"crack", "--sheet", crossed, "--events", events}, "crossed.wkt: polygon 0 crosses itself");
   refused({"crack", "--sheet", sheet, "--cutters", crossed}, "cutter 1 is not simple");
   refused({"crack", "--sheet", sheet}, "--events");
@@ -154,14 +154,14 @@ BOOST_AUTO_TEST_CASE(events_are_refused_with_line_and_column) {
     BOOST_CHECK_EXCEPTION(read_crack_events("e.csv", text), InputError,
                           [&](const InputError& e) { return names(e, what); });
   };
-  refused("x,y,radius,wedges\n1,2,3\n", "e.csv, line 2: 3 fields");
+  refused("x,y,radius,wedges\n1,2,3\n", "e.csv, line 2: '1,2,3': 3 fields");
   refused("1,2,-3,4", "e.csv, line 1: radius = '-3'");
   refused("1,2,nan,4", "radius = 'nan'");
-  refused("1,inf,1,4", "y = 'inf': the circle must stay within");
+  refused("1,inf,1,4", "y = 'inf' is not allowed\n  allowed: the circle must stay within");
   refused("1,2,3,0", "wedges = '0'");
   refused("1,2,3,2.5", "wedges = '2.5'");
   refused("1,2,3,", "wedges = ''");
-  refused("1,2,3,5,0.1 0.2", "wedges = '5': 2 angles make 3 wedges");
+  refused("1,2,3,5,0.1 0.2", "wedges = '5' is not allowed\n  allowed: 2 angles make 3 wedges");
   refused("1,2,3,3,0.1 b", "angles = '0.1 b'");
   refused("y,x,radius,wedges\n", "x = 'y'");
   BOOST_TEST(read_crack_events("e.csv", "").empty());

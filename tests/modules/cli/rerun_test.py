@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`brash rerun`: equal results on recorded runs; a changed input, model or program is named."""
+"""`brash rerun`: equal results on recorded runs; a changed input, model, program or result is named."""
+import hashlib
 import json
 import os
 import pathlib
@@ -31,8 +32,9 @@ class Rerun(unittest.TestCase):
         return self.path / name / "manifest.json"
 
     def test_three_recorded_runs_repeat_byte_for_byte(self):
-        runs = [self.record("a"), self.record("b", "--seed", 2, "--set", "failure.model=superposition"),
-                self.record("c", "--set", "ice.thickness='40 cm'", "--set", "failure.model=wedge")]
+        runs = [self.record("a", "--set", "failure.model=network"),
+                self.record("b", "--seed", 2, "--set", "failure.model=superposition", "--set", "structure.speed=1.5"),
+                self.record("c", "--set", "ice.thickness='40 cm'", "--set", "failure.model=wedge", "--set", "time.step=0.02")]
         for manifest in runs:
             n_files = len(json.loads(manifest.read_text())["outputs"])
             done = brash("rerun", manifest)
@@ -40,7 +42,7 @@ class Rerun(unittest.TestCase):
             self.assertEqual(done.stdout.count("identical"), n_files)
 
     def test_a_changed_input_is_named_and_its_run_can_be_repeated_all_the_same(self):
-        manifest = self.record("a")
+        manifest = self.record("a", "--set", "failure.model=wedge")
         self.case.write_text(self.case.read_text().replace("0.33 m", "0.43 m"))
         refused = brash("rerun", manifest)
         self.assertEqual((refused.returncode, refused.stdout), (2, ""))
@@ -59,21 +61,51 @@ class Rerun(unittest.TestCase):
         self.assertEqual(refused.returncode, 2)
         self.assertIn(f"model {self.path / 'cone_network.json'}", refused.stderr)
 
+    def test_a_changed_model_of_the_case_is_named_and_nothing_else(self):
+        model = self.path / "mine.json"
+        shutil.copy(MODELS / "cone_network.json", model)
+        manifest = self.record("a", "--set", "failure.model=network", "--set", f"failure.file={model}")
+        recorded = hashlib.sha256(model.read_bytes()).hexdigest()
+        model.write_text(model.read_text() + "\n")
+        refused = brash("rerun", manifest)
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+        now = hashlib.sha256(model.read_bytes()).hexdigest()
+        self.assertIn(f"\n  model {model}\n    was {recorded}\n    is  {now}\n", refused.stderr)
+        self.assertEqual(refused.stderr.count("\n    was "), 1)
+        model.unlink()
+        self.assertEqual(brash("rerun", manifest).returncode, 2)
+
     def test_a_changed_program_is_named(self):
-        manifest = self.record("a")
-        m = json.loads(manifest.read_text())
-        m["program"]["sha256"] = "0" * 64
-        manifest.write_text(json.dumps(m))
+        manifest = self.record("a", "--set", "failure.model=wedge")
+        other = self.path / "brash"
+        shutil.copy(BRASH, other)
+        with open(other, "ab") as program:
+            program.write(b"\0")
+        refused = subprocess.run([other, "rerun", manifest], capture_output=True, text=True)
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+        self.assertIn("\n  program brash ", refused.stderr)
+        self.assertEqual(refused.stderr.count("\n    was "), 1)
+        again = subprocess.run([other, "rerun", manifest, "--anyway"], capture_output=True, text=True)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertIn("program brash", again.stdout)
+
+    def test_a_changed_result_is_named_and_a_missing_one_is_made_again(self):
+        manifest = self.record("a", "--set", "failure.model=wedge")
+        (manifest.parent / "run.nc").unlink()
+        self.assertEqual(brash("rerun", manifest).returncode, 0)
+        history = manifest.parent / "history.csv"
+        history.write_text(history.read_text().replace("0.5,", "0.6,", 1))
         refused = brash("rerun", manifest)
         self.assertEqual(refused.returncode, 2)
-        self.assertIn("program brash", refused.stderr)
+        self.assertIn(f"\n  output {history}\n", refused.stderr)
+        self.assertEqual(refused.stderr.count("\n    was "), 1)
 
     def test_a_result_that_differs_is_named(self):
-        manifest = self.record("a")
+        manifest = self.record("a", "--set", "failure.model=wedge")
         m = json.loads(manifest.read_text())
         m["outputs"][0]["sha256"] = "0" * 64
         manifest.write_text(json.dumps(m))
-        done = brash("rerun", manifest)
+        done = brash("rerun", manifest, "--anyway")
         self.assertEqual(done.returncode, 1)
         self.assertIn(m["outputs"][0]["path"], done.stderr)
 

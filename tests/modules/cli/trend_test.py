@@ -62,9 +62,9 @@ class Trend(unittest.TestCase):
         self.assertLess(load["last_less_first"]["interval_95"][1], 0)
 
     def test_what_cannot_be_tested_is_refused(self):
-        self.assertIn("no column 'structure.width'; there are: case, setting",
+        self.assertIn("no column 'structure.width'\n  allowed: one of: case, setting",
                       self.trend("--along", "structure.width", code=2).stderr)
-        self.assertIn("a trend needs at least 2", self.trend("--along", "structure.angle", "--where", "angle-50deg_*",
+        self.assertIn("allowed: 2 settings at least", self.trend("--along", "structure.angle", "--where", "angle-50deg_*",
                                                              code=2).stderr)
 
 

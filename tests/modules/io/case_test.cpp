@@ -82,6 +82,8 @@ BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
   validation.reference = {};  // a measured load belongs to one case
   BOOST_TEST(c.failure.model == "superposition");
   validation.failure.model = c.failure.model;  // the paper's network there, the default here
+  BOOST_TEST(c.failure.under_floes);
+  validation.failure.under_floes = true;  // the paper judges the structure's contacts
   BOOST_TEST((c == validation));
   // Every key of the resolved text is in the template too.
   const std::string text = case_template();

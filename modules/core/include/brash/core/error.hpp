@@ -2,13 +2,23 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace brash {
+
+/// What a user has to know of bad input. Text from a file may stand in each part: it is shown escaped.
+struct Complaint {
+  std::string where;    ///< file and place in it: "events.csv, line 3"
+  std::string what;     ///< the value and what is wrong with it
+  std::string allowed;  ///< what may stand there instead
+  std::string remedy;   ///< what to do
+};
 
 /// Bad input or environment. The message names file, key, value, what is allowed and the remedy. Exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  explicit InputError(const Complaint& complaint);
 };
 
 /// A run that cannot go on although its input was good. Exit code 1.

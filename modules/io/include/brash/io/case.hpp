@@ -97,7 +97,7 @@ struct HydrodynamicsSection {
   double rotational_drag = 1.0;
   double skin_friction = 0.005;
   double added_mass = 0.5;
-  bool structure_flow = true;  ///< the water gives way to the structure
+  bool structure_flow = false;  ///< the water gives way to the structure
 
   friend bool operator==(const HydrodynamicsSection&, const HydrodynamicsSection&) = default;
 };
@@ -165,20 +165,26 @@ struct Case {
   friend bool operator==(const Case&, const Case&) = default;
 };
 
+/// Where failure.file may lead. A case file comes from anyone, so it names files in its own folder, or below; the
+/// command line names any, and so does what the program itself has resolved and written.
+enum class ModelFile { kInItsFolder, kAnywhere };
+
 /// Reads, checks and resolves a case file.
 ///
 /// @param overrides  `section.key=value` as on the command line, applied after the file; the value is TOML, or else a
 ///                   plain string, so that `ice.thickness=40 cm` needs no quotes.
 /// @throws InputError that lists everything wrong, each with file, line, column (or the override), key, value, what is
 ///         allowed, the nearest known name and the remedy.
-Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+Case read_case(const std::string& path, const std::vector<std::string>& overrides = {},
+               ModelFile model_file = ModelFile::kInItsFolder);
 
 /// The text of a case file.
 /// @throws InputError when it is unreadable or larger than 1 MiB.
 std::string read_case_text(const std::string& path);
 
 /// As read_case() for a text; `path` names it in messages, gives the case its name and is where a model file is sought.
-Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {});
+Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {},
+                ModelFile model_file = ModelFile::kInItsFolder);
 
 /// The resolved case as TOML in SI, every key that has a value written; reading it gives the same case.
 std::string to_toml(const Case& resolved);

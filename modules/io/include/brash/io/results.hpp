@@ -172,7 +172,7 @@ void write_results(const std::string& directory, const Case& resolved, const Run
 void write_history(const std::string& directory, const RunResults& results);
 
 /// Reads what write_results wrote into run.nc.
-/// @throws InputError naming the file and what it lacks.
+/// @throws InputError naming the file and what it lacks, or what cannot have come from a run.
 RunResults read_results(const std::string& path);
 
 /// The resolved case in a run.nc, as to_toml() wrote it. @throws InputError likewise.

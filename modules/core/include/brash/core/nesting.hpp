@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace brash::io {
+namespace brash {
 
 /// Open brackets at once, and dots in one key, that a TOML text may have: readers of TOML recurse.
 inline constexpr int kDeepestNesting = 16;
@@ -17,4 +17,4 @@ struct TextPosition {
 /// Where `text` nests deeper than kDeepestNesting, comments and strings apart; nothing when it does not.
 std::optional<TextPosition> find_deep_nesting(std::string_view text);
 
-}  // namespace brash::io
+}  // namespace brash

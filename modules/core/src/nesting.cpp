@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "nesting.hpp"
+#include "brash/core/nesting.hpp"
 
 #include <algorithm>
 
-namespace brash::io {
+namespace brash {
 namespace {
 
 /// The first position after the string that begins at `at`; a string of one line ends with its line.
@@ -70,4 +70,4 @@ std::optional<TextPosition> find_deep_nesting(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace brash::io
+}  // namespace brash

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace brash {
+
+/// The bytes of a file.
+/// @param kind            what is expected, for messages: "a model (JSON)".
+/// @param most_mebibytes  size above which it is refused, whatever it states of itself.
+/// @throws InputError when it is a folder, cannot be read or is larger.
+std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mebibytes = 256);
+
+/// The text of a JSON file of at most 64 MiB, not nested deeper than 64: what walks through it may recur.
+/// @throws InputError as above, or naming the byte.
+std::string read_json_text(const std::string& path, const std::string& kind);
+
+/// How many numbers a variable of a netCDF file of `n_bytes` has at most: deflate packs 1032 bytes into one, and 2^27
+/// doubles are 1 GiB. Nobody makes room for more, whatever a file states.
+std::size_t most_values_in(std::uintmax_t n_bytes);
+
+}  // namespace brash

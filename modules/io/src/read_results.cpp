@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results come from others too: what cannot have come from a run is refused before anyone works with it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <type_traits>
+
+#include "brash/io/result_columns.hpp"
+#include "brash/io/results.hpp"
+#include "result_tables.hpp"
+
+namespace brash::io {
+namespace {
+
+/// The range of the polygons' grid [m], and beyond it of floes that drift away.
+constexpr double kFarthestNode = 8192.0;
+constexpr double kFarthestFloe = 1e5;
+constexpr int kMostWedges = 1000;
+
+class Check {
+ public:
+  explicit Check(const NetcdfReader& file) : file_(file) {}
+
+  void results(const RunResults& r) const {
+    rows("load", r.loads);
+    rows("event", r.events);
+    rows("floe", r.floes);
+    for (const CrackEvent& event : r.events) {
+      const bool cuts = event.breaking_length > 0.0 && event.breaking_length <= kFarthestNode && event.wedges >= 1 &&
+                        event.wedges <= kMostWedges && is_near(event.at.x, kFarthestNode) &&
+                        is_near(event.at.y, kFarthestNode);
+      if (!cuts) file_.refuse(fmt::format("the crack at t = {} s has no place, radius or wedges", event.time));
+    }
+    std::set<std::int64_t> floes;
+    for (const FloeRecord& floe : r.floes) {
+      if (!floes.insert(floe.id).second) file_.refuse(fmt::format("floe {} is there twice", floe.id));
+      rings(fmt::format("floe {}", floe.id), floe.rings);
+      pose(fmt::format("floe {}", floe.id), floe.birth_pose);
+    }
+    for (const CrackedSheet& sheet : r.cracked_sheets) rings("cracked_sheet", sheet.rings);
+    rings("initial_sheet", r.initial_sheet);
+    rings("final_sheet", r.final_sheet);
+    for (std::size_t i = 0; i < r.frames.size(); ++i) frame(fmt::format("frame {}", i), r.frames[i], floes);
+  }
+
+ private:
+  static bool is_near(double value, double most) { return std::abs(value) <= most; }  // false for not a number
+
+  template <typename Row>
+  void rows(const char* of, const std::vector<Row>& rows) const {
+    Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!std::isfinite(static_cast<double>(member(rows[i]))))
+          file_.refuse(fmt::format("{}{} of {} {} is not finite", Columns<Row>::prefix, name, of, i));
+    });
+  }
+
+  void rings(const std::string& of, const std::vector<std::vector<Vec2>>& rings) const {
+    for (const std::vector<Vec2>& ring : rings) {
+      if (ring.size() < 3) file_.refuse(of + " has a ring of fewer than 3 nodes");
+      for (const Vec2 node : ring)
+        if (!is_near(node.x, kFarthestNode) || !is_near(node.y, kFarthestNode))
+          file_.refuse(fmt::format("{} has a node at ({}, {}), beyond +-{} m", of, node.x, node.y, kFarthestNode));
+    }
+  }
+
+  void pose(const std::string& of, const Pose& pose) const {
+    const auto& [at, q] = pose;
+    const bool is_there = is_near(at.x, kFarthestFloe) && is_near(at.y, kFarthestFloe) && is_near(at.z, kFarthestFloe);
+    const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    // Attitudes are kept normalised far better than this, which refuses what is none.
+    if (!is_there || !is_near(size - 1.0, 1e-3)) file_.refuse(of + " has no place or no attitude");
+  }
+
+  void frame(const std::string& name, const Frame& frame, const std::set<std::int64_t>& floes) const {
+    constexpr double kMostForce = 1e10;  // [N], far above what crushing allows
+    if (!std::isfinite(frame.time)) file_.refuse(name + " has no time");
+    pose("the structure in " + name, frame.structure);
+    for (const FloePose& floe : frame.floes) {
+      const std::string of = fmt::format("floe {} in {}", floe.floe, name);
+      if (!floes.contains(floe.floe)) file_.refuse(of + " is not in the list of floes");
+      pose(of, floe.pose);
+      if (!is_near(floe.contact_force, kMostForce)) file_.refuse(of + " has no contact force");
+    }
+  }
+
+  const NetcdfReader& file_;
+};
+
+}  // namespace
+
+std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
+
+RunResults read_results(const std::string& path) {
+  const NetcdfReader file(path);
+  RunResults results = read_tables(file);
+  Check(file).results(results);
+  return results;
+}
+
+}  // namespace brash::io
