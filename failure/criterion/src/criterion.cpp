@@ -112,7 +112,7 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
 }
 
 std::string model_path(const std::string& model, const std::string& file) {
-  if (model != "network" && model != "superposition") return "";
+  if (model != "network" && model != "deep-network" && model != "superposition") return "";
   if (!file.empty()) return file;
   const char* folder = std::getenv(kModelPathVariable);
   const fs::path models = folder != nullptr && *folder != '\0' ? folder : shipped_models();
@@ -123,15 +123,17 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
                                                  const IceProperties& ice, const BendingOptions& options) {
   expect_valid(ice);
   refuse_options(model, options);
-  if (model == "network") return make_network_criterion(model_path(model, file), ice);
+  if (model == "network" || model == "deep-network") return make_network_criterion(model_path(model, file), ice);
   if (model == "superposition") return make_superposition_criterion(model_path(model, file), ice);
   if (model == "plate") return screened(make_plate_criterion(ice, options), ice, options, kPlateMargin);
   if (model == "plate-outline") {
     return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);
   }
   if (model == "wedge") return make_wedge_criterion(ice);
-  throw InputError(fmt::format(
-      "failure.model = \"{}\" is not known; allowed: network, superposition, plate, plate-outline, wedge", model));
+  throw InputError(
+      fmt::format("failure.model = \"{}\" is not known; allowed: network, deep-network, superposition, plate, "
+                  "plate-outline, wedge",
+                  model));
 }
 
 }  // namespace brash::failure

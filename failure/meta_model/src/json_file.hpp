@@ -43,6 +43,11 @@ class Place {
     if (positive() != std::floor(number()) || number() > kMost) refuse("must be a whole number");
     return static_cast<std::size_t>(number());
   }
+  /// Of a list.
+  std::size_t size() const {
+    if (!value_.is_array()) refuse("must be a list");
+    return value_.size();
+  }
   std::string text() const {
     if (!value_.is_string()) refuse("must be a text");
     return value_.get<std::string>();
