@@ -25,8 +25,8 @@ void add_station(const plate::UnitProfiles& from, std::size_t i, plate::UnitProf
 /// The profiles up to kHumpBoundary and from there; both hold it as a station.
 std::array<plate::UnitProfiles, meta_model::kHumps> cut(const plate::UnitProfiles& whole) {
   const auto& x = whole.station;
-  const auto first_far = static_cast<std::size_t>(
-      std::upper_bound(x.begin(), x.end() - 1, meta_model::kHumpBoundary) - x.begin());
+  const auto first_far =
+      static_cast<std::size_t>(std::upper_bound(x.begin(), x.end() - 1, meta_model::kHumpBoundary) - x.begin());
   plate::UnitProfiles at;
   const double share = (meta_model::kHumpBoundary - x[first_far - 1]) / (x[first_far] - x[first_far - 1]);
   at.station.push_back(meta_model::kHumpBoundary);
@@ -44,8 +44,7 @@ std::array<plate::UnitProfiles, meta_model::kHumps> cut(const plate::UnitProfile
 
 meta_model::HumpSample hump_sample(const meta_model::ProfileModel& model, const meta_model::Input& input,
                                    double thickness_over_lc) {
-  const meta_model::Geometry geometry =
-      model.clamp({input.b_lc, input.c_lc, input.theta, thickness_over_lc});
+  const meta_model::Geometry geometry = model.clamp({input.b_lc, input.c_lc, input.theta, thickness_over_lc});
   const auto parts = cut(to_unit_profiles(model.predict(geometry)));
   meta_model::HumpSample sample{{geometry.b_lc, geometry.c_lc, geometry.theta, input.mu1, input.mu2}, {}};
   for (std::size_t hump = 0; hump < parts.size(); ++hump) {

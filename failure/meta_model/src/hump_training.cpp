@@ -135,7 +135,8 @@ Range range_of(std::span<const HumpSample> samples) {
 }  // namespace
 
 TrainedHumps train_humps(std::span<const HumpSample> samples, const HumpTrainingOptions& options) {
-  BRASH_EXPECTS(options.validate_every > 1 && options.validate_every % 2 == 1 && options.max_iterations > 0, options.validate_every);
+  BRASH_EXPECTS(options.validate_every > 1 && options.validate_every % 2 == 1 && options.max_iterations > 0,
+                options.validate_every);
   const std::size_t n_learned = samples.size() - (samples.size() + options.validate_every - 1) / options.validate_every;
   if (n_learned < n_weights(kHumpFeatures, options.hidden)) {
     throw InputError(fmt::format("{} rows cannot fix {} weights of a network; raise `geometries` in the plan",

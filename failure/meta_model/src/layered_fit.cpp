@@ -77,7 +77,8 @@ RowMatrix derivatives(const Problem& problem, const double* w, Eigen::Index n_we
     const Layer& layer = problem.layers[k];
     for (Eigen::Index row = 0; row < n; ++row) {
       for (Eigen::Index j = 0; j < layer.outputs; ++j) {
-        d.row(row).segment(layer.from + j * layer.inputs, layer.inputs) = slope(j, row) * values[k].col(row).transpose();
+        d.row(row).segment(layer.from + j * layer.inputs, layer.inputs) =
+            slope(j, row) * values[k].col(row).transpose();
         d(row, layer.offsets() + j) = slope(j, row);
       }
     }

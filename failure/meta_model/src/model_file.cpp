@@ -113,7 +113,8 @@ constexpr std::array<const char*, kHumpFeatures> hump_feature_names() {
 Json to_json(const HumpParameters& p) {
   Json networks = Json::array();
   for (std::size_t hump = 0; hump < kHumps; ++hump) {
-    for (const auto& [target, network] : {std::pair{kHumpTargets[0], &p.stress[hump]}, {kHumpTargets[1], &p.place[hump]}}) {
+    for (const auto& [target, network] :
+         {std::pair{kHumpTargets[0], &p.stress[hump]}, {kHumpTargets[1], &p.place[hump]}}) {
       networks.push_back({{"hump", kHumpNames[hump]},
                           {"value", target},
                           {"offset", network->target.offset},

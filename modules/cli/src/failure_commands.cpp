@@ -204,12 +204,14 @@ void add_train_command(CLI::App& failure) {
   command->add_option("--test", options->test,
                       "database (netCDF) that judges a superposition, without it every eleventh geometry does, or a "
                       "deep network");
-  command->add_option("--hidden", training.hidden, "hidden units of a network; of each hidden layer with --deep [16]")
+  command->add_option("--hidden", training.hidden, "hidden units of a network; of each hidden layer with --deep [12]")
       ->capture_default_str()
       ->check(CLI::Range(1, 200));
   command->add_flag("!--one-network", training.separate, "one network for both outputs instead of one for each");
   command->add_option("--starts", training.starts, "random starts")->capture_default_str()->check(CLI::Range(1, 1000));
-  command->add_option("--iterations", training.max_iterations, "most iterations of a start; of a network with --deep [120]")
+  command
+      ->add_option("--iterations", training.max_iterations,
+                   "most iterations of a start; of a network with --deep [120]")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000));
   command->add_option("--seed", training.seed, "of split and starts")->capture_default_str();
@@ -233,9 +235,10 @@ void add_predict_command(CLI::App& failure) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = failure.add_subcommand("predict", "Predict stress and breaking length for rows of inputs");
   command
-      ->add_option("--model", options->model,
-                   "model file; network, deep-network or superposition: the one that comes with the program; fem: solve "
-                   "the plate")
+      ->add_option(
+          "--model", options->model,
+          "model file; network, deep-network or superposition: the one that comes with the program; fem: solve "
+          "the plate")
       ->required();
   command->add_option("--in", options->rows,
                       "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");

@@ -96,8 +96,7 @@ constexpr const char* kMustNotAsNetwork =
 Answers answers_of(const meta_model::ProfileModel& model) {
   return [&model](const meta_model::Input& x, double thickness_over_lc) -> meta_model::Output {
     const auto profiles = model.predict(model.clamp({x.b_lc, x.c_lc, x.theta, thickness_over_lc}));
-    const plate::Response r =
-        plate::respond(failure::to_unit_profiles(profiles), thickness_over_lc, x.mu1, x.mu2);
+    const plate::Response r = plate::respond(failure::to_unit_profiles(profiles), thickness_over_lc, x.mu1, x.mu2);
     return {r.sigma_over_p, r.lbreak_over_lc};
   };
 }
@@ -152,14 +151,14 @@ std::string profile_card(const meta_model::ProfileModel& model, const std::vecto
   text +=
       "Unit profiles on the centre line of a trapezoidal protrusion of a floating plate, interpolated between solved\n"
       "geometries and superposed for mu1, mu2 and l_c / h.\n\n";
-  text += fmt::format("- content hash of the model (SHA-256): `{}`\n- data: `{}`, SHA-256 `{}`\n",
-                      facts.content_sha256, facts.database_file, facts.data_sha256);
+  text += fmt::format("- content hash of the model (SHA-256): `{}`\n- data: `{}`, SHA-256 `{}`\n", facts.content_sha256,
+                      facts.database_file, facts.data_sha256);
   const auto& [low, high] = model.range();
   text += fmt::format("- {} geometries, {} modes\n\n## Range\n\n| input | from | to |\n|---|---|---|\n",
                       facts.n_learned, model.n_modes());
   text += fmt::format(
-      "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {:.6g} | {:.6g} |\n| h / l_c | {} | {} |\n", low.b_lc,
-      high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc, high.h_lc);
+      "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {:.6g} | {:.6g} |\n| h / l_c | {} | {} |\n",
+      low.b_lc, high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc, high.h_lc);
   return text + error_tables(rows, facts.test) + kMustNot;
 }
 
@@ -168,16 +167,19 @@ std::string hump_card(const meta_model::TrainedHumps& trained, const std::vector
   const meta_model::HumpParameters& p = trained.network.parameters();
   std::string text = fmt::format(
       "# Model card: {}\n\n"
-      "A network with the inputs and outputs of Eq. 17. The largest principal stress on the centre line over the contact\n"
-      "pressure, sigma/p, and its place, l_break/l_c, of a trapezoidal protrusion of a floating plate: one of each for\n"
+      "A network with the inputs and outputs of Eq. 17. The largest principal stress on the centre line over the "
+      "contact\n"
+      "pressure, sigma/p, and its place, l_break/l_c, of a trapezoidal protrusion of a floating plate: one of each "
+      "for\n"
       "the hump beside the load and for the one beyond {} l_c; the larger stress answers.\n\n"
       "- content hash of the model (SHA-256): `{}`\n- trained on {} rows answered by `{}`, SHA-256 `{}`\n"
       "- h / l_c of these rows: {}\n- hidden layers of each of the four networks: {} logistic units, {} weights\n",
       facts.model_file, meta_model::kHumpBoundary, facts.content_sha256, facts.n_learned, facts.database_file,
       facts.data_sha256, p.thickness_over_lc, fmt::join(p.hidden, ", "), p.stress[0].weights.size());
   for (const meta_model::LayeredFit& fit : trained.fits) {
-    text += fmt::format("- {}: {} iterations of Levenberg-Marquardt ({}), loss {:.3g} in training, {:.3g} in validation\n",
-                        fit.name, fit.iterations, fit.ended, fit.training_loss, fit.validation_loss);
+    text +=
+        fmt::format("- {}: {} iterations of Levenberg-Marquardt ({}), loss {:.3g} in training, {:.3g} in validation\n",
+                    fit.name, fit.iterations, fit.ended, fit.training_loss, fit.validation_loss);
   }
   const meta_model::Input &low = p.range.lower, &high = p.range.upper;
   text += fmt::format(

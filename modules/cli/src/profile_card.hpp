@@ -41,7 +41,7 @@ struct CardFacts {
   std::string content_sha256;
   std::string database_file;
   std::string data_sha256;
-  std::string test;  ///< which rows judge it
+  std::string test;           ///< which rows judge it
   std::size_t n_learned = 0;  ///< geometries of a superposition, rows of a network
 };
 

@@ -110,7 +110,8 @@ struct BendingOptions {
 /// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
 ///   whatever the depth b. It needs no range.
 ///
-/// @param file  of the network (of either kind) or of the superposition; empty: the model that comes with the program, see model_path().
+/// @param file  of the network (of either kind) or of the superposition; empty: the model that comes with the program,
+/// see model_path().
 /// @throws InputError for an unknown name, an unreadable file, or an option that the model does not have.
 std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
                                                  const IceProperties& ice, const BendingOptions& options = {});

@@ -24,13 +24,13 @@ struct HumpSample {
 };
 
 struct HumpTrainingOptions {
-  std::vector<int> hidden{16, 16};
+  std::vector<int> hidden{12, 12};
   int max_iterations = 120;  ///< of Levenberg-Marquardt, each network
   int patience = 20;         ///< iterations without a smaller validation loss before a network's training ends
-  /// Every so manieth row stops the training and is not learned; odd: an even share of a Sobol sequence lies in one part
-  /// of the box.
+  /// Every so manieth row stops the training and is not learned; odd: an even share of a Sobol sequence lies in one
+  /// part of the box.
   int validate_every = 11;
-  std::uint64_t seed = 1;    ///< of the first weights
+  std::uint64_t seed = 1;  ///< of the first weights
   double thickness_over_lc = 0.1;
   std::string data_sha256{};
 };
@@ -55,8 +55,8 @@ struct TrainedHumps {
 ///   ln((l_predicted + 0.03) / (l + 0.03)) / (t (1 + 50 s)),
 ///
 /// t = 0.3 times half the plateau's width in that logarithm, at least 0.01. s is the share by which this hump is below
-/// the larger one: of a hump that does not answer only that it is the lower one matters, so its stress is also raised to
-/// 0.3 times the larger one's. The same samples and options give the same network.
+/// the larger one: of a hump that does not answer only that it is the lower one matters, so its stress is also raised
+/// to 0.3 times the larger one's. The same samples and options give the same network.
 /// @throws InputError when there are fewer rows than weights.
 /// @see docs/theory/meta-model.md
 TrainedHumps train_humps(std::span<const HumpSample> samples, const HumpTrainingOptions& options);
