@@ -122,7 +122,8 @@ BOOST_AUTO_TEST_CASE(the_higher_of_the_two_humps_is_the_answer_of_the_superposit
     ++answers[hump];
     // The peak is refined by a parabola through three stations, one of which the cut may replace.
     BOOST_TEST(sample.humps[hump].output.sigma_over_p == whole.sigma_over_p, boost::test_tools::tolerance(1e-3));
-    BOOST_TEST(std::abs(sample.humps[hump].output.lbreak_over_lc - whole.lbreak_over_lc) < 0.01);
+    BOOST_TEST(sample.humps[hump].output.lbreak_over_lc >= whole.plateau_from);  // the maximum is flat
+    BOOST_TEST(sample.humps[hump].output.lbreak_over_lc <= whole.plateau_to);
     BOOST_TEST(sample.humps[0].output.lbreak_over_lc <= meta_model::kHumpBoundary);
     BOOST_TEST(sample.humps[1].output.lbreak_over_lc >= meta_model::kHumpBoundary);
   }
