@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Plots what the models predict against what the plate solver computed.
 
-usage: plot.py DATABASE.nc NETWORK.json SUPERPOSITION.json BRASH OUTPUT.png
+usage: plot.py DATABASE.nc NETWORK.json DEEP-NETWORK.json SUPERPOSITION.json BRASH OUTPUT.png
 The rows are those of the database; the network's test rows are not told apart here, its model card does that. The
 superposition passes through all geometries of the database, so it is shown for a design that it has not seen when
 DATABASE.nc is another one than it was made from. A second picture, OUTPUT-range.png, shows the errors over the range.
@@ -48,7 +48,7 @@ def draw_range(errors, inputs, output):
     """Size of the stress error against each input, one row a model."""
     names = (r"$b/l_c$", r"$c/l_c$", r"$\theta$ [deg]", r"$\mu_1$", r"$h/l_c$")
     values = [inputs[:, 0], inputs[:, 1], inputs[:, 2], inputs[:, 3], 1.0 / inputs[:, 5]]
-    figure, axes = plt.subplots(len(errors), len(names), figsize=(11, 4.6), sharey=True, constrained_layout=True)
+    figure, axes = plt.subplots(len(errors), len(names), figsize=(11, 6.6), sharey=True, constrained_layout=True)
     for row, (model, error) in zip(axes, errors.items()):
         for axis, name, value in zip(row, names, values):
             axis.scatter(value, 100 * np.maximum(error, 1e-5), s=2, linewidths=0, rasterized=True)
@@ -59,11 +59,11 @@ def draw_range(errors, inputs, output):
 
 
 def main():
-    database, network, superposition, brash, output = sys.argv[1:]
+    database, network, deep, superposition, brash, output = sys.argv[1:]
     inputs, computed, plateau = rows_of(database)
     errors = {}
-    figure, axes = plt.subplots(2, 2, figsize=(8.4, 7.6), constrained_layout=True)
-    for column, (name, model) in enumerate((("network (Eq. 17)", network), ("superposition", superposition))):
+    figure, axes = plt.subplots(2, 3, figsize=(11.6, 7.6), constrained_layout=True)
+    for column, (name, model) in enumerate((("network (Eq. 17)", network), ("deep network", deep), ("superposition", superposition))):
         predicted = predict(brash, model, inputs)
         error = np.abs(predicted / computed - 1.0)[:, 0]
         length = np.abs(predicted - computed)[:, 1]

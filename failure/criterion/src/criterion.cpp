@@ -78,7 +78,7 @@ void refuse_options(const std::string& model, const std::string& file, const Ben
                                "failure.model = \"plate\", or \"superposition\" without failure.file",
                                "take one of these models, or \"circumferential-first\""});
   }
-  if (options.second_order && (model == "network" || model == "wedge")) {
+  if (options.second_order && model != "superposition" && model != "plate" && model != "plate-outline") {
     throw InputError(Complaint{"failure.second_order", fmt::format("= true is not for failure.model = \"{}\"", model),
                                "failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
                                "take one of these models, or false"});
@@ -119,7 +119,7 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
 }
 
 std::string model_path(const std::string& model, const std::string& file) {
-  if (model != "network" && model != "superposition") return "";
+  if (model != "network" && model != "deep-network" && model != "superposition") return "";
   if (!file.empty()) return file;
   return shipped(model);
 }
@@ -128,7 +128,7 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
                                                  const IceProperties& ice, const BendingOptions& options) {
   expect_valid(ice);
   refuse_options(model, file, options);
-  if (model == "network") return make_network_criterion(model_path(model, file), ice);
+  if (model == "network" || model == "deep-network") return make_network_criterion(model_path(model, file), ice);
   if (model == "superposition") return superposition(file, ice, options);
   if (model == "plate") return screened(make_plate_criterion(ice, options), ice, options, kPlateMargin);
   if (model == "plate-outline") {
@@ -136,7 +136,7 @@ std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const
   }
   if (model == "wedge") return make_wedge_criterion(ice);
   throw InputError(Complaint{"failure.model", fmt::format("= \"{}\" is not known", model),
-                             "network, superposition, plate, plate-outline, wedge", "take one of these"});
+                             "network, deep-network, superposition, plate, plate-outline, wedge", "take one of these"});
 }
 
 }  // namespace brash::failure

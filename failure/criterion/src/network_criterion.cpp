@@ -5,11 +5,11 @@
 namespace brash::failure {
 namespace {
 
-/// Eq. 17 by Eq. 19: lengths over l_c, stress over p.
+/// A network with the inputs and outputs of Eq. 17, by Eq. 19: lengths over l_c, stress over p.
 class NetworkCriterion final : public BendingCriterion {
  public:
   NetworkCriterion(const std::string& file, const IceProperties& ice)
-      : network_(meta_model::Network::read(file)),
+      : network_(meta_model::read_network(file)),
         l_c_(characteristic_length(ice)),
         thickness_over_lc_(ice.thickness / l_c_),
         strength_(ice.flexural_strength) {}
@@ -21,14 +21,14 @@ class NetworkCriterion final : public BendingCriterion {
                                    .theta = load.angle,
                                    .mu1 = load.mu1,
                                    .mu2 = load.mu2};
-    const meta_model::RangeCheck range = network_.check(wanted);
-    const meta_model::Input used = network_.clamp(wanted);
-    const meta_model::Output y = network_.predict(used);
+    const meta_model::RangeCheck range = network_->check(wanted);
+    const meta_model::Input used = network_->clamp(wanted);
+    const meta_model::Output y = network_->predict(used);
 
     // A contact that is widened to the smallest c keeps its force p c h: far from the tip only the force counts.
     const double pressure = wanted.c_lc < used.c_lc ? load.pressure * wanted.c_lc / used.c_lc : load.pressure;
     // Eq. 19: sigma / p goes as l_c / h.
-    const double sigma = y.sigma_over_p * pressure * network_.thickness_over_lc() / thickness_over_lc_;
+    const double sigma = y.sigma_over_p * pressure * network_->thickness_over_lc() / thickness_over_lc_;
     return {.fails = sigma > strength_,
             .sigma_max = sigma,
             .breaking_length = y.lbreak_over_lc * l_c_,
@@ -37,7 +37,7 @@ class NetworkCriterion final : public BendingCriterion {
   }
 
  private:
-  meta_model::Network network_;
+  std::unique_ptr<meta_model::ResponseNetwork> network_;
   double l_c_;
   double thickness_over_lc_;
   double strength_;

@@ -23,19 +23,19 @@ class PlateResponse final : public ResponseModel {
   }
 };
 
-/// The network, inputs moved into its range, the stress scaled by Eq. 19 where the row states h / l_c.
+/// A network, inputs moved into its range, the stress scaled by Eq. 19 where the row states h / l_c.
 class NetworkResponse final : public ResponseModel {
  public:
-  explicit NetworkResponse(const std::string& file) : network_(meta_model::Network::read(file)) {}
+  explicit NetworkResponse(const std::string& file) : network_(meta_model::read_network(file)) {}
 
   ModelResponse respond(const meta_model::Input& x, double thickness_over_lc) const override {
-    const meta_model::Output y = network_.predict(network_.clamp(x));
-    const double scale = thickness_over_lc > 0.0 ? network_.thickness_over_lc() / thickness_over_lc : 1.0;
-    return {scale * y.sigma_over_p, y.lbreak_over_lc, network_.check(x).inside()};
+    const meta_model::Output y = network_->predict(network_->clamp(x));
+    const double scale = thickness_over_lc > 0.0 ? network_->thickness_over_lc() / thickness_over_lc : 1.0;
+    return {scale * y.sigma_over_p, y.lbreak_over_lc, network_->check(x).inside()};
   }
 
  private:
-  meta_model::Network network_;
+  std::unique_ptr<meta_model::ResponseNetwork> network_;
 };
 
 /// Interpolated unit profiles, superposed exactly; h / l_c as for the plate.
@@ -58,8 +58,8 @@ class SuperpositionResponse final : public ResponseModel {
 
 std::unique_ptr<ResponseModel> make_response_model(const std::string& model) {
   if (model == "fem") return std::make_unique<PlateResponse>();
-  const bool shipped = model == "network" || model == "superposition";
-  const std::string file = shipped ? model_path(model, "") : model;
+  const std::string shipped = model_path(model, "");
+  const std::string file = shipped.empty() ? model : shipped;
   if (meta_model::model_format(file) == meta_model::kProfileFormat)
     return std::make_unique<SuperpositionResponse>(file);
   return std::make_unique<NetworkResponse>(file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "brash/meta_model/network.hpp"
 
@@ -14,5 +15,13 @@ inline constexpr std::array<const char*, kOutputs> kTargetNames{"ln(sigma_over_p
 
 /// The features of one input, not yet normalised.
 std::array<double, kInputs> features_of(const Input& input);
+
+/// Whether the features of `x` are finite.
+bool has_features(const Input& x);
+
+bool finite(const std::vector<double>& values);
+/// Contracts of model parameters.
+void expect_valid(const Normalisation& normalisation);
+void expect_valid(const Range& range);
 
 }  // namespace brash::meta_model

@@ -48,6 +48,11 @@ class Place {
     }
     return static_cast<std::size_t>(number());
   }
+  /// Of a list.
+  std::size_t size() const {
+    if (!value_.is_array()) refuse("must be a list");
+    return value_.size();
+  }
   std::string text() const {
     if (!value_.is_string()) refuse("is " + shown() + ", must be a text");
     return value_.get<std::string>();

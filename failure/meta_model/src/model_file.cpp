@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The model file: JSON with everything that Eq. 17 needs, and its own hash.
+// The model files of the networks: JSON with everything that they need, and its own hash.
+#include <algorithm>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
 #include "brash/meta_model/network.hpp"
-#include "features.hpp"
+#include "hump_features.hpp"
 #include "json_file.hpp"
 
 namespace brash::meta_model {
 namespace {
 
 constexpr int kNetworkVersion = 1;
+constexpr int kHumpVersion = 1;
 
 constexpr std::array<const char*, kInputs> kInputNames{"b_lc", "c_lc", "theta", "mu1", "mu2"};
 constexpr std::array<const char*, kInputs> kInputUnits{"1", "1", "rad", "1", "1"};
@@ -32,14 +34,18 @@ Json rows_of(const std::vector<double>& values, int n_columns) {
   return rows;
 }
 
-Json to_json(const NetworkParameters& p) {
+Json to_json(const Range& range) {
   Json inputs = Json::array();
-  const auto lower = to_array(p.range.lower), upper = to_array(p.range.upper);
+  const auto lower = to_array(range.lower), upper = to_array(range.upper);
   for (int i = 0; i < kInputs; ++i) {
     inputs.push_back({{"name", kInputNames[i]}, {"unit", kInputUnits[i]}, {"lower", lower[i]}, {"upper", upper[i]}});
   }
+  return inputs;
+}
+
+Json to_json(const NetworkParameters& p) {
   Json model{{"equation", "y = W2 S(W1 X + b1) + b2; S(a) = 1/(1 + exp(-a)); X, y: (value - offset)/factor"},
-             {"inputs", inputs},
+             {"inputs", to_json(p.range)},
              {"features", to_json(kFeatureNames, p.features)},
              {"targets", to_json(kTargetNames, p.targets)},
              {"hidden", p.hidden},
@@ -97,7 +103,81 @@ NetworkParameters to_parameters(const Place& place) {
   return p;
 }
 
+constexpr std::array<const char*, kHumpFeatures> hump_feature_names() {
+  std::array<const char*, kHumpFeatures> names{};
+  std::copy(kFeatureNames.begin(), kFeatureNames.end(), names.begin());
+  names.back() = kContactFeature;
+  return names;
+}
+
+Json to_json(const HumpParameters& p) {
+  Json networks = Json::array();
+  for (std::size_t hump = 0; hump < kHumps; ++hump) {
+    for (const auto& [target, network] :
+         {std::pair{kHumpTargets[0], &p.stress[hump]}, {kHumpTargets[1], &p.place[hump]}}) {
+      networks.push_back({{"hump", kHumpNames[hump]},
+                          {"value", target},
+                          {"offset", network->target.offset},
+                          {"factor", network->target.factor},
+                          {"weights", network->weights}});
+    }
+  }
+  return {{"equation",
+           "y = W_n S(... S(W_1 X + b_1) ...) + b_n; S(a) = 1/(1 + exp(-a)); X, y: (value - offset)/factor; the hump "
+           "with the larger stress answers; weights: layer by layer, W row by row and then b"},
+          {"inputs", to_json(p.range)},
+          {"features", to_json(hump_feature_names(), p.features)},
+          {"hidden", p.hidden},
+          {"networks", networks},
+          {"thickness_over_lc", p.thickness_over_lc},
+          {"data_sha256", p.data_sha256}};
+}
+
+LayeredNetwork read_layered(const Place& place, const char* hump, const char* target, std::size_t n) {
+  place["hump"].expect_text(hump);
+  place["value"].expect_text(target);
+  return {{place["offset"].number(), place["factor"].positive()}, place["weights"].numbers(n)};
+}
+
+HumpParameters to_hump_parameters(const Place& place) {
+  HumpParameters p;
+  read_range(place["inputs"], p.range);
+  read_normalisations(place["features"], hump_feature_names(), p.features);
+  const Place hidden = place["hidden"];
+  for (const double units : hidden.numbers(hidden.size())) {
+    if (!(units >= 1.0 && units <= kMostUnits && units == std::floor(units))) {
+      hidden.refuse(fmt::format("must be a list of whole numbers in [1, {}]", kMostUnits));
+    }
+    p.hidden.push_back(static_cast<int>(units));
+  }
+  if (p.hidden.empty()) hidden.refuse("must not be empty");
+  const std::size_t n = n_weights(kHumpFeatures, p.hidden);
+  const Place networks = place["networks"];
+  networks.expect_size(2 * kHumps);
+  for (std::size_t hump = 0; hump < kHumps; ++hump) {
+    p.stress[hump] = read_layered(networks[2 * hump], kHumpNames[hump], kHumpTargets[0], n);
+    p.place[hump] = read_layered(networks[2 * hump + 1], kHumpNames[hump], kHumpTargets[1], n);
+  }
+  p.thickness_over_lc = place["thickness_over_lc"].positive();
+  p.data_sha256 = place["data_sha256"].text();
+  return p;
+}
+
 }  // namespace
+
+std::unique_ptr<ResponseNetwork> read_network(const std::string& path) {
+  if (model_format(path) == kHumpFormat) return std::make_unique<HumpNetwork>(HumpNetwork::read(path));
+  return std::make_unique<Network>(Network::read(path));
+}
+
+HumpNetwork HumpNetwork::read(const std::string& path) {
+  const Json model = read_model(path, kHumpFormat, kHumpVersion);
+  return HumpNetwork(to_hump_parameters(Place(path, model, "")));
+}
+
+std::string HumpNetwork::write(const std::string& path) const {
+  return write_model(path, kHumpFormat, kHumpVersion, to_json(parameters_), -1);
+}
 
 Network Network::read(const std::string& path) {
   const Json model = read_model(path, kNetworkFormat, kNetworkVersion);

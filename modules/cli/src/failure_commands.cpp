@@ -10,6 +10,8 @@
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/database/database.hpp"
+#include "brash/failure/criterion.hpp"
+#include "brash/failure/hump_sample.hpp"
 #include "brash/meta_model/training.hpp"
 #include "database_command.hpp"
 #include "failure_rows.hpp"
@@ -112,7 +114,7 @@ std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::
                                                               const std::vector<const database::Record*>& records,
                                                               const database::Database& test, const std::string& name) {
   if (!name.empty()) {
-    return {judge(model, solved_records(test)),
+    return {judge(answers_of(model), solved_records(test)),
             fmt::format("geometries that it has not seen (`{}`)", fs::path(name).filename().string())};
   }
   constexpr int kTestEvery = 11;  // odd: an even share of a Sobol sequence lies in one half of the box
@@ -120,7 +122,8 @@ std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::
   for (const database::Record* record : records) {
     (record->geometry % kTestEvery == kTestEvery - 1 ? left_out : kept).push_back(record);
   }
-  return {judge(meta_model::ProfileModel::fit(to_profile_samples(kept), ""), left_out),
+  const auto judged = meta_model::ProfileModel::fit(to_profile_samples(kept), "");
+  return {judge(answers_of(judged), left_out),
           "every eleventh geometry, left out of a fit for this purpose; the model holds them all"};
 }
 
@@ -141,39 +144,97 @@ void fit_profiles(const std::string& database_file, const std::string& test_file
                                        .database_file = fs::path(database_file).filename().string(),
                                        .data_sha256 = hash,
                                        .test = name,
-                                       .n_geometries = records.size()}));
+                                       .n_learned = records.size()}));
   fmt::print("{}modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", summary(rows), model.n_modes(),
              output, content, card);
+}
+
+/// The points of `plan`, answered by `teacher`.
+std::vector<meta_model::HumpSample> hump_samples(const database::Plan& plan, const meta_model::ProfileModel& teacher) {
+  std::vector<meta_model::HumpSample> samples;
+  for (const database::DesignPoint& point : database::design(plan)) {
+    for (const database::LoadPoint& load : point.loads) {
+      samples.push_back(failure::hump_sample(
+          teacher, {point.plate.depth, point.plate.contact_length, point.plate.angle, load.mu1, load.mu2},
+          point.plate.thickness));
+    }
+  }
+  return samples;
+}
+
+void train_deep_network(const std::string& plan_file, const std::string& test_file, const std::string& output,
+                        meta_model::HumpTrainingOptions options) {
+  refuse_missing_folder(output);
+  if (test_file.empty()) throw InputError("--deep needs --test: plate solutions that judge the network");
+  const database::Plan plan = database::read_plan(plan_file);
+  if (plan.thickness_over_lc.from != plan.thickness_over_lc.to) {
+    throw InputError(fmt::format(
+        "{}: thickness_over_lc has a range: the five inputs of Eq. 17 leave h/l_c out; give the plan one value",
+        plan_file));
+  }
+  const database::Database test = database::read_database(test_file);
+  const std::string teacher = failure::model_path("superposition", "");
+  options.thickness_over_lc = plan.thickness_over_lc.from;
+  options.data_sha256 = sha256_of_file(teacher);
+  const auto samples = hump_samples(plan, meta_model::ProfileModel::read(teacher));
+  const meta_model::TrainedHumps trained = meta_model::train_humps(samples, options);
+  const std::string content = trained.network.write(output);
+  const auto rows = judge(answers_of(trained.network), solved_records(test));
+  const std::string card =
+      write_card(output, hump_card(trained, rows,
+                                   {.model_file = fs::path(output).filename().string(),
+                                    .content_sha256 = content,
+                                    .database_file = fs::path(teacher).filename().string(),
+                                    .data_sha256 = options.data_sha256,
+                                    .test = fmt::format("plate solutions that it has not seen (`{}`)",
+                                                        fs::path(test_file).filename().string()),
+                                    .n_learned = samples.size()}));
+  for (const meta_model::LayeredFit& fit : trained.fits) {
+    fmt::print("{:<38} {:>4} iterations ({}), loss {:.4g} training, {:.4g} validation\n", fit.name, fit.iterations,
+               fit.ended, fit.training_loss, fit.validation_loss);
+  }
+  fmt::print("{}model       {}\nsha256      {}\ncard        {}\n", summary(rows), output, content, card);
 }
 
 void add_train_command(CLI::App& failure) {
   struct Options {
     std::string database, output, test;
     meta_model::TrainingOptions training;
-    bool superposition = false;
+    bool superposition = false, deep = false;
   };
   auto options = std::make_shared<Options>();
   meta_model::TrainingOptions& training = options->training;
-  CLI::App* command = failure.add_subcommand("train", "Train the network of Eq. 17 on a database");
-  command->add_option("database", options->database, "database (netCDF)")->required();
+  CLI::App* command = failure.add_subcommand("train", "Train a failure model");
+  command->add_option("database", options->database, "database (netCDF); with --deep a plan (TOML)")->required();
   command->add_option("-o,--output", options->output, "model to write (JSON); the model card is written beside it")
       ->required();
   command->add_flag("--superposition", options->superposition,
                     "interpolate the unit profiles instead of training the network");
+  command->add_flag("--deep", options->deep,
+                    "train the deep network on the points of a plan, answered by the superposition");
   command->add_option("--test", options->test,
-                      "database (netCDF) that judges a superposition; without it every eleventh geometry does");
-  command->add_option("--hidden", training.hidden, "hidden units of a network")
+                      "database (netCDF) that judges a superposition, without it every eleventh geometry does, or a "
+                      "deep network");
+  command->add_option("--hidden", training.hidden, "hidden units of a network; of each hidden layer with --deep [12]")
       ->capture_default_str()
       ->check(CLI::Range(1, 200));
   command->add_flag("!--one-network", training.separate, "one network for both outputs instead of one for each");
   command->add_option("--starts", training.starts, "random starts")->capture_default_str()->check(CLI::Range(1, 1000));
-  command->add_option("--iterations", training.max_iterations, "most iterations of a start")
+  command
+      ->add_option("--iterations", training.max_iterations,
+                   "most iterations of a start; of a network with --deep [120]")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000));
   command->add_option("--seed", training.seed, "of split and starts")->capture_default_str();
   command->footer("Example: brash failure train cone.nc -o cone_network.json");
-  command->callback([options] {
-    if (options->superposition) {
+  command->callback([options, command] {
+    if (options->deep) {
+      meta_model::HumpTrainingOptions deep;
+      if (command->count("--hidden") > 0) deep.hidden.assign(2, options->training.hidden);
+      if (command->count("--iterations") > 0) deep.max_iterations = options->training.max_iterations;
+      deep.seed = options->training.seed;
+      train_deep_network(options->database, options->test, options->output, deep);
+    } else if (options->superposition) {
       fit_profiles(options->database, options->test, options->output);
     } else {
       train_network(options->database, options->output, options->training);
@@ -185,8 +246,10 @@ void add_predict_command(CLI::App& failure) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = failure.add_subcommand("predict", "Predict stress and breaking length for rows of inputs");
   command
-      ->add_option("--model", options->model,
-                   "model file; network or superposition: the one that comes with the program; fem: solve the plate")
+      ->add_option(
+          "--model", options->model,
+          "model file; network, deep-network or superposition: the one that comes with the program; fem: solve "
+          "the plate")
       ->required();
   command->add_option("--in", options->rows,
                       "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");

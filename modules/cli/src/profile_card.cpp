@@ -60,6 +60,22 @@ constexpr std::array<std::pair<const char*, Part>, 14> kParts{{
     {"h >= 0.12 l_c", [](const JudgedRow& r) { return r.plate->thickness >= 0.12; }},
 }};
 
+std::string error_tables(const std::vector<JudgedRow>& rows, const std::string& test) {
+  std::string text = fmt::format(
+      "\n## Errors\n\nOn {}. Stress: size of predicted / computed - 1 [%];\nlength: size of predicted - computed "
+      "l_break / l_c. `on plateau` is the share [%] of rows whose predicted place has at\nleast 99 % of the peak "
+      "stress.\n\n"
+      "| rows of | rows | geometries | stress median | 95 % | 99 % | max | length median | 95 % | 99 % | on plateau |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|\n",
+      test);
+  for (const auto& [name, holds] : kParts) {
+    std::vector<JudgedRow> part;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(part), holds);
+    text += line(name, part);
+  }
+  return text;
+}
+
 constexpr const char* kMustNot = R"(
 ## Must not be used for
 
@@ -69,23 +85,41 @@ constexpr const char* kMustNot = R"(
 - radial cracks, cracks from the re-entrant roots, splitting or crushing.
 )";
 
+constexpr const char* kMustNotAsNetwork =
+    R"(- ice with h / l_c far from the value above: Eq. 19 scales the bending stress only, neither the membrane stress nor the
+  shear flexibility; take the superposition, which knows h / l_c;
+- large in-plane loads: the data are linear plate theory without the second-order effect of N.
+)";
+
 }  // namespace
 
-std::vector<JudgedRow> judge(const meta_model::ProfileModel& model,
-                             const std::vector<const database::Record*>& records) {
+Answers answers_of(const meta_model::ProfileModel& model) {
+  return [&model](const meta_model::Input& x, double thickness_over_lc) -> meta_model::Output {
+    const auto profiles = model.predict(model.clamp({x.b_lc, x.c_lc, x.theta, thickness_over_lc}));
+    const plate::Response r = plate::respond(failure::to_unit_profiles(profiles), thickness_over_lc, x.mu1, x.mu2);
+    return {r.sigma_over_p, r.lbreak_over_lc};
+  };
+}
+
+Answers answers_of(const meta_model::ResponseNetwork& model) {
+  return [&model](const meta_model::Input& x, double thickness_over_lc) -> meta_model::Output {
+    const meta_model::Output y = model.predict(model.clamp(x));
+    return {y.sigma_over_p * model.thickness_over_lc() / thickness_over_lc, y.lbreak_over_lc};
+  };
+}
+
+std::vector<JudgedRow> judge(const Answers& model, const std::vector<const database::Record*>& records) {
   std::vector<JudgedRow> rows;
   for (const database::Record* record : records) {
     const plate::WedgePlate& g = record->plate;
-    const plate::UnitProfiles unit =
-        failure::to_unit_profiles(model.predict(model.clamp({g.depth, g.contact_length, g.angle, g.thickness})));
-    for (const database::Row& row : record->rows) {
-      const plate::Response r = plate::respond(unit, record->plate.thickness, row.load.mu1, row.load.mu2);
+    for (const auto& [load, computed] : record->rows) {
+      const auto y = model({g.depth, g.contact_length, g.angle, load.mu1, load.mu2}, g.thickness);
       rows.push_back(
           {.plate = &record->plate,
-           .sigma_over_p = row.response.sigma_over_p,
-           .stress_error = std::abs(r.sigma_over_p / row.response.sigma_over_p - 1.0),
-           .length_error = std::abs(r.lbreak_over_lc - row.response.lbreak_over_lc),
-           .on_plateau = r.lbreak_over_lc >= row.response.plateau_from && r.lbreak_over_lc <= row.response.plateau_to});
+           .sigma_over_p = computed.sigma_over_p,
+           .stress_error = std::abs(y.sigma_over_p / computed.sigma_over_p - 1.0),
+           .length_error = std::abs(y.lbreak_over_lc - computed.lbreak_over_lc),
+           .on_plateau = y.lbreak_over_lc >= computed.plateau_from && y.lbreak_over_lc <= computed.plateau_to});
     }
   }
   return rows;
@@ -112,32 +146,49 @@ std::string summary(const std::vector<JudgedRow>& rows) {
 }
 
 std::string profile_card(const meta_model::ProfileModel& model, const std::vector<JudgedRow>& rows,
-                         const ProfileCardContext& context) {
-  std::string text = fmt::format("# Model card: {}\n\n", context.model_file);
+                         const CardFacts& facts) {
+  std::string text = fmt::format("# Model card: {}\n\n", facts.model_file);
   text +=
       "Unit profiles on the centre line of a trapezoidal protrusion of a floating plate, interpolated between solved\n"
       "geometries and superposed for mu1, mu2 and l_c / h.\n\n";
-  text += fmt::format("- content hash of the model (SHA-256): `{}`\n- data: `{}`, SHA-256 `{}`\n",
-                      context.content_sha256, context.database_file, context.data_sha256);
+  text += fmt::format("- content hash of the model (SHA-256): `{}`\n- data: `{}`, SHA-256 `{}`\n", facts.content_sha256,
+                      facts.database_file, facts.data_sha256);
   const auto& [low, high] = model.range();
   text += fmt::format("- {} geometries, {} modes\n\n## Range\n\n| input | from | to |\n|---|---|---|\n",
-                      context.n_geometries, model.n_modes());
+                      facts.n_learned, model.n_modes());
   text += fmt::format(
-      "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {:.6g} | {:.6g} |\n| h / l_c | {} | {} |\n", low.b_lc,
-      high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc, high.h_lc);
-  text += fmt::format(
-      "\n## Errors\n\nOn {}. Stress: size of predicted / computed - 1 [%];\nlength: size of predicted - computed "
-      "l_break / l_c. `on plateau` is the share [%] of rows whose predicted place has at\nleast 99 % of the peak "
-      "stress.\n\n"
-      "| rows of | rows | geometries | stress median | 95 % | 99 % | max | length median | 95 % | 99 % | on plateau |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n",
-      context.test);
-  for (const auto& [name, holds] : kParts) {
-    std::vector<JudgedRow> part;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(part), holds);
-    text += line(name, part);
+      "| b / l_c | {} | {} |\n| c / l_c | {} | {} |\n| theta [deg] | {:.6g} | {:.6g} |\n| h / l_c | {} | {} |\n",
+      low.b_lc, high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.h_lc, high.h_lc);
+  return text + error_tables(rows, facts.test) + kMustNot;
+}
+
+std::string hump_card(const meta_model::TrainedHumps& trained, const std::vector<JudgedRow>& rows,
+                      const CardFacts& facts) {
+  const meta_model::HumpParameters& p = trained.network.parameters();
+  std::string text = fmt::format(
+      "# Model card: {}\n\n"
+      "A network with the inputs and outputs of Eq. 17. The largest principal stress on the centre line over the "
+      "contact\n"
+      "pressure, sigma/p, and its place, l_break/l_c, of a trapezoidal protrusion of a floating plate: one of each "
+      "for\n"
+      "the hump beside the load and for the one beyond {} l_c; the larger stress answers.\n\n"
+      "- content hash of the model (SHA-256): `{}`\n- trained on {} rows answered by `{}`, SHA-256 `{}`\n"
+      "- h / l_c of these rows: {}\n- hidden layers of each of the four networks: {} logistic units, {} weights\n",
+      facts.model_file, meta_model::kHumpBoundary, facts.content_sha256, facts.n_learned, facts.database_file,
+      facts.data_sha256, p.thickness_over_lc, fmt::join(p.hidden, ", "), p.stress[0].weights.size());
+  for (const meta_model::LayeredFit& fit : trained.fits) {
+    text +=
+        fmt::format("- {}: {} iterations of Levenberg-Marquardt ({}), loss {:.3g} in training, {:.3g} in validation\n",
+                    fit.name, fit.iterations, fit.ended, fit.training_loss, fit.validation_loss);
   }
-  return text + kMustNot;
+  const meta_model::Input &low = p.range.lower, &high = p.range.upper;
+  text += fmt::format(
+      "\n## Range\n\n| input | from | to |\n|---|---|---|\n"
+      "| b / l_c | {:.4g} | {:.4g} |\n| c / l_c | {:.4g} | {:.4g} |\n| theta [deg] | {:.4g} | {:.4g} |\n"
+      "| mu1 = P/N | {:.4g} | {:.4g} |\n| mu2 = f/N | {:.4g} | {:.4g} |\n",
+      low.b_lc, high.b_lc, low.c_lc, high.c_lc, degrees(low.theta), degrees(high.theta), low.mu1, high.mu1, low.mu2,
+      high.mu2);
+  return text + error_tables(rows, facts.test) + kMustNot + kMustNotAsNetwork;
 }
 
 }  // namespace brash::cli

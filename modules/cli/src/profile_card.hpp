@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "brash/database/database.hpp"
+#include "brash/meta_model/hump_training.hpp"
 #include "brash/meta_model/profile_model.hpp"
 #include "brash/plate/plate.hpp"
 
@@ -19,25 +21,36 @@ struct JudgedRow {
   bool on_plateau = false;    ///< the predicted place has at least 99 % of the peak stress
 };
 
-/// The errors of `model` on the rows of `records`, inputs moved into its range.
-std::vector<JudgedRow> judge(const meta_model::ProfileModel& model,
-                             const std::vector<const database::Record*>& records);
+/// What a model answers to the inputs of Eq. 17 and h / l_c.
+using Answers = std::function<meta_model::Output(const meta_model::Input&, double)>;
+
+/// Inputs moved into the model's range. The model must outlive the result.
+Answers answers_of(const meta_model::ProfileModel& model);
+/// The same; the stress is scaled by Eq. 19 from the h / l_c of the training.
+Answers answers_of(const meta_model::ResponseNetwork& model);
+
+/// The errors of a model on the rows of `records`.
+std::vector<JudgedRow> judge(const Answers& model, const std::vector<const database::Record*>& records);
 
 /// Two lines for the terminal: all rows, and those where ice bends before it is crushed.
 std::string summary(const std::vector<JudgedRow>& rows);
 
-/// What the card of a superposition says besides the errors.
-struct ProfileCardContext {
+/// What the card of a model says besides the errors.
+struct CardFacts {
   std::string model_file;
   std::string content_sha256;
   std::string database_file;
   std::string data_sha256;
-  std::string test;  ///< which rows judge it
-  std::size_t n_geometries = 0;
+  std::string test;           ///< which rows judge it
+  std::size_t n_learned = 0;  ///< geometries of a superposition, rows of a network
 };
 
 /// The model card (Markdown): errors on `rows`, overall and by region.
 std::string profile_card(const meta_model::ProfileModel& model, const std::vector<JudgedRow>& rows,
-                         const ProfileCardContext& context);
+                         const CardFacts& facts);
+
+/// The same for a HumpNetwork.
+std::string hump_card(const meta_model::TrainedHumps& trained, const std::vector<JudgedRow>& rows,
+                      const CardFacts& facts);
 
 }  // namespace brash::cli

@@ -131,8 +131,8 @@ void check_rest(const Case& c, Checks& checks) {
                  fmt::format("the model {} cannot split the sheet", c.failure.model),
                  "radial-first with failure.model = \"plate\", or \"superposition\" without failure.file",
                  "take one of these models, or circumferential-first");
-  checks.require(!c.failure.second_order || (c.failure.model != "network" && c.failure.model != "wedge"),
-                 {"failure", "second_order"}, {"failure", "model"},
+  const bool compresses = splits || c.failure.model == "superposition" || c.failure.model == "plate-outline";
+  checks.require(!c.failure.second_order || compresses, {"failure", "second_order"}, {"failure", "model"},
                  fmt::format("the model {} is of first order", c.failure.model),
                  "true with failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
                  "take one of these models, or false");

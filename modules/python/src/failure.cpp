@@ -167,8 +167,8 @@ void add_failure_model(py::module_& m) {
   py::class_<ResponseModel>(m, "FailureModel",
                             R"(A failure model without a case: the inputs of Eq. 17 in, its outputs out.
 
-model: "network" or "superposition" (those that come with the program), "fem" (the plate is solved for each row, about
-a third of a second), or the path of a model file.
+model: "network", "deep-network" or "superposition" (those that come with the program), "fem" (the plate is solved for
+each row, about a third of a second), or the path of a model file.
 
 >>> model = brash.FailureModel("network")
 >>> model(b_lc=0.2, c_lc=np.linspace(0.05, 0.5, 10), theta=1.0, mu1=0.5, mu2=0.0).sigma_over_p)")
@@ -193,7 +193,7 @@ void add_criterion(py::module_& m) {
                   "input was moved into the model's range.");
   py::class_<failure::BendingCriterion>(m, "Criterion", R"(Whether the ice of a case fails in bending, and how far in.
 
-model: network, superposition, plate, plate-outline or wedge; left out, that of the case.)")
+model: network, deep-network, superposition, plate, plate-outline or wedge; left out, that of the case.)")
       .def(py::init([](const Case& c, const py::object& model) {
              const io::FailureSection& section = c.resolved.failure;
              const failure::BendingOptions options{.second_order = section.second_order,

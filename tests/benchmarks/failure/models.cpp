@@ -39,19 +39,20 @@ failure::LoadCase load_case(std::size_t i, double l_c) {
           .pressure = 1e5};
 }
 
-/// Eq. 17 over range(0) rows in one call, as `brash failure predict` does it.
-void network_rows(benchmark::State& state) {
-  const auto network = meta_model::Network::read(failure::model_path("network", ""));
+/// A network over range(0) rows in one call.
+void network_rows(benchmark::State& state, const std::string& model) {
+  const auto network = meta_model::read_network(failure::model_path(model, ""));
   std::vector<meta_model::Input> inputs;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i) inputs.push_back(network.clamp(input(i)));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i) inputs.push_back(network->clamp(input(i)));
   std::vector<meta_model::Output> outputs(inputs.size());
   for (auto _ : state) {
-    network.predict(inputs, outputs);
+    network->predict(inputs, outputs);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
-BENCHMARK(network_rows)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(network_rows, network, "network")->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(network_rows, deep_network, "deep-network")->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 /// One assessment, as a contact asks for it.
 void assess(benchmark::State& state, const std::string& model) {
@@ -62,6 +63,7 @@ void assess(benchmark::State& state, const std::string& model) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK_CAPTURE(assess, network, "network");
+BENCHMARK_CAPTURE(assess, deep_network, "deep-network");
 BENCHMARK_CAPTURE(assess, wedge, "wedge");
 BENCHMARK_CAPTURE(assess, superposition, "superposition")->Unit(benchmark::kMicrosecond);
 

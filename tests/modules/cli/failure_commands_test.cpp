@@ -91,9 +91,11 @@ BOOST_AUTO_TEST_CASE(the_models_that_come_with_the_program_predict_what_the_plat
   const Folder folder;
   const std::string rows = folder.write("rows.csv", kRow);
   const double plate = stress_of(output_of(folder, {"predict", "--model", "fem", "--in", rows}));
-  // Their 95 % errors there, from the model cards: 10 % (network) and 1 % (superposition).
+  // Their 95 % errors there, from the model cards: 10 % (network), 2 % (deep network) and 1 % (superposition).
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", kNetwork, "--in", rows})) == plate,
              boost::test_tools::tolerance(0.10));
+  BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", "deep-network", "--in", rows})) == plate,
+             boost::test_tools::tolerance(0.02));
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", kSuperposition, "--in", rows})) == plate,
              boost::test_tools::tolerance(0.01));
 }
@@ -116,6 +118,24 @@ const std::string& small_database() {
     return path;
   }();
   return database;
+}
+
+BOOST_AUTO_TEST_CASE(a_deep_network_is_trained_on_a_plan_and_judged_on_plates) {
+  const Folder folder;
+  const std::string model = (folder.path / "deep.json").string();
+  const std::string small = small_database();
+  const std::string plan =
+      folder.write("deep.toml", std::string(kPlan).replace(std::string(kPlan).find("= 24"), 4, "= 60"));
+  const std::vector<std::string> command{"train", plan, "--deep", "-o", model, "--hidden", "4", "--iterations", "3"};
+  BOOST_CHECK_THROW(run(command), InputError);  // nothing to judge it with
+  std::vector<std::string> whole = command;
+  whole.insert(whole.end(), {"--test", small});
+  BOOST_TEST(output_of(folder, whole).find("far hump, ln(sigma_over_p)") != std::string::npos);
+  const std::string card = folder.read("deep.md");
+  BOOST_TEST(card.find("trained on 120 rows answered by `cone_superposition.json`") != std::string::npos);
+  BOOST_TEST(card.find("| all | 48 | 24 |") != std::string::npos);
+  const std::string rows = folder.write("rows.csv", kRow);
+  BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {

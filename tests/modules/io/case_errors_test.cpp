@@ -139,10 +139,11 @@ BOOST_AUTO_TEST_CASE(angles_and_ratios_do_not_convert_into_each_other) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_name_is_told_the_nearest) {
-  check_has(message_of(with_more("[failure]\nmodel = \"plates\"\n")),
-            {"bad.toml:18:9: failure.model = \"plates\": is not a known name",
-             "allowed: one of \"network\", \"superposition\", \"plate\", \"plate-outline\", \"wedge\"",
-             "nearest: \"plate\"", "take the default \"superposition\""});
+  check_has(
+      message_of(with_more("[failure]\nmodel = \"plates\"\n")),
+      {"bad.toml:18:9: failure.model = \"plates\": is not a known name",
+       "allowed: one of \"network\", \"deep-network\", \"superposition\", \"plate\", \"plate-outline\", \"wedge\"",
+       "nearest: \"plate\"", "take the default \"superposition\""});
 }
 
 BOOST_AUTO_TEST_CASE(an_array_of_another_size_is_refused) {

@@ -17,7 +17,7 @@ ROW = dict(b_lc=0.2, c_lc=0.1, theta=1.0, mu1=0.5, mu2=0.1)
 class Models(unittest.TestCase):
     def test_they_say_what_the_command_says(self):
         rows = "b_lc,c_lc,theta_deg,mu1,mu2,lc_over_h\n0.2,0.1,60,0.5,0.1,9\n0.4,0.2,30,0.6,0,8\n"
-        for model in ("network", "superposition", "fem", str(SOURCE / "experiments/failure_database/cone_network.json")):
+        for model in ("network", "deep-network", "superposition", "fem", str(SOURCE / "experiments/failure_database/cone_network.json")):
             said = subprocess.run([os.environ["BRASH"], "failure", "predict", "--model", model], input=rows, text=True,
                                   capture_output=True, check=True).stdout.splitlines()[1:]
             wanted = np.array([line.split(",")[6:8] for line in said], float)
@@ -52,7 +52,7 @@ class Models(unittest.TestCase):
     def test_criteria_assess_the_ice_of_a_case(self):
         case = brash.Case.from_file(CONE)
         load = dict(depth=0.5, contact_length=0.4, angle=1.0, mu1=0.5, mu2=0.1)
-        for model in (None, "network", "superposition", "plate", "wedge"):
+        for model in (None, "network", "deep-network", "superposition", "plate", "wedge"):
             answer = brash.Criterion(case, model)(**load, pressure=[0, 1e5, 1e7])
             self.assertEqual(answer.fails[[0, 2]].tolist(), [False, True], model)
             self.assertGreater(answer.breaking_length[2], 0)

@@ -19,7 +19,7 @@ const loads = (text: string) => (run: Run) =>
 
 const kSources: Source[] = [
   { what: "the model of breaking, crushing and contact", cite: kPaper, used: always },
-  { what: "the failure model: a network trained on plate solutions", cite: `${kPaper} (Eq. 17); database, training and errors: this program's model card`, used: model("network") },
+  { what: "the failure model: a network trained on plate solutions", cite: `${kPaper} (Eq. 17); database, training and errors: this program's model card`, used: model("network", "deep-network") },
   { what: "the failure model: superposed or solved plate", cite: "Reissner–Mindlin plate on an elastic foundation: M. Hetényi, Beams on Elastic Foundation, 1946, for the limits it is verified against", used: model("plate", "plate-outline", "superposition") },
   { what: "the failure model: narrow wedges", cite: "D. E. Nevel, wedges of ice on water, 1972", used: model("wedge") },
   { what: "number of wedges of a break", cite: "D. E. Nevel, 1972, as in the paper's Sec. 2.2.2", used: always },

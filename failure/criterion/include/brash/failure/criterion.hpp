@@ -101,6 +101,7 @@ struct BendingOptions {
 /// The criterion named `model`:
 /// - `network`: Eq. 17 with the weights of `file`, the stress scaled by Eq. 19 from the training h/l_c. Inputs outside
 ///   the model's range are moved into it; below the smallest c the load keeps its total force p c h.
+/// - `deep-network`: the same inputs and outputs by a larger network, which knows two humps of the stress.
 /// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h,
 ///   but for the h / l_c of the shear flexibility, which is moved into the model's range.
 /// - `plate`: the floating plate solved for each load case (about a third of a second each). Where the superposition
@@ -110,7 +111,8 @@ struct BendingOptions {
 /// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
 ///   whatever the depth b. It needs no range.
 ///
-/// @param file  of the network or of the superposition; empty: the model that comes with the program, see model_path().
+/// @param file  of the network (of either kind) or of the superposition; empty: the model that comes with the program,
+/// see model_path().
 /// @throws InputError for an unknown name, an unreadable file, or an option that the model does not have.
 std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
                                                  const IceProperties& ice, const BendingOptions& options = {});

@@ -26,8 +26,8 @@ class ResponseModel {
   virtual ModelResponse respond(const meta_model::Input& input, double thickness_over_lc = 0.0) const = 0;
 };
 
-/// @param model  `fem`: the plate is solved for each row (about a third of a second); `network` or `superposition`: the
-///               model that comes with the program; else the path of a model file.
+/// @param model  `fem`: the plate is solved for each row (about a third of a second); `network`, `deep-network` or
+///               `superposition`: the model that comes with the program; else the path of a model file.
 /// @throws InputError naming the file and what is wrong.
 std::unique_ptr<ResponseModel> make_response_model(const std::string& model);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,8 +24,9 @@ struct Output {
   double lbreak_over_lc = 0.0;
 };
 
-/// What the key `format` of a model file says, for a network and for a ProfileModel.
+/// What the key `format` of a model file says, for a Network, a HumpNetwork and a ProfileModel.
 inline constexpr const char* kNetworkFormat = "brash-network";
+inline constexpr const char* kHumpFormat = "brash-hump-network";
 inline constexpr const char* kProfileFormat = "brash-profiles";
 
 /// The format that a model file states; nothing else is checked.
@@ -50,6 +52,27 @@ struct RangeCheck {
   bool above = false;
   bool inside() const { return !below && !above; }
 };
+
+/// What all networks with the inputs and outputs of Eq. 17 do.
+class ResponseNetwork {
+ public:
+  virtual ~ResponseNetwork() = default;
+
+  Output predict(const Input& input) const;
+  /// `outputs[i] = predict(inputs[i])`, bit by bit; shapes=(n,).
+  virtual void predict(std::span<const Input> inputs, std::span<Output> outputs) const = 0;
+
+  virtual const Range& range() const = 0;
+  RangeCheck check(const Input& input) const;
+  /// `input` moved into the range.
+  Input clamp(const Input& input) const;
+  /// h / l_c for which the network was trained [-]; the stress is scaled from it by Eq. 19.
+  virtual double thickness_over_lc() const = 0;
+};
+
+/// Reads a Network or a HumpNetwork, as the file says.
+/// @throws InputError naming the file, the place and what is wrong.
+std::unique_ptr<ResponseNetwork> read_network(const std::string& path);
 
 /// Normalisation of a feature or target: z = (value - offset) / factor, a z-score over the training rows.
 struct Normalisation {
@@ -82,7 +105,7 @@ struct NetworkParameters {
 ///
 /// Two networks of the paper's size, one an output, are one network here: W2 has zeros where a hidden unit serves the
 /// other output.
-class Network {
+class Network final : public ResponseNetwork {
  public:
   /// Takes trained parameters; their shapes are a contract.
   explicit Network(NetworkParameters parameters);
@@ -96,16 +119,10 @@ class Network {
   /// @throws RunError when the file cannot be written.
   std::string write(const std::string& path) const;
 
-  Output predict(const Input& input) const;
-  /// `outputs[i] = predict(inputs[i])`, bit by bit; shapes=(n,).
-  void predict(std::span<const Input> inputs, std::span<Output> outputs) const;
-
-  const Range& range() const { return parameters_.range; }
-  RangeCheck check(const Input& input) const;
-  /// `input` moved into the range.
-  Input clamp(const Input& input) const;
-  /// h / l_c for which the network was trained [-]; the stress is scaled from it by Eq. 19.
-  double thickness_over_lc() const { return parameters_.thickness_over_lc; }
+  using ResponseNetwork::predict;
+  void predict(std::span<const Input> inputs, std::span<Output> outputs) const override;
+  const Range& range() const override { return parameters_.range; }
+  double thickness_over_lc() const override { return parameters_.thickness_over_lc; }
   const NetworkParameters& parameters() const { return parameters_; }
 
  private:

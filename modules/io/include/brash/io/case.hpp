@@ -63,7 +63,8 @@ struct FieldSection {
 
 /// [failure]
 struct FailureSection {
-  std::string model = "superposition";          ///< network | superposition | plate | plate-outline | wedge
+  /// network | deep-network | superposition | plate | plate-outline | wedge
+  std::string model = "superposition";
   std::string file;                             ///< model file, absolute; empty: the model that comes with the program
   std::string order = "circumferential-first";  ///< circumferential-first | radial-first
   bool second_order = false;                    ///< the in-plane force acts on the bent plate

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "brash/meta_model/hump_training.hpp"
+
+namespace brash::meta_model {
+
+/// Rows as one layered network sees them.
+struct LayeredRows {
+  Eigen::MatrixXd x;          ///< features, normalised; shape=(n_features, n)
+  Eigen::VectorXd y;          ///< target, normalised; shape=(n,)
+  Eigen::VectorXd tolerance;  ///< the error of y that counts as one; shape=(n,)
+};
+
+/// Fits the weights of a layered network to `training` and puts those with the smallest loss of `validation` into
+/// `weights`; more rows than weights. The order of the weights is that of LayeredNetwork.
+LayeredFit fit_layers(const LayeredRows& training, const LayeredRows& validation, const HumpTrainingOptions& options,
+                      unsigned long seed, std::vector<double>& weights);
+
+}  // namespace brash::meta_model
