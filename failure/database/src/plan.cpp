@@ -80,7 +80,7 @@ class Table {
   bool flag_or(const std::string& key, bool otherwise) {
     const toml::node* node = find(key);
     if (node == nullptr) return otherwise;
-    if (!node->is_boolean()) refuse(*node, key, "must be true or false");
+    if (!node->is_boolean()) refuse(*node, key, "is neither true nor false", "true or false");
     return *node->value<bool>();
   }
   template <std::size_t N>
