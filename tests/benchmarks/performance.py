@@ -191,7 +191,9 @@ def table(results):
             spread = f"{row['lowest']:.3g} to {row['highest']:.3g} ({row['n']})" if row["n"] > 1 else ""
             text.append(f"| {row['what']} | {row['median']:.3g} | {spread} | {row['limit']} |")
         text.append("")
-    return "\n".join(text + ["## Not measured yet", "", NOT_MEASURED, ""])
+    waiting = [f"- `./dev bench {name}`: {function.__doc__.splitlines()[0]}" for name, function in LINES.items()
+               if name not in results]
+    return "\n".join(text + ["## Not measured yet", "", *waiting, NOT_MEASURED, ""])
 
 
 def processor():
@@ -210,10 +212,10 @@ def main():
     if targets:
         subprocess.run(["cmake", "--build", "build/release", "--target", *targets, "--", "--quiet"], cwd=ROOT, check=True)
     path = ROOT / "docs/performance.json"
-    results = json.loads(path.read_text()) if path.exists() else {}
     for name in wanted:
         print(f"{name}: {LINES[name].__doc__}", file=sys.stderr)
         lines = LINES[name]()
+        results = json.loads(path.read_text()) if path.exists() else {}
         results[name] = {"date": datetime.date.today().isoformat(), "machine": f"{os.cpu_count()} cores, {processor()}",
                          "load": os.getloadavg()[0], "command": f"./dev bench {name}", "lines": lines}
         for row in lines:
