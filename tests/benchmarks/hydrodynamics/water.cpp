@@ -3,52 +3,14 @@
 // other load on the machine matters little.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
-#include "brash/io/case.hpp"
-#include "floe_population.hpp"
+#include "field.hpp"
 
 namespace {
 
-using namespace brash;
-using simulation::FloePopulation;
-
-constexpr double kStep = 0.01;
-
-/// The ice and the water of the validation case.
-io::Case validation(const std::vector<std::string>& overrides) {
-  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
-}
-
-/// Layers of square floes of 1.4 m, each shifted against the one above and tilted a little, so that they press on their
-/// neighbours: one layer is a pack afloat, three are rubble.
-struct Field {
-  Field(int n_floes, int layers, const std::vector<std::string>& overrides)
-      : ice(validation(overrides)),
-        world({.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}),
-        floes(ice) {
-    const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(n_floes) / layers)));
-    for (int layer = 0; layer < layers; ++layer)
-      for (int i = 0; i < side; ++i)
-        for (int j = 0; j < side; ++j) {
-          const Vec2 low = 1.4 * Vec2{i + 0.3 * layer, j + 0.2 * layer};
-          const std::vector<Vec2> ring{low, low + Vec2{1.395, 0}, low + Vec2{1.395, 1.395}, low + Vec2{0, 1.395}};
-          if (!floes.add(world, {geometry::ring(ring), {}}, 0.0)) continue;
-          const BodyId body = floes.floes().rbegin()->first;
-          Pose pose = world.pose(body);
-          pose.position.z -= 0.335 * layer;
-          pose.rotation = {1.0, 0.01 * ((i + j) % 3 - 1), 0.01 * ((i + 2 * j) % 3 - 1), 0.0};
-          world.set_state(body, pose, {{0.1 * std::sin(i), 0.1 * std::cos(j), 0.0}, {}});
-        }
-  }
-  Field(const Field&) = delete;
-
-  io::Case ice;
-  rigid_body::World world;
-  FloePopulation floes;
-};
+using namespace brash::benchmarks;
 
 void water(benchmark::State& state, int layers, const std::vector<std::string>& overrides) {
   Field field(static_cast<int>(state.range(0)), layers, overrides);

@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures the program beside its peers and limits: `./dev bench [LINE...]`, all lines without arguments.
+
+Each line is a ratio of two times of one run, taken in turn, the median of at least five. Times are user CPU times of the
+processes unless the line says otherwise, so that other work on the machine enters the ratio little. What was measured
+replaces the same lines of docs/performance.json, from which docs/performance.md is written anew.
+"""
+import datetime
+import json
+import os
+import pathlib
+import platform
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BIN = ROOT / "build/release/bin"
+CASE = "experiments/validation/cone.toml"
+REPETITIONS = 5
+UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}  # of Google Benchmark
+
+
+def user_seconds(command, **options):
+    """User CPU time of a command and all it starts [s]."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL, **options)
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def run_seconds(folder, *settings):
+    """User CPU time of one run of the validation case with `settings` [s]."""
+    overrides = [word for setting in settings for word in ("--set", setting)]
+    return user_seconds([BIN / "brash", "run", CASE, *overrides, "-o", pathlib.Path(folder) / "run"])
+
+
+def google_benchmark(name, pattern, field="cpu_time"):
+    """Times of each benchmark whose name matches `pattern`: {name: [s, ...]}."""
+    output = subprocess.run(
+        [str(BIN / name), f"--benchmark_filter={pattern}", f"--benchmark_repetitions={REPETITIONS}",
+         "--benchmark_min_time=0.1", "--benchmark_format=json"],
+        cwd=ROOT, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+    times = {}
+    for row in json.loads(output)["benchmarks"]:
+        if row.get("run_type") != "iteration":
+            continue
+        times.setdefault(row["name"], []).append(row[field] * UNITS[row["time_unit"]])
+    return times
+
+
+def line(what, samples, limit="", **more):
+    """One row of the table: the median of `samples` and their range."""
+    return {"what": what, "median": statistics.median(samples), "lowest": min(samples), "highest": max(samples),
+            "n": len(samples), "limit": limit, **more}
+
+
+def ratios(above, below):
+    """Ratio of the times of each pair."""
+    return [a / b for a, b in zip(above, below, strict=True)]
+
+
+def coupled():
+    """1. The coupled step against Bullet's own world over the same bodies."""
+    output = subprocess.run([str(BIN / "bench_coupled"), "10", str(REPETITIONS)], cwd=ROOT, check=True,
+                            stdout=subprocess.PIPE).stdout
+    runs = json.loads(output)["runs"]
+    return [line("coupled step / Bullet's world over the same floes, sheet, cone and iterations, first 10 s of the "
+                 "validation case", [run["coupled_s"] / run["bullet_s"] for run in runs], "<= 1.25")]
+
+
+def real_time():
+    """2. Simulated seconds per second of one core."""
+    with tempfile.TemporaryDirectory() as folder:
+        samples = [10.0 / run_seconds(folder, "time.duration=10") for _ in range(REPETITIONS)]
+    return [line("simulated seconds per CPU second, first 10 s of the validation case, results written", samples)]
+
+
+def steps(floes, n_steps):
+    """Water and world of single steps of fields of floes, all active: rows of bench_growth."""
+    output = subprocess.run([str(BIN / "bench_growth"), str(n_steps), *map(str, floes)], cwd=ROOT, check=True,
+                            stdout=subprocess.PIPE).stdout
+    return json.loads(output)
+
+
+def growth():
+    """2. Water and world of one step against the number of floes, all of them active."""
+    sizes = (100, 300, 1000, 3000, 10000)
+    rubble = [row for row in steps(sizes, 2 * REPETITIONS) if row["layers"] == 3]
+    each = [[(a + b) / row["floes"] for a, b in zip(row["water_s"], row["world_s"])] for row in rubble]
+    first = statistics.median(each[0])
+    lines = [line("CPU microseconds per floe and step, 100 floes of rubble", [1e6 * time for time in each[0]])]
+    lines += [line(f"CPU time per floe and step, {n} floes / 100 floes ({row['contacts'] / row['floes']:.1f} contact "
+                   f"points per floe / {rubble[0]['contacts'] / rubble[0]['floes']:.1f})",
+                   [time / first for time in times], "<= 1")
+              for n, row, times in zip(sizes[1:], rubble[1:], each[1:])]
+    lines.append(line("kilobytes on the heap per floe, 10^4 floes", [1e-3 * rubble[-1]["bytes"] / rubble[-1]["floes"]]))
+    return lines
+
+
+def length():
+    """3. The same run in a channel ten times as long: nothing may grow with the length of the edge."""
+    times = {50: [], 500: []}
+    with tempfile.TemporaryDirectory() as folder:
+        for _ in range(REPETITIONS):
+            for metres, samples in times.items():
+                samples.append(run_seconds(folder, "time.duration=2", f"field.length={metres}"))
+    return [line("CPU time of the first 2 s in 500 m of ice / in 50 m", ratios(times[500], times[50]), "<= 1")]
+
+
+def water():
+    """4. The water of 10^4 floes against the world's step over them."""
+    names = {1: "afloat", 3: "of rubble"}
+    return [line(f"water / world step, 10^4 floes {names[row['layers']]}", ratios(row["water_s"], row["world_s"]),
+                 "<= 0.1") for row in steps([10000], REPETITIONS)]
+
+
+def geometry():
+    """5. One crack event of the kernel beside its peers, wall time."""
+    times = google_benchmark("bench_geometry", "^(kernel_event/10000/32|(cgal|geos|clipper|boost)_event/10000)/", "real_time")
+    kernel = next(samples for name, samples in times.items() if name.startswith("kernel_event"))
+    return [line(f"crack event on an edge of 10^4 vertices: kernel / {name.split('_')[0]} (wall time)",
+                 ratios(kernel, samples), "< 1")
+            for name, samples in times.items() if not name.startswith("kernel")]
+
+
+def failure():
+    """5. The failure models beside the plate solution they stand for."""
+    times = google_benchmark("bench_failure", "(assess/network|fem_row)")
+    plate = next(samples for name, samples in times.items() if name.startswith("fem_row"))
+    network = next(samples for name, samples in times.items() if name.startswith("assess"))
+    return [line("one assessment: network / plate solve", ratios(network, plate), "< 1"),
+            line("plate solve, CPU seconds", plate)]
+
+
+def campaign():
+    """7. What a campaign adds to its runs."""
+    settings = ("time.duration=1", "output.frames_per_second=0")
+    with tempfile.TemporaryDirectory() as folder:
+        plan = pathlib.Path(folder) / "plan.toml"
+        plan.write_text(f'[campaign]\ncase = "{ROOT / CASE}"\nreplicates = {REPETITIONS}\n')
+        overrides = [word for setting in settings for word in ("--set", setting)]
+        together = [user_seconds([BIN / "brash", "campaign", plan, "--jobs", "1", *overrides, "-o",
+                                  pathlib.Path(folder) / f"campaign{i}"]) for i in range(REPETITIONS)]
+        apart = [sum(run_seconds(folder, *settings, f"random.replicate={k}") for k in range(REPETITIONS))
+                 for _ in range(REPETITIONS)]
+    return [line("CPU seconds a campaign adds to each of its cases", [(a - b) / REPETITIONS
+                                                                  for a, b in zip(together, apart)], "< 0.1")]
+
+
+def build():
+    """8. One changed source file, rebuilt and linked without the compiler's cache."""
+    lines = []
+    for source in ("modules/rigid_body/src/world.cpp", "modules/simulation/src/simulation.cpp"):
+        samples = []
+        for _ in range(REPETITIONS):
+            (ROOT / source).touch()
+            samples.append(user_seconds(["cmake", "--build", "build/release", "--target", "brash", "--", "--quiet"],
+                                        env={**os.environ, "CCACHE_DISABLE": "1"}))
+        lines.append(line(f"CPU seconds to rebuild the program after a change in {source}", samples, "< 30"))
+    return lines
+
+
+LINES = {function.__name__: function
+         for function in (coupled, real_time, growth, length, water, geometry, failure, campaign, build)}
+TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "water": ["bench_growth"],
+           "geometry": ["bench_geometry"], "failure": ["bench_failure"]}
+
+NOT_MEASURED = """- settled floes behind the structure: floes at rest are stepped like all others;
+- a channel ten times as long driven through to its end: above is the length of the ice, not the number of past events;
+- the plate against a finite-element code of Debian (FreeFem++, CalculiX, DOLFINx) at equal accuracy;
+- rigid bodies against ODE, Siconos and Yade on one pack of floes at equal accuracy;
+- two workers against one: it needs two idle cores;
+- the build from clean to tested."""
+
+
+def table(results):
+    """The page of the documents."""
+    text = ["# Performance", "",
+            "Written by `./dev bench` from `performance.json`; a line alone: `./dev bench NAME`. Each figure is the",
+            f"median of at least {REPETITIONS} samples, both sides of a ratio taken in one run on one machine. Times are "
+            "user CPU", "times of the processes where nothing else is said.", ""]
+    for name, entry in results.items():
+        text += [f"## {LINES[name].__doc__.splitlines()[0]}", "",
+                 f"`./dev bench {name}`, {entry['date']}, {entry['machine']}, load {entry['load']:.1f}.", "",
+                 "| figure | median | range | limit |", "|---|---|---|---|"]
+        for row in entry["lines"]:
+            spread = f"{row['lowest']:.3g} to {row['highest']:.3g} ({row['n']})" if row["n"] > 1 else ""
+            text.append(f"| {row['what']} | {row['median']:.3g} | {spread} | {row['limit']} |")
+        text.append("")
+    waiting = [f"- `./dev bench {name}`: {function.__doc__.splitlines()[0]}" for name, function in LINES.items()
+               if name not in results]
+    return "\n".join(text + ["## Not measured yet", "", *waiting, NOT_MEASURED, ""])
+
+
+def processor():
+    for row in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if row.startswith("model name"):
+            return row.split(":")[1].strip()
+    return platform.machine()
+
+
+def main():
+    unknown = [name for name in sys.argv[1:] if name not in LINES]
+    if unknown:
+        sys.exit(f"no line {', '.join(unknown)}; there are: {', '.join(LINES)}")
+    wanted = [name for name in LINES if name in (sys.argv[1:] or LINES)]
+    targets = sorted({target for name in wanted for target in TARGETS.get(name, [])})
+    if targets:
+        subprocess.run(["cmake", "--build", "build/release", "--target", *targets, "--", "--quiet"], cwd=ROOT, check=True)
+    path = ROOT / "docs/performance.json"
+    for name in wanted:
+        print(f"{name}: {LINES[name].__doc__}", file=sys.stderr)
+        lines = LINES[name]()
+        results = json.loads(path.read_text()) if path.exists() else {}
+        results[name] = {"date": datetime.date.today().isoformat(), "machine": f"{os.cpu_count()} cores, {processor()}",
+                         "load": os.getloadavg()[0], "command": f"./dev bench {name}", "lines": lines}
+        for row in lines:
+            print(f"  {row['what']}: {row['median']:.3g} ({row['limit'] or 'no limit'})", file=sys.stderr)
+        results = {known: results[known] for known in LINES if known in results}
+        path.write_text(json.dumps(results, indent=1) + "\n")
+        (ROOT / "docs/performance.md").write_text(table(results))
+
+
+if __name__ == "__main__":
+    main()
