@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_file.hpp"
 
-#include <unistd.h>
-
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/meta_model/network.hpp"
 
 namespace brash::meta_model {
@@ -32,6 +30,11 @@ Json parse(const std::string& path) {
   } catch (const Json::parse_error& error) {
     throw InputError(fmt::format("{}: byte {}: is not JSON ({}); give a model file written by `brash failure train`",
                                  path, error.byte, error.what()));
+  } catch (const Json::out_of_range& error) {
+    throw InputError(
+        fmt::format("{}: a number is beyond all that a computer has ({}); write the model again with `brash "
+                    "failure train`, or copy it again",
+                    path, error.what()));
   }
 }
 
@@ -57,13 +60,7 @@ std::string write_model(const std::string& path, const std::string& format, int 
   model["format_version"] = version;
   model["program_version"] = kVersion;
   model[kHashKey] = content_hash(model);
-  const std::string partial = fmt::format("{}.partial.{}", path, ::getpid());
-  {
-    std::ofstream stream(partial);
-    stream << model.dump(indentation) << '\n';
-    if (!stream.flush()) throw RunError(fmt::format("{}: cannot be written", partial));
-  }
-  if (std::rename(partial.c_str(), path.c_str()) != 0) throw RunError(fmt::format("{}: cannot be renamed", partial));
+  write_file(path, model.dump(indentation) + '\n');
   return model.at(kHashKey).get<std::string>();
 }
 
