@@ -45,7 +45,8 @@ std::vector<Recorded> files_of(const json& list) {
 
 Manifest read_manifest(const std::string& path) {
   std::ifstream stream(path);
-  if (!stream || !fs::is_regular_file(path)) throw InputError(fmt::format("{}: cannot be read; name the manifest.json of a run", path));
+  if (!stream || !fs::is_regular_file(path))
+    throw InputError(fmt::format("{}: cannot be read; name the manifest.json of a run", path));
   try {
     const json m = json::parse(stream);
     if (m.at("format") != "brash-manifest-1")
@@ -111,7 +112,8 @@ class TemporaryFolder {
 };
 
 void run_into(const std::string& folder, const io::Case& resolved, const Manifest& manifest) {
-  const simulation::Run run = run_with_progress(resolved, "");
+  const FolderLock lock = open_run_folder(folder);
+  const simulation::Run run = run_with_progress(resolved, {});
   if (!run.complete) throw Interrupted("interrupted; nothing is kept");
   const std::string case_file = folder + "/" + manifest.case_name + ".toml";
   io::write_file(case_file, manifest.case_toml);
