@@ -25,7 +25,7 @@ class Memory(FaultTest):
     def test_a_run_without_enough_memory_ends_with_an_error_and_goes_on_with_more(self):
         self.succeeds(run_command(self.path / "whole"))
         whole = self.bytes_of(self.path / "whole")
-        for megabytes in range(self.least, 4096, 4):
+        for megabytes in range(self.least, 4096, 8):
             folder = self.path / str(megabytes)
             done = call(run_command(folder), preexec_fn=limited(megabytes))
             if done.returncode == 0:
