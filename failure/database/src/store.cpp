@@ -5,21 +5,25 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <system_error>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/core/write_file.hpp"
 
 namespace brash::database {
 namespace {
@@ -103,12 +107,18 @@ void resize(UnitProfiles& p, std::size_t n) {
 template <typename Error>
 class File {
  public:
-  File(std::string path, int mode, bool create) : path_(std::move(path)) {
-    check(create ? nc_create(path_.c_str(), mode, &id_) : nc_open(path_.c_str(), mode, &id_), "file");
+  explicit File(std::string path) : path_(std::move(path)) {
+    check(nc_open(path_.c_str(), NC_NOWRITE, &id_), "file");
+    open_ = true;
+  }
+  struct New {};
+  /// One that is made. Until it is closed it is in memory: its bytes are written at once, and a failure has a reason.
+  File(std::string path, New) : path_(std::move(path)) {
+    check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER | NC_DISKLESS | NC_PERSIST, &id_), "file");
     open_ = true;
   }
   ~File() {
-    if (open_) nc_close(id_);
+    if (open_) nc_abort(id_);
   }
   File(const File&) = delete;
   File& operator=(const File&) = delete;
@@ -325,29 +335,56 @@ void read_values(const Reader& file, std::vector<Record>& records) {
   }
 }
 
+void write_netcdf(const std::string& path, const Database& database) {
+  const Shape shape = shape_of(database);
+  Writer file(path, Writer::New{});
+  define_variables(file, shape);
+  file.put_text("title", "Failure of a floating plate with a trapezoidal protrusion, by linear plate theory");
+  file.put_text("source", fmt::format("brash {}", kVersion));
+  file.put_text("plan", database.plan);
+  file.put_text("plan_sha256", database.plan_sha256);
+  file.put_text("stress", "sigma / p = 6 mu1 / thickness * bending + normal + mu2 * tangential");
+  file.check(nc_enddef(file.id()), "definitions");
+  put_integers(file, database.records);
+  put_records(file, database.records, shape);
+  file.close();
+}
+
+/// write_netcdf in a process of its own: HDF5 does not survive a disk that is full, not even to its exit.
+/// @return 0, or the system's error number.
+int write_apart(const std::string& path, const Database& database) {
+  const pid_t writer = ::fork();
+  if (writer < 0) return errno;
+  if (writer == 0) {
+    errno = 0;
+    try {
+      write_netcdf(path, database);
+    } catch (const std::exception&) {
+      ::_exit(errno > 0 && errno < 256 ? errno : EIO);
+    }
+    ::_exit(0);
+  }
+  int ended = 0;
+  while (::waitpid(writer, &ended, 0) < 0)
+    if (errno != EINTR) return errno;
+  return WIFEXITED(ended) ? WEXITSTATUS(ended) : EIO;
+}
+
 }  // namespace
 
 void write_database(const std::string& path, const Database& database) {
-  const std::string partial = fmt::format("{}.partial.{}", path, ::getpid());
-  const Shape shape = shape_of(database);
-  {
-    Writer file(partial, NC_NETCDF4 | NC_CLOBBER, true);
-    define_variables(file, shape);
-    file.put_text("title", "Failure of a floating plate with a trapezoidal protrusion, by linear plate theory");
-    file.put_text("source", fmt::format("brash {}", kVersion));
-    file.put_text("plan", database.plan);
-    file.put_text("plan_sha256", database.plan_sha256);
-    file.put_text("stress", "sigma / p = 6 mu1 / thickness * bending + normal + mu2 * tangential");
-    file.check(nc_enddef(file.id()), "definitions");
-    put_integers(file, database.records);
-    put_records(file, database.records, shape);
-    file.close();
+  const std::string part = part_of(path);
+  if (const int status = write_apart(part, database); status != 0) {
+    std::remove(part.c_str());
+    throw StorageError(
+        fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space", path,
+                    std::generic_category().message(status)));
   }
-  if (std::rename(partial.c_str(), path.c_str()) != 0) throw RunError(fmt::format("{}: cannot be renamed", partial));
+  publish(part, path);
 }
 
 Database read_database(const std::string& path) {
-  const Reader file(path, NC_NOWRITE, false);
+  const Reader file(path);
   Database database{.plan = file.text("plan"), .plan_sha256 = file.text("plan_sha256")};
   if (sha256(database.plan) != database.plan_sha256) {
     file.refuse("plan_sha256", "does not fit the plan: the file was changed");

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_file.hpp"
 
-#include <unistd.h>
-
-#include <cstdio>
 #include <fstream>
 
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/meta_model/network.hpp"
 
 namespace brash::meta_model {
@@ -53,13 +51,7 @@ std::string write_model(const std::string& path, const std::string& format, int 
   model["format_version"] = version;
   model["program_version"] = kVersion;
   model[kHashKey] = content_hash(model);
-  const std::string partial = fmt::format("{}.partial.{}", path, ::getpid());
-  {
-    std::ofstream stream(partial);
-    stream << model.dump(indentation) << '\n';
-    if (!stream.flush()) throw RunError(fmt::format("{}: cannot be written", partial));
-  }
-  if (std::rename(partial.c_str(), path.c_str()) != 0) throw RunError(fmt::format("{}: cannot be renamed", partial));
+  write_file(path, model.dump(indentation) + '\n');
   return model.at(kHashKey).get<std::string>();
 }
 

@@ -5,9 +5,10 @@
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/folder_lock.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/checkpoint.hpp"
 #include "brash/simulation/run.hpp"
-#include "folder_lock.hpp"
 
 namespace brash::campaign {
 namespace {
@@ -54,12 +55,13 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
   fs::create_directories(partial, reason);
   if (reason) throw StorageError(fmt::format("{}: cannot be made: {}", partial, reason.message()));
   const std::optional<FolderLock> lock = FolderLock::take(partial + "/lock", kPatience);
-  if (!lock) return CaseEnd::kInterrupted;
   if (fs::exists(task.folder + "/summary.json")) {
-    fs::remove_all(partial);
+    if (lock) fs::remove_all(partial);
     return CaseEnd::kDone;
   }
+  if (!lock) return CaseEnd::kInterrupted;
 
+  remove_parts(partial);
   const io::Case resolved =
       io::read_case(task.case_file, {fmt::format("random.replicate={}", task.replicate)}, io::ModelFile::kAnywhere);
   const std::string checkpoint = partial + "/checkpoint.nc";

@@ -48,6 +48,8 @@ void Folder::prepare(bool resume) const {
         fmt::format("{}: holds the cases of a campaign already\n  remedy:  `--resume` goes on with them; or "
                     "give another folder",
                     directory_));
+  for (const fs::path& written_to : {fs::path(directory_), cases, fs::path(directory_) / "settings"})
+    remove_parts(written_to);
   for (std::size_t i = 0; i < plan_.settings.size(); ++i) {
     const std::string text = io::to_toml(plan_.settings[i].resolved);
     const std::string path = setting_file(i);

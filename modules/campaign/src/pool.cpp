@@ -30,12 +30,19 @@ namespace fs = std::filesystem;
 constexpr int kInterruptedExit = 3;
 constexpr int kWakeSignals[] = {SIGCHLD, SIGINT, SIGTERM, SIGHUP};
 
-/// While it lives, the signals that a pool waits for stay pending instead of acting.
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// While it lives, the signals that a pool waits for stay pending instead of acting. What the process was started to
+/// ignore, as under nohup, is not waited for.
 class HeldSignals {
  public:
   HeldSignals() {
     sigemptyset(&held_);
-    for (const int signal : kWakeSignals) sigaddset(&held_, signal);
+    for (const int signal : kWakeSignals)
+      if (!is_ignored(signal)) sigaddset(&held_, signal);
     sigprocmask(SIG_BLOCK, &held_, &before_);
   }
   ~HeldSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
@@ -156,8 +163,20 @@ std::string last_words(const std::string& file) {
   return text.size() > kMost ? text.substr(text.size() - kMost) : text;
 }
 
-/// Writes down that a job failed by itself, and removes what it left.
-void record_failure(const Job& job, const Exit& exit, const std::string& error) {
+/// Keeps the state that a failed job has left beside its record, and names it in `error`.
+void keep_state(const Job& job, std::string& error) {
+  const std::string left = (fs::path(job.messages).parent_path() / "checkpoint.nc").string();
+  const std::string kept = job.record + ".nc";
+  std::error_code nothing_left;
+  fs::rename(left, kept, nothing_left);
+  if (nothing_left) return;
+  for (std::size_t at = 0; (at = error.find(left, at)) != std::string::npos; at += kept.size())
+    error.replace(at, left.size(), kept);
+}
+
+/// Writes down that a job failed by itself, and removes what it left but for its state.
+void record_failure(const Job& job, const Exit& exit, std::string error) {
+  keep_state(job, error);
   nlohmann::ordered_json record{{"case", fs::path(job.record).stem().string()}, {"error", error}};
   if (exit.signal != 0)
     record["signal"] = sigabbrev_np(exit.signal);

@@ -20,6 +20,7 @@
 #include "brash/core/error.hpp"
 #include "brash/report/report.hpp"
 #include "commands.hpp"
+#include "requests_to_end.hpp"
 #include "run_folder.hpp"
 
 namespace brash::cli {
@@ -180,19 +181,14 @@ void run_campaign(const CampaignOptions& options) {
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }
 
-/// Set by a request to end; the case then keeps a checkpoint after its step.
-volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
-
 void run_one_case(const campaign::CaseTask& task) {
   // Without the process that started it, nobody would look at its results.
   const pid_t parent = ::getppid();
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) std::raise(SIGTERM);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt);
+  catch_requests_to_end();
   try {
-    if (campaign::run_case(task, [] { return interrupted != 0; }) == campaign::CaseEnd::kInterrupted)
-      throw Interrupted("interrupted");
+    if (campaign::run_case(task, is_asked_to_end) == campaign::CaseEnd::kInterrupted) throw Interrupted("interrupted");
   } catch (const StorageError& error) {
     throw CaseNotStored(error.what());
   } catch (const std::bad_alloc&) {

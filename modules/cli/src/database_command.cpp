@@ -5,15 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 
 #include "brash/campaign/slurm.hpp"
+#include "brash/core/folder_lock.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/database/database.hpp"
 #include "commands.hpp"
 #include "failure_commands.hpp"
+#include "requests_to_end.hpp"
 
 namespace brash::cli {
 namespace {
@@ -26,9 +27,6 @@ struct DatabaseOptions {
   int chunk = -1;  ///< solve this one alone
   std::vector<std::string> sbatch;
 };
-
-volatile std::sig_atomic_t interrupted = 0;
-void note_interrupt(int) { interrupted = 1; }
 
 [[noreturn]] void stop(int done, int total, const char* what) {
   throw Interrupted(fmt::format("stopped after {} of {} {}; the same command goes on from here", done, total, what));
@@ -61,12 +59,11 @@ void solve_in_processes(const std::vector<campaign::Job>& jobs, int n_workers) {
 
 /// Solves what is missing here, and puts the database together.
 void build_here(const database::Plan& plan, const std::string& output) {
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
+  catch_requests_to_end();
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   const database::Progress progress = database::build(plan, output, [terminal](const database::Progress& now) {
     if (terminal) fmt::print(stderr, "\r{} of {} geometries, {} not solved", now.done, now.total, now.failed);
-    return interrupted == 0;
+    return !is_asked_to_end();
   });
   if (terminal) fmt::print(stderr, "\n");
   if (progress.done < progress.total) stop(progress.done, progress.total, "geometries");
@@ -95,6 +92,7 @@ void compute_database(DatabaseOptions options) {
   const database::Plan plan = database::read_plan(options.plan);
   refuse_missing_folder(options.output);
   if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
+  const FolderLock lock = FolderLock::take_or_refuse(options.output + ".chunks", "lock");
   if (options.on == "slurm") {
     // The tasks run in folders of their own choice.
     for (std::string* const path : {&options.plan, &options.output})

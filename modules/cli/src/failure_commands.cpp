@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/failure/hump_sample.hpp"
@@ -63,15 +63,10 @@ void print_errors(const char* name, const meta_model::Errors& e) {
              100 * e.length_on_plateau);
 }
 
-/// Writes the card of the model file `output` beside it, by rename when whole; its path.
+/// Writes the card of the model file `output` beside it; its path.
 std::string write_card(const std::string& output, const std::string& text) {
   const fs::path card = fs::path(output).replace_extension(".md");
-  const fs::path partial = card.string() + ".partial";
-  std::ofstream stream(partial);
-  stream << text;
-  stream.close();
-  if (!stream) throw RunError(fmt::format("{}: cannot be written", partial.string()));
-  fs::rename(partial, card);
+  write_file(card.string(), text);
   return card.string();
 }
 

@@ -2,7 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
+#include <new>
+#include <system_error>
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
@@ -18,6 +22,21 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 constexpr int kInterrupted = 3;
+
+/// Does what the arguments say. @return the exit code. @throws RunError when not all that it prints can be written.
+int run(CLI::App& app, int argc, char** argv) {
+  int code = 0;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    code = app.exit(error) == 0 ? 0 : kBadInput;
+  } catch (const std::system_error&) {
+    if (std::ferror(stdout) == 0) throw;
+  }
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  throw brash::StorageError(fmt::format("the output cannot be written: {}\n  remedy:  check that there is space for it",
+                                        std::generic_category().message(errno)));
+}
 
 }  // namespace
 
@@ -43,9 +62,7 @@ int main(int argc, char** argv) {
   brash::cli::add_rerun_command(app);
   brash::cli::add_completion_command(app);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadInput;
+    return run(app, argc, argv);
   } catch (const brash::InputError& error) {
     fmt::print(stderr, "brash: {}\n", error.what());
     return kBadInput;
@@ -55,9 +72,13 @@ int main(int argc, char** argv) {
   } catch (const brash::cli::CaseNotStored& error) {
     fmt::print(stderr, "{}\n", error.what());
     return brash::campaign::kStorageExit;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr,
+               "brash: there is not enough memory\n  remedy:  free some, or raise its limit; where the "
+               "command has `--resume`, that goes on from what it has kept\n");
+    return kFailed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "brash: {}\n", error.what());
     return kFailed;
   }
-  return 0;
 }

@@ -5,14 +5,11 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
+
+#include "requests_to_end.hpp"
 
 namespace brash::cli {
 namespace {
-
-/// Set by Ctrl-C or a request to end; the run then keeps a checkpoint after its step.
-volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
 
 /// A line on a terminal with time left, renewed a few times a second; silent elsewhere.
 class ProgressLine {
@@ -43,18 +40,14 @@ class ProgressLine {
 
 }  // namespace
 
-simulation::Run run_with_progress(const io::Case& resolved, const std::string& checkpoint_file, bool resume) {
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+simulation::Run run_with_progress(const io::Case& resolved, simulation::RunOptions options) {
+  catch_requests_to_end();
   ProgressLine progress(resolved.time.duration);
-  return simulation::run(resolved,
-                         {.observer =
-                              [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
-                                progress.show(simulation.time(), report.loads.n_floes);
-                              },
-                          .checkpoint_file = checkpoint_file,
-                          .resume = resume,
-                          .interrupted = [] { return interrupted != 0; }});
+  options.observer = [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
+    progress.show(simulation.time(), report.loads.n_floes);
+  };
+  options.interrupted = is_asked_to_end;
+  return simulation::run(resolved, options);
 }
 
 }  // namespace brash::cli

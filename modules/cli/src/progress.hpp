@@ -8,8 +8,9 @@
 
 namespace brash::cli {
 
-/// Runs a case with a line of progress on a terminal. Ctrl-C, or a request to end, stops it after its step and, where
-/// `checkpoint_file` is not empty, keeps a checkpoint; the run is then not complete.
-simulation::Run run_with_progress(const io::Case& resolved, const std::string& checkpoint_file, bool resume = false);
+/// Runs a case as `options` say, with a line of progress on a terminal. Ctrl-C, a terminal that closes, or a request to
+/// end stops it after its step and, where `checkpoint_file` is not empty, keeps a checkpoint; the run is then not
+/// complete.
+simulation::Run run_with_progress(const io::Case& resolved, simulation::RunOptions options);
 
 }  // namespace brash::cli

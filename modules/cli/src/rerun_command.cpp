@@ -128,7 +128,8 @@ class TemporaryFolder {
 };
 
 void run_into(const std::string& folder, const io::Case& resolved, const Manifest& manifest) {
-  const simulation::Run run = run_with_progress(resolved, "");
+  const FolderLock lock = open_run_folder(folder);
+  const simulation::Run run = run_with_progress(resolved, {});
   if (!run.complete) throw Interrupted("interrupted; nothing is kept");
   const std::string case_file = folder + "/" + manifest.case_name + ".toml";
   io::write_file(case_file, manifest.case_toml);

@@ -26,10 +26,13 @@ void run_case(const RunOptions& options) {
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const io::Case resolved = io::read_case(options.case_file, overrides);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
-  const simulation::Run run = run_with_progress(resolved, directory + "/checkpoint.nc", options.resume);
+  const FolderLock lock = open_run_folder(directory);
+  const simulation::Run run = run_with_progress(resolved, {.begun = [&] { remove_run(directory); },
+                                                           .checkpoint_file = directory + "/checkpoint.nc",
+                                                           .resume = options.resume});
   if (!run.complete)
-    throw Interrupted(fmt::format("interrupted at t = {} s; `brash run {} -o {} --resume` goes on from there",
-                                  run.results.loads.back().time, options.case_file, directory));
+    throw Interrupted(fmt::format("{}: interrupted at t = {} s; the same command with `--resume` goes on from there",
+                                  directory, run.results.loads.back().time));
   write_run_folder(directory, options.case_file, resolved, run);
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
   if (report::has_page()) fmt::print("report in  {}/report.html\n", directory);

@@ -9,6 +9,18 @@
 
 namespace brash::cli {
 
+FolderLock open_run_folder(const std::string& directory) {
+  FolderLock lock = FolderLock::take_or_refuse(directory, "run.lock");
+  remove_parts(directory);
+  return lock;
+}
+
+void remove_run(const std::string& directory) {
+  simulation::remove_results(directory);
+  for (const char* const name : {"report.html", "plan.svg"})
+    std::filesystem::remove(std::filesystem::path(directory) / name);
+}
+
 void write_run_folder(const std::string& directory, const std::string& case_file, const io::Case& resolved,
                       const simulation::Run& run) {
   io::write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));

@@ -3,10 +3,19 @@
 
 #include <string>
 
+#include "brash/core/folder_lock.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::cli {
+
+/// Makes `directory` this process's alone, for as long as what is returned lives, and removes what a killed process
+/// left half written in it.
+/// @throws InputError when another process runs in it. @throws StorageError when it cannot be written.
+FolderLock open_run_folder(const std::string& directory);
+
+/// Removes everything that write_run_folder wrote into `directory` for an earlier run.
+void remove_run(const std::string& directory);
 
 /// Writes everything that a finished run leaves into `directory`: pictures, results, summary, manifest.
 /// @param case_file  path of the case as given.

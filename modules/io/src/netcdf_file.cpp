@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <new>
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
@@ -33,9 +34,18 @@ constexpr nc_type kType<std::int32_t> = NC_INT;
 template <>
 constexpr nc_type kType<std::int8_t> = NC_BYTE;
 
+/// netCDF does not survive a lack of memory: what it may take for `n_bytes` of values is asked for before.
+/// @throws std::bad_alloc when there is not that much.
+void ask_for_memory(std::size_t n_bytes) {
+  constexpr std::size_t kRoom = 16 << 20;  // for its tables and buffers
+  constexpr std::size_t kCopies = 4;       // of the values: deflated, and the file in memory, which grows by doubling
+  ::operator delete(::operator new(kRoom + kCopies * n_bytes));
+}
+
 }  // namespace
 
 NetcdfWriter::NetcdfWriter(std::string shown) : shown_(std::move(shown)) {
+  ask_for_memory(kFirstBytes);
   check(nc_create_mem(shown_.c_str(), NC_NETCDF4, kFirstBytes, &file_), "file");
   check(nc_set_fill(file_, NC_NOFILL, nullptr), "file");
 }
@@ -85,6 +95,7 @@ void NetcdfWriter::describe(int variable, const std::string& name, const Meaning
 template <typename T>
 void NetcdfWriter::write(const std::string& name, const std::string& along, const Meaning& meaning,
                          const std::vector<T>& values) {
+  ask_for_memory(values.size() * sizeof(T));
   const int dim = dimension(along, values.size());
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), kType<T>, 1, &dim, &variable), name);

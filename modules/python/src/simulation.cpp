@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "../../cli/src/run_folder.hpp"
 #include "brash/simulation/run.hpp"
@@ -96,11 +97,16 @@ simulation::Run run(const Case& c, const py::object& output, bool resume) {
   simulation::RunOptions options;
   if (!directory.empty()) options.checkpoint_file = directory + "/checkpoint.nc";
   options.resume = resume;
+  options.begun = [&] {
+    if (!directory.empty()) cli::remove_run(directory);
+  };
   SignalPoll poll;
   options.interrupted = [&] { return poll.raised(); };
   simulation::Run finished;
   {
     const py::gil_scoped_release release;
+    std::optional<FolderLock> lock;
+    if (!directory.empty()) lock.emplace(cli::open_run_folder(directory));
     finished = simulation::run(c.resolved, options);
     if (finished.complete && !directory.empty())
       cli::write_run_folder(directory, case_file_of(c, directory), c.resolved, finished);

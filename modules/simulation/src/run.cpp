@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 
 #include "brash/core/error.hpp"
@@ -122,20 +123,28 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.n_steps_too_long += report.n_steps_too_long;
 }
 
+/// Keeps the state before a step that failed. @return what to say of it.
+std::string keep_reproducer(const RunOptions& options, const io::Checkpoint& before, const Progress& progress) {
+  if (options.checkpoint_file.empty()) return {};
+  try {
+    keep_checkpoint(options.checkpoint_file, before, progress);
+  } catch (const std::exception& error) {
+    return fmt::format("\n  the state before it could not be kept: {}", error.what());
+  }
+  return "\n  remedy:  the last good state is in " + options.checkpoint_file + ": --resume repeats the step";
+}
+
 /// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
 StepReport step(const RunOptions& options, Progress& progress) {
   const io::Checkpoint before = progress.simulation.checkpoint();
   const double from = progress.simulation.time();
   try {
     return progress.simulation.step();
+  } catch (const std::bad_alloc&) {
+    throw;  // the step is not at fault
   } catch (const std::exception& error) {
-    std::string message =
-        fmt::format("step {} failed, from t = {:.9g} s: {}", before.counters.at("n_steps") + 1, from, error.what());
-    if (!options.checkpoint_file.empty()) {
-      keep_checkpoint(options.checkpoint_file, before, progress);
-      message += "\n  remedy:  the last good state is in " + options.checkpoint_file + ": --resume repeats the step";
-    }
-    throw RunError(message);
+    throw RunError(fmt::format("step {} failed, from t = {:.9g} s: {}{}", before.counters.at("n_steps") + 1, from,
+                               error.what(), keep_reproducer(options, before, progress)));
   }
 }
 
@@ -166,6 +175,7 @@ Run run(const io::Case& resolved, const RunOptions& options) {
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   const auto start = std::chrono::steady_clock::now();
   Progress progress = begin(resolved, options);
+  if (options.begun) options.begun();
   finished.complete = advance(resolved, options, progress);
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.ledger = progress.simulation.ledger();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
 #include "brash/failure/criterion.hpp"
 #include "brash/simulation/run.hpp"
 
@@ -26,6 +28,12 @@ void write_run(const std::string& directory, const std::string& case_file, const
                       .wall_seconds = run.wall_seconds,
                       .host_cpu = {},
                       .stage_seconds = {{"ice", t.ice}, {"water", t.water}, {"world", t.world}, {"loads", t.loads}}});
+}
+
+void remove_results(const std::string& directory) {
+  // What vouches for the others first.
+  for (const char* const name : {"manifest.json", "summary.json", "run.nc", "history.csv", "events.csv"})
+    std::filesystem::remove(std::filesystem::path(directory) / name);
 }
 
 }  // namespace brash::simulation

@@ -84,8 +84,9 @@ class Command(unittest.TestCase):
         self.assertEqual(different(self.whole, folder), [])
 
     def test_a_folder_that_another_process_works_in_is_refused(self):
-        with open(self.whole / "campaign.lock", "r+", encoding="utf-8") as lock:
+        with open(self.whole / "campaign.lock", "w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
+            print("process 1 on another machine", file=lock, flush=True)
             self.refuses(quick(self.whole, "--resume"), "is in use by process", "remedy:")
 
     def test_a_folder_with_cases_needs_resume_and_the_same_settings(self):

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Kills a campaign at random moments until it is done: the files are those of the campaign that nobody killed.
 
-campaign_killed.py BRASH FOLDER KILLS
+campaign_killed.py BRASH FOLDER KILLS [--quick]
 """
 import random
 import shutil
@@ -17,7 +17,7 @@ from files import PLAN, different
 def main():
     brash, folder, n_kills = sys.argv[1], Path(sys.argv[2]).resolve(), int(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
-    command = [brash, "campaign", PLAN, "--jobs", "2", "-o"]
+    command = [brash, "campaign", PLAN, *sys.argv[4:], "--jobs", "2", "-o"]
     start = time.monotonic()
     subprocess.run([*command, folder / "whole"], check=True, stdout=subprocess.DEVNULL)
     # So that all kills together take about as long as the campaign.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brash/core/vec.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 
 namespace brash::io {
@@ -198,8 +199,6 @@ void write_manifest(const std::string& directory, const Case& resolved, const st
 /// SHA-256 of the program, or of the Python module, that this code runs in.
 std::string sha256_of_program();
 
-/// Writes `text` to `path` by rename when whole; missing folders are made.
-/// @throws StorageError naming the file and the system's reason.
-void write_file(const std::string& path, const std::string& text);
+using brash::write_file;
 
 }  // namespace brash::io

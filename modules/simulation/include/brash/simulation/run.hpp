@@ -68,6 +68,8 @@ struct Run {
 
 /// What surrounds the loop of a run.
 struct RunOptions {
+  /// Called once, when the state that the run begins with is there and before its first step.
+  std::function<void()> begun{};
   /// Called after every step.
   std::function<void(const Simulation&, const StepReport&)> observer{};
   /// Where the newest checkpoint is kept, every `output.checkpoint_interval`; empty: nowhere.
@@ -82,6 +84,8 @@ struct RunOptions {
 /// @throws InputError when the checkpoint is of another case.
 /// @throws RunError when a step fails or is no physics (docs/theory/simulation.md): the step, the reason, and where the
 ///         state before it is kept.
+/// @throws StorageError when a checkpoint cannot be written; std::bad_alloc when there is not enough memory. The last
+///         checkpoint then remains.
 Run run(const io::Case& resolved, const RunOptions& options = {});
 
 /// What is kept of a run: its summary, its load history as well, or all results.
@@ -97,6 +101,10 @@ void write_run(const std::string& directory, const std::string& case_file, const
 
 /// The summary as JSON, SI units.
 std::string to_json(const RunSummary& summary);
+
+/// Removes from `directory` the results that write_run writes, of an earlier run: none of them may pass for those of
+/// the run that begins.
+void remove_results(const std::string& directory);
 
 /// Where the statistics of a run begin [s]: as given, or when the structure's centre passes the initial edge.
 double statistics_from(const io::Case& resolved);

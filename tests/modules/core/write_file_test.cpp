@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/core/write_file.hpp"
+
 #include <sys/resource.h>
 
 #include <boost/test/unit_test.hpp>
 #include <csignal>
 
 #include "brash/core/error.hpp"
-#include "brash/io/results.hpp"
 #include "scratch.hpp"
 
 using namespace brash;
-using namespace brash::io;
 
 namespace {
 
@@ -67,6 +67,18 @@ BOOST_AUTO_TEST_CASE(a_place_that_cannot_be_written_is_named_with_the_reason) {
   BOOST_CHECK_EXCEPTION(write_file(scratch.path("file/a.txt"), "x"), RunError, [](const RunError& error) {
     return std::string(error.what()).find("file/a.txt: cannot be written: ") != std::string::npos;
   });
+}
+
+BOOST_AUTO_TEST_CASE(what_killed_processes_left_of_files_is_removed_and_nothing_else) {
+  const Scratch scratch;
+  for (const char* name : {"a.txt.123.part", "b.4.part", "a.txt", "c.part", "d.12x.part", "5.part", "e..part"})
+    scratch.write(name, "x");
+  std::filesystem::create_directory(scratch.path("case-1.part"));
+  remove_parts(scratch.folder());
+  BOOST_TEST(n_files(scratch.folder()) == 6u);
+  BOOST_TEST(!std::filesystem::exists(scratch.path("a.txt.123.part")));
+  BOOST_TEST(!std::filesystem::exists(scratch.path("b.4.part")));
+  BOOST_CHECK_NO_THROW(remove_parts(scratch.path("missing")));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace brash::cli {
+
+/// From here on Ctrl-C (SIGINT), a request to end (SIGTERM) and a terminal that closes (SIGHUP) do not end the process:
+/// is_asked_to_end() tells. What the process was started to ignore, as under nohup, it goes on ignoring.
+void catch_requests_to_end();
+
+/// Whether the process was asked to end since.
+bool is_asked_to_end();
+
+}  // namespace brash::cli

@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many seeds and long runs: none fails, every ledger closes, and memory grows with the floes present alone.
+
+soak.py seeds BRASH CASE FOLDER [N [SECONDS]]    N [1000] seeds of the first SECONDS [3] of the case
+soak.py long BRASH CASE FOLDER [N [SECONDS]]     N [20] seeds of SECONDS [200], in a sheet as long as the way
+"""
+import json
+import os
+import pty
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+from pathlib import Path
+
+SHOWN = re.compile(rb"([\d.]+) of [\d.]+ s +\d+ % +(\d+) floes")
+MEGABYTE = 1 << 20
+
+
+def command(brash, case, folder, seed, seconds, *more):
+    return [brash, "run", case, "-o", folder, "--seed", str(seed), "--set", f"time.duration={seconds}", "--set",
+            "output.checkpoint_interval=0", *more]
+
+
+def fault_of(folder, process_code, said):
+    if process_code != 0:
+        return f"exit status {process_code}: {said}"
+    ledger = json.loads((folder / "summary.json").read_text())["ledger"]
+    return "" if ledger["closes"] else f"the ledger does not close: {ledger}"
+
+
+def resident(pid):
+    """Memory that the process holds [MB]; 0 when it has gone."""
+    try:
+        pages = int(Path(f"/proc/{pid}/statm").read_text().split()[1])
+    except (OSError, IndexError):
+        return 0.0
+    return pages * os.sysconf("SC_PAGE_SIZE") / MEGABYTE
+
+
+def seeds(brash, case, folder, n=1000, seconds=3):
+    faults, peaks = [], []
+    for seed in range(1, n + 1):
+        shutil.rmtree(folder, ignore_errors=True)
+        with subprocess.Popen(command(brash, case, folder, seed, seconds), stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as process:
+            said = process.stderr.read()
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        peaks.append(usage.ru_maxrss / 1024)
+        if fault := fault_of(folder, process.returncode, said):
+            faults.append(f"seed {seed}: {fault}")
+            print(faults[-1], flush=True)
+    print(f"{n} seeds of {seconds} s: {len(faults)} failed; memory at most {min(peaks):.0f} to {max(peaks):.0f} MB, "
+          f"median {statistics.median(peaks):.0f}")
+    return faults
+
+
+def watched(brash, case, folder, seed, seconds):
+    """One long run. Returns its fault and rows of simulated time [s], floes present and memory [MB]."""
+    # Recorded frames are kept to the end of a run and would hide what the simulation itself holds.
+    size = ["--set", f"field.length={seconds * 1.3 + 20:.0f}", "--set", "output.frames_per_second=0.01"]
+    ours, its = pty.openpty()
+    process = subprocess.Popen(command(brash, case, folder, seed, seconds, *size), stdout=subprocess.DEVNULL, stderr=its)
+    os.close(its)
+    rows, said = [], b""
+    while True:
+        try:
+            block = os.read(ours, 4096)
+        except OSError:  # the other end is closed
+            break
+        said = (said + block)[-4000:]
+        if found := SHOWN.findall(block):
+            rows.append((float(found[-1][0]), int(found[-1][1]), resident(process.pid)))
+    os.close(ours)
+    return fault_of(folder, process.wait(), said.decode(errors="replace")), [row for row in rows if row[2] > 0.0]
+
+
+def growth(rows):
+    """Memory for each floe that came [kB], in the first and in the second half of a run."""
+    def mean_around(time):
+        near = sorted(rows, key=lambda row: abs(row[0] - time))[:5]
+        return [statistics.mean(row[i] for row in near) for i in (1, 2)]
+    end = rows[-1][0]
+    (f1, m1), (f2, m2), (f3, m3) = (mean_around(share * end) for share in (0.1, 0.5, 0.95))
+    return 1024 * (m2 - m1) / max(f2 - f1, 1), 1024 * (m3 - m2) / max(f3 - f2, 1)
+
+
+def long(brash, case, folder, n=20, seconds=200):
+    faults = []
+    for seed in range(1, n + 1):
+        shutil.rmtree(folder, ignore_errors=True)
+        fault, rows = watched(brash, case, folder, seed, seconds)
+        first, second = growth(rows)
+        print(f"seed {seed}, {seconds} s: {rows[-1][1]} floes, {rows[-1][2]:.0f} MB; "
+              f"{first:.1f} then {second:.1f} kB for each new floe; {fault or 'no failure'}", flush=True)
+        # A leak in time adds to the second half what floes do not explain; half as much again is beyond the scatter of
+        # a heap's blocks.
+        if not fault and second > 1.5 * first:
+            fault = "memory grows beyond the floes present"
+        if fault:
+            faults.append(f"seed {seed}: {fault}")
+    return faults
+
+
+def main():
+    what, brash, case, folder = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3], Path(sys.argv[4]).resolve()
+    faults = {"seeds": seeds, "long": long}[what](brash, case, folder, *map(int, sys.argv[5:7]))
+    print("\n".join(faults))
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

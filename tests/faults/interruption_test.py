@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Ctrl-C, requests to end, closed terminals, kills, and two processes on one folder."""
+import signal
+import unittest
+
+from program import (FaultTest, call, campaign_command, database_command, run_command, start, wait_for)
+
+
+class Interruption(FaultTest):
+    def setUp(self):
+        super().setUp()
+        self.folder = self.path / "run"
+
+    def begun(self, command=None, **options):
+        """A run that has kept a checkpoint."""
+        process = start(command or run_command(self.folder), **options)
+        self.assertTrue(wait_for((self.folder / "checkpoint.nc").exists, process))
+        return process
+
+    def whole(self):
+        self.succeeds(run_command(self.path / "whole"))
+        return self.bytes_of(self.path / "whole")
+
+    def test_a_run_that_is_asked_to_end_keeps_its_state_says_how_to_go_on_and_does(self):
+        whole = self.whole()
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            process = self.begun()
+            process.send_signal(number)
+            _, said = process.communicate()
+            self.assertEqual(process.returncode, 3, said)
+            self.assertIn("the same command with `--resume` goes on", said)
+            self.assertEqual([p.name for p in self.folder.iterdir()], ["checkpoint.nc"])
+            self.succeeds(run_command(self.folder, "--resume"))
+            self.assertEqual(self.bytes_of(self.folder), whole)
+            (self.folder / "checkpoint.nc").unlink()
+
+    def test_what_ignores_a_closed_terminal_runs_on(self):
+        process = self.begun(["nohup", *run_command(self.folder)])
+        process.send_signal(signal.SIGHUP)
+        _, said = process.communicate()
+        self.assertEqual(process.returncode, 0, said)
+        folder = self.path / "campaign"
+        process = start(["nohup", *campaign_command(folder)])
+        self.assertTrue(wait_for(lambda: list(folder.glob("cases/*[0-9]")), process))
+        process.send_signal(signal.SIGHUP)
+        _, said = process.communicate()
+        self.assertEqual(process.returncode, 0, said)
+
+    def test_a_campaign_that_is_asked_to_end_goes_on_with_resume(self):
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            folder = self.path / str(number)
+            process = start(campaign_command(folder))
+            self.assertTrue(wait_for(lambda: list(folder.glob("cases/*[0-9]")), process))
+            process.send_signal(number)
+            _, said = process.communicate()
+            self.assertEqual(process.returncode, 3, said)
+            self.assertIn("`--resume` goes on", said)
+            self.assertFalse((folder / "summary.json").exists())
+            self.has_no_half_files(folder)
+            self.succeeds(campaign_command(folder, "--resume"))
+
+    def test_a_database_that_is_asked_to_end_goes_on(self):
+        file = self.path / "cone.nc"
+        process = start(database_command(file))
+        self.assertTrue(wait_for(lambda: list(self.path.glob("cone.nc.chunks/*.nc")), process))
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate()
+        self.assertEqual(process.returncode, 3, said)
+        self.assertIn("the same command goes on", said)
+        self.assertFalse(file.exists())
+        self.succeeds(database_command(file))
+        self.succeeds(database_command(self.path / "whole.nc"))
+        self.assertEqual(file.read_bytes(), (self.path / "whole.nc").read_bytes())
+
+    def test_what_a_killed_run_left_half_written_is_removed(self):
+        process = self.begun()
+        process.kill()
+        process.communicate()
+        (self.folder / "checkpoint.nc.123.part").write_bytes(b"half")
+        (self.folder / "run.nc.99.part").write_bytes(b"half")
+        (self.folder / "my-notes.part").write_bytes(b"mine")
+        self.succeeds(run_command(self.folder, "--resume"))
+        self.has_no_half_files(self.folder)
+        self.assertFalse((self.folder / "run.lock").exists())
+        self.assertTrue((self.folder / "my-notes.part").exists())
+
+    def test_a_second_process_on_the_folder_of_a_run_is_refused_and_the_first_goes_on(self):
+        whole = self.whole()
+        process = self.begun()
+        process.send_signal(signal.SIGSTOP)
+        second = call(run_command(self.folder, "--resume"))
+        process.send_signal(signal.SIGCONT)
+        self.fails_clearly(second, {2}, str(self.folder), f"is in use by process {process.pid} on ")
+        process.communicate()
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual(self.bytes_of(self.folder), whole)
+
+    def test_a_second_process_on_a_database_is_refused(self):
+        file = self.path / "cone.nc"
+        process = start(database_command(file))
+        self.assertTrue(wait_for((self.path / "cone.nc.chunks" / "lock").exists, process))
+        process.send_signal(signal.SIGSTOP)
+        second = call(database_command(file))
+        process.send_signal(signal.SIGCONT)
+        self.fails_clearly(second, {2}, "is in use by process")
+        process.communicate()
+        self.assertEqual(process.returncode, 0)
+        self.assertFalse((self.path / "cone.nc.chunks").exists())
+
+    def test_results_of_an_earlier_run_do_not_pass_for_those_of_one_that_did_not_end(self):
+        self.whole()
+        folder = self.path / "whole"
+        (folder / "checkpoint.nc").unlink()
+        process = start(run_command(folder, "--seed", "2"))
+        self.assertTrue(wait_for((folder / "checkpoint.nc").exists, process))
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        self.assertEqual(process.returncode, 3)
+        self.assertEqual([p.name for p in folder.iterdir()], ["checkpoint.nc"])
+
+    def test_bad_input_leaves_an_earlier_run_as_it_was_and_makes_no_folder(self):
+        whole = self.whole()
+        for options in (["--set", "ice.thickness=-1"], ["--set", "failure.model=network", "--set", "failure.file=none.json"],
+                        ["--resume", "--seed", "3"]):
+            done = call(run_command(self.path / "whole", *options))
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(self.bytes_of(self.path / "whole"), whole)
+            if "--resume" not in options:
+                self.assertEqual(call(run_command(self.path / "a" / "b", *options)).returncode, 2)
+                self.assertFalse((self.path / "a").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

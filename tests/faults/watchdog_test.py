@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A run that is no physics ends, says where, leaves what repeats it, and nothing that looks like a result.
+
+Here the fault is put into the state that a run goes on from; tests/modules/simulation/watchdog.cpp puts each fault that a
+watchdog looks for before it.
+"""
+import json
+import os
+import signal
+import subprocess
+import unittest
+
+from program import FaultTest, call, campaign_command, run_command, start, wait_for
+
+FAULTS = {"place": "floe 2 is at (", "speed": "is not finite", "ledger": "the ledger does not fit the floes: they lack"}
+
+
+def spoil(checkpoint, fault):
+    subprocess.run([os.environ["BRASH_SPOIL_CHECKPOINT"], checkpoint, fault], check=True)
+
+
+class Watchdog(FaultTest):
+    def test_a_run_with_a_fault_leaves_its_state_before_the_step_and_no_result(self):
+        for fault, words in FAULTS.items():
+            folder = self.path / fault
+            process = start(run_command(folder, "--set", "time.duration=100"))
+            self.assertTrue(wait_for((folder / "checkpoint.nc").exists, process))
+            process.send_signal(signal.SIGINT)
+            process.communicate()
+            spoil(folder / "checkpoint.nc", fault)
+            spoilt = (folder / "checkpoint.nc").read_bytes()
+            (folder / "summary.json").write_text("{}")  # of an earlier run
+            for _ in range(2):
+                done = call(run_command(folder, "--set", "time.duration=100", "--resume"))
+                self.fails_clearly(done, {1}, words, "brash: step ", " failed, from t = ", str(folder / "checkpoint.nc"))
+                self.assertEqual([p.name for p in folder.iterdir()], ["checkpoint.nc"])
+                self.assertEqual((folder / "checkpoint.nc").read_bytes(), spoilt)
+
+    def test_a_case_of_a_campaign_with_a_fault_is_recorded_with_its_state(self):
+        folder = self.path / "campaign"
+        process = start(campaign_command(folder))
+        self.assertTrue(wait_for(lambda: list(folder.glob("cases/*.part/lock")), process))
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        checkpoints = sorted(folder.glob("cases/*.part/checkpoint.nc"))
+        self.assertTrue(checkpoints)
+        spoil(checkpoints[0], "place")
+        spoilt = checkpoints[0].read_bytes()
+        case = folder / "cases" / checkpoints[0].parent.name.removesuffix(".part")
+        done = call(campaign_command(folder, "--resume"))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("1 cases failed", done.stderr)
+        record = json.loads(case.with_name(case.name + ".failed").read_text())
+        state = case.with_name(case.name + ".failed.nc")
+        self.assertIn("floe 2 is at (", record["error"])
+        self.assertIn(str(state), record["error"])
+        self.assertEqual(state.read_bytes(), spoilt)
+        self.assertFalse(case.exists() or case.with_name(case.name + ".part").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// libFuzzer: any text is WKT, GeoJSON or an error. What was read is written and read again as it was; a sheet made of
+// it is whole, or refused.
+#include <cstdlib>
+
+#include "brash/geometry/text.hpp"
+#include "scratch_file.hpp"
+
+namespace {
+
+using namespace brash::geometry;
+
+void lay(const std::vector<Polygon>& polygons) {
+  if (const auto sheet = IceSheet::from_polygons(polygons)) sheet->check();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (const auto polygons = from_wkt(text_of(data, size))) {
+    const auto again = from_wkt(to_wkt(*polygons));
+    if (!again || *again != *polygons) std::abort();
+    lay(*polygons);
+  }
+  if (const auto features = from_geojson(text_of(data, size))) {
+    const auto again = from_geojson(to_geojson(*features));
+    if (!again || *again != *features) std::abort();
+    std::vector<Polygon> polygons;
+    for (const Feature& feature : *features) polygons.push_back(feature.polygon);
+    lay(polygons);
+  }
+  return 0;
+}
