@@ -98,7 +98,9 @@ class Interruption(FaultTest):
     def test_a_second_process_on_a_database_is_refused(self):
         file = self.path / "cone.nc"
         process = start(database_command(file))
-        self.assertTrue(wait_for((self.path / "cone.nc.chunks" / "lock").exists, process))
+        lock = self.path / "cone.nc.chunks" / "lock"
+        # Its holder writes its name into it.
+        self.assertTrue(wait_for(lambda: lock.exists() and lock.stat().st_size > 0, process))
         process.send_signal(signal.SIGSTOP)
         second = call(database_command(file))
         process.send_signal(signal.SIGCONT)

@@ -30,9 +30,10 @@ def limit_memory():
 
 
 def files_below(folder):
-    """Everything in a folder, with size and time of the last change; a campaign's lock says who was there last."""
-    return {str(p.relative_to(folder)): (p.stat().st_size, p.stat().st_mtime_ns) for p in folder.rglob("*")
-            if p.name != "campaign.lock"}
+    """Everything in a folder, files with size and time of the last change; a campaign's lock says who was there last."""
+    def state(p):
+        return (p.stat().st_size, p.stat().st_mtime_ns) if p.is_file() else None  # a lock comes and goes in a folder
+    return {str(p.relative_to(folder)): state(p) for p in folder.rglob("*") if p.name != "campaign.lock"}
 
 
 def expectations(path):

@@ -151,7 +151,7 @@ def make_profiles(text, folder):
         new = hashlib.sha256(changed_text.encode()).hexdigest()
         (folder / f"{name}.json").write_text(changed_text[:-1] + f',"content_sha256":"{new}"}}')
 
-    write("older-version", r'"format_version":2', '"format_version":1')
+    write("older-version", r'"format_version":\d+', '"format_version":1')
     write("stations-missing", r'"n_stations":\d+', '"n_stations":3')
     write("modes-huge", r'"n_modes":\d+', '"n_modes":1000000')
     write("centres-none", r'"n_centres":\d+', '"n_centres":0')

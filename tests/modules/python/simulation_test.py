@@ -153,7 +153,7 @@ class Runs(unittest.TestCase):
             case.run(resume=True)
         blocked = self.path / "blocked"
         blocked.write_text("a file")
-        with self.assertRaisesRegex(brash.RunError, "blocked"):
+        with self.assertRaisesRegex(brash.InputError, "blocked"):
             case.run(blocked)
         with self.assertRaises(TypeError):
             case.run(3)
