@@ -3,9 +3,11 @@
 """The validation case as an ensemble, beside the measurement, other models and closed forms (the paper's Fig. 7).
 
 run.py                  plan.toml: 30 replicates; table and picture in results/validation
+run.py --plan corrected.toml -o results/corrected    the same with three corrections of the ice's failure
+run.py --plan corrections.toml -o results/corrections    each correction alone
 run.py --plan steps.toml -o results/steps      four time steps, 4 replicates each
 run.py --set hydrodynamics.form_drag=0 -o ...  the same with another input
-run.py --record         also rewrites the recorded numbers and the picture here (of plan.toml)
+run.py --record         also rewrites the recorded numbers here, and the picture of a plan of one setting
 run.py --quick          one short replicate, compared with quick.csv
 """
 import json
@@ -65,7 +67,7 @@ def spectra(brash, rows, output):
     return frequency, np.array(centre), np.array(half)
 
 
-def draw(rows, closed, spectrum, folder):
+def draw(rows, closed, spectrum, folder, stem):
     figure, axes = figures.plt.subplots(1, 4, figsize=(13, 3.6), constrained_layout=True)
     means = np.array([row["horizontal.mean"] for row in rows]) / 1e3
     centre, half = study.mean_interval(means)
@@ -96,7 +98,7 @@ def draw(rows, closed, spectrum, folder):
                          color=figures.BLUE, lw=0)
     axes[3].loglog(frequency[1:], density[1:], color=figures.BLUE, lw=1)
     axes[3].set(title="spectrum [N²/Hz]", xlabel="frequency [Hz]")
-    figures.save(figure, folder, "ensemble")
+    figures.save(figure, folder, stem)
 
 
 def main():
@@ -118,11 +120,12 @@ def main():
         row.update(smooth_peaks(folder / "history.csv", start))
     print_results(rows, closed)
     target = HERE if options.record else output
+    name = "ensemble" if options.plan == "plan.toml" else Path(options.plan).stem
     if options.record:
-        study.write_rows(HERE / "recorded.csv", rows)
+        study.write_rows(HERE / ("recorded.csv" if name == "ensemble" else f"{name}.csv"), rows)
         study.write_rows(HERE / "closed_forms.csv", closed)
-    if options.plan == "plan.toml":
-        draw(rows, closed, spectra(options.brash, rows, output), target)
+    if len({row["setting"] for row in rows}) == 1:
+        draw(rows, closed, spectra(options.brash, rows, output), target, name)
     return 0
 
 
