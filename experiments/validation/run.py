@@ -123,6 +123,7 @@ def main():
     name = "ensemble" if options.plan == "plan.toml" else Path(options.plan).stem
     if options.record:
         study.write_rows(HERE / ("recorded.csv" if name == "ensemble" else f"{name}.csv"), rows)
+    if options.record and name == "ensemble":
         study.write_rows(HERE / "closed_forms.csv", closed)
     if len({row["setting"] for row in rows}) == 1:
         draw(rows, closed, spectra(options.brash, rows, output), target, name)
