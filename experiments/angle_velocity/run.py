@@ -5,8 +5,6 @@
 run.py                  the campaign, its table and pictures in results/angle_velocity
 run.py --record         also rewrites the recorded numbers and pictures here
 run.py --quick          what the tests run: two angles at two speeds, compared with quick.csv
-
-The row of 61.4 degrees is read from what the experiment `velocity` recorded.
 """
 import math
 import sys
@@ -23,8 +21,6 @@ COLUMNS = {"horizontal.mean": "mean horizontal force [kN]", "vertical.mean": "me
 
 
 def draw(rows, closed, output, folder):
-    velocity = study.read_rows(HERE.parent / "velocity" / "recorded.csv")
-    rows = rows + [{**row, ANGLE: math.radians(61.4)} for row in velocity]
     figure, axes = figures.plt.subplots(1, len(COLUMNS), figsize=(12, 3.8), constrained_layout=True)
     shades = figures.plt.get_cmap("viridis")
     angles = sorted({row[ANGLE] for row in rows})
