@@ -388,6 +388,19 @@ std::vector<BodyId> World::floes() const {
 }
 
 Pose World::pose(BodyId id) const { return impl_->get(id).pose; }
+
+std::pair<Vec3, Vec3> World::bounds(BodyId id) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::pair<Vec3, Vec3> bounds{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  auto& [lower, upper] = bounds;
+  for (const auto& part : impl_->get(id).parts) {
+    const auto& [low, up] = std::tie(part->now.lower, part->now.upper);
+    lower = {std::min(lower.x, low.x), std::min(lower.y, low.y), std::min(lower.z, low.z)};
+    upper = {std::max(upper.x, up.x), std::max(upper.y, up.y), std::max(upper.z, up.z)};
+  }
+  return bounds;
+}
+
 Twist World::twist(BodyId id) const { return impl_->get(id).twist; }
 Twist World::mean_twist(BodyId id) const { return impl_->get(id).mean_twist; }
 

@@ -115,7 +115,7 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
 void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
   for (auto& [body, floe] : floes_) {
     if (water_.shading_gap > 0.0)
-      world.neighbours(body, hydrodynamics::kShadingReach * water_.shading_gap, neighbours_);
+      world.neighbours(body, reach(), neighbours_);
     const hydrodynamics::StepInertia step{
         .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
     const Pose pose = world.pose(body);

@@ -79,6 +79,8 @@ class FloePopulation {
   /// Kinetic and potential energy of one floe [J].
   double energy(const rigid_body::World& world, BodyId body) const;
 
+  /// How far around a floe other ice matters to the water on it [m].
+  double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
   const std::map<BodyId, Floe>& floes() const { return floes_; }
   std::int64_t next_id() const { return next_id_; }
   void set_next_id(std::int64_t id) { next_id_ = id; }

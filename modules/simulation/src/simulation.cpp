@@ -58,7 +58,7 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
       criterion(make_criterion(c, ice)),
       field(std::move(laid)),
       world(world_settings(c)),
-      tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
+      tiles(freeboard(c).bottom, freeboard(c).top),
       floes(resolved),
       centre{-c.structure.start_distance, 0.0},
       watchdog(resolved) {
@@ -246,12 +246,22 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& rep
   row.n_floes = static_cast<int>(floes.floes().size());
 }
 
+/// The sheet's collision shapes wherever a floe could meet them, or be in the lee of them, in this step.
+void Simulation::Impl::lay_sheet_near_floes() {
+  const Vec2 reach{floes.reach(), floes.reach()};
+  for (const auto& [body, floe] : floes.floes()) {
+    const auto [lower, upper] = world.bounds(body);
+    tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
+  }
+}
+
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
   advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
   {
     const StageClock clock(times.water);
+    lay_sheet_near_floes();
     floes.apply_water(world, resolved.time.step, centre);  // weight, buoyancy, drag: Eqs. 13, 14
   }
   {

@@ -50,6 +50,7 @@ struct Simulation::Impl {
   bool crush_passed_ice();
   std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
+  void lay_sheet_near_floes();
   void remove_crushed_floes(StepReport& report);
   void collect_loads(std::int64_t first_newborn, StepReport& report);
   StepReport step();

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "brash/core/ids.hpp"
@@ -127,6 +128,8 @@ class World {
   bool contains(BodyId id) const;
   std::vector<BodyId> floes() const;  ///< sorted
   Pose pose(BodyId id) const;
+  /// Least and largest coordinates of the body's parts where it is now [m].
+  std::pair<Vec3, Vec3> bounds(BodyId id) const;
   Twist twist(BodyId id) const;
   /// Mean of the velocities at the start and the end of the last step; at rest before the first.
   Twist mean_twist(BodyId id) const;
