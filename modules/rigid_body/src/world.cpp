@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/rigid_body/world.hpp"
 
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,7 +10,7 @@
 #include "bounded_solver.hpp"
 #include "brash/core/contract.hpp"
 #include "broad_phase.hpp"
-#include "narrow_phase.hpp"
+#include "contact_set.hpp"
 
 namespace brash::rigid_body {
 namespace {
@@ -36,61 +34,28 @@ btContactSolverInfo solver_info(const WorldSettings& settings, double dt) {
   return info;
 }
 
-/// The other parts of the part's body.
-void collect_others(const Part& part, std::vector<const Part*>& others) {
-  others.clear();
-  for (const auto& other : part.body->parts)
-    if (other.get() != &part) others.push_back(other.get());
-}
-
-/// A contact of two parts on its way through the solver.
-struct Contact {
-  Contact(Body& one, Body& other, Vec3 direction, const Patch& overlap)
-      : first(&one),
-        second(&other),
-        normal(direction),
-        patch(overlap),
-        manifold(one.bullet.get(), other.bullet.get(), 0, BT_LARGE_FLOAT, BT_LARGE_FLOAT) {}
-
-  Body* first;
-  Body* second;
-  Vec3 normal;
-  Patch patch;
-  btPersistentManifold manifold;
-};
-
 }  // namespace
 
 struct World::Impl {
-  explicit Impl(const WorldSettings& s) : settings(s) {}
+  explicit Impl(const WorldSettings& s) : settings(s), contacts(s) {}
 
   WorldSettings settings;
   std::map<BodyId, std::unique_ptr<Body>> bodies;
   std::uint32_t next_index = 0;
   bool neighbours_known = false;  ///< of the bodies' present places
   BroadPhase broad_phase;
-  NarrowPhase narrow_phase;
+  ContactSet contacts;
   BoundedSolver solver;
-  std::vector<Contact> contacts;
   std::vector<ContactLoad> loads;
-  std::vector<const Part*> near_sheet;     ///< scratch of find_contacts
-  std::vector<const Part*> beside_first;   ///< scratch of find_contacts
-  std::vector<const Part*> beside_second;  ///< scratch of find_contacts
 
   Body& get(BodyId id);
   BodyId insert(std::unique_ptr<Body> body);
-  const ContactLaw& law(const Body& second) const {
-    return second.kind == BodyKind::kStructure ? settings.ice_structure : settings.ice_ice;
-  }
   std::vector<Body*> canonical_order();
   void find_neighbours(double reach);
   void place(Body& body);
   void predict(const std::vector<Body*>& order, double dt);
-  void find_contacts(double dt);
-  void add_contact(const PartPair& pair, double dt);
   void solve(const std::vector<Body*>& order, double dt);
   void average_velocities(const std::vector<Body*>& order);
-  void report(double dt);
   void advance(const std::vector<Body*>& order, double dt);
 };
 
@@ -169,50 +134,6 @@ void World::Impl::predict(const std::vector<Body*>& order, double dt) {
   }
 }
 
-void World::Impl::find_contacts(double dt) {
-  contacts.clear();
-  solver.bounds.clear();
-  const std::vector<PartPair>& pairs = broad_phase.pairs();
-  for (std::size_t i = 0; i < pairs.size();) {
-    // Pairs of one floe's part come in a row; the parts of the sheet among them continue each other.
-    std::size_t end = i;
-    near_sheet.clear();
-    for (; end < pairs.size() && pairs[end].first == pairs[i].first; ++end)
-      if (pairs[end].second->body->kind == BodyKind::kSheet) near_sheet.push_back(pairs[end].second);
-    collect_others(*pairs[i].first, beside_first);
-    for (; i < end; ++i) {
-      const Part& second = *pairs[i].second;
-      if (second.body->kind == BodyKind::kSheet) {
-        beside_second = near_sheet;
-        std::erase(beside_second, &second);
-      } else {
-        collect_others(second, beside_second);
-      }
-      if (narrow_phase.find(pairs[i], beside_first, beside_second)) add_contact(pairs[i], dt);
-    }
-  }
-}
-
-/// Eq. 16: the normal impulse of each point is bounded by dt sigma_c R times its share of the overlap's area.
-void World::Impl::add_contact(const PartPair& pair, double dt) {
-  Contact& contact =
-      contacts.emplace_back(*pair.first->body, *pair.second->body, narrow_phase.normal, narrow_phase.patch);
-  const ContactLaw& how = law(*contact.second);
-  const bool breakable = std::isfinite(how.crushing_pressure);
-  for (int i = 0; i < contact.patch.n_points; ++i) {
-    const PatchPoint& p = contact.patch.points[static_cast<std::size_t>(i)];
-    // Overlap of breakable ice is crushed ice: nothing pushes it apart, so the solver sees no depth.
-    btManifoldPoint point(btVector3(0, 0, 0), btVector3(0, 0, 0), to_bullet(contact.normal),
-                          breakable ? 0.0 : -contact.patch.depth);
-    point.m_positionWorldOnA = point.m_positionWorldOnB = to_bullet(p.position);
-    point.m_combinedFriction = how.friction;
-    point.m_combinedRestitution = how.restitution;
-    point.m_index0 = static_cast<int>(solver.bounds.size());
-    contact.manifold.addManifoldPoint(point);
-    solver.bounds.push_back(breakable ? dt * how.crushing_pressure * p.area : BT_LARGE_FLOAT);
-  }
-}
-
 void World::Impl::solve(const std::vector<Body*>& order, double dt) {
   std::vector<btCollisionObject*> objects;
   for (Body* body : order) {
@@ -220,8 +141,7 @@ void World::Impl::solve(const std::vector<Body*>& order, double dt) {
     body->bullet->setWorldArrayIndex(static_cast<int>(objects.size()));
     objects.push_back(body->bullet.get());
   }
-  std::vector<btPersistentManifold*> manifolds;
-  for (Contact& contact : contacts) manifolds.push_back(&contact.manifold);
+  std::vector<btPersistentManifold*> manifolds = contacts.manifolds();
   if (objects.empty()) return;
   solver.solveGroup(objects.data(), static_cast<int>(objects.size()), manifolds.data(),
                     static_cast<int>(manifolds.size()), nullptr, 0, solver_info(settings, dt), nullptr, nullptr);
@@ -236,36 +156,6 @@ void World::Impl::average_velocities(const std::vector<Body*>& order) {
     body->mean_twist = {0.5 * (body->twist.linear + from_bullet(b.getLinearVelocity())),
                         0.5 * (body->twist.angular + from_bullet(b.getAngularVelocity()))};
   }
-}
-
-void World::Impl::report(double dt) {
-  loads.clear();
-  for (const Contact& contact : contacts) {
-    const bool turn = contact.second->is_floe() && contact.second->id < contact.first->id;
-    const double sign = turn ? -1.0 : 1.0;
-    for (int i = 0; i < contact.manifold.getNumContacts(); ++i) {
-      const btManifoldPoint& p = contact.manifold.getContactPoint(i);
-      const btVector3 friction =
-          p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 + p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
-      const double bound = solver.bounds[static_cast<std::size_t>(p.m_index0)];
-      const Vec3 at = from_bullet(p.m_positionWorldOnB);
-      const Body& body = turn ? *contact.second : *contact.first;
-      const Body& other = turn ? *contact.first : *contact.second;
-      loads.push_back({.body = body.id,
-                       .other = other.id,
-                       .point = at,
-                       .normal = sign * contact.normal,
-                       .normal_force = p.m_appliedImpulse / dt,
-                       .friction_force = (sign / dt) * from_bullet(friction),
-                       .area = contact.patch.points[static_cast<std::size_t>(i)].area,
-                       .depth = contact.patch.depth,
-                       .at_bound = p.m_appliedImpulse >= bound,
-                       .body_velocity = velocity_at(body.mean_twist, at - body.pose.position),
-                       .other_velocity = velocity_at(other.mean_twist, at - other.pose.position)});
-    }
-  }
-  const auto key = [](const ContactLoad& c) { return std::tuple(c.body, c.other, c.point.x, c.point.y, c.point.z); };
-  std::sort(loads.begin(), loads.end(), [&](const ContactLoad& a, const ContactLoad& b) { return key(a) < key(b); });
 }
 
 /// New velocities from the solver, then Eqs. 9 and 10.
@@ -361,10 +251,10 @@ void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
   const std::vector<Body*> order = impl_->canonical_order();
   impl_->predict(order, dt);
-  impl_->find_contacts(dt);
+  impl_->contacts.find(impl_->broad_phase.pairs(), dt, impl_->solver.bounds);
   impl_->solve(order, dt);
   impl_->average_velocities(order);
-  impl_->report(dt);
+  impl_->loads = impl_->contacts.loads(dt, impl_->solver.bounds);
   impl_->advance(order, dt);
 }
 
