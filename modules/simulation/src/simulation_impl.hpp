@@ -11,12 +11,15 @@
 #include "floe_population.hpp"
 #include "ice_field.hpp"
 #include "sheet_tiles.hpp"
+#include "stage_timer.hpp"
 #include "watchdog.hpp"
 
 namespace brash::simulation {
 
 struct Simulation::Impl {
   io::Case resolved;
+  StageTimes times;
+  StageTimer timer;
   failure::IceProperties ice;
   structure::Cone cone;
   std::unique_ptr<failure::BendingCriterion> criterion;
@@ -31,7 +34,6 @@ struct Simulation::Impl {
   EnergyLedger energy;
   Watchdog watchdog;
   std::vector<io::FloeRecord> initial_births;
-  StageTimes times;
 
   /// Lays the sheet, cuts the initial crack and places the structure.
   explicit Impl(const io::Case& c);
