@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 namespace brash::rigid_body {
@@ -58,6 +59,22 @@ void ContactSet::add(const PartPair& pair, double dt, std::vector<double>& bound
     contact.manifold.addManifoldPoint(point);
     bounds.push_back(breakable ? dt * how.crushing_pressure * p.area : BT_LARGE_FLOAT);
   }
+}
+
+std::vector<Body*> ContactSet::settled_and_hit(double speed) const {
+  std::vector<Body*> hit;
+  for (const Contact& c : contacts_) {
+    Body* const settled = c.first->settled ? c.first : c.second->settled ? c.second : nullptr;
+    if (settled == nullptr) continue;
+    const bool fast = std::ranges::any_of(
+        std::span(c.patch.points).first(static_cast<std::size_t>(c.patch.n_points)), [&](const PatchPoint& p) {
+          const Vec3 first = velocity_at(c.first->twist, p.position - c.first->pose.position);
+          const Vec3 second = velocity_at(c.second->twist, p.position - c.second->pose.position);
+          return dot(c.normal, second - first) > speed;
+        });
+    if (fast) hit.push_back(settled);
+  }
+  return hit;
 }
 
 std::vector<btPersistentManifold*> ContactSet::manifolds() {

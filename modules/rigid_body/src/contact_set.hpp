@@ -18,6 +18,8 @@ class ContactSet {
 
   /// Replaces the contacts by those of the pairs, and `bounds` by the limits of their points' normal impulses [N s].
   void find(const std::vector<PartPair>& pairs, double dt, std::vector<double>& bounds);
+  /// The settled floes that another body runs into faster than `speed` [m/s].
+  std::vector<Body*> settled_and_hit(double speed) const;
   /// For the solver; they hold until the next find().
   std::vector<btPersistentManifold*> manifolds();
   /// Each point's load after the solver, sorted by (body, other, point).

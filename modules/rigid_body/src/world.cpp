@@ -54,6 +54,8 @@ struct World::Impl {
   void find_neighbours(double reach);
   void place(Body& body);
   void predict(const std::vector<Body*>& order, double dt);
+  void find_contacts(double dt);
+  void set_settled(Body& body, bool settled);
   void solve(const std::vector<Body*>& order, double dt);
   void average_velocities(const std::vector<Body*>& order);
   void advance(const std::vector<Body*>& order, double dt);
@@ -92,6 +94,14 @@ void World::Impl::place(Body& body) {
   neighbours_known = false;
 }
 
+void World::Impl::set_settled(Body& body, bool settled) {
+  if (body.settled == settled) return;
+  neighbours_known = false;
+  for (const auto& part : body.parts) broad_phase.remove(*part);
+  body.set_settled(settled);
+  for (const auto& part : body.parts) broad_phase.add(*part);
+}
+
 /// Each floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
 void World::Impl::find_neighbours(double reach) {
   if (reach != broad_phase.reach) {
@@ -120,7 +130,7 @@ void World::Impl::find_neighbours(double reach) {
 /// Velocities with the applied loads and the gyroscopic moment, before contacts.
 void World::Impl::predict(const std::vector<Body*>& order, double dt) {
   for (Body* body : order) {
-    if (body->kind == BodyKind::kSheet) continue;
+    if (body->kind == BodyKind::kSheet || body->settled) continue;
     if (body->kind == BodyKind::kStructure && !body->moved) body->twist = {};
     body->update_bullet();
     if (!body->is_floe()) continue;
@@ -134,10 +144,18 @@ void World::Impl::predict(const std::vector<Body*>& order, double dt) {
   }
 }
 
+/// Settled floes that are run into are let go first, so that they take the blow as what they are.
+void World::Impl::find_contacts(double dt) {
+  contacts.find(broad_phase.pairs(), dt, solver.bounds);
+  const std::vector<Body*> hit = contacts.settled_and_hit(settings.release_speed);
+  for (Body* body : hit) set_settled(*body, false);
+  if (!hit.empty()) contacts.find(broad_phase.pairs(), dt, solver.bounds);
+}
+
 void World::Impl::solve(const std::vector<Body*>& order, double dt) {
   std::vector<btCollisionObject*> objects;
   for (Body* body : order) {
-    if (body->kind == BodyKind::kSheet) continue;
+    if (body->kind == BodyKind::kSheet || body->settled) continue;
     body->bullet->setWorldArrayIndex(static_cast<int>(objects.size()));
     objects.push_back(body->bullet.get());
   }
@@ -151,7 +169,7 @@ void World::Impl::solve(const std::vector<Body*>& order, double dt) {
 void World::Impl::average_velocities(const std::vector<Body*>& order) {
   for (Body* body : order) {
     body->mean_twist = body->twist;
-    if (!body->is_floe()) continue;
+    if (!body->is_free()) continue;
     const btRigidBody& b = *body->bullet;
     body->mean_twist = {0.5 * (body->twist.linear + from_bullet(b.getLinearVelocity())),
                         0.5 * (body->twist.angular + from_bullet(b.getAngularVelocity()))};
@@ -166,7 +184,7 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
       if (body->moved) place(*body);
       body->moved = false;
     }
-    if (!body->is_floe()) continue;
+    if (!body->is_free()) continue;
     const btRigidBody& b = *body->bullet;
     body->twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
     // Only a split impulse (ice that does not break) moves Bullet's own transform.
@@ -232,6 +250,14 @@ void World::remove(BodyId id) {
   impl_->bodies.erase(id);
 }
 
+void World::set_settled(BodyId id, bool settled) {
+  Body& body = impl_->get(id);
+  BRASH_EXPECTS(body.is_floe(), id.index);
+  impl_->set_settled(body, settled);
+}
+
+bool World::is_settled(BodyId id) const { return impl_->get(id).settled; }
+
 void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
   BRASH_EXPECTS(body.kind == BodyKind::kStructure && is_finite(pose, twist), id.index);
@@ -242,7 +268,7 @@ void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
 
 void World::apply(BodyId id, const Wrench& wrench) {
   Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.is_floe(), id.index);
+  BRASH_EXPECTS(body.is_free(), id.index);
   BRASH_EXPECTS(is_finite({}, {wrench.force, wrench.moment}), "load on body is not finite", id.index);
   body.load += wrench;
 }
@@ -251,7 +277,7 @@ void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
   const std::vector<Body*> order = impl_->canonical_order();
   impl_->predict(order, dt);
-  impl_->contacts.find(impl_->broad_phase.pairs(), dt, impl_->solver.bounds);
+  impl_->find_contacts(dt);
   impl_->solve(order, dt);
   impl_->average_velocities(order);
   impl_->loads = impl_->contacts.loads(dt, impl_->solver.bounds);
@@ -261,7 +287,7 @@ void World::step(double dt) {
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
 void World::neighbours(BodyId id, double reach, std::vector<Solid>& solids) {
   const Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.is_floe() && reach >= 0.0, id.index, reach);
+  BRASH_EXPECTS(body.is_free() && reach >= 0.0, id.index, reach);
   if (!impl_->neighbours_known || reach != impl_->broad_phase.reach) impl_->find_neighbours(reach);
   solids.clear();
   for (const Part* part : body.near) solids.emplace_back(part->now.planes);
@@ -296,7 +322,7 @@ Twist World::mean_twist(BodyId id) const { return impl_->get(id).mean_twist; }
 
 void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.kind != BodyKind::kSheet && is_finite(pose, twist), id.index);
+  BRASH_EXPECTS(body.kind != BodyKind::kSheet && !body.settled && is_finite(pose, twist), id.index);
   body.pose = pose;
   body.next_pose = pose;
   body.twist = twist;

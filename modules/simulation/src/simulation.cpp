@@ -21,7 +21,8 @@ rigid_body::WorldSettings world_settings(const io::Case& c) {
   return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
           .iterations = c.contact.iterations,
-          .collision_margin = c.contact.margin};
+          .collision_margin = c.contact.margin,
+          .release_speed = c.time.settle_speed};
 }
 
 /// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).
@@ -256,6 +257,7 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& rep
 void Simulation::Impl::lay_sheet_near_floes() {
   const Vec2 reach{floes.reach(), floes.reach()};
   for (const auto& [body, floe] : floes.floes()) {
+    if (world.is_settled(body)) continue;
     const auto [lower, upper] = world.bounds(body);
     tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
   }
@@ -279,6 +281,7 @@ StepReport Simulation::Impl::step() {
   {
     const StageTimer::Scope clock(timer, times.loads);
     watchdog.look({world, floes, energy, field.ledger(), report.loads});
+    energy.book_settled(floes.settle(world, centre.x - cone.waterline_width));
     remove_crushed_floes(report);  // sigma > sigma_c
   }
   return report;
