@@ -5,6 +5,8 @@
 run.py                  the campaign, its table and pictures in results/angle_velocity
 run.py --record         also rewrites the recorded numbers and pictures here
 run.py --quick          what the tests run: two angles at two speeds, compared with quick.csv
+
+The row of 61.4 degrees is read from what the experiment `velocity` recorded.
 """
 import math
 import sys
@@ -21,6 +23,8 @@ COLUMNS = {"horizontal.mean": "mean horizontal force [kN]", "vertical.mean": "me
 
 
 def draw(rows, closed, output, folder):
+    between = study.read_rows(study.recorded("velocity", folder.name.endswith("corrected")))
+    rows = rows + [{**row, ANGLE: math.radians(61.4)} for row in between]
     figure, axes = figures.plt.subplots(1, len(COLUMNS), figsize=(12, 3.8), constrained_layout=True)
     shades = figures.plt.get_cmap("viridis")
     angles = sorted({row[ANGLE] for row in rows})
