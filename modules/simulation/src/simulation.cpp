@@ -109,16 +109,25 @@ std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, 
 }
 
 /// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
-/// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. What the trailing section then
-/// covers is crushed, so the contacts are those of the state that is reached, however short or long the step.
+/// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
+/// above already: the step is then left whole. What the trailing section then covers is crushed, so the contacts are
+/// those of the state that is reached, however short or long the step.
 std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
   const Vec2 whole_step{resolved.structure.speed * resolved.time.step, 0.0};
-  const auto above_range = [](const EdgeContact& c) { return c.assessment.above_range; };
-  std::vector<EdgeContact> contacts = edge_contacts(edge_model(), field.sheet(), centre + share * whole_step);
-  for (; 0.5 * share >= shortest && std::ranges::any_of(contacts, above_range);
-       contacts = edge_contacts(edge_model(), field.sheet(), centre + share * whole_step))
-    share *= 0.5;
+  const auto contacts_after = [&](double part) {
+    return edge_contacts(edge_model(), field.sheet(), centre + part * whole_step);
+  };
+  const auto above_range = [](const std::vector<EdgeContact>& contacts) {
+    return std::ranges::any_of(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
+  };
+  std::vector<EdgeContact> contacts = contacts_after(share);
+  if (0.5 * share >= shortest && above_range(contacts) && !above_range(contacts_after(0.0))) {
+    do {
+      share *= 0.5;
+      contacts = contacts_after(share);
+    } while (0.5 * share >= shortest && above_range(contacts));
+  }
 
   centre += share * whole_step;
   if (crush_passed_ice()) contacts = edge_contacts(edge_model(), field.sheet(), centre);

@@ -91,6 +91,23 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
   std::filesystem::remove(file);
 }
 
+BOOST_AUTO_TEST_CASE(
+    a_step_is_cut_where_that_keeps_the_contact_within_the_range_and_left_whole_where_it_is_above_already) {
+  // Ice too weak to be bent: the contact only grows, to twice l_c and beyond. A step of 0.96 m leads there from open
+  // water at once, and half of it does not; once the contact is as long as that, no step is short enough.
+  simulation::Simulation simulation(short_case({"time.step=0.8", "time.duration=8", "field.initial_crack=false",
+                                                "ice.compressive_strength=1e4", "failure.under_floes=false"}));
+  int n_cut = 0, n_whole_above = 0;
+  for (int i = 0; i < 8; ++i) {
+    const simulation::StepReport report = simulation.step();
+    n_cut += report.n_substeps > 1 ? 1 : 0;
+    if (report.n_substeps == 1 && report.n_above_range > 0) ++n_whole_above;
+    BOOST_TEST(report.events.empty());
+  }
+  BOOST_TEST(n_cut == 1);
+  BOOST_TEST(n_whole_above >= 5);
+}
+
 BOOST_AUTO_TEST_CASE(far_from_the_ice_nothing_loads_the_structure) {
   simulation::Simulation simulation(short_case({"structure.start_distance=20", "field.initial_crack=false"}));
   for (int i = 0; i < 20; ++i) {
