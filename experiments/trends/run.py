@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record|--check]
 
-Reads what the experiments beside this one recorded, of the paper's algorithm and of the corrected one, and runs nothing
-but `brash trend`. The claims, and what would confirm or refute them, are those of README.md. p-values of an algorithm
+Reads what the experiments beside this one recorded, of the paper's algorithm and, where all have it, of the corrected one,
+and runs nothing but `brash trend`. The claims, and what would confirm or refute them, are those of README.md. p-values of an algorithm
 are adjusted together by Holm's method.
 """
 import argparse
@@ -179,6 +179,7 @@ def of_thicknesses(runs):
 
 # The list of README.md.
 CLAIMS = [of_angles, of_speeds, of_angles_and_speeds, of_widths, of_thicknesses]
+EXPERIMENTS = ["cone_angle", "velocity", "angle_velocity", "waterline_width", "thickness"]
 # Corrected or not.
 ALGORITHMS = {False: "the paper's algorithm", True: "the corrected one"}
 
@@ -207,13 +208,14 @@ def cells(listed):
 
 
 def table(brash):
-    both = [Runs(brash, corrected) for corrected in ALGORITHMS]
-    listed = [[claim for of in CLAIMS for claim in of(runs)] for runs in both]
-    lines = ["| experiment | claim |" + "".join(f" {name} | last against first | p |" for name in ALGORITHMS.values()),
-             "|---|---|" + "---|---|---|" * len(both)]
+    run = [Runs(brash, corrected) for corrected in ALGORITHMS
+           if all(study.recorded(name, corrected).exists() for name in EXPERIMENTS)]
+    listed = [[claim for of in CLAIMS for claim in of(runs)] for runs in run]
+    lines = ["| experiment | claim |" + "".join(f" {ALGORITHMS[runs.corrected]} | last against first | p |" for runs in run),
+             "|---|---|" + "---|---|---|" * len(run)]
     for claim, *row in zip(listed[0], *map(cells, listed)):
         lines.append(f"| {claim.experiment} | {claim.text} | {' | '.join(row)} |")
-    return "\n".join(lines + ["", f"50 deg over 70 deg at 2.0 m/s: {'; '.join(map(ratio_text, both))}."]) + "\n"
+    return "\n".join(lines + ["", f"50 deg over 70 deg at 2.0 m/s: {'; '.join(map(ratio_text, run))}."]) + "\n"
 
 
 def main():
