@@ -151,7 +151,7 @@ void find_times(Series& series, const std::string& path) {
   series.time = time_column(series.names);
   if (!series.time) return;
   std::string& unit = series.units[*series.time];
-  const double factor = seconds_in(unit, fmt::format("{}, column '{}'", path, printable(series.names[*series.time])));
+  const double factor = seconds_in(unit, fmt::format("{}, column '{}'", path, printable(series.heads[*series.time])));
   unit = "s";
   std::vector<double>& times = series.columns[*series.time];
   for (std::size_t i = 0; i < times.size(); ++i) {
