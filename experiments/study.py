@@ -2,7 +2,7 @@
 """What the experiments that are campaigns share: running a plan, collecting its numbers, recording and checking them.
 
 An experiment is a folder with `plan.toml`, `run.py`, `recorded.csv` (one row a case), `closed_forms.csv` (one row a
-setting) and `quick.csv` (what the tests compare with).
+setting) and `quick.csv` (what the tests compare with). Its folder `corrected` holds what the corrected algorithm gives.
 """
 import argparse
 import csv
@@ -11,6 +11,7 @@ import math
 import shutil
 import subprocess
 import tempfile
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +33,12 @@ def arguments(description):
     return parser
 
 
+def corrections():
+    """Keys of the case file, with their values, that make the paper's algorithm the corrected one."""
+    plan = tomllib.loads((ROOT / "experiments" / "validation" / "corrected.toml").read_text(encoding="utf-8"))
+    return {f"failure.{key}": value for key, value in plan["set"]["failure"].items()}
+
+
 # Running and collecting.
 
 def campaign(brash, plan, output, quick=False, jobs=None, overrides=()):
@@ -41,6 +48,11 @@ def campaign(brash, plan, output, quick=False, jobs=None, overrides=()):
     for override in overrides:
         command += ["--set", override]
     subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
+
+
+def recorded(experiment, corrected=False):
+    """The recorded rows of an experiment, of the paper's algorithm or of the corrected one."""
+    return ROOT / "experiments" / experiment / ("corrected" if corrected else ".") / "recorded.csv"
 
 
 def read_rows(path):
@@ -195,20 +207,25 @@ def quick(options, folder, output):
 
 def main(folder, keys, columns, draw, description):
     """Runs an experiment from its command line; `draw(rows, closed, output, folder)` makes its pictures in `folder`."""
-    options = arguments(description).parse_args()
-    name = folder.name + ("-quick" if options.quick else "")
+    parser = arguments(description)
+    parser.add_argument("--corrected", action="store_true",
+                        help="with the corrected algorithm (validation/corrected.toml); recorded in the folder `corrected`")
+    options = parser.parse_args()
+    name = folder.name + ("-quick" if options.quick else "") + ("-corrected" if options.corrected else "")
     output = options.output or Path("results") / name
     if options.quick and options.record:
         record_quick(options.brash, folder, output)
         return 0
     if options.quick:
         return quick(options, folder, output)
-    campaign(options.brash, folder / "plan.toml", output, jobs=options.jobs)
+    overrides = [f"{key}={json.dumps(value)}" for key, value in corrections().items()] if options.corrected else []
+    campaign(options.brash, folder / "plan.toml", output, jobs=options.jobs, overrides=overrides)
     rows, closed = collect(options.brash, output), closed_forms(options.brash, output, keys)
     print_table(rows, columns)
-    target = folder if options.record else output
+    target = recorded(folder.name, options.corrected).parent if options.record else output
     if options.record:
-        write_rows(folder / "recorded.csv", rows)
+        target.mkdir(exist_ok=True)
+        write_rows(target / "recorded.csv", rows)
         write_rows(folder / "closed_forms.csv", closed)
     draw(rows, closed, output, target)
     print(f"pictures in {target}")

@@ -23,8 +23,8 @@ COLUMNS = {"horizontal.mean": "mean horizontal force [kN]", "vertical.mean": "me
 
 
 def draw(rows, closed, output, folder):
-    velocity = study.read_rows(HERE.parent / "velocity" / "recorded.csv")
-    rows = rows + [{**row, ANGLE: math.radians(61.4)} for row in velocity]
+    between = study.read_rows(study.recorded("velocity", folder.name.endswith("corrected")))
+    rows = rows + [{**row, ANGLE: math.radians(61.4)} for row in between]
     figure, axes = figures.plt.subplots(1, len(COLUMNS), figsize=(12, 3.8), constrained_layout=True)
     shades = figures.plt.get_cmap("viridis")
     angles = sorted({row[ANGLE] for row in rows})

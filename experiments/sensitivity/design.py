@@ -6,12 +6,16 @@ Each trajectory starts at a random point of a grid of 4 levels and changes one i
 by 2/3 of its range (M. D. Morris, Technometrics 33 (1991) 161). Of many random sets of trajectories the one with the
 largest spread is taken (F. Campolongo, J. Cariboni, A. Saltelli, Environ. Modell. Softw. 22 (2007) 1509).
 """
+import json
 import sys
 from pathlib import Path
 
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import study
+
 LEVELS = 4
 TRIALS = 500
 SEED = 20240611
@@ -33,7 +37,8 @@ INPUTS = {
     "hydrodynamics.shading_gap": (0.25, 0.66),  # of the thickness: from next to nothing to all that can be seen
     "hydrodynamics.skin_friction": (0.002, 0.01),
     "hydrodynamics.added_mass": (0.25, 1.0),
-    "failure.wedges": [[3, 3], [3, 4], [4, 5], [5, 5]],
+    "hydrodynamics.structure_flow": [False, False, True, True],  # docs/decisions/0008-water-gives-way.md
+    "failure.wedges": [[3, 4], [3, 4], [4, 5], [4, 5]],  # of 3 to 5; where their number is fixed, replicates are equal
 }
 
 
@@ -68,17 +73,12 @@ def design(n_trajectories):
     return max(([trajectory(random) for _ in range(n_trajectories)] for _ in range(TRIALS)), key=spread)
 
 
-def toml(item):
-    if isinstance(item, list):
-        return "[" + ", ".join(toml(x) for x in item) + "]"
-    return f'"{item}"' if isinstance(item, str) else repr(item)
-
-
 def main():
     n_trajectories = int(sys.argv[1]) if len(sys.argv) > 1 else 5
     points = [point for path in design(n_trajectories) for point in path]
     labels = [f"t{i // (len(INPUTS) + 1) + 1}p{i % (len(INPUTS) + 1):02d}" for i in range(len(points))]
-    lines = "\n".join(f"{key} = {toml([value(key, point[i]) for point in points])}" for i, key in enumerate(INPUTS))
+    lines = "\n".join(f"{key} = {json.dumps([value(key, point[i]) for point in points])}" for i, key in enumerate(INPUTS))
+    corrected = "\n".join(f"{key} = {json.dumps(value)}" for key, value in study.corrections().items())
     (HERE / "plan.toml").write_text(f"""# SPDX-License-Identifier: GPL-3.0-or-later
 # Written by design.py: {n_trajectories} trajectories through {len(INPUTS)} inputs. Change that, not this.
 
@@ -87,12 +87,13 @@ case = "../validation/cone.toml"
 replicates = 2
 
 [set]
+{corrected}
 time.duration = 14.143                  # s, 17 m of travel
 output.frames_per_second = 0
 output.checkpoint_interval = 0
 
 [[grid]]
-labels = {toml(labels)}
+labels = {json.dumps(labels)}
 {lines}
 
 [output]

@@ -12,7 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string& path = file.with(text_of(data, size));
   for (const double dt : {0.0, 0.1}) {
     try {
-      const brash::cli::LoadHistory read = brash::cli::read_history(path, {.dt = dt});
+      brash::cli::HistoryChoice choice;
+      choice.dt = dt;
+      const brash::cli::LoadHistory read = brash::cli::read_history(path, choice);
       for (const double value : read.history.values)
         if (!std::isfinite(value)) std::abort();
     } catch (const brash::InputError&) {

@@ -101,13 +101,13 @@ std::string energy(const simulation::EnergyBalance& e) {
 }
 
 std::string speed(const io::Case& resolved, const simulation::Run& run) {
-  const simulation::StageTimes& t = run.stage_times;
-  const double share = 100.0 / run.wall_seconds;
-  return fmt::format(
-      "speed\n  {:.2f} simulated s per wall s ({:.1f} s); ice {:.0f} %, water {:.0f} %, world {:.0f} %, loads {:.0f} "
-      "%\n",
-      resolved.time.duration / run.wall_seconds, run.wall_seconds, share * t.ice, share * t.water, share * t.world,
-      share * t.loads);
+  std::string text =
+      fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s):", resolved.time.duration / run.wall_seconds,
+                  run.wall_seconds);
+  simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) {
+    text += fmt::format(" {} {:.0f} %", name, 100.0 * seconds / run.wall_seconds);
+  });
+  return text + "\n";
 }
 
 }  // namespace

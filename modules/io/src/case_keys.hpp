@@ -63,6 +63,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hydrodynamics", "structure_flow", c.hydrodynamics.structure_flow);
   visit("time", "step", c.time.step);
   visit("time", "duration", c.time.duration);
+  visit("time", "settle_speed", c.time.settle_speed);
   visit("random", "seed", c.random.seed);
   visit("random", "replicate", c.random.replicate);
   visit("output", "frames_per_second", c.output.frames_per_second);

@@ -43,6 +43,12 @@ struct Columns<CheckpointFloe> {
       visit(
           std::string("stress_") + kNames[i], "Pa", "mean stress", [i](auto& row) -> auto& { return row.stress[i]; });
     visit_bearing(visit);
+    visit(
+        "slow_for", "s", "time since it became slow", [](auto& row) -> auto& { return row.rest.slow_for; });
+    visit(
+        "settled", "1", "whether it is fixed where it is", [](auto& row) -> auto& { return row.rest.settled; });
+    visit_vector(
+        "push_", "N", "mean force on it where it is settled", [](auto& row) -> auto& { return row.rest.push; }, visit);
   }
 
  private:
@@ -85,7 +91,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-2";
+constexpr const char* kFormat = "brash-checkpoint-3";
 
 /// The side of the grid, 2^-30 m, as a unit.
 const NodeFrame kGrid{"9.313225746154785e-10 m", "sheet frame, exact"};

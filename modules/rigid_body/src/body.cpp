@@ -31,6 +31,15 @@ void Body::make_bullet_body() {
   update_bullet();
 }
 
+void Body::set_settled(bool value) {
+  settled = value;
+  twist = {};
+  mean_twist = {};
+  load = {};
+  bullet->setMassProps(settled ? 0.0 : mass.mass, settled ? btVector3(0, 0, 0) : to_bullet(mass.inertia));
+  update_bullet();
+}
+
 void Body::place_parts() {
   for (const auto& part : parts) update(part->now, pose);
 }

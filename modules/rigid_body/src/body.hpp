@@ -39,15 +39,20 @@ struct Body {
   Wrench load;     ///< for the next step
   Pose next_pose;  ///< of a structure
   bool moved = false;
+  bool settled = false;           ///< a floe fixed where it is
   int rank = 0;                   ///< in the order of the step
   std::vector<const Part*> near;  ///< parts of other bodies within the world's reach
   std::vector<std::unique_ptr<Part>> parts;
   std::unique_ptr<btRigidBody> bullet;
 
   bool is_floe() const { return kind == BodyKind::kFloe; }
+  /// Whether the step moves it.
+  bool is_free() const { return is_floe() && !settled; }
   /// Adds a collision part, unless it is too thin for the margin.
   bool add_part(ConvexPart solid, double margin);
   void make_bullet_body();
+  /// A settled floe has no inertia of its own, as the sheet has none.
+  void set_settled(bool value);
   /// Brings the parts to the present pose.
   void place_parts();
   /// Brings Bullet's body to the present state.

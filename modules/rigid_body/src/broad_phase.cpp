@@ -42,9 +42,9 @@ void BroadPhase::grow() {
 
 void BroadPhase::add(Part& part) {
   if (parts_.size() + 2 > capacity_) grow();
-  const bool floe = part.body->is_floe();
+  const bool mobile = part.body->is_free();
   part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
-                                   floe ? kMobile : kFixed, floe ? kMobile | kFixed : kMobile, nullptr);
+                                   mobile ? kMobile : kFixed, mobile ? kMobile | kFixed : kMobile, nullptr);
   parts_.push_back(&part);
 }
 

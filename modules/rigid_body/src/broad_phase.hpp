@@ -11,7 +11,7 @@
 
 namespace brash::rigid_body {
 
-/// Two parts whose boxes overlap; `first` is a floe's.
+/// Two parts whose boxes overlap; `first` is a floe's, and one of them is that of a floe which moves.
 struct PartPair {
   Part* first = nullptr;
   Part* second = nullptr;
@@ -24,12 +24,12 @@ class BroadPhase {
   void add(Part& part);
   void remove(Part& part);
   void move(Part& part);
-  /// Overlapping pairs with at least one floe, sorted by (rank, part) of the first and the second body. Boxes are
+  /// Overlapping pairs with at least one floe that moves, sorted by (rank, part) of the first and the second body. Boxes are
   /// compared in full precision, so the answer is a function of the boxes and not of the sweep's history.
   const std::vector<PartPair>& pairs();
   /// How near the boxes of a pair may be to be known to near_pairs() [m]; from the next move of the parts on.
   double reach = 0.0;
-  /// Pairs with at least one floe whose boxes come within the reach of each other, in no order.
+  /// Pairs with at least one floe that moves, whose boxes come within the reach of each other, in no order.
   const std::vector<PartPair>& near_pairs();
 
  private:

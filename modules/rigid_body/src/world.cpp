@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/rigid_body/world.hpp"
 
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,7 +10,7 @@
 #include "bounded_solver.hpp"
 #include "brash/core/contract.hpp"
 #include "broad_phase.hpp"
-#include "narrow_phase.hpp"
+#include "contact_set.hpp"
 
 namespace brash::rigid_body {
 namespace {
@@ -36,61 +34,30 @@ btContactSolverInfo solver_info(const WorldSettings& settings, double dt) {
   return info;
 }
 
-/// The other parts of the part's body.
-void collect_others(const Part& part, std::vector<const Part*>& others) {
-  others.clear();
-  for (const auto& other : part.body->parts)
-    if (other.get() != &part) others.push_back(other.get());
-}
-
-/// A contact of two parts on its way through the solver.
-struct Contact {
-  Contact(Body& one, Body& other, Vec3 direction, const Patch& overlap)
-      : first(&one),
-        second(&other),
-        normal(direction),
-        patch(overlap),
-        manifold(one.bullet.get(), other.bullet.get(), 0, BT_LARGE_FLOAT, BT_LARGE_FLOAT) {}
-
-  Body* first;
-  Body* second;
-  Vec3 normal;
-  Patch patch;
-  btPersistentManifold manifold;
-};
-
 }  // namespace
 
 struct World::Impl {
-  explicit Impl(const WorldSettings& s) : settings(s) {}
+  explicit Impl(const WorldSettings& s) : settings(s), contacts(s) {}
 
   WorldSettings settings;
   std::map<BodyId, std::unique_ptr<Body>> bodies;
   std::uint32_t next_index = 0;
   bool neighbours_known = false;  ///< of the bodies' present places
   BroadPhase broad_phase;
-  NarrowPhase narrow_phase;
+  ContactSet contacts;
   BoundedSolver solver;
-  std::vector<Contact> contacts;
   std::vector<ContactLoad> loads;
-  std::vector<const Part*> near_sheet;     ///< scratch of find_contacts
-  std::vector<const Part*> beside_first;   ///< scratch of find_contacts
-  std::vector<const Part*> beside_second;  ///< scratch of find_contacts
 
   Body& get(BodyId id);
   BodyId insert(std::unique_ptr<Body> body);
-  const ContactLaw& law(const Body& second) const {
-    return second.kind == BodyKind::kStructure ? settings.ice_structure : settings.ice_ice;
-  }
   std::vector<Body*> canonical_order();
   void find_neighbours(double reach);
   void place(Body& body);
   void predict(const std::vector<Body*>& order, double dt);
   void find_contacts(double dt);
-  void add_contact(const PartPair& pair, double dt);
+  void set_settled(Body& body, bool settled);
   void solve(const std::vector<Body*>& order, double dt);
   void average_velocities(const std::vector<Body*>& order);
-  void report(double dt);
   void advance(const std::vector<Body*>& order, double dt);
 };
 
@@ -127,6 +94,14 @@ void World::Impl::place(Body& body) {
   neighbours_known = false;
 }
 
+void World::Impl::set_settled(Body& body, bool settled) {
+  if (body.settled == settled) return;
+  neighbours_known = false;
+  for (const auto& part : body.parts) broad_phase.remove(*part);
+  body.set_settled(settled);
+  for (const auto& part : body.parts) broad_phase.add(*part);
+}
+
 /// Each floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
 void World::Impl::find_neighbours(double reach) {
   if (reach != broad_phase.reach) {
@@ -155,7 +130,7 @@ void World::Impl::find_neighbours(double reach) {
 /// Velocities with the applied loads and the gyroscopic moment, before contacts.
 void World::Impl::predict(const std::vector<Body*>& order, double dt) {
   for (Body* body : order) {
-    if (body->kind == BodyKind::kSheet) continue;
+    if (body->kind == BodyKind::kSheet || body->settled) continue;
     if (body->kind == BodyKind::kStructure && !body->moved) body->twist = {};
     body->update_bullet();
     if (!body->is_floe()) continue;
@@ -169,59 +144,22 @@ void World::Impl::predict(const std::vector<Body*>& order, double dt) {
   }
 }
 
+/// Settled floes that are run into are let go first, so that they take the blow as what they are.
 void World::Impl::find_contacts(double dt) {
-  contacts.clear();
-  solver.bounds.clear();
-  const std::vector<PartPair>& pairs = broad_phase.pairs();
-  for (std::size_t i = 0; i < pairs.size();) {
-    // Pairs of one floe's part come in a row; the parts of the sheet among them continue each other.
-    std::size_t end = i;
-    near_sheet.clear();
-    for (; end < pairs.size() && pairs[end].first == pairs[i].first; ++end)
-      if (pairs[end].second->body->kind == BodyKind::kSheet) near_sheet.push_back(pairs[end].second);
-    collect_others(*pairs[i].first, beside_first);
-    for (; i < end; ++i) {
-      const Part& second = *pairs[i].second;
-      if (second.body->kind == BodyKind::kSheet) {
-        beside_second = near_sheet;
-        std::erase(beside_second, &second);
-      } else {
-        collect_others(second, beside_second);
-      }
-      if (narrow_phase.find(pairs[i], beside_first, beside_second)) add_contact(pairs[i], dt);
-    }
-  }
-}
-
-/// Eq. 16: the normal impulse of each point is bounded by dt sigma_c R times its share of the overlap's area.
-void World::Impl::add_contact(const PartPair& pair, double dt) {
-  Contact& contact =
-      contacts.emplace_back(*pair.first->body, *pair.second->body, narrow_phase.normal, narrow_phase.patch);
-  const ContactLaw& how = law(*contact.second);
-  const bool breakable = std::isfinite(how.crushing_pressure);
-  for (int i = 0; i < contact.patch.n_points; ++i) {
-    const PatchPoint& p = contact.patch.points[static_cast<std::size_t>(i)];
-    // Overlap of breakable ice is crushed ice: nothing pushes it apart, so the solver sees no depth.
-    btManifoldPoint point(btVector3(0, 0, 0), btVector3(0, 0, 0), to_bullet(contact.normal),
-                          breakable ? 0.0 : -contact.patch.depth);
-    point.m_positionWorldOnA = point.m_positionWorldOnB = to_bullet(p.position);
-    point.m_combinedFriction = how.friction;
-    point.m_combinedRestitution = how.restitution;
-    point.m_index0 = static_cast<int>(solver.bounds.size());
-    contact.manifold.addManifoldPoint(point);
-    solver.bounds.push_back(breakable ? dt * how.crushing_pressure * p.area : BT_LARGE_FLOAT);
-  }
+  contacts.find(broad_phase.pairs(), dt, solver.bounds);
+  const std::vector<Body*> hit = contacts.settled_and_hit(settings.release_speed);
+  for (Body* body : hit) set_settled(*body, false);
+  if (!hit.empty()) contacts.find(broad_phase.pairs(), dt, solver.bounds);
 }
 
 void World::Impl::solve(const std::vector<Body*>& order, double dt) {
   std::vector<btCollisionObject*> objects;
   for (Body* body : order) {
-    if (body->kind == BodyKind::kSheet) continue;
+    if (body->kind == BodyKind::kSheet || body->settled) continue;
     body->bullet->setWorldArrayIndex(static_cast<int>(objects.size()));
     objects.push_back(body->bullet.get());
   }
-  std::vector<btPersistentManifold*> manifolds;
-  for (Contact& contact : contacts) manifolds.push_back(&contact.manifold);
+  std::vector<btPersistentManifold*> manifolds = contacts.manifolds();
   if (objects.empty()) return;
   solver.solveGroup(objects.data(), static_cast<int>(objects.size()), manifolds.data(),
                     static_cast<int>(manifolds.size()), nullptr, 0, solver_info(settings, dt), nullptr, nullptr);
@@ -231,41 +169,11 @@ void World::Impl::solve(const std::vector<Body*>& order, double dt) {
 void World::Impl::average_velocities(const std::vector<Body*>& order) {
   for (Body* body : order) {
     body->mean_twist = body->twist;
-    if (!body->is_floe()) continue;
+    if (!body->is_free()) continue;
     const btRigidBody& b = *body->bullet;
     body->mean_twist = {0.5 * (body->twist.linear + from_bullet(b.getLinearVelocity())),
                         0.5 * (body->twist.angular + from_bullet(b.getAngularVelocity()))};
   }
-}
-
-void World::Impl::report(double dt) {
-  loads.clear();
-  for (const Contact& contact : contacts) {
-    const bool turn = contact.second->is_floe() && contact.second->id < contact.first->id;
-    const double sign = turn ? -1.0 : 1.0;
-    for (int i = 0; i < contact.manifold.getNumContacts(); ++i) {
-      const btManifoldPoint& p = contact.manifold.getContactPoint(i);
-      const btVector3 friction =
-          p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 + p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
-      const double bound = solver.bounds[static_cast<std::size_t>(p.m_index0)];
-      const Vec3 at = from_bullet(p.m_positionWorldOnB);
-      const Body& body = turn ? *contact.second : *contact.first;
-      const Body& other = turn ? *contact.first : *contact.second;
-      loads.push_back({.body = body.id,
-                       .other = other.id,
-                       .point = at,
-                       .normal = sign * contact.normal,
-                       .normal_force = p.m_appliedImpulse / dt,
-                       .friction_force = (sign / dt) * from_bullet(friction),
-                       .area = contact.patch.points[static_cast<std::size_t>(i)].area,
-                       .depth = contact.patch.depth,
-                       .at_bound = p.m_appliedImpulse >= bound,
-                       .body_velocity = velocity_at(body.mean_twist, at - body.pose.position),
-                       .other_velocity = velocity_at(other.mean_twist, at - other.pose.position)});
-    }
-  }
-  const auto key = [](const ContactLoad& c) { return std::tuple(c.body, c.other, c.point.x, c.point.y, c.point.z); };
-  std::sort(loads.begin(), loads.end(), [&](const ContactLoad& a, const ContactLoad& b) { return key(a) < key(b); });
 }
 
 /// New velocities from the solver, then Eqs. 9 and 10.
@@ -276,7 +184,7 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
       if (body->moved) place(*body);
       body->moved = false;
     }
-    if (!body->is_floe()) continue;
+    if (!body->is_free()) continue;
     const btRigidBody& b = *body->bullet;
     body->twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
     // Only a split impulse (ice that does not break) moves Bullet's own transform.
@@ -342,6 +250,14 @@ void World::remove(BodyId id) {
   impl_->bodies.erase(id);
 }
 
+void World::set_settled(BodyId id, bool settled) {
+  Body& body = impl_->get(id);
+  BRASH_EXPECTS(body.is_floe(), id.index);
+  impl_->set_settled(body, settled);
+}
+
+bool World::is_settled(BodyId id) const { return impl_->get(id).settled; }
+
 void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
   BRASH_EXPECTS(body.kind == BodyKind::kStructure && is_finite(pose, twist), id.index);
@@ -352,7 +268,7 @@ void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
 
 void World::apply(BodyId id, const Wrench& wrench) {
   Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.is_floe(), id.index);
+  BRASH_EXPECTS(body.is_free(), id.index);
   BRASH_EXPECTS(is_finite({}, {wrench.force, wrench.moment}), "load on body is not finite", id.index);
   body.load += wrench;
 }
@@ -364,14 +280,14 @@ void World::step(double dt) {
   impl_->find_contacts(dt);
   impl_->solve(order, dt);
   impl_->average_velocities(order);
-  impl_->report(dt);
+  impl_->loads = impl_->contacts.loads(dt, impl_->solver.bounds);
   impl_->advance(order, dt);
 }
 
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
 void World::neighbours(BodyId id, double reach, std::vector<Solid>& solids) {
   const Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.is_floe() && reach >= 0.0, id.index, reach);
+  BRASH_EXPECTS(body.is_free() && reach >= 0.0, id.index, reach);
   if (!impl_->neighbours_known || reach != impl_->broad_phase.reach) impl_->find_neighbours(reach);
   solids.clear();
   for (const Part* part : body.near) solids.emplace_back(part->now.planes);
@@ -388,12 +304,25 @@ std::vector<BodyId> World::floes() const {
 }
 
 Pose World::pose(BodyId id) const { return impl_->get(id).pose; }
+
+std::pair<Vec3, Vec3> World::bounds(BodyId id) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::pair<Vec3, Vec3> bounds{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  auto& [lower, upper] = bounds;
+  for (const auto& part : impl_->get(id).parts) {
+    const auto& [low, up] = std::tie(part->now.lower, part->now.upper);
+    lower = {std::min(lower.x, low.x), std::min(lower.y, low.y), std::min(lower.z, low.z)};
+    upper = {std::max(upper.x, up.x), std::max(upper.y, up.y), std::max(upper.z, up.z)};
+  }
+  return bounds;
+}
+
 Twist World::twist(BodyId id) const { return impl_->get(id).twist; }
 Twist World::mean_twist(BodyId id) const { return impl_->get(id).mean_twist; }
 
 void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.kind != BodyKind::kSheet && is_finite(pose, twist), id.index);
+  BRASH_EXPECTS(body.kind != BodyKind::kSheet && !body.settled && is_finite(pose, twist), id.index);
   body.pose = pose;
   body.next_pose = pose;
   body.twist = twist;

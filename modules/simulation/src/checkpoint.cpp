@@ -102,7 +102,8 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .twist = floe.twist,
                    .stress = floe.stress,
                    .peak_compression = floe.peak_stress,
-                   .bearing = floe.bearing});
+                   .bearing = floe.bearing,
+                   .rest = floe.rest});
   floes.set_next_id(checkpoint.counters.at("next_floe"));
 }
 
@@ -136,7 +137,8 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
                            .twist = world.twist(body),
                            .stress = floe.stress,
                            .peak_stress = floe.peak_compression,
-                           .bearing = floe.bearing});
+                           .bearing = floe.bearing,
+                           .rest = floe.rest});
   return saved;
 }
 

@@ -25,6 +25,9 @@ class EnergyLedger {
   /// The floe `body` is about to be deleted.
   void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
 
+  /// Floes have lost `kinetic` [J] by being fixed where they are.
+  void book_settled(double kinetic) { removed_ += kinetic; }
+
   /// Work of contacts and drag on each floe in the last step [J]; weight and buoyancy are its potential energy.
   const std::map<BodyId, double>& received() const { return received_; }
 

@@ -18,6 +18,11 @@ namespace {
 
 using hydrodynamics::DragLaw;
 
+/// A floe is fixed after it has been slow for so long [s]: longer than it heaves once.
+constexpr double kSettleTime = 2.0;
+/// A settled floe is let go after so long [s], and has to come to rest again: what held it may have left.
+constexpr double kLongestRest = 20.0;
+
 /// Water::shading_gap of a case [m].
 double shading_gap(const io::Case& resolved) {
   const io::HydrodynamicsSection& h = resolved.hydrodynamics;
@@ -108,14 +113,19 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   floe.stress = state.stress;
   floe.peak_compression = state.peak_compression;
   floe.bearing = state.bearing;
+  floe.rest = state.rest;
   const BodyId body = world.add_floe(floe.prism, floe.inertia, state.pose, state.twist);
+  if (floe.rest.settled != 0) {
+    floe.settled_height = raised(world, body, floe);
+    world.set_settled(body, true);
+  }
   floes_.emplace(body, std::move(floe));
 }
 
 void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
   for (auto& [body, floe] : floes_) {
-    if (water_.shading_gap > 0.0)
-      world.neighbours(body, hydrodynamics::kShadingReach * water_.shading_gap, neighbours_);
+    if (world.is_settled(body)) continue;
+    if (water_.shading_gap > 0.0) world.neighbours(body, reach(), neighbours_);
     const hydrodynamics::StepInertia step{
         .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
     const Pose pose = world.pose(body);
@@ -151,6 +161,7 @@ void FloePopulation::average_contacts(const rigid_body::World& world, double dt)
     if (other == rigid_body::BodyKind::kSheet) add_contact(bearings[contact.body], contact);
   }
   for (auto& [body, floe] : floes_) {
+    if (world.is_settled(body)) continue;
     const double volume = floe.area.square_metres() * case_->ice.thickness;
     const double share = 1.0 - std::exp(-dt / floe.collision_time);
     const std::array<double, 6>& dipole = dipoles[body];
@@ -163,6 +174,47 @@ void FloePopulation::average_contacts(const rigid_body::World& world, double dt)
 void FloePopulation::forget_bearings(Vec2 at, double radius) {
   for (auto& [body, floe] : floes_)
     if (floe.bearing.weight > 0.0 && norm(floe.bearing.first / floe.bearing.weight - at) < radius) floe.bearing = {};
+}
+
+double FloePopulation::slow_energy(const Floe& floe) const {
+  return 0.5 * floe.inertia.mass * case_->time.settle_speed * case_->time.settle_speed;
+}
+
+double FloePopulation::settle(rigid_body::World& world, double astern) {
+  if (case_->time.settle_speed == 0.0) return 0.0;
+  std::map<BodyId, Vec3> pushes;  // of the settled floes that others touch
+  for (const rigid_body::ContactLoad& contact : world.contacts()) {
+    const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
+    if (world.is_settled(contact.body)) pushes[contact.body] += force;
+    if (world.is_settled(contact.other)) pushes[contact.other] += -1.0 * force;
+  }
+  const double dt = case_->time.step;
+  const double share = 1.0 - std::exp(-dt / kSettleTime);
+  double taken = 0.0;
+  for (auto& [body, floe] : floes_) {
+    io::Rest& rest = floe.rest;
+    if (!world.is_settled(body)) rest.settled = 0;  // it may have been run into
+    if (rest.settled != 0) {
+      const auto push = pushes.find(body);
+      rest.push += share * ((push == pushes.end() ? Vec3{} : push->second) - rest.push);
+      rest.slow_for += dt;
+      const double most = floe.inertia.mass * case_->time.settle_speed / kSettleTime;
+      if (norm(rest.push) <= most && rest.slow_for < kLongestRest) continue;
+      rest = {};
+      world.set_settled(body, false);
+      continue;
+    }
+    const double kinetic = world.kinetic_energy(body);
+    rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
+    if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;
+    rest = {.slow_for = 0.0, .settled = 1, .push = {}};
+    floe.bearing = {};
+    floe.drag = floe.skin_friction = {};
+    floe.settled_height = raised(world, body, floe);
+    world.set_settled(body, true);
+    taken += kinetic;
+  }
+  return taken;
 }
 
 std::vector<BodyId> FloePopulation::overstressed(double strength) const {
@@ -179,16 +231,20 @@ Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
   return std::move(node.mapped());
 }
 
+double FloePopulation::raised(const rigid_body::World& world, BodyId body, const Floe& floe) const {
+  if (world.is_settled(body)) return floe.settled_height;
+  return potential(floe, world.pose(body), water_.density) - floe.rest_potential;
+}
+
 double FloePopulation::potential_energy(const rigid_body::World& world) const {
   double sum = 0.0;
-  for (const auto& [body, floe] : floes_)
-    sum += potential(floe, world.pose(body), water_.density) - floe.rest_potential;
+  for (const auto& [body, floe] : floes_) sum += raised(world, body, floe);
   return sum;
 }
 
 double FloePopulation::energy(const rigid_body::World& world, BodyId body) const {
   const Floe& floe = floes_.at(body);
-  return world.kinetic_energy(body) + potential(floe, world.pose(body), water_.density) - floe.rest_potential;
+  return world.kinetic_energy(body) + raised(world, body, floe);
 }
 
 }  // namespace brash::simulation

@@ -33,8 +33,10 @@ struct Floe {
   std::array<double, 6> stress{};
   double peak_compression = 0.0;  ///< [Pa]
   io::Bearing bearing{};          ///< on the sheet's edge, averaged over T_col
-  Wrench drag{};                  ///< of the last step, form and rotational, about the centre of mass
-  Wrench skin_friction{};         ///< likewise
+  io::Rest rest{};
+  double settled_height = 0.0;  ///< potential energy against floating at rest while it is settled [J]
+  Wrench drag{};                ///< of the last step, form and rotational, about the centre of mass
+  Wrench skin_friction{};       ///< likewise
 };
 
 /// What changes of a floe after its birth.
@@ -45,6 +47,7 @@ struct FloeState {
   std::array<double, 6> stress{};
   double peak_compression = 0.0;
   io::Bearing bearing{};
+  io::Rest rest{};
 };
 
 /// All floes present: births, water, the stress that decides about crushing, deaths.
@@ -69,6 +72,12 @@ class FloePopulation {
   /// Forgets what floes pressed on ice that has broken off within `radius` of `at`.
   void forget_bearings(Vec2 at, double radius);
 
+  /// Lets go the settled floes that what moves pushes on, and fixes those that have been slow for long where nothing
+  /// but floes at rest holds them; for time.settle_speed > 0. docs/theory/simulation.md, (S2).
+  /// @param astern  only floes wholly below this x are fixed [m].
+  /// @return the kinetic energy that this took [J].
+  double settle(rigid_body::World& world, double astern);
+
   /// Floes whose mean compressive stress exceeds `strength` [Pa], sorted by body.
   std::vector<BodyId> overstressed(double strength) const;
 
@@ -79,6 +88,8 @@ class FloePopulation {
   /// Kinetic and potential energy of one floe [J].
   double energy(const rigid_body::World& world, BodyId body) const;
 
+  /// How far around a floe other ice matters to the water on it [m].
+  double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
   const std::map<BodyId, Floe>& floes() const { return floes_; }
   std::int64_t next_id() const { return next_id_; }
   void set_next_id(std::int64_t id) { next_id_ = id; }
@@ -86,6 +97,11 @@ class FloePopulation {
  private:
   /// The floe broken off as `polygon` and where its body then is; nothing when it is too thin for a body.
   std::optional<std::pair<Floe, Pose>> make(const geometry::Polygon& polygon) const;
+
+  /// The kinetic energy of a floe at time.settle_speed [J].
+  double slow_energy(const Floe& floe) const;
+  /// Potential energy against floating at rest [J].
+  double raised(const rigid_body::World& world, BodyId body, const Floe& floe) const;
 
   const io::Case* case_;
   hydrodynamics::Water water_;

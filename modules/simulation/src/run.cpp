@@ -13,6 +13,7 @@
 
 #include "brash/core/error.hpp"
 #include "plan.hpp"
+#include "stage_timer.hpp"
 #include "summarise.hpp"
 
 namespace brash::simulation {
@@ -76,6 +77,8 @@ struct Progress {
   Simulation simulation;
   Recorder recorder;
   RunSummary counts;
+  double recording_seconds = 0.0;
+  StageTimer timer{};
 };
 
 /// The counters of a run that its results do not hold, by their names in a checkpoint.
@@ -156,6 +159,7 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
   for (auto done = std::llround(progress.simulation.time() / dt); done < n_steps;) {
     const StepReport report = step(options, progress);
     ++done;
+    const StageTimer::Scope clock(progress.timer, progress.recording_seconds);
     progress.recorder.record(progress.simulation, report);
     count(progress.counts, report);
     if (options.observer) options.observer(progress.simulation, report);
@@ -181,6 +185,7 @@ Run run(const io::Case& resolved, const RunOptions& options) {
   progress.counts.ledger = progress.simulation.ledger();
   if (finished.complete) finished.summary = summarise(resolved, finished.results, progress.counts);
   finished.stage_times = progress.simulation.stage_times();
+  finished.stage_times.recording = progress.recording_seconds;
   finished.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return finished;
 }

@@ -10,17 +10,22 @@
 
 namespace brash::simulation {
 
-/// The fixed sheet's collision shapes, in square tiles: a cut renews the tiles that it touches and no others.
+/// The fixed sheet's collision shapes, in square tiles: only those that a floe has come near are laid, and a cut renews
+/// those of them that it touches. So neither the length of the sheet nor that of its edge is in the cost of a step.
 class SheetTiles {
  public:
-  /// Tiles the sheet with convex prisms between the heights `bottom` and `top` [m].
-  SheetTiles(const geometry::IceSheet& sheet, rigid_body::World& world, double bottom, double top);
+  /// Tiles are convex prisms between the heights `bottom` and `top` [m].
+  SheetTiles(double bottom, double top) : bottom_(bottom), top_(top) {}
 
-  /// Renews the tiles that meet the box from `lower` to `upper` [m].
+  /// Lays the tiles that meet the box from `lower` to `upper` [m], where they are missing.
+  void lay(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper);
+  /// Renews the tiles that are laid and meet the box from `lower` to `upper` [m].
   void renew(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper);
 
  private:
   using Cell = std::pair<int, int>;
+  std::vector<BodyId> prisms(const geometry::IceSheet& sheet, rigid_body::World& world, Cell cell) const;
+
   std::map<Cell, std::vector<BodyId>> parts_;
   double bottom_;
   double top_;

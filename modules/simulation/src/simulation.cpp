@@ -2,7 +2,6 @@
 #include "brash/simulation/simulation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -22,7 +21,8 @@ rigid_body::WorldSettings world_settings(const io::Case& c) {
   return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
           .iterations = c.contact.iterations,
-          .collision_margin = c.contact.margin};
+          .collision_margin = c.contact.margin,
+          .release_speed = c.time.settle_speed};
 }
 
 /// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).
@@ -36,17 +36,22 @@ void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.n_outlines_refused += assessment.outline_refused ? 1 : 0;
 }
 
-/// Adds the wall time of a scope to one stage.
-class StageClock {
+/// A criterion whose time is booked to the stage `failure`.
+class TimedCriterion final : public failure::BendingCriterion {
  public:
-  explicit StageClock(double& total) : total_(total) {}
-  StageClock(const StageClock&) = delete;
-  StageClock& operator=(const StageClock&) = delete;
-  ~StageClock() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  TimedCriterion(std::unique_ptr<failure::BendingCriterion> criterion, StageTimer& timer, double& seconds)
+      : criterion_(std::move(criterion)), timer_(timer), seconds_(seconds) {}
+
+  failure::Assessment assess(const failure::LoadCase& load) const override {
+    const StageTimer::Scope clock(timer_, seconds_);
+    return criterion_->assess(load);
+  }
+  bool needs_outline() const override { return criterion_->needs_outline(); }
 
  private:
-  double& total_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::unique_ptr<failure::BendingCriterion> criterion_;
+  StageTimer& timer_;
+  double& seconds_;
 };
 
 }  // namespace
@@ -55,10 +60,10 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
     : resolved(c),
       ice(ice_properties(c)),
       cone(cone_of(c)),
-      criterion(make_criterion(c, ice)),
+      criterion(std::make_unique<TimedCriterion>(make_criterion(c, ice), timer, times.failure)),
       field(std::move(laid)),
       world(world_settings(c)),
-      tiles(field.sheet(), world, freeboard(c).bottom, freeboard(c).top),
+      tiles(freeboard(c).bottom, freeboard(c).top),
       floes(resolved),
       centre{-c.structure.start_distance, 0.0},
       watchdog(resolved) {
@@ -83,6 +88,7 @@ void Simulation::Impl::initial_crack() {
 
 /// One circumferential crack with its radial cracks: sheet, floes and collision shapes follow.
 std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
+  const StageTimer::Scope clock(timer, times.cutting);
   const geometry::Ring section = leading_section(edge_model(), centre);
   floes.forget_bearings(at, radius);
   const Broken broken =
@@ -136,6 +142,7 @@ std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report)
 /// What the trailing section covers has been penetrated through the whole thickness: it is crushed and leaves the
 /// sheet. @return whether there was any.
 bool Simulation::Impl::crush_passed_ice() {
+  const StageTimer::Scope clock(timer, times.cutting);
   const std::vector<geometry::Polygon> passed = field.crush(trailing_section(edge_model(), centre));
   for (const geometry::Polygon& crushed : passed) {
     const Box box = bounding_box(std::span(&crushed, 1));
@@ -183,7 +190,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
 /// Moves the structure through one step: contacts, crushing, wedges, failures and cracks, in as many parts as the
 /// failure model's range asks for. The crushing load is the mean over the parts.
 void Simulation::Impl::advance_through_ice(StepReport& report) {
-  const StageClock clock(times.ice);
+  const StageTimer::Scope clock(timer, times.contacts);
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
@@ -214,7 +221,7 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
 
 /// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.
 void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& report) {
-  const StageClock clock(times.loads);
+  const StageTimer::Scope clock(timer, times.loads);
   io::LoadRow& row = report.loads;
   row.time = time();
   const Vec3 origin = structure_pose().position;
@@ -246,22 +253,37 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& rep
   row.n_floes = static_cast<int>(floes.floes().size());
 }
 
+/// The sheet's collision shapes wherever a floe could meet them, or be in the lee of them, in this step.
+void Simulation::Impl::lay_sheet_near_floes() {
+  const Vec2 reach{floes.reach(), floes.reach()};
+  for (const auto& [body, floe] : floes.floes()) {
+    if (world.is_settled(body)) continue;
+    const auto [lower, upper] = world.bounds(body);
+    tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
+  }
+}
+
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
   advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
   {
-    const StageClock clock(times.water);
+    const StageTimer::Scope clock(timer, times.water);
+    lay_sheet_near_floes();
     floes.apply_water(world, resolved.time.step, centre);  // weight, buoyancy, drag: Eqs. 13, 14
   }
   {
-    const StageClock clock(times.world);
+    const StageTimer::Scope clock(timer, times.world);
     world.step(resolved.time.step);  // contacts with bounded impulses: Eqs. 1 to 10, 16
   }
   ++n_steps;
   collect_loads(first_newborn, report);  // impulse / dt, by cause; energies
-  watchdog.look({world, floes, energy, field.ledger(), report.loads});
-  remove_crushed_floes(report);  // sigma > sigma_c
+  {
+    const StageTimer::Scope clock(timer, times.loads);
+    watchdog.look({world, floes, energy, field.ledger(), report.loads});
+    energy.book_settled(floes.settle(world, centre.x - cone.waterline_width));
+    remove_crushed_floes(report);  // sigma > sigma_c
+  }
   return report;
 }
 

@@ -11,12 +11,15 @@
 #include "floe_population.hpp"
 #include "ice_field.hpp"
 #include "sheet_tiles.hpp"
+#include "stage_timer.hpp"
 #include "watchdog.hpp"
 
 namespace brash::simulation {
 
 struct Simulation::Impl {
   io::Case resolved;
+  StageTimes times;
+  StageTimer timer;
   failure::IceProperties ice;
   structure::Cone cone;
   std::unique_ptr<failure::BendingCriterion> criterion;
@@ -31,7 +34,6 @@ struct Simulation::Impl {
   EnergyLedger energy;
   Watchdog watchdog;
   std::vector<io::FloeRecord> initial_births;
-  StageTimes times;
 
   /// Lays the sheet, cuts the initial crack and places the structure.
   explicit Impl(const io::Case& c);
@@ -50,6 +52,7 @@ struct Simulation::Impl {
   bool crush_passed_ice();
   std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
+  void lay_sheet_near_floes();
   void remove_crushed_floes(StepReport& report);
   void collect_loads(std::int64_t first_newborn, StepReport& report);
   StepReport step();

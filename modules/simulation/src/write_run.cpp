@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
 #include <filesystem>
+#include <map>
 
 #include "brash/failure/criterion.hpp"
 #include "brash/simulation/run.hpp"
@@ -8,6 +10,7 @@ namespace brash::simulation {
 
 void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
                const std::vector<std::string>& pictures, Kept kept) {
+  const auto start = std::chrono::steady_clock::now();
   std::vector<std::string> outputs{"summary.json"};
   if (kept == Kept::kRun) {
     io::write_results(directory, resolved, run.results);
@@ -22,12 +25,14 @@ void write_run(const std::string& directory, const std::string& case_file, const
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   if (!model.empty()) inputs.push_back(model);
   outputs.insert(outputs.end(), pictures.begin(), pictures.end());
-  const StageTimes& t = run.stage_times;
+  std::map<std::string, double> stage_seconds;
+  visit_stages(run.stage_times, [&](const char* name, double seconds) { stage_seconds[name] = seconds; });
+  stage_seconds["recording"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   io::write_manifest(directory, resolved, inputs, outputs,
                      {.started_at = run.started_at,
                       .wall_seconds = run.wall_seconds,
                       .host_cpu = {},
-                      .stage_seconds = {{"ice", t.ice}, {"water", t.water}, {"world", t.world}, {"loads", t.loads}}});
+                      .stage_seconds = std::move(stage_seconds)});
 }
 
 void remove_results(const std::string& directory) {

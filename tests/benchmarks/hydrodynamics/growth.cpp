@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water and world of a step against the number of floes, all of them active: bench_growth [steps] [floes...].
+// Water and world of a step against the number of floes, all of them active, then all of them settled:
+// bench_growth [steps] [floes...].
 //
 // Times are the process's own, of single steps; memory is the heap's. Prints a JSON object.
 #include <fmt/format.h>
@@ -29,18 +30,28 @@ std::string measure(int n_wanted, int layers, int n_steps) {
   std::vector<double> water, world;
   for (int i = 0; i <= n_steps; ++i) {
     const double start = process_seconds();
-    field.floes.apply_water(field.world, kStep);
+    field.floes.apply_water(field.world, kStep, {});
     const double between = process_seconds();
     field.world.step(kStep);
     if (i == 0) continue;  // what a first step has to find and allocate
     water.push_back(between - start);
     world.push_back(process_seconds() - between);
   }
+  const auto contacts = field.world.contacts().size();
+  const double bytes = allocated() - before;
+  for (const auto& [body, floe] : field.floes.floes()) field.world.set_settled(body, true);
+  std::vector<double> settled;
+  for (int i = 0; i < n_steps; ++i) {
+    const double start = process_seconds();
+    field.floes.apply_water(field.world, kStep, {});
+    field.world.step(kStep);
+    settled.push_back(process_seconds() - start);
+  }
   const auto n_floes = static_cast<double>(field.floes.floes().size());
   return fmt::format(
-      "{{\"layers\": {}, \"floes\": {}, \"contacts\": {}, \"bytes\": {}, \"water_s\": [{}], \"world_s\": [{}]}}",
-      layers, n_floes, field.world.contacts().size(), allocated() - before, fmt::join(water, ", "),
-      fmt::join(world, ", "));
+      "{{\"layers\": {}, \"floes\": {}, \"contacts\": {}, \"bytes\": {}, \"water_s\": [{}], \"world_s\": [{}], "
+      "\"settled_s\": [{}]}}",
+      layers, n_floes, contacts, bytes, fmt::join(water, ", "), fmt::join(world, ", "), fmt::join(settled, ", "));
 }
 
 }  // namespace

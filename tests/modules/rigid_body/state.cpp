@@ -42,6 +42,31 @@ BOOST_AUTO_TEST_CASE(A_free_floe_moves_by_the_loads_it_is_given) {
   BOOST_TEST(norm(world.twist(floe).linear - Vec3{0.1, 0.2, 0}) < 1e-15);
 }
 
+BOOST_AUTO_TEST_CASE(A_settled_floe_is_to_the_others_what_the_sheet_is_until_it_is_let_go) {
+  World settled(breakable()), fixed(breakable());
+  const BodyId rests = add_floe(settled, rectangle({-1, -1}, {1, 1}), 0.5);
+  settled.set_settled(rests, true);
+  fixed.add_sheet_part(rectangle({-1, -1}, {1, 1}), -0.25, 0.25);
+  const Pose place = settled.pose(rests);
+  std::vector<BodyId> comes;
+  for (World* world : {&settled, &fixed})
+    comes.push_back(add_floe(*world, rectangle({-3.1, -0.7}, {-1.1, 1.3}), 0.5, {{1.0, 0, 0}, {}}));
+  for (int i = 0; i < 30; ++i) {
+    settled.step(0.01);
+    fixed.step(0.01);
+    BOOST_TEST(total_normal_force(settled) == total_normal_force(fixed), boost::test_tools::tolerance(1e-6));
+  }
+  // Placed by a pose instead of by its corners, which rounds differently.
+  BOOST_TEST(norm(settled.pose(comes[0]).position - fixed.pose(comes[1]).position) < 1e-9);
+  BOOST_TEST((settled.pose(rests) == place));
+  BOOST_TEST(settled.kinetic_energy(rests) == 0.0);
+
+  settled.set_settled(rests, false);
+  settled.apply(rests, {{kDensity * 4 * 0.5, 0, 0}, {}});
+  settled.step(0.01);
+  BOOST_TEST(settled.twist(rests).linear.x == 0.01, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(Floes_born_with_a_common_edge_stay_where_they_are) {
   // Wedges of a fan, turned each into its own principal axes, and the sheet behind them, as a crack leaves them.
   World world(breakable());

@@ -82,10 +82,12 @@ io::Bearing even_bearing(double normal, double downward) {
   constexpr int kPoints = 1000;
   io::Bearing bearing;
   for (int i = 0; i < kPoints; ++i) {
-    simulation::add_contact(bearing, {.point = {0.0, 2.0 * (i + 0.5) / kPoints, 0.0},
-                                      .normal = {-1.0, 0.0, 0.0},
-                                      .normal_force = normal / kPoints,
-                                      .friction_force = {0.0, 0.0, downward / kPoints}});
+    rigid_body::ContactLoad contact;
+    contact.point = {0.0, 2.0 * (i + 0.5) / kPoints, 0.0};
+    contact.normal = {-1.0, 0.0, 0.0};
+    contact.normal_force = normal / kPoints;
+    contact.friction_force = {0.0, 0.0, downward / kPoints};
+    simulation::add_contact(bearing, contact);
   }
   return bearing;
 }

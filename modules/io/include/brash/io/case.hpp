@@ -107,6 +107,7 @@ struct HydrodynamicsSection {
 struct TimeSection {
   double step = 0.01;
   double duration = 0.0;
+  double settle_speed = 0.0;
 
   friend bool operator==(const TimeSection&, const TimeSection&) = default;
 };

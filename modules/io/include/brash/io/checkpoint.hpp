@@ -36,6 +36,15 @@ struct Bearing {
   friend bool operator==(const Bearing&, const Bearing&) = default;
 };
 
+/// How near a floe is to rest, and what would end it.
+struct Rest {
+  double slow_for = 0.0;     ///< it has been slower than time.settle_speed for so long [s]
+  std::int64_t settled = 0;  ///< 1: it is fixed where it is
+  Vec3 push{};               ///< mean force of the floes that still move on a settled one [N]
+
+  friend bool operator==(const Rest&, const Rest&) = default;
+};
+
 /// A floe that is in the world when a checkpoint is taken.
 struct CheckpointFloe {
   std::int64_t id = 0;  ///< FloeRecord::id
@@ -47,6 +56,7 @@ struct CheckpointFloe {
   std::array<double, 6> stress{};  ///< mean stress xx, yy, zz, xy, yz, zx [Pa]
   double peak_stress = 0.0;        ///< [Pa]
   Bearing bearing{};
+  Rest rest{};
 
   friend bool operator==(const CheckpointFloe&, const CheckpointFloe&) = default;
 };

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "brash/core/ids.hpp"
@@ -27,6 +28,8 @@ struct WorldSettings {
   ContactLaw ice_ice;
   int iterations = 50;              ///< sequential impulses a step, at most
   double collision_margin = 0.005;  ///< [m], > 0; Bullet's hulls are inset by it, so that surfaces meet where they are
+  /// A settled floe is let go, before the contact acts, by a floe that comes nearer faster than this [m/s].
+  double release_speed = std::numeric_limits<double>::infinity();
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
@@ -106,6 +109,12 @@ class World {
   BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose);
   void remove(BodyId id);
 
+  /// Fixes a floe where it is, without velocity, or lets it go again. A settled floe takes no loads and costs next to
+  /// nothing; to those that move it is what the sheet is, and contacts with them are reported. WorldSettings::release_speed
+  /// ends it too.
+  void set_settled(BodyId id, bool settled);
+  bool is_settled(BodyId id) const;
+
   /// Sets where the structure is at the end of the next step and its velocity during it (of its frame's origin, and
   /// angular). Without a call it stands still.
   void move_structure(BodyId id, const Pose& pose, const Twist& twist);
@@ -119,6 +128,7 @@ class World {
   const std::vector<ContactLoad>& contacts() const;
 
   /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`,
+  /// which is not settled,
   /// where they are now; in an order that their places give. The spans hold until the world changes. All floes of a
   /// world are sought at once, so ask for one reach.
   void neighbours(BodyId id, double reach, std::vector<Solid>& solids);
@@ -127,6 +137,8 @@ class World {
   bool contains(BodyId id) const;
   std::vector<BodyId> floes() const;  ///< sorted
   Pose pose(BodyId id) const;
+  /// Least and largest coordinates of the body's parts where it is now [m].
+  std::pair<Vec3, Vec3> bounds(BodyId id) const;
   Twist twist(BodyId id) const;
   /// Mean of the velocities at the start and the end of the last step; at rest before the first.
   Twist mean_twist(BodyId id) const;

@@ -33,13 +33,28 @@ struct StepReport {
   int n_steps_too_long = 0;    ///< births with T_col (Eqs. 11, 12) below the time step
 };
 
-/// Where the wall time went, by stage [s].
+/// Where the wall time went, by stage [s]; no part of it is counted twice.
 struct StageTimes {
-  double ice = 0.0;  ///< contact query, failure and cutting
-  double water = 0.0;
-  double world = 0.0;
-  double loads = 0.0;
+  double contacts = 0.0;   ///< where structure and floes meet the edge, and the wedges fitted there
+  double failure = 0.0;    ///< the bending criterion
+  double cutting = 0.0;    ///< cracks, crushing and the collision shapes after them
+  double water = 0.0;      ///< weight, buoyancy and drag
+  double world = 0.0;      ///< rigid bodies and their contacts
+  double loads = 0.0;      ///< sums by cause, energies, watchdogs
+  double recording = 0.0;  ///< frames, checkpoints, and writing the results
 };
+
+/// Visits every stage with its name.
+template <typename Times, typename Visitor>
+void visit_stages(Times& times, Visitor&& visit) {
+  visit("contacts", times.contacts);
+  visit("failure", times.failure);
+  visit("cutting", times.cutting);
+  visit("water", times.water);
+  visit("world", times.world);
+  visit("loads", times.loads);
+  visit("recording", times.recording);
+}
 
 /// One structure driving into one ice sheet: the paper's algorithm.
 class Simulation {

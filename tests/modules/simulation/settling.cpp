@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "pool.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::simulation;
+using namespace brash::simulation::testing;
+
+constexpr double kStep = 0.01;  // s
+constexpr double kSlow = 0.05;  // m/s
+constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+const std::vector<std::string> kSettling{"time.settle_speed=0.05", "time.step=0.01"};
+
+/// Steps for `seconds`. @return the kinetic energy that settling took [J].
+double advance(Pool& pool, double seconds, double astern = kEverywhere) {
+  double taken = 0.0;
+  for (int i = 0; i < std::lround(seconds / kStep); ++i) {
+    (void)pool.step(kStep);
+    taken += pool.floes.settle(pool.world, astern);
+  }
+  return taken;
+}
+
+double speed(const Pool& pool, BodyId floe) { return pool.world.twist(floe).linear.x; }
+
+BOOST_AUTO_TEST_SUITE(settling)
+
+BOOST_AUTO_TEST_CASE(a_floe_that_stays_slow_is_fixed_and_its_kinetic_energy_is_accounted_for) {
+  Pool pool(kSettling);
+  const BodyId slow = pool.add({-1, -1}, {1, 1}, {{0.9 * kSlow, 0, 0}, {}});
+  const BodyId fast = pool.add({-1, 4}, {1, 6}, {{10 * kSlow, 0, 0}, {}});
+  const BodyId ahead = pool.add({19, -1}, {21, 1}, {{0.9 * kSlow, 0, 0}, {}});
+  BOOST_TEST(advance(pool, 1.98, 10.0) == 0.0);
+  BOOST_TEST(!pool.world.is_settled(slow));
+  const double kinetic = pool.world.kinetic_energy(slow);
+  BOOST_TEST(advance(pool, 0.05, 10.0) == kinetic, boost::test_tools::tolerance(0.02));  // the drag of three steps
+  BOOST_TEST(pool.world.is_settled(slow));
+  BOOST_TEST(!pool.world.is_settled(fast));
+  BOOST_TEST(!pool.world.is_settled(ahead));
+  const Pose fixed = pool.world.pose(slow);
+  BOOST_TEST(pool.floes.energy(pool.world, slow) < 0.01 * kinetic);  // afloat as before: nothing but heave is left
+  (void)advance(pool, 1.0, 10.0);
+  BOOST_TEST((pool.world.pose(slow) == fixed));
+}
+
+BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_pushed_goes_on_as_if_it_had_never_been_fixed) {
+  // A drifting floe runs into one at rest, which is let go before the blow: no speed is off by more than that of rest.
+  Pool with(kSettling), without;
+  for (Pool* pool : {&with, &without}) {
+    const BodyId rests = pool->add({-1, -1}, {1, 1}, {});
+    (void)advance(*pool, 2.5);
+    const BodyId comes = pool->add({-5, -1}, {-3, 1}, {{0.8, 0, 0}, {}});
+    (void)advance(*pool, 4.0);
+    BOOST_TEST(speed(*pool, rests) > 3 * kSlow);
+    BOOST_TEST_MESSAGE(speed(*pool, rests) << ' ' << speed(*pool, comes));
+  }
+  for (const BodyId floe : with.world.floes()) BOOST_TEST(std::abs(speed(with, floe) - speed(without, floe)) < kSlow);
+}
+
+BOOST_AUTO_TEST_CASE(a_gentle_push_leaves_a_floe_settled) {
+  Pool pool(kSettling);
+  const BodyId rests = pool.add({-1, -1}, {1, 1}, {});
+  (void)advance(pool, 2.5);
+  (void)pool.add({-3.05, -1}, {-1.05, 1}, {{0.9 * kSlow, 0, 0}, {}});
+  (void)advance(pool, 1.9);
+  BOOST_TEST(pool.world.is_settled(rests));
+}
+
+BOOST_AUTO_TEST_CASE(a_settled_floe_has_to_come_to_rest_again_after_twenty_seconds) {
+  Pool pool(kSettling);
+  const BodyId floe = pool.add({-1, -1}, {1, 1}, {});
+  (void)advance(pool, 2.5);
+  int steps_free = 0;
+  for (int i = 0; i < 2500; ++i) {
+    (void)advance(pool, kStep);
+    if (!pool.world.is_settled(floe)) ++steps_free;
+  }
+  BOOST_TEST(steps_free >= 199);
+  BOOST_TEST(steps_free <= 202);
+}
+
+BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_restored_goes_on_to_the_last_bit) {
+  Pool pool(kSettling), restored(kSettling);
+  const BodyId rests = pool.add({-1, -1}, {1, 1}, {});
+  const BodyId comes = pool.add({-7, -1}, {-5, 1}, {{0.8, 0, 0}, {}});
+  (void)advance(pool, 3.0);
+  BOOST_REQUIRE(pool.world.is_settled(rests));
+  for (const auto& [body, floe] : pool.floes.floes())
+    restored.floes.restore(restored.world, floe.outline,
+                           {.id = floe.id,
+                            .pose = pool.world.pose(body),
+                            .twist = pool.world.twist(body),
+                            .stress = floe.stress,
+                            .peak_compression = floe.peak_compression,
+                            .bearing = floe.bearing,
+                            .rest = floe.rest});
+  for (Pool* each : {&pool, &restored}) (void)advance(*each, 8.0);
+  for (const BodyId floe : {rests, comes}) BOOST_TEST((pool.world.pose(floe) == restored.world.pose(floe)));
+  BOOST_TEST(speed(pool, rests) > 0.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace
