@@ -60,6 +60,17 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
         opened = [line for line in said.stderr.splitlines() if f'"{SOURCE}/' in line]
         self.assertEqual(opened, [])
 
+    def test_a_program_of_others_is_built_with_the_installed_package(self):
+        source, build = SOURCE / "tests/install/consumer", self.prefix / "consumer"
+        said = ""
+        for command in ([os.environ["CMAKE"], "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+                        [os.environ["CMAKE"], "--build", build], [build / "consumer"]):
+            done = subprocess.run(command, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            said = done.stdout
+        self.assertEqual(said, "4 pieces, breaks: 1\n")
+        self.assertNotIn(str(BUILD), "".join(p.read_text() for p in (self.prefix / "lib/cmake/brash").iterdir()))
+
     def test_documents_schema_and_completion_are_there(self):
         for name in ("share/brash/case.schema.json", "share/doc/brash/README.md", "share/doc/brash/CITATION.cff",
                      "share/doc/brash/docs/glossary.md", "share/brash/models/cone_network.md",

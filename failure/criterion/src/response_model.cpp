@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/failure/response_model.hpp"
 
+#include <filesystem>
+
 #include "brash/core/error.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/failure/unit_profiles.hpp"
@@ -60,6 +62,12 @@ std::unique_ptr<ResponseModel> make_response_model(const std::string& model) {
   if (model == "fem") return std::make_unique<PlateResponse>();
   const std::string shipped = model_path(model, "");
   const std::string file = shipped.empty() ? model : shipped;
+  if (std::error_code ignored; shipped.empty() && !std::filesystem::exists(model, ignored)) {
+    throw InputError(Complaint{"model '" + model + "'", "neither a model of this name nor such a file is there",
+                               "network, deep-network, superposition, fem, or the path of a model that `brash failure "
+                               "train` wrote",
+                               "correct the name or the path"});
+  }
   if (meta_model::model_format(file) == meta_model::kProfileFormat)
     return std::make_unique<SuperpositionResponse>(file);
   return std::make_unique<NetworkResponse>(file);

@@ -30,7 +30,7 @@ double share(const ChartAxis& axis, double value) {
   return std::log(value / axis.lower) / std::log(axis.upper / axis.lower);
 }
 
-/// Powers of ten, or three to seven round numbers.
+/// Powers of ten, or two to six round numbers.
 std::vector<double> ticks(const ChartAxis& axis) {
   std::vector<double> values;
   if (axis.logarithmic) {
@@ -39,7 +39,7 @@ std::vector<double> ticks(const ChartAxis& axis) {
     return values;
   }
   const double span = axis.upper - axis.lower, decade = std::pow(10.0, std::floor(std::log10(span)));
-  const double step = decade * (span / decade >= 5.0 ? 2.0 : span / decade >= 2.0 ? 0.5 : 0.25);
+  const double step = decade * (span / decade >= 5.0 ? 2.0 : span / decade >= 2.5 ? 1.0 : 0.5);
   for (double i = std::ceil(axis.lower / step - 1e-9); i * step <= axis.upper + 1e-9 * span; i += 1.0)
     values.push_back(i == 0.0 ? 0.0 : i * step);
   return values;

@@ -6,6 +6,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "brash/io/results.hpp"
 #include "history_comparison.hpp"
 #include "stats_commands.hpp"
@@ -41,10 +42,21 @@ std::string run_history(const std::string& given, HistoryChoice& choice) {
                              "give the folder that `brash run` wrote"});
 }
 
+/// Numbers in different units are not compared.
+void check_units(const LoadHistory& run, const LoadHistory& measured, const std::string& measured_file) {
+  if (run.unit.empty() || measured.unit.empty() || run.unit == measured.unit) return;
+  throw InputError(Complaint{measured_file,
+                             fmt::format("column '{}' is in '{}', the run's '{}' in '{}'", printable(measured.column),
+                                         printable(measured.unit), printable(run.column), printable(run.unit)),
+                             fmt::format("a unit of UDUNITS-2 that converts to {}, such as k{}", run.unit, run.unit),
+                             "correct the unit in the file, or name another column with --measured-column"});
+}
+
 void compare(CompareOptions& options) {
   const std::string file = run_history(options.run, options.of_run);
   const LoadHistory run = read_history(file, options.of_run);
   const LoadHistory measured = read_history(options.measured, options.of_measured);
+  check_units(run, measured, options.measured);
   const nlohmann::ordered_json comparison = compare_histories(run, measured);
   io::write_file(options.picture, comparison_picture(run, measured, comparison));
   if (options.json) {
@@ -52,6 +64,9 @@ void compare(CompareOptions& options) {
   } else {
     fmt::print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
+  if (measured.unit.empty())
+    fmt::print(stderr, "note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.column),
+               run.unit.empty() ? "that of the run" : run.unit);
 }
 
 }  // namespace

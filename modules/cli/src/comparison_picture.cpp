@@ -56,7 +56,8 @@ std::string histories(const LoadHistory& run, const LoadHistory& measured) {
   std::string svg;
   const auto panel = [&](const LoadHistory& load, double start, double top, const char* name, const char* colour) {
     Chart chart(75.0, top, 900.0, 110.0, fmt::format("{}: {}", name, load.column),
-                {top > 100.0 ? "time from the start [s]" : "", 0.0, end}, {"load", low, high});
+                {top > 100.0 ? "time from the start [s]" : "", 0.0, end},
+                {load.unit.empty() ? "load" : fmt::format("load [{}]", load.unit), low, high});
     draw_history(load, start, colour, chart);
     svg += chart.svg();
   };

@@ -10,6 +10,7 @@
 #include "brash/core/error.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/io/results.hpp"
+#include "brash/simulation/cone_of.hpp"
 #include "brash/structure/cone.hpp"
 #include "commands.hpp"
 #include "vtk_meshes.hpp"
@@ -22,22 +23,13 @@ using geometry::IceSheet;
 
 enum Part { kFloes, kSheet, kStructure };
 
-structure::Cone cone_of(const io::StructureSection& s) {
-  return {.angle = s.angle,
-          .waterline_width = s.waterline_width,
-          .height = s.height,
-          .height_under_water = s.height_under_water,
-          .downward_breaking = s.breaking == "downward",
-          .facets = s.facets};
-}
-
 /// The sheet at the frames of a run, which stores its first and last outline only: the breaks are cut again at their
 /// places, and the structure's waterline section at each frame is crushed. Between frames the section's path is not
 /// followed, so the channel's walls differ from the run's by less than the structure moves in a frame.
 class SheetReplay {
  public:
   SheetReplay(const io::Case& resolved, const io::RunResults& results)
-      : case_(resolved), results_(results), section_(structure::section(cone_of(resolved.structure), 0.0)) {
+      : case_(resolved), results_(results), section_(structure::section(simulation::cone_of(resolved), 0.0)) {
     auto sheet = IceSheet::from_polygons(polygons_of(results.initial_sheet));
     BRASH_EXPECTS(sheet.has_value(), sheet.error().what);
     sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
@@ -123,11 +115,12 @@ void check_polygons(const std::string& run_file, const io::RunResults& results) 
 
 void export_vtk(const std::string& run_file, const std::string& directory) {
   const io::RunResults results = io::read_results(run_file);
-  const io::Case resolved = io::parse_case(io::read_case_of(run_file), run_file, {}, io::ModelFile::kAnywhere);
+  // The failure model is not needed: its file may be gone.
+  const io::Case resolved = io::parse_case(io::read_case_of(run_file), run_file, {"failure.file=''"});
   check_polygons(run_file, results);
   std::map<std::int64_t, const io::FloeRecord*> records;
   for (const io::FloeRecord& floe : results.floes) records[floe.id] = &floe;
-  const std::vector<Vec3> hull = structure::hull(cone_of(resolved.structure));
+  const std::vector<Vec3> hull = structure::hull(simulation::cone_of(resolved));
 
   SheetReplay replay(resolved, results);
   std::vector<io::VtkStep> steps;

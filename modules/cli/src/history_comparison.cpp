@@ -54,6 +54,7 @@ struct Side {
 ordered_json side_json(const LoadHistory& history, const Side& side) {
   const Summary& s = side.load;
   return {{"column", history.column},
+          {"unit", history.unit.empty() ? ordered_json() : ordered_json(history.unit)},
           {"from", history.history.times.front()},
           {"duration", history.even.duration},
           {"n", s.n},

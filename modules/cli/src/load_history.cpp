@@ -21,11 +21,11 @@ std::size_t load_column(const io::Series& series, const std::string& wanted, con
     throw InputError(Complaint{path, "holds no column but that of the times", "a column of times and one of loads",
                                "check that it is the right file"});
   }
-  const auto found = std::ranges::find(series.names, wanted);
-  if (found == series.names.end())
-    throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(wanted)),
-                               fmt::format("one of: {}", fmt::join(series.names, ", ")), "name another column"});
-  return static_cast<std::size_t>(found - series.names.begin());
+  for (const std::vector<std::string>& spelled : {series.heads, series.names})
+    if (const auto found = std::ranges::find(spelled, wanted); found != spelled.end())
+      return static_cast<std::size_t>(found - spelled.begin());
+  throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(wanted)),
+                             fmt::format("one of: {}", fmt::join(series.heads, ", ")), "name another column"});
 }
 
 void require_rising(const io::Series& series, const std::vector<double>& times) {
@@ -52,6 +52,7 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   LoadHistory load;
   const std::size_t column = load_column(series, choice.column, path);
   load.column = series.names[column];
+  load.unit = series.units[column];
   const std::vector<double>& values = series.columns[column];
   // A thousandth of a step absorbs the rounding of printed times.
   const double step = (time_of(values.size() - 1) - time_of(0)) / static_cast<double>(values.size() - 1);

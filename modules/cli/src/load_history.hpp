@@ -13,11 +13,12 @@ struct LoadHistory {
   statistics::History history;
   statistics::EvenHistory even;
   std::size_t n_missing = 0;  ///< rows of the file in which the column has no value
+  std::string unit{};         ///< of the values, as io::Series has it; empty: the file states none
 };
 
 /// Which column to read and how.
 struct HistoryChoice {
-  std::string column;  ///< empty: the first one that is not the time
+  std::string column;  ///< with or without its unit; empty: the first one that is not the time
   double dt = 0.0;     ///< [s], for files without a column of times; 0: the file has one
   double from = 0.0;   ///< leave out samples before this time [s]
   bool has_from = false;

@@ -26,6 +26,10 @@ constexpr int kInterrupted = 3;
 /// Does what the arguments say. @return the exit code. @throws RunError when not all that it prints can be written.
 int run(CLI::App& app, int argc, char** argv) {
   int code = 0;
+  if (argc < 2) {
+    fmt::print(stderr, "{}", app.help());
+    return kBadInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -44,7 +48,7 @@ int run(CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   CLI::App app{"brash: how a structure breaks level ice", "brash"};
   app.set_version_flag("--version", brash::kVersion);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // a word that is none is then named
   app.footer("Example: brash run experiments/validation/cone.toml -o results/validation");
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);

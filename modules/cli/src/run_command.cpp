@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "brash/report/report.hpp"
+#include "brash/simulation/scales.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
@@ -25,6 +26,8 @@ void run_case(const RunOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const io::Case resolved = io::read_case(options.case_file, overrides);
+  for (const std::string& warning : simulation::derived_scales(resolved).warnings)
+    fmt::print(stderr, "warning: {}\n", warning);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = open_run_folder(directory);
   const simulation::Run run = run_with_progress(resolved, {.begun = [&] { remove_run(directory); },

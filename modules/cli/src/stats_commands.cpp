@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
 #include "brash/io/results.hpp"
 #include "brash/statistics/extremes.hpp"
 #include "brash/statistics/moments.hpp"
@@ -193,6 +194,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
   const statistics::Summary s = statistics::summarise(load.history, load.even);
   const double kurtosis = statistics::moments(load.history.values, load.even.weights).excess_kurtosis;
   ordered_json out{{"column", load.column},
+                   {"unit", load.unit.empty() ? ordered_json() : ordered_json(load.unit)},
                    {"from", load.history.times.front()},
                    {"dt", load.even.sampling.step},
                    {"n", s.n},
@@ -221,7 +223,8 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
 std::string statistics_text(const ordered_json& s) {
   const auto value = [&](const char* key) { return s[key].get<double>(); };
   std::string text =
-      fmt::format("{}: {} samples every {:.6g} s, {:.6g} s from t = {:.6g} s\n", s["column"].get<std::string>(),
+      fmt::format("{}{}: {} samples every {:.6g} s, {:.6g} s from t = {:.6g} s\n", s["column"].get<std::string>(),
+                  s["unit"].is_null() ? "" : fmt::format(" [{}]", printable(s["unit"].get<std::string>())),
                   s["n"].get<std::size_t>(), value("dt"), value("duration"), value("from"));
   text += sampling_text(s["sampling"]);
   text += fmt::format("  mean                 {:.6g}   95 % interval [{:.6g}, {:.6g}]\n", value("mean"),

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "closed_forms.hpp"
 
 namespace brash::cli {
@@ -18,15 +20,21 @@ std::string load_row(const char* name, const statistics::Summary& s, const simul
 }
 
 std::string loads(const simulation::RunSummary& s) {
+  const std::string whole = fmt::format("  mean over the whole history: {:.1f} horizontal, {:.1f} vertical\n",
+                                        s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo);
+  if (std::isnan(s.horizontal.mean))
+    return fmt::format(
+               "loads on the structure [kN]\n  none from t = {:.2f} s on: the run is over before its statistics begin "
+               "(output.statistics_from)\n",
+               s.statistics_from) +
+           whole;
   std::string text = fmt::format("loads on the structure [kN], from t = {:.2f} s on\n", s.statistics_from);
   text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
   text += load_row("horizontal", s.horizontal, s.horizontal_split);
   text += load_row("vertical", s.vertical, s.vertical_split);
   if (!s.horizontal.long_enough)
     text += "  the history is shorter than 50 autocorrelation times: the intervals are themselves uncertain\n";
-  text += fmt::format("  mean over the whole history: {:.1f} horizontal, {:.1f} vertical\n",
-                      s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo);
-  return text;
+  return text + whole;
 }
 
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
@@ -48,8 +56,10 @@ std::string quantile_row(const char* name, const std::vector<double>& q) {
 
 std::string ice(const simulation::RunSummary& s) {
   std::string text = "ice\n";
-  text += fmt::format("  {} breaks ({:.2f} a second), {} floes born, {} present, {} crushed", s.n_breaks,
-                      s.breaking_frequency, s.n_floes_born, s.n_floes_present, s.n_floes_crushed);
+  const std::string rate =
+      std::isnan(s.breaking_frequency) ? "" : fmt::format(" ({:.2f} a second)", s.breaking_frequency);
+  text += fmt::format("  {} breaks{}, {} floes born, {} present, {} crushed", s.n_breaks, rate, s.n_floes_born,
+                      s.n_floes_present, s.n_floes_crushed);
   text += s.fastest_floe ? fmt::format("; fastest floe {:.2f} m/s\n", *s.fastest_floe) : "\n";
   text += "  quantiles               5 %  25 %  50 %  75 %  95 %\n";
   text += quantile_row("piece area [m2]", s.piece_area_quantiles);

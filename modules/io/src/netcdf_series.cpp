@@ -133,6 +133,8 @@ Series read_netcdf_series(const std::string& path) {
     if (variable.dimension != times->dimension) continue;
     if (&variable == times) series.time = series.names.size();
     series.names.push_back(variable.name);
+    series.heads.push_back(variable.name);
+    series.units.push_back(file.text(variable, "units"));
     series.columns.push_back(file.values(variable));
   }
   const double factor = seconds_in(file.text(*times, "units"), fmt::format("{}, {}", path, times->name));
@@ -145,6 +147,8 @@ Series read_netcdf_series(const std::string& path) {
     if (std::isnan(column[i])) refuse_missing_time(series.place(i));
     column[i] *= factor;
   }
+  series.units[*series.time] = "s";
+  convert_to_si(series);
   return series;
 }
 

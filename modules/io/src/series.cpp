@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -24,50 +25,108 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 /// More columns than anyone measures, and few enough to make room for.
 constexpr std::size_t kMostColumns = 10'000;
 
-/// Cells of a line: between commas, semicolons or tabs where there are any, else between blanks. Of too many, the
-/// first.
-std::vector<std::string_view> cells_of(std::string_view line) {
-  const bool separated = line.find_first_of(",;\t") != std::string_view::npos;
-  const std::string_view separators = separated ? ",;\t" : " ";
+/// How the numbers of a text are written.
+struct Layout {
+  char separator = ' ';
+  char decimal_mark = 0;  ///< of the numbers met so far; 0: whole numbers only
+};
+
+/// What separates the cells: the first of these that the first line holds, else blanks.
+char separator_of(std::string_view first_line) {
+  for (const char candidate : {';', '\t', ','})
+    if (first_line.find(candidate) != std::string_view::npos) return candidate;
+  return ' ';
+}
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view unquoted(std::string_view cell) {
+  const bool quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return quoted ? without_blanks(cell.substr(1, cell.size() - 2)) : cell;
+}
+
+/// Cells of a line. Of too many, the first.
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   while (true) {
-    const std::size_t end = line.find_first_of(separators);
-    std::string_view cell = line.substr(0, end);
-    while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
-    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\r')) cell.remove_suffix(1);
-    if (separated || !cell.empty()) cells.push_back(cell);
-    if (end == std::string_view::npos || cells.size() > kMostColumns) return cells;
+    std::size_t end = 0;
+    for (bool quoted = false; end < line.size() && (quoted || line[end] != separator); ++end)
+      if (line[end] == '"') quoted = !quoted;
+    const std::string_view cell = unquoted(without_blanks(line.substr(0, end)));
+    if (separator != ' ' || !cell.empty()) cells.push_back(cell);
+    if (end == line.size() || cells.size() > kMostColumns) return cells;
     line.remove_prefix(end + 1);
   }
 }
 
 /// A finite number, not a number for a missing one, nothing for anything else.
-std::optional<double> number(std::string_view cell) {
+std::optional<double> number(std::string_view cell, Layout& layout) {
   constexpr std::array<std::string_view, 6> kMissingWords{"", "nan", "NaN", "NA", "-", "NAN"};
   if (std::ranges::find(kMissingWords, cell) != kMissingWords.end()) return kMissing;
-  if (cell.front() == '+') cell.remove_prefix(1);
+  std::string text(cell.substr(cell.front() == '+' ? 1 : 0));
+  const std::size_t at = text.find_first_of(".,");
+  const char mark = at == std::string::npos ? layout.decimal_mark : text[at];
+  const bool allowed = mark != ',' || layout.separator == ';' || layout.separator == '\t';
+  if (!allowed || (layout.decimal_mark != 0 && mark != layout.decimal_mark)) return std::nullopt;
+  if (at != std::string::npos) text[at] = '.';
   double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error != std::errc{} || end != last || !std::isfinite(value)) return std::nullopt;
+  layout.decimal_mark = mark;
   return value;
 }
 
-std::string unquoted(std::string_view name) {
-  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-  return std::string(name);
+/// A head such as "time [ms]" as name and unit.
+std::pair<std::string, std::string> name_and_unit(const std::string& head) {
+  const std::size_t open = head.find_first_of("[(");
+  if (open == std::string::npos || !(head.back() == ']' || head.back() == ')')) return {head, ""};
+  return {std::string(without_blanks(head.substr(0, open))), head.substr(open + 1, head.size() - open - 2)};
 }
 
 /// The first line: names, or values of columns that are then called 1, 2, ...
 /// @return whether it held names.
-bool begin(Series& series, const std::vector<std::string_view>& cells) {
-  const bool named = std::ranges::any_of(cells, [](std::string_view cell) { return !number(cell); });
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    series.names.push_back(named ? unquoted(cells[i]) : std::to_string(i + 1));
+bool begin(Series& series, const std::vector<std::string_view>& cells, Layout& layout) {
+  const bool named = std::ranges::any_of(cells, [&](std::string_view cell) { return !number(cell, layout); });
+  if (named) layout.decimal_mark = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    series.heads.push_back(named ? std::string(cells[i]) : std::to_string(i + 1));
+    const auto [name, unit] = name_and_unit(series.heads.back());
+    series.names.push_back(name);
+    series.units.push_back(unit);
+  }
   series.columns.resize(cells.size());
   return named;
 }
 
-void add_row(Series& series, const std::vector<std::string_view>& cells, std::size_t line) {
+std::optional<std::size_t> time_column(const std::vector<std::string>& names) {
+  const auto found = std::ranges::find_if(names, [](const std::string& name) { return is_time_name(name); });
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  return names.size() > 1 ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+/// Takes a line of units under the names, when the one of the times is a unit of time.
+/// @return whether it was one.
+bool take_units(Series& series, const std::vector<std::string_view>& cells) {
+  const auto times = time_column(series.names);
+  const bool fits = times && cells.size() == series.names.size() &&
+                    std::ranges::all_of(series.units, [](const std::string& unit) { return unit.empty(); });
+  if (!fits) return false;
+  std::vector<std::string> units;
+  for (const std::string_view cell : cells) {
+    const auto [outside, bracketed] = name_and_unit(std::string(cell));
+    units.push_back(outside.empty() ? bracketed : outside);
+  }
+  if (!read_quantity("1 " + units[*times], "s")) return false;
+  series.units = std::move(units);
+  return true;
+}
+
+void add_row(Series& series, const std::vector<std::string_view>& cells, std::size_t line, Layout& layout) {
   series.rows.push_back(line);
   const auto place = [&] { return series.place(series.rows.size() - 1); };
   if (cells.size() != series.names.size())
@@ -75,37 +134,25 @@ void add_row(Series& series, const std::vector<std::string_view>& cells, std::si
                                fmt::format("{} values in a table of {} columns", cells.size(), series.names.size()),
                                "as many values in each line as in the first", "correct the line; # begins a comment"});
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::optional<double> value = number(cells[i]);
+    const std::optional<double> value = number(cells[i], layout);
     if (!value)
-      throw InputError(Complaint{place(),
-                                 fmt::format("column '{}': '{}' is not a finite number", printable(series.names[i]),
-                                             printable(std::string(cells[i]))),
-                                 "numbers with a decimal point; nothing, NaN, NA or - where a value is missing",
-                                 "correct the value, or begin the line with #"});
+      throw InputError(
+          Complaint{place(),
+                    fmt::format("column '{}': '{}' is not a finite number", printable(series.names[i]),
+                                printable(std::string(cells[i]))),
+                    "numbers with a decimal point, or all with a decimal comma between semicolons or tabs; "
+                    "nothing, NaN, NA or - where a value is missing",
+                    "correct the value; a line that is no part of the table begins with #"});
     series.columns[i].push_back(*value);
   }
 }
 
-/// A name such as "time [ms]" as name and unit.
-std::pair<std::string, std::string> name_and_unit(const std::string& text) {
-  const std::size_t open = text.find_first_of("[(");
-  if (open == std::string::npos || !(text.back() == ']' || text.back() == ')')) return {text, ""};
-  std::string name = text.substr(0, open);
-  while (!name.empty() && name.back() == ' ') name.pop_back();
-  return {name, text.substr(open + 1, text.size() - open - 2)};
-}
-
 void find_times(Series& series, const std::string& path) {
-  std::string unit;
-  for (std::size_t i = 0; i < series.names.size() && !series.time; ++i) {
-    const auto [name, written] = name_and_unit(series.names[i]);
-    if (!is_time_name(name)) continue;
-    series.time = i;
-    unit = written;
-  }
-  if (!series.time && series.names.size() > 1) series.time = 0;
+  series.time = time_column(series.names);
   if (!series.time) return;
-  const double factor = seconds_in(unit, fmt::format("{}, column '{}'", path, series.names[*series.time]));
+  std::string& unit = series.units[*series.time];
+  const double factor = seconds_in(unit, fmt::format("{}, column '{}'", path, printable(series.heads[*series.time])));
+  unit = "s";
   std::vector<double>& times = series.columns[*series.time];
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (std::isnan(times[i])) refuse_missing_time(series.place(i));
@@ -114,25 +161,36 @@ void find_times(Series& series, const std::string& path) {
 }
 
 Series read_text_series(const std::string& path) {
-  std::istringstream file(read_text_file(path, "a history (CSV)"));
+  std::string text = read_text_file(path, "a history (CSV)");
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // the byte order mark of UTF-8
+  std::istringstream file(text);
   Series series;
   series.row_prefix = path + ":";
+  std::optional<Layout> layout;
+  bool units_may_follow = false;
   std::size_t line_number = 0;
   for (std::string line; std::getline(file, line);) {
     ++line_number;
-    const std::vector<std::string_view> cells = cells_of(line);
-    if (cells.empty() || (cells.size() == 1 && cells[0].empty()) || cells[0].starts_with('#')) continue;
+    const std::string_view content = without_blanks(line);
+    if (content.empty() || content.starts_with('#')) continue;
+    if (!layout) layout = Layout{separator_of(content)};
+    const std::vector<std::string_view> cells = cells_of(content, layout->separator);
     if (cells.size() > kMostColumns)
       throw InputError(Complaint{fmt::format("{}:{}", path, line_number), "has more columns than a history has",
                                  fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});
-    if (series.names.empty() && begin(series, cells)) continue;
-    add_row(series, cells, line_number);
+    if (series.names.empty() && begin(series, cells, *layout)) {
+      units_may_follow = true;
+      continue;
+    }
+    if (!std::exchange(units_may_follow, false) || !take_units(series, cells))
+      add_row(series, cells, line_number, *layout);
   }
   if (series.rows.size() < 2)
     throw InputError(Complaint{path, fmt::format("{} rows of numbers", series.rows.size()),
                                "lines of numbers, 2 at least, after one of names",
                                "check that it is the right file and whole"});
   find_times(series, path);
+  convert_to_si(series);
   return series;
 }
 
@@ -147,6 +205,20 @@ bool is_time_name(std::string_view name) {
   std::string lower(name);
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower == "time" || lower == "t";
+}
+
+void convert_to_si(Series& series) {
+  for (std::size_t i = 0; i < series.units.size(); ++i) {
+    if (series.units[i].empty() || series.time == i) continue;
+    for (const char* const si : {"N", "N m", "Pa", "m", "m s-1", "m s-2", "rad"}) {
+      const auto factor = read_quantity("1 " + series.units[i], si);
+      if (!factor) continue;
+      if (*factor == 1.0) break;  // as it is written: N m and J are the same
+      for (double& value : series.columns[i]) value *= *factor;
+      series.units[i] = si;
+      break;
+    }
+  }
 }
 
 double seconds_in(const std::string& unit, const std::string& place) {

@@ -9,8 +9,8 @@
 #include "bearing.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
+#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
-#include "cone_of.hpp"
 #include "plan.hpp"
 
 namespace brash::simulation {

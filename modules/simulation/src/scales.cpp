@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "brash/core/constants.hpp"
+#include "brash/simulation/run.hpp"
 #include "edge_contact.hpp"
 #include "initial_crack.hpp"
 
@@ -23,10 +24,31 @@ double initial_crack_radius(const io::Case& resolved, const failure::IceProperti
   return criterion.assess({.contact_length = ice.thickness, .mu1 = ratios.mu1, .mu2 = ratios.mu2}).breaking_length;
 }
 
+namespace {
+
+/// What is to be asked about a run that is over before there is anything to tell.
+std::vector<std::string> duration_warnings(const io::Case& c) {
+  const double way = c.structure.speed * c.time.duration;
+  const double gap = c.structure.start_distance - 0.5 * c.structure.waterline_width;
+  if (way <= gap)
+    return {
+        fmt::format("the structure does not reach the ice: it is {:.3g} m away and moves {:.3g} m in time.duration = "
+                    "{} s; raise that, or lower structure.start_distance",
+                    gap, way, c.time.duration)};
+  if (statistics_from(c) < c.time.duration) return {};
+  return {
+      fmt::format("the run is over before its statistics begin, when the structure's axis passes the ice edge at "
+                  "{:.3g} s: raise time.duration = {} s, or set output.statistics_from",
+                  c.structure.start_distance / c.structure.speed, c.time.duration)};
+}
+
+}  // namespace
+
 DerivedScales derived_scales(const io::Case& resolved) {
   const failure::IceProperties ice = ice_properties(resolved);
   const auto criterion = make_criterion(resolved, ice);
   DerivedScales scales;
+  scales.warnings = duration_warnings(resolved);
   scales.characteristic_length = failure::characteristic_length(ice);
   scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
   scales.mu1 = failure::load_ratios(resolved.structure.angle, resolved.ice.friction_structure, 0.0).mu1;

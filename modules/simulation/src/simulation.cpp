@@ -6,9 +6,9 @@
 #include <map>
 #include <numeric>
 
+#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
-#include "cone_of.hpp"
 #include "initial_crack.hpp"
 #include "plan.hpp"
 #include "simulation_impl.hpp"

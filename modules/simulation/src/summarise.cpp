@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +14,8 @@
 namespace brash::simulation {
 namespace {
 
+/// Of what nothing is there to tell from; null in JSON.
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 5> kQuantiles{0.05, 0.25, 0.5, 0.75, 0.95};
 
 /// Mean over the window of one component of the loads.
@@ -20,11 +23,23 @@ template <typename Component>
 double mean(std::span<const io::LoadRow> rows, Component component) {
   double sum = 0.0;
   for (const io::LoadRow& row : rows) sum += component(row);
-  return rows.empty() ? 0.0 : sum / static_cast<double>(rows.size());
+  return rows.empty() ? kUnknown : sum / static_cast<double>(rows.size());
 }
 
 template <typename Component>
 statistics::Summary summarise_component(std::span<const io::LoadRow> rows, double step, Component component) {
+  if (rows.size() < 2)
+    return {.mean = kUnknown,
+            .standard_deviation = kUnknown,
+            .minimum = kUnknown,
+            .maximum = kUnknown,
+            .skewness = kUnknown,
+            .quantile_50 = kUnknown,
+            .quantile_95 = kUnknown,
+            .quantile_99 = kUnknown,
+            .autocorrelation_time = kUnknown,
+            .effective_sample_size = kUnknown,
+            .mean_95 = {kUnknown, kUnknown}};
   std::vector<double> samples;
   for (const io::LoadRow& row : rows) samples.push_back(component(row));
   return statistics::summarise(samples, step);
@@ -129,10 +144,8 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
   const auto z = [](Vec3 v) { return v.z; };
   const auto total_x = [](const io::LoadRow& r) { return r.total.force.x; };
   const auto total_z = [](const io::LoadRow& r) { return r.total.force.z; };
-  if (window.size() > 1) {
-    s.horizontal = summarise_component(window, resolved.time.step, total_x);
-    s.vertical = summarise_component(window, resolved.time.step, total_z);
-  }
+  s.horizontal = summarise_component(window, resolved.time.step, total_x);
+  s.vertical = summarise_component(window, resolved.time.step, total_z);
   s.horizontal_split = split(window, x);
   s.vertical_split = split(window, z);
   s.mean_horizontal_whole = mean(results.loads, total_x);
@@ -146,7 +159,7 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
     n_in_window += event.time >= s.statistics_from ? 1 : 0;
   }
   const double window_length = resolved.time.duration - s.statistics_from;
-  s.breaking_frequency = window_length > 0.0 ? n_in_window / window_length : 0.0;
+  s.breaking_frequency = window_length > 0.0 ? n_in_window / window_length : kUnknown;
   s.breaking_length_quantiles = statistics::quantiles(std::move(lengths), kQuantiles);
 
   std::vector<double> areas;

@@ -5,7 +5,7 @@
 // done by SwiftShader in a process of its own; a graphics card takes a small part of that.
 import { statSync } from "node:fs";
 import { dirname, join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 process.env.BRASH_PACKAGES ??= join(root, "build/release/modules/report/viewer");
@@ -20,7 +20,7 @@ const spent = async () => {
   const { metrics } = await devtools.send("Performance.getMetrics");
   return metrics.find(({ name }) => name === "TaskDuration").value;
 };
-await page.goto(`file://${file}`);
+await page.goto(pathToFileURL(file).href);
 await until(page, () => window.brashReport?.readyAfter > 0);
 const [loaded, wall] = [await spent(), await page.evaluate(() => window.brashReport.readyAfter)];
 const { floes, frames } = await page.evaluate(() => ({

@@ -4,6 +4,7 @@ import collections
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -99,6 +100,20 @@ class Export(unittest.TestCase):
         np.testing.assert_allclose((last["Points"] - first["Points"])[:, 0], 1.202 * 3, atol=1e-9)
         self.assertGreater(volume(first), 0)
         self.assertAlmostEqual(np.ptp(first["Points"][:, 2]), 9.08, places=9)
+
+    def test_a_run_is_exported_and_reported_when_the_model_that_it_used_is_gone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder)
+            model = path / "mine.json"
+            shutil.copy(SOURCE / "experiments/failure_database/cone_superposition.json", model)
+            subprocess.run([BRASH, "run", SOURCE / "experiments/validation/cone.toml", "-o", path / "run", "--set",
+                            "failure.model=superposition", "--set", f"failure.file={model}", "--set", "time.duration=0.3"],
+                           check=True, capture_output=True)
+            model.unlink()
+            (path / "run").rename(path / "moved")
+            for command in (["export", "vtk", path / "moved/run.nc"], ["report", path / "moved"]):
+                done = subprocess.run([BRASH, *command], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_what_is_no_run_is_refused(self):
         for name in ("history.csv", "none.nc", "."):

@@ -13,7 +13,6 @@
 #include "brash/statistics/random.hpp"
 #include "closed_forms.hpp"
 #include "load_history.hpp"
-#include "closed_forms.hpp"
 #include "stats_commands.hpp"
 
 namespace {
@@ -141,6 +140,40 @@ BOOST_AUTO_TEST_CASE(times_in_another_unit_become_seconds) {
   const LoadHistory load = read_history(file.path(), {});
   BOOST_TEST(load.column == "F");
   BOOST_TEST(load.even.sampling.step == 0.02, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(what_spreadsheets_and_loggers_export_is_read) {
+  for (const std::string text : {
+           "Time [s];Fx [kN]\n0,0;1,5\n0,5;2,5\n1,0;3,5\n",                        // decimal commas
+           "\xef\xbb\xbfTime [s]\tFx [kN]\r\n0,0\t1,5\r\n0,5\t2,5\r\n1\t3,5\r\n",  // of Windows, with a byte order mark
+           "\"Time (ms)\",\"Fx (kN)\"\n\"0\",\"1.5\"\n\"500\",\"2.5\"\n\"1000\",\"3.5\"\n",
+           "Zeit,Fx\ns,kN\n0,1.5\n0.5,2.5\n1,3.5\n",  // units in a line of their own
+           "Zeit;Fx\n[ms];[kN]\n0;1,5\n500;2,5\n1000;3,5\n",
+       }) {
+    const TemporaryFile file(text);
+    const LoadHistory load = read_history(file.path(), {});
+    BOOST_TEST(load.column == "Fx");
+    BOOST_TEST(load.unit == "N");
+    BOOST_TEST(load.history.times == (std::vector<double>{0, 0.5, 1}), boost::test_tools::per_element());
+    BOOST_TEST(load.history.values == (std::vector<double>{1500, 2500, 3500}), boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_is_converted_to_si_or_kept) {
+  const TemporaryFile file("t [min],M [kN m],p [MPa],E [J],U [V],n [],Q\n0,1,1,1,1,1,1\n1,2,2,2,2,2,2\n");
+  const auto read = [&](const char* column) {
+    HistoryChoice choice;
+    choice.column = column;
+    const LoadHistory load = read_history(file.path(), choice);
+    BOOST_TEST(load.history.times.back() == 60.0);
+    return std::pair(load.unit, load.history.values.back());
+  };
+  BOOST_TEST((read("M") == std::pair(std::string("N m"), 2e3)));
+  BOOST_TEST((read("p [MPa]") == std::pair(std::string("Pa"), 2e6)));  // as the file has it
+  BOOST_TEST((read("E") == std::pair(std::string("J"), 2.0)));
+  BOOST_TEST((read("U") == std::pair(std::string("V"), 2.0)));
+  BOOST_TEST((read("n") == std::pair(std::string(), 2.0)));
+  BOOST_TEST((read("Q") == std::pair(std::string(), 2.0)));
 }
 
 BOOST_AUTO_TEST_CASE(missing_values_and_missing_rows_make_gaps) {

@@ -48,6 +48,8 @@ class Models(unittest.TestCase):
         for name in ("none.json", "", str(CONE), "/"):
             with self.subTest(name), self.assertRaises(brash.InputError):
                 brash.FailureModel(name)
+        with self.assertRaisesRegex(brash.InputError, "network, deep-network, superposition, fem"):
+            brash.FailureModel("netwrk")
 
     def test_criteria_assess_the_ice_of_a_case(self):
         case = brash.Case.from_file(CONE)

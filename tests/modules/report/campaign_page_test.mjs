@@ -9,9 +9,12 @@ import { brash, browse, scratch } from "./browser.mjs";
 const folder = scratch();
 let browser, page;
 
+/** Columns with names as long as they come. */
+const kWide = ["horizontal.standard_deviation", "horizontal.quantile_99", "horizontal.maximum"];
 const statistics = (mean) => ({
   "horizontal.mean": { n: 2, mean, standard_deviation: 4e3, mean_95: [mean - 9e3, mean + 9e3] },
   "vertical.mean": { n: 1, mean: 0.5 * mean, standard_deviation: null, mean_95: null },
+  ...Object.fromEntries(kWide.map((name) => [name, { n: 2, mean, standard_deviation: 4e3, mean_95: [mean - 9e3, mean + 9e3] }])),
   n_breaks: { n: 2, mean: 12, standard_deviation: 1, mean_95: [3, 21] },
 });
 const kSettings = [
@@ -23,13 +26,13 @@ const kSettings = [
 }));
 
 function writeCampaign() {
-  const rows = ["case,setting,replicate,status,structure.angle,structure.speed,horizontal.mean,vertical.mean,n_breaks"];
+  const rows = ["case,setting,replicate,status,structure.angle,structure.speed,horizontal.mean,vertical.mean," + kWide.join(",") + ",n_breaks"];
   for (const s of kSettings)
     for (const replicate of [0, 1]) {
       const id = `${s.setting}-r000${replicate}`;
       const failed = s.n_failed > 0 && replicate === 1;
       rows.push([id, s.setting, replicate, failed ? "failed" : "done", s.values["structure.angle"], s.values["structure.speed"],
-        ...(failed ? ["", "", ""] : [s.statistics["horizontal.mean"].mean + 1e3 * replicate, 4e4, 12])].join(","));
+        ...(failed ? ["", "", "", "", "", ""] : [s.statistics["horizontal.mean"].mean + 1e3 * replicate, 4e4, 1e5, 2e5, 3e5, 12])].join(","));
       if (failed) continue;
       mkdirSync(join(folder, "cases", id), { recursive: true });
       if (replicate === 0) writeFileSync(join(folder, "cases", id, "report.html"), "");
@@ -61,7 +64,7 @@ test("each setting shows its mean with the interval", async () => {
 test("what was varied together is one input: trends over the angle and over the speed, for each column", async () => {
   const labels = await page.locator("#trends .chart .u-legend tr:first-child .u-label").allTextContents();
   assert.deepEqual([...new Set(labels)], ["structure.angle [°]", "structure.speed [m s-1]"]);
-  assert.equal(labels.length, 2 * 3);
+  assert.equal(labels.length, 2 * 4);  // of the first columns
 });
 
 test("each run links to its report, or to its summary when it kept no report", async () => {
@@ -72,6 +75,16 @@ test("each run links to its report, or to its summary when it kept no report", a
   assert.equal(links[1], "cases/angle-50deg_speed-0.5-r0001/summary.json");
   assert.equal(links.length, 7);
   assert.ok((await rows.nth(7).innerText()).includes("failed"));
+});
+
+test("no table hangs over the edge of a laptop's page, or of a sheet of paper", async () => {
+  const over = () => page.locator(".table").evaluateAll((all) => all.filter((t) => t.scrollWidth > t.clientWidth).length);
+  assert.equal(await over(), 0);
+  await page.emulateMedia({ media: "print" });
+  await page.setViewportSize({ width: 688, height: 1000 });  // 182 mm of A4 between its margins
+  assert.equal(await over(), 0);
+  await page.emulateMedia({ media: "screen" });
+  await page.setViewportSize({ width: 1366, height: 768 });
 });
 
 test("charts are drawn, nothing is complained about and nothing is asked of a network", async () => {

@@ -15,7 +15,7 @@ before(async () => {
   // A case whose name and texts would run if anything took them for HTML.
   const file = join(folder, "<script>window.pwned = 3<.toml");
   copyFileSync(join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml"), file);
-  brash("run", file, "-o", run, "--set", "time.duration=4", "--set", `reference.source="${kHostile}"`);
+  brash("run", file, "-o", run, "--set", "time.duration=4", "--set", "output.statistics_from=1", "--set", `reference.source="${kHostile}"`);
   summary = JSON.parse(readFileSync(join(run, "summary.json"), "utf8"));
   events = readCsv(join(run, "events.csv")).filter((row) => row.event === "break");
   history = readCsv(join(run, "history.csv"));
@@ -216,6 +216,21 @@ test("light and dark differ in page, replay and charts", async () => {
   assert.notEqual(light[0], dark[0]);
   assert.ok(dark[1] + dark[2] + dark[3] < light[1] + light[2] + light[3] - 200);
   await page.getByLabel("Colours").selectOption("light");
+});
+
+test("a run that is over before its statistics begin shows none", async () => {
+  const early = join(folder, "early");
+  brash("run", join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml"), "-o", early, "--set", "time.duration=1");
+  const shown = await browser.open(join(early, "report.html"));
+  const cells = await shown.locator("#moments tbody td").allTextContents();
+  for (let i = 0; i < cells.length; i += 3) assert.deepEqual(cells.slice(i + 1, i + 3).map((text) => text.replace("– to –", "–")), ["–", "–"]);
+  await shown.close();
+});
+
+test("nothing hangs over the edge of a narrow page", async () => {
+  await page.setViewportSize({ width: 400, height: 800 });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 400);
+  await page.setViewportSize({ width: 1366, height: 768 });
 });
 
 test("texts of the case are shown and not run", async () => {

@@ -2,6 +2,7 @@
 #include "brash/simulation/simulation.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -133,6 +134,34 @@ BOOST_AUTO_TEST_CASE(scales_of_the_validation_case_are_those_of_the_paper) {
   BOOST_TEST(scales.characteristic_length == 3.27, boost::test_tools::tolerance(2e-3));  // three digits
   BOOST_TEST(scales.mu1 == 0.511, boost::test_tools::tolerance(1e-3));                   // three digits
   BOOST_TEST(scales.draft == 0.33 * 900.0 / 1025.0, boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_over_too_early_is_warned_of) {
+  const auto warnings = [](const char* override_text) {
+    return simulation::derived_scales(
+               io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {override_text}))
+        .warnings;
+  };
+  const auto says = [&](const char* override_text, const char* words) {
+    const auto all = warnings(override_text);
+    return all.size() == 1 && all[0].find(words) != std::string::npos;
+  };
+  // The cone is 0.2 m from the ice, its axis 7 m, and moves 1.202 m in a second.
+  BOOST_TEST(says("time.duration=0.15", "does not reach the ice"));
+  BOOST_TEST(says("time.duration=0.2", "over before its statistics begin"));
+  BOOST_TEST(says("time.duration=5.8", "over before its statistics begin"));
+  BOOST_TEST(warnings("time.duration=5.9").empty());
+}
+
+BOOST_AUTO_TEST_CASE(without_a_steady_part_there_are_no_statistics_of_it) {
+  const simulation::RunSummary summary = simulation::run(short_case()).summary;
+  BOOST_TEST(std::isnan(summary.horizontal.mean));
+  BOOST_TEST(std::isnan(summary.vertical_split.crushing));
+  BOOST_TEST(std::isnan(summary.breaking_frequency));
+  BOOST_TEST(summary.mean_horizontal_whole > 0.0);
+  const std::string json = simulation::to_json(summary);
+  BOOST_TEST(json.find("\"breaking_frequency\": null") != std::string::npos);
+  BOOST_TEST(json.find("nan") == std::string::npos);
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ function runsTable(data: CampaignData, rows: string[][], columns: string[]): HTM
   const [head, ...body] = rows;
   const reports = new Set(data.reports);
   const status = head.indexOf("status");
-  const shown = ["setting", "replicate", "status", ...columns].map((name) => head.indexOf(name)).filter((i) => i >= 0);
+  const shown = ["status", ...columns].map((name) => head.indexOf(name)).filter((i) => i >= 0);
   const link = (row: string[]) => {
     const folder = `cases/${encodeURIComponent(row[0])}`;
     if (row[status] !== "done") return row[0];

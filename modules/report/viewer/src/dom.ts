@@ -35,12 +35,18 @@ export function section(id: string, title: string, ...children: Child[]): HTMLEl
   return el("section", { id, "aria-labelledby": `${id}-title` }, el("h2", { id: `${id}-title` }, title), ...children);
 }
 
+/** A name or a path that may go on in the next line behind its underscores, slashes and dots, but for decimal points. */
+function breakable(text: string): Child[] {
+  return text.split(/(?<=\/)|(?<=_)(?=[a-z\d])|(?<=\.)(?=[a-z])/).flatMap((part, i) => (i === 0 ? [part] : [el("wbr"), part]));
+}
+
 const kNumeric = /^([−\d.,: ]|to|%|×|[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]|–|[kM]?B)*$/;
 
 /** A table; columns that hold nothing but numbers align right. */
 export function table(head: string[], rows: Child[][], attributes: Attributes = {}): HTMLElement {
   const numeric = (rows[0] ?? []).map((_, i) => rows.every((row) => typeof row[i] === "string" && kNumeric.test(row[i] as string)));
-  const cell = (tag: "td" | "th", child: Child, i: number) => el(tag, { class: numeric[i] ? "number" : undefined }, child);
+  const cell = (tag: "td" | "th", child: Child, i: number) =>
+    el(tag, { class: numeric[i] ? "number" : undefined }, ...(typeof child === "string" ? breakable(child) : [child]));
   return el(
     "div",
     { class: "table" },

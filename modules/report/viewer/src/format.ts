@@ -27,12 +27,15 @@ function superscript(exponent: number): string {
 }
 
 /** Newtons as kilonewtons with one decimal. */
-export const kN = (value: number | undefined): string =>
-  value === undefined || !Number.isFinite(value) ? "–" : (value / 1e3).toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−");
+export const kN = (value: number | null | undefined): string =>
+  value === null || value === undefined || !Number.isFinite(value) ? "–" : (value / 1e3).toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−");
 export const kJ = kN;
 export const kPa = (value: number): string => number(value / 1e3, 4);
 export const degrees = (radians: number): string => ((radians * 180) / Math.PI).toFixed(1).replace("-", "−");
 export const seconds = (value: number, decimals = 2): string => value.toFixed(decimals).replace("-", "−");
+/** How far `value` is from `of`, as "+3.1 %". */
+export const deviation = (value: number | null, of: number): string =>
+  value === null ? "–" : percent(value / of - 1).replace(/^(?!−)/, "+");
 export const percent = (share: number): string => `${(100 * share).toFixed(1).replace(/^-0\.0$/, "0.0").replace("-", "−")} %`;
 export const bytes = (n: number | undefined): string =>
   n === undefined ? "–" : n < 1e4 ? `${n} B` : n < 1e7 ? `${(n / 1e3).toFixed(0)} kB` : `${(n / 1e6).toFixed(1)} MB`;

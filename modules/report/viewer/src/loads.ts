@@ -135,11 +135,14 @@ export class LoadHistory {
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
-    const from = x(this.run.data.summary.statistics_from);
-    ctx.fillStyle = css("--band");
-    ctx.fillRect(from, y(summary.mean_95[1]), bbox.left + bbox.width - from, y(summary.mean_95[0]) - y(summary.mean_95[1]));
     ctx.lineWidth = ratio;
-    this.line(ctx, css("--accent"), [from, y(summary.mean)], [bbox.left + bbox.width, y(summary.mean)], [5 * ratio, 4 * ratio]);
+    const { mean, mean_95: [low, high] } = summary;
+    if (mean !== null && low !== null) {
+      const from = x(this.run.data.summary.statistics_from);
+      ctx.fillStyle = css("--band");
+      ctx.fillRect(from, y(high), bbox.left + bbox.width - from, y(low) - y(high));
+      this.line(ctx, css("--accent"), [from, y(mean)], [bbox.left + bbox.width, y(mean)], [5 * ratio, 4 * ratio]);
+    }
     for (const t of this.run.column("event.time"))
       this.line(ctx, css("--red"), [x(t), bbox.top + bbox.height], [x(t), bbox.top + bbox.height - 7 * ratio]);
     this.line(ctx, css("--ink"), [x(this.player.time), bbox.top], [x(this.player.time), bbox.top + bbox.height]);

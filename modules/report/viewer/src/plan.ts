@@ -45,7 +45,7 @@ function ruler(box: Box, lettering: number): SVGGElement {
     svg("text", { x, y, "text-anchor": anchor }, String(Number(n.toFixed(1))).replace("-", "−"));
   for (let x = Math.ceil(box.x0 / step) * step; x <= box.x1; x += step) {
     group.append(svg("path", { d: `M${x} ${-box.y0}v${-0.6 * size}` }));
-    if (x > box.x0 + size && x < box.x1 - size) group.append(text(x, -box.y0 - 0.8 * size, x, "middle"));
+    if (x > box.x0 + size && x < box.x1 - 3.8 * size) group.append(text(x, -box.y0 - 0.8 * size, x, "middle"));
   }
   for (let y = Math.ceil(box.y0 / step) * step; y <= box.y1; y += step) {
     group.append(svg("path", { d: `M${box.x0} ${-y}h${0.6 * size}` }));

@@ -4,7 +4,7 @@ import { citeSection } from "./cite";
 import type { Run } from "./data";
 import { el, section } from "./dom";
 import { EventCard } from "./events";
-import { kN, number, percent } from "./format";
+import { deviation, kN, number } from "./format";
 import { closedFormsSection, inputsSection, ledgerSection } from "./inputs";
 import { LoadHistory, type Peak } from "./loads";
 import { PlanView } from "./plan";
@@ -24,7 +24,7 @@ function keyFigures(run: Run): HTMLElement {
     figure(kN(s.vertical.mean), "kN", "mean vertical", `95 %: ${kN(s.vertical.mean_95[0])} to ${kN(s.vertical.mean_95[1])}`),
     figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `deviation ${kN(s.horizontal.standard_deviation)}`),
     Number.isFinite(measured)
-      ? figure(kN(measured), "kN", "reference mean", `this run: ${percent(s.horizontal.mean / measured - 1).replace(/^(?!−)/, "+")}`)
+      ? figure(kN(measured), "kN", "reference mean", `this run: ${deviation(s.horizontal.mean, measured)}`)
       : figure(number(s.fastest_floe, 3), "m/s", "fastest floe"),
     figure(String(s.n_breaks), "", "breaks", `${number(s.breaking_frequency, 3)} a second`),
     figure(String(s.n_floes_born), "", "floes born", `${s.n_floes_present} present, ${s.n_floes_crushed} crushed`));

@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import { axis, Chart } from "./charts";
 import type { Run } from "./data";
 import { css, el, section, table } from "./dom";
-import { kN, number, percent, seconds } from "./format";
+import { deviation, kN, number, seconds } from "./format";
 import type { AxisStatistics, LoadSummary, RunData } from "./types";
 
 function moments(data: RunData): HTMLElement {
@@ -146,8 +146,8 @@ export function statisticsSection(run: Run): HTMLElement {
         moments(data),
         el("p", { class: "note" },
           `From ${seconds(s.statistics_from)} s on. ` +
-            (s.horizontal.long_enough ? "" : "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain. ") +
-            (Number.isFinite(measured) ? `Reference (${String(run.inputs.reference?.source?.value ?? "")}): ${kN(measured)} kN; the mean of this run is ${percent(s.horizontal.mean / measured - 1)} away.` : ""))),
+            (s.horizontal.mean === null ? "The run is over before. " : s.horizontal.long_enough ? "" : "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain. ") +
+            (Number.isFinite(measured) ? `Reference (${String(run.inputs.reference?.source?.value ?? "")}): ${kN(measured)} kN; the mean of this run is ${deviation(s.horizontal.mean, measured)} away.` : ""))),
       el("div", { class: "charts" }, ...charts.map((chart) => chart && chart.element))),
   );
 }

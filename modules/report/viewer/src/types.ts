@@ -26,20 +26,21 @@ export interface Manifest {
   volatile?: { started_at?: string; wall_seconds?: number; host_cpu?: string; stage_seconds?: Record<string, number> };
 }
 
+/** Null where the run is over before its statistics begin. */
 export interface LoadSummary {
-  mean: number;
-  mean_95: [number, number];
-  standard_deviation: number;
-  minimum: number;
-  maximum: number;
-  skewness: number;
-  quantile_50: number;
-  quantile_95: number;
-  quantile_99: number;
-  autocorrelation_time: number;
-  effective_sample_size: number;
+  mean: number | null;
+  mean_95: [number, number] | [null, null];
+  standard_deviation: number | null;
+  minimum: number | null;
+  maximum: number | null;
+  skewness: number | null;
+  quantile_50: number | null;
+  quantile_95: number | null;
+  quantile_99: number | null;
+  autocorrelation_time: number | null;
+  effective_sample_size: number | null;
   long_enough: boolean;
-  mean_by_cause: Record<string, number>;
+  mean_by_cause: Record<string, number | null>;
 }
 
 export interface RunSummary {
@@ -48,7 +49,7 @@ export interface RunSummary {
   vertical: LoadSummary;
   mean_whole_history: { horizontal: number; vertical: number };
   n_breaks: number;
-  breaking_frequency: number;
+  breaking_frequency: number | null;
   breaking_length_quantiles: number[];
   piece_area_quantiles: number[];
   quantile_levels: number[];

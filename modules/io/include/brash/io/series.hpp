@@ -9,7 +9,11 @@ namespace brash::io {
 
 /// Columns of numbers as measured and simulated histories come.
 struct Series {
-  std::vector<std::string> names;
+  std::vector<std::string> names;  ///< without their units
+  std::vector<std::string> heads;  ///< as the file has them: "Fx [kN]"
+  /// Of the values: a unit of SI when the file's unit converts to newtons, newton metres, pascals, metres, metres a
+  /// second (also squared), radians or, for times, seconds; else as the file has it; empty where it has none.
+  std::vector<std::string> units;
   std::vector<std::vector<double>> columns;  ///< shape=(n_names, n_rows); not a number where a value is missing
   /// Which column holds the times, in seconds and finite; absent when there is none.
   std::optional<std::size_t> time;
@@ -21,14 +25,16 @@ struct Series {
 
 /// Reads a table of at least two rows: netCDF when the name ends in .nc, else text.
 ///
-/// Text: numbers separated by commas, semicolons, tabs or blanks; an optional first line of names (without it the names
-/// are 1, 2, ...); lines that begin with # are skipped. An empty cell, `nan`, `NaN`, `NA` or `-` is missing.
-/// Times: the column named `time` or `t`, capitals or not, with an optional unit in brackets, `time [ms]`, `t (min)`;
-/// else the first of several.
+/// Text: numbers separated by semicolons, tabs, commas or blanks, the first of these that the first line holds; an
+/// optional first line of names (without it the names are 1, 2, ...); lines that begin with # are skipped. Cells may
+/// stand in quotes. Between semicolons or tabs the decimal mark may be a comma; one mark in the whole file. An empty
+/// cell, `nan`, `NaN`, `NA` or `-` is missing. A name may have a unit in brackets, `time [ms]`, `Fx (kN)`; or the units
+/// stand in a line of their own under the names. Times: the column named `time` or `t`, capitals or not; else the first
+/// of several.
 ///
 /// netCDF: the dimension of the variable `time` or `t` (or, without those, of the first variable along one dimension
 /// whose unit is "... since ..."), and all numeric variables along it alone. Fill values are missing, packed values are
-/// unpacked, times are converted from their unit.
+/// unpacked.
 ///
 /// @throws InputError naming file, line or variable, and what is wrong with it.
 Series read_series(const std::string& path);

@@ -32,7 +32,7 @@ struct EnergyBalance {
 
 /// What a run amounts to; everything here follows from the case and its seed.
 struct RunSummary {
-  double statistics_from = 0.0;    ///< loads are summarised from here on [s]
+  double statistics_from = 0.0;    ///< loads are summarised from here on [s]; after the run's end: not a number
   statistics::Summary horizontal;  ///< resistance Fx [N]
   statistics::Summary vertical;    ///< Fz, upwards on the structure [N]
   LoadSplit horizontal_split;
