@@ -194,6 +194,39 @@ def plate():
     return lines
 
 
+# Engines of the pack and how they are called: step [s], iterations of a step. Each at the cheapest that was found to leave
+# no floe PACK_PLACE from its place and the forces PACK_FORCE wrong.
+PACK_PLACE, PACK_FORCE = 0.005, 0.01
+PACK = {"program": ("bench_rigid_bodies", 0.005, 60), "ODE": ("bench_rigid_bodies_ode", 0.02, 20)}
+
+
+def pack_once(program, *settings):
+    """A pack of floes that comes to rest in one engine."""
+    return json.loads(output_and_seconds([BIN / program, *settings])[0])
+
+
+def rigid_bodies():
+    """6. Rigid bodies beside ODE: a pack of floes that comes to rest, at equal accuracy of place and force."""
+    engines = {name: call for name, call in PACK.items() if (BIN / call[0]).exists()}
+    runs = {name: [] for name in engines}
+    for _ in range(REPETITIONS):
+        for name, call in engines.items():
+            runs[name].append(pack_once(*call))
+    for name, rows in runs.items():
+        if rows[0]["position"] > PACK_PLACE or max(rows[0]["bed"], rows[0]["wall"]) > PACK_FORCE:
+            sys.exit(f"{name} misses {PACK_PLACE} m or {PACK_FORCE} of the force: {rows[0]}")
+    runs["program at its own step"] = [pack_once("bench_rigid_bodies", 0.01, 50)]
+    times = {name: [row["seconds"] for row in rows] for name, rows in runs.items()}
+    floes = runs["program"][0]["floes"]
+    lines = [line(f"{floes} floes, every engine within {1000 * PACK_PLACE:g} mm and {100 * PACK_FORCE:g} %: program / {name}",
+                  ratios(times["program"], times[name]), "< 1") for name in engines if name != "program"]
+    for name, rows in runs.items():
+        lines += [line(f"CPU seconds of a simulated second, {name}", times[name]),
+                  line(f"largest distance of a floe from its place, {name} [mm]", [1000 * rows[0]["position"]]),
+                  line(f"error of the force on bed or wall, {name} [%]", [100 * max(rows[0]["bed"], rows[0]["wall"])])]
+    return lines
+
+
 def campaign():
     """7. What a campaign adds to its runs."""
     settings = ("time.duration=1", "output.frames_per_second=0")
@@ -223,13 +256,13 @@ def build():
 
 
 LINES = {function.__name__: function
-         for function in (coupled, real_time, growth, length, water, geometry, failure, plate, campaign, build)}
+         for function in (coupled, real_time, growth, length, water, geometry, failure, plate, rigid_bodies, campaign, build)}
 TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "water": ["bench_growth"],
-           "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"]}
+           "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"], "rigid_bodies": ["bench_rigid_bodies"]}
 
 NOT_MEASURED = """- settled floes behind the structure: floes at rest are stepped like all others;
 - a channel ten times as long driven through to its end: above is the length of the ice, not the number of past events;
-- rigid bodies against ODE, Siconos and Yade on one pack of floes at equal accuracy;
+- rigid bodies against Siconos and Yade on the pack of floes that ODE steps above;
 - two workers against one: it needs two idle cores;
 - the build from clean to tested."""
 

@@ -5,6 +5,8 @@
 //
 // `fine`: elements half as large, of order 4, in a sheet twice as wide: the reference of plate_study.
 
+#include "brash/plate/plate.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -12,7 +14,6 @@
 #include <ctime>
 #include <numbers>
 
-#include "brash/plate/plate.hpp"
 #include "solve_at_order.hpp"
 
 int main(int argc, char** argv) {
@@ -25,12 +26,12 @@ int main(int argc, char** argv) {
       .depth = b, .contact_length = c, .angle = theta * std::numbers::pi / 180.0, .thickness = h};
 
   const std::clock_t start = std::clock();
-  const auto profiles =
-      argc > 7 ? plate::solve_at_order(wedge, {0.5 * plate::production_tip_size(wedge), 0.0, 4000.0}, 4)
-               : plate::solve(wedge);
+  const auto profiles = argc > 7
+                            ? plate::solve_at_order(wedge, {0.5 * plate::production_tip_size(wedge), 0.0, 4000.0}, 4)
+                            : plate::solve(wedge);
   if (!profiles) return EXIT_FAILURE;
   const plate::Response response = plate::respond(*profiles, h, mu1, mu2);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  std::printf("{\"seconds\": %.4f, \"elements\": %d, \"sigma\": %.8f, \"place\": %.6f}\n", seconds, profiles->n_elements,
-              response.sigma_over_p, response.lbreak_over_lc);
+  std::printf("{\"seconds\": %.4f, \"elements\": %d, \"sigma\": %.8f, \"place\": %.6f}\n", seconds,
+              profiles->n_elements, response.sigma_over_p, response.lbreak_over_lc);
 }
