@@ -12,6 +12,7 @@ import os
 import pathlib
 import platform
 import resource
+import shutil
 import statistics
 import subprocess
 import sys
@@ -24,12 +25,17 @@ REPETITIONS = 5
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}  # of Google Benchmark
 
 
+def output_and_seconds(command, **options):
+    """What a command writes, and the user CPU time of it and all it starts [s]."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    output = subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.PIPE,
+                            stderr=subprocess.DEVNULL, text=True, **options).stdout
+    return output, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
 def user_seconds(command, **options):
     """User CPU time of a command and all it starts [s]."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.DEVNULL,
-                   stderr=subprocess.DEVNULL, **options)
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    return output_and_seconds(command, **options)[1]
 
 
 def run_seconds(folder, *settings):
@@ -139,6 +145,91 @@ def failure():
             line("plate solve, CPU seconds", plate)]
 
 
+# Plates beside FreeFem++: b, c, theta [degrees]; standard thickness and the cone's load ratios.
+PLATES = ((0.5, 0.3, 60), (0, 0.5, 0), (0.1, 0.15, 120), (0.3, 0.05, 60), (0.3, 0.5, 120), (1, 0.3, 90))
+PLATE_LOADS = {"h": 0.10087, "mu1": 0.511, "mu2": 0.027}
+# Element size of FreeFem++'s P4 over the program's own, at which its error is that of the program; that of its reference.
+FREEFEM_SCALE = 1.55
+FREEFEM_FINE = 0.7
+
+
+def plate_once(case, *fine):
+    """The program's solution of a plate."""
+    command = [BIN / "bench_plate", *case, *PLATE_LOADS.values(), *fine]
+    return json.loads(output_and_seconds(command)[0])
+
+
+def freefem_once(case, scale):
+    """FreeFem++'s solution of a plate; `start` is the rest of its CPU time, of the system included as in its own clock."""
+    values = {**dict(zip(("b", "c", "theta"), case)), **PLATE_LOADS, "scale": scale}
+    command = ["FreeFem++-nw", "-nw", "-ne", ROOT / "tests/benchmarks/failure/freefem.edp",
+               *(word for name, value in values.items() for word in (f"-{name}", value))]
+    # Debian's package looks for its plugins elsewhere than it puts them.
+    environment = {**os.environ, "FF_LOADPATH": "/usr/lib/freefem++", "OMP_NUM_THREADS": "1"}
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_stime
+    output, seconds = output_and_seconds(command, env=environment)
+    seconds += resource.getrusage(resource.RUSAGE_CHILDREN).ru_stime - before
+    result = json.loads(next(row for row in output.splitlines() if row.startswith("{")))
+    return {**result, "start": seconds - result["seconds"]}
+
+
+def plate():
+    """5. The plate solution beside FreeFem++ at equal accuracy."""
+    if not shutil.which("FreeFem++-nw"):
+        sys.exit("./dev bench plate needs the Debian packages freefem++ and libfreefem++")
+    runs = [([plate_once(case) for case in PLATES], [freefem_once(case, FREEFEM_SCALE) for case in PLATES])
+            for _ in range(REPETITIONS)]
+    fine = [(plate_once(case, "fine")["sigma"], freefem_once(case, FREEFEM_FINE)["sigma"]) for case in PLATES]
+    own, peer = ([sum(row["seconds"] for row in run[side]) for run in runs] for side in (0, 1))
+    meshing = [sum(row["meshing"] for row in run[1]) for run in runs]
+    lines = [line(f"{len(PLATES)} plates with mesh, three loads each, and stresses: program / FreeFem++", ratios(own, peer),
+                  "< 1"),
+             line("the same, FreeFem++ without its mesh", ratios(own, [a - b for a, b in zip(peer, meshing)]), "< 1"),
+             line("CPU seconds of one plate, program", [time / len(PLATES) for time in own]),
+             line("CPU seconds of one plate, FreeFem++", [time / len(PLATES) for time in peer]),
+             line("CPU seconds that FreeFem++ takes besides to start", [row["start"] for run in runs for row in run[1]])]
+    for side, name in enumerate(("program", "FreeFem++")):
+        errors = [abs(row["sigma"] / statistics.mean(true) - 1) for row, true in zip(runs[0][side], fine, strict=True)]
+        lines += [line(f"error of the largest stress, {name}: root mean square", [statistics.mean(e**2 for e in errors)**0.5]),
+                  line(f"error of the largest stress, {name}: worst", [max(errors)])]
+    lines.append(line("largest difference between the fine solutions of the two, from whose mean the errors are taken",
+                      [max(abs(a / b - 1) for a, b in fine)]))
+    return lines
+
+
+# Engines of the pack and how they are called: step [s], iterations of a step. Each at the cheapest that was found to leave
+# no floe PACK_PLACE from its place and the forces PACK_FORCE wrong.
+PACK_PLACE, PACK_FORCE = 0.005, 0.01
+PACK = {"program": ("bench_rigid_bodies", 0.005, 60), "ODE": ("bench_rigid_bodies_ode", 0.02, 20)}
+
+
+def pack_once(program, *settings):
+    """A pack of floes that comes to rest in one engine."""
+    return json.loads(output_and_seconds([BIN / program, *settings])[0])
+
+
+def rigid_bodies():
+    """6. Rigid bodies beside ODE: a pack of floes that comes to rest, at equal accuracy of place and force."""
+    engines = {name: call for name, call in PACK.items() if (BIN / call[0]).exists()}
+    runs = {name: [] for name in engines}
+    for _ in range(REPETITIONS):
+        for name, call in engines.items():
+            runs[name].append(pack_once(*call))
+    for name, rows in runs.items():
+        if rows[0]["position"] > PACK_PLACE or max(rows[0]["bed"], rows[0]["wall"]) > PACK_FORCE:
+            sys.exit(f"{name} misses {PACK_PLACE} m or {PACK_FORCE} of the force: {rows[0]}")
+    runs["program at its own step"] = [pack_once("bench_rigid_bodies", 0.01, 50)]
+    times = {name: [row["seconds"] for row in rows] for name, rows in runs.items()}
+    floes = runs["program"][0]["floes"]
+    lines = [line(f"{floes} floes, every engine within {1000 * PACK_PLACE:g} mm and {100 * PACK_FORCE:g} %: program / {name}",
+                  ratios(times["program"], times[name]), "< 1") for name in engines if name != "program"]
+    for name, rows in runs.items():
+        lines += [line(f"CPU seconds of a simulated second, {name}", times[name]),
+                  line(f"largest distance of a floe from its place, {name} [mm]", [1000 * rows[0]["position"]]),
+                  line(f"error of the force on bed or wall, {name} [%]", [100 * max(rows[0]["bed"], rows[0]["wall"])])]
+    return lines
+
+
 def campaign():
     """7. What a campaign adds to its runs."""
     settings = ("time.duration=1", "output.frames_per_second=0")
@@ -168,13 +259,12 @@ def build():
 
 
 LINES = {function.__name__: function
-         for function in (coupled, real_time, growth, length, water, geometry, failure, campaign, build)}
+         for function in (coupled, real_time, growth, length, water, geometry, failure, plate, rigid_bodies, campaign, build)}
 TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "water": ["bench_growth"],
-           "geometry": ["bench_geometry"], "failure": ["bench_failure"]}
+           "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"], "rigid_bodies": ["bench_rigid_bodies"]}
 
 NOT_MEASURED = """- a channel ten times as long driven through to its end: above is the length of the ice, not the number of past events;
-- the plate against a finite-element code of Debian (FreeFem++, CalculiX, DOLFINx) at equal accuracy;
-- rigid bodies against ODE, Siconos and Yade on one pack of floes at equal accuracy;
+- rigid bodies against Siconos and Yade on the pack of floes that ODE steps above;
 - two workers against one: it needs two idle cores;
 - the build from clean to tested."""
 
