@@ -36,10 +36,11 @@ class Watchdog {
   /// What the integration in time may leave open of a floe's energy [J]: dt F (u' - u) / 2 of what is constant in F
   /// adds up to no more than half its weight along one step's travel (docs/theory/dynamics.md, Energy).
   double allowance(const Floe& floe) const { return 0.5 * floe.weight * travel_; }
+  double allowance(const FloePopulation& floes) const;
 
   void look_at_place(const Floe& floe, Vec3 place, double time) const;
   void look_at_energy(const Watched& now, BodyId body, const Floe& floe);
-  void look_at_losses(const io::LoadRow& row) const;
+  void look_at_losses(const Watched& now) const;
   void look_at_balance(const Watched& now) const;
 
   const io::Case* case_;
