@@ -78,18 +78,19 @@ def ranking(rows):
 
 
 def draw(table, folder):
-    figure, axes = figures.plt.subplots(1, len(LOADS), figsize=(13, 4.2), constrained_layout=True)
+    figure, axes = figures.plt.subplots(1, len(LOADS), figsize=(14, 5), constrained_layout=True)
     for axis, (column, title) in zip(axes, LOADS.items()):
         chosen = [row for row in table if row["load"] == column][::-1]
-        names = [row["input"].split(".")[1].replace("_", " ") for row in chosen]
+        names = [row["input"].replace(".", ", ").replace("_", " ") for row in chosen]
         axis.barh(names, [row["mean_magnitude"] / 1e3 for row in chosen], color=figures.GREY, label="mean magnitude")
         axis.errorbar([row["mean_effect"] / 1e3 for row in chosen], names,
                       xerr=[row["half_width_95"] / 1e3 for row in chosen], fmt="o", ms=3, color=figures.BLUE, capsize=2,
                       label="mean effect, 95 %")
         axis.plot([row["noise_limit"] / 1e3 for row in chosen], names, "|", color=figures.RED, ms=9,
                   label="noise alone, 95 %")
-        axis.set_title(f"{title} force, over the range [kN]")
-    axes[0].legend(fontsize=7)
+        axis.set_title(f"{title} force [kN]")
+        axis.tick_params(axis="y", labelsize=8)
+    axes[0].legend(fontsize=7, loc="lower right", frameon=True)
     figures.save(figure, folder, "effects")
 
 
