@@ -72,9 +72,8 @@ double Watchdog::allowance(const FloePopulation& floes) const {
   return sum;
 }
 
-/// Contacts take energy, and so does water at rest. With restitution, floes that a blow has just parted may be pressed
-/// together by the loads of the same step: their contact then acts at a mean velocity that parts them, and gives
-/// within what the time step leaves open.
+/// Contacts take energy, and so does water at rest. With restitution they are seen to give some back, why is not
+/// known; the bound is then that of the balance, far wider than what was seen (docs/theory/simulation.md).
 void Watchdog::look_at_losses(const Watched& now) const {
   const io::LoadRow& row = now.row;
   const io::EnergyLosses& l = row.losses;
