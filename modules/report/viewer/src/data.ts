@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unpacks what the program put into the page.
+// Unpacks what the program put into the page. Loops, since `from` with a function takes ten times as long.
 import type { BlockEntry, CampaignData, Numbers, RunData } from "./types";
 
 export type Blocks = Map<string, Numbers>;
@@ -13,7 +13,9 @@ export function readData(): RunData | CampaignData {
 }
 
 async function inflate(base64: string): Promise<Uint8Array> {
-  const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const letters = atob(base64);
+  const packed = new Uint8Array(letters.length);
+  for (let i = 0; i < packed.length; ++i) packed[i] = letters.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
@@ -43,7 +45,10 @@ function unpacked(entry: BlockEntry, bytes: Uint8Array, start: number): Numbers 
   if (entry.kind === "f64") return new Float64Array(buffer);
   if (entry.kind === "f32") return new Float32Array(buffer);
   const whole = summed(new Uint32Array(buffer));
-  return entry.unit === 1 ? whole : Float32Array.from(whole, (n) => n * entry.unit);
+  if (entry.unit === 1) return whole;
+  const out = new Float32Array(whole);
+  for (let i = 0; i < out.length; ++i) out[i] = whole[i] * entry.unit;
+  return out;
 }
 
 export async function readBlocks(directory: BlockEntry[]): Promise<Blocks> {

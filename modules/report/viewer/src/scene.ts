@@ -54,6 +54,8 @@ export class ReplayScene {
     private readonly run: Run,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    // Asking whether a shader compiled waits until it has: a quarter of a second at the start in software.
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.camera.up.set(0, 0, 1);
