@@ -26,10 +26,6 @@ std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<Bendin
 /// Throws ContractViolation when `load` is not a load case.
 void expect_valid(const LoadCase& load);
 
-/// The plate with the load's trapezoid, solved; `l_c` is that of `ice`.
-/// @throws RunError when it cannot be meshed.
-Assessment assess_trapezoid(const IceProperties& ice, double l_c, const LoadCase& load, const BendingOptions& options);
-
 /// N / sqrt(k D) of a contact's pressure [Pa] where the second order is asked for, else 0.
 double in_plane_load(const IceProperties& ice, double l_c, double pressure, const BendingOptions& options);
 

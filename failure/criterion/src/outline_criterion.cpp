@@ -5,6 +5,7 @@
 
 #include "brash/plate/plate.hpp"
 #include "criteria.hpp"
+#include "last_solved.hpp"
 
 namespace brash::failure {
 namespace {
@@ -18,6 +19,7 @@ constexpr double kContactTolerance = 0.25;
 constexpr double kSamePlace = 1e-6;
 
 using Polyline = std::vector<Vec2>;
+using Solution = tl::expected<plate::UnitProfiles, plate::PlateError>;
 
 double distance(Vec2 point, Vec2 from, Vec2 to) {
   const Vec2 along = to - from;
@@ -73,14 +75,17 @@ std::optional<Polyline> plate_edge(const LoadCase& load, double l_c) {
 class OutlineCriterion final : public BendingCriterion {
  public:
   OutlineCriterion(const IceProperties& ice, const BendingOptions& options)
-      : ice_(ice), options_(options), l_c_(characteristic_length(ice)) {}
+      : ice_(ice),
+        options_(options),
+        l_c_(characteristic_length(ice)),
+        trapezoid_(make_plate_criterion(ice, options)) {}
 
   bool needs_outline() const override { return true; }
 
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
     if (const auto answer = assess_outline(load)) return *answer;
-    Assessment answer = assess_trapezoid(ice_, l_c_, load, options_);
+    Assessment answer = trapezoid_->assess(load);
     answer.outline_refused = true;
     return answer;
   }
@@ -95,11 +100,11 @@ class OutlineCriterion final : public BendingCriterion {
                               .thickness = thickness_over_lc,
                               .poisson_ratio = ice_.poisson_ratio,
                               .in_plane_load = in_plane_load(ice_, l_c_, load.pressure, options_)};
-    auto profiles = plate::solve_outline(sheet);
+    auto profiles = solve(sheet);
     const bool buckled = !profiles && profiles.error().buckled;
     if (buckled) {
       sheet.in_plane_load = 0.0;
-      profiles = plate::solve_outline(sheet);
+      profiles = solve(sheet);
     }
     if (!profiles) return std::nullopt;
     const plate::Response r = plate::respond(*profiles, thickness_over_lc, load.mu1, load.mu2);
@@ -110,9 +115,15 @@ class OutlineCriterion final : public BendingCriterion {
                       .buckled = buckled};
   }
 
+  Solution solve(const plate::OutlinePlate& sheet) const {
+    return last_.get(sheet, [](const plate::OutlinePlate& fresh) { return plate::solve_outline(fresh); });
+  }
+
   IceProperties ice_;
   BendingOptions options_;
   double l_c_;
+  std::unique_ptr<BendingCriterion> trapezoid_;
+  mutable LastSolved<plate::OutlinePlate, Solution> last_;
 };
 
 }  // namespace

@@ -7,15 +7,22 @@
 #include "brash/core/error.hpp"
 #include "brash/plate/plate.hpp"
 #include "criteria.hpp"
+#include "last_solved.hpp"
 
 namespace brash::failure {
 
 namespace {
 
-plate::UnitProfiles solve(const plate::WedgePlate& wedge, bool& buckled) {
+/// The fields of first order where the plate buckles.
+struct Solved {
+  plate::UnitProfiles profiles;
+  bool buckled = false;
+};
+
+Solved solve(const plate::WedgePlate& wedge) {
   auto profiles = plate::solve(wedge);
-  if (!profiles && profiles.error().buckled) {
-    buckled = true;
+  const bool buckled = !profiles && profiles.error().buckled;
+  if (buckled) {
     plate::WedgePlate unloaded = wedge;
     unloaded.in_plane_load = 0.0;
     profiles = plate::solve(unloaded);
@@ -24,7 +31,7 @@ plate::UnitProfiles solve(const plate::WedgePlate& wedge, bool& buckled) {
     throw RunError(fmt::format("the plate with b = {} l_c, c = {} l_c, theta = {} rad was not solved: {}", wedge.depth,
                                wedge.contact_length, wedge.angle, profiles.error().what));
   }
-  return std::move(*profiles);
+  return {std::move(*profiles), buckled};
 }
 
 }  // namespace
@@ -33,25 +40,6 @@ double in_plane_load(const IceProperties& ice, double l_c, double pressure, cons
   if (!options.second_order) return 0.0;
   const double k = ice.water_density * kGravity;  // sqrt(k D) = k l_c^2
   return pressure * ice.thickness / (k * l_c * l_c);
-}
-
-Assessment assess_trapezoid(const IceProperties& ice, double l_c, const LoadCase& load, const BendingOptions& options) {
-  plate::WedgePlate wedge{.depth = load.depth / l_c,
-                          .contact_length = load.contact_length / l_c,
-                          .angle = load.angle,
-                          .thickness = ice.thickness / l_c,
-                          .poisson_ratio = ice.poisson_ratio,
-                          .in_plane_load = in_plane_load(ice, l_c, load.pressure, options)};
-  Assessment answer;
-  plate::Response r = plate::respond(solve(wedge, answer.buckled), wedge.thickness, load.mu1, load.mu2);
-  if (options.radial_first && r.sigma_radial_over_p * load.pressure > ice.flexural_strength) {
-    wedge.split = answer.split = true;
-    r = plate::respond(solve(wedge, answer.buckled), wedge.thickness, load.mu1, load.mu2);
-  }
-  answer.sigma_max = r.sigma_over_p * load.pressure;
-  answer.breaking_length = r.lbreak_over_lc * l_c;
-  answer.fails = answer.buckled || answer.sigma_max > ice.flexural_strength;
-  return answer;
 }
 
 namespace {
@@ -64,13 +52,35 @@ class PlateCriterion final : public BendingCriterion {
 
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
-    return assess_trapezoid(ice_, l_c_, load, options_);
+    plate::WedgePlate wedge{.depth = load.depth / l_c_,
+                            .contact_length = load.contact_length / l_c_,
+                            .angle = load.angle,
+                            .thickness = ice_.thickness / l_c_,
+                            .poisson_ratio = ice_.poisson_ratio,
+                            .in_plane_load = in_plane_load(ice_, l_c_, load.pressure, options_)};
+    Assessment answer;
+    plate::Response r = respond(wedge, load, answer.buckled);
+    if (options_.radial_first && r.sigma_radial_over_p * load.pressure > ice_.flexural_strength) {
+      wedge.split = answer.split = true;
+      r = respond(wedge, load, answer.buckled);
+    }
+    answer.sigma_max = r.sigma_over_p * load.pressure;
+    answer.breaking_length = r.lbreak_over_lc * l_c_;
+    answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
+    return answer;
   }
 
  private:
+  plate::Response respond(const plate::WedgePlate& wedge, const LoadCase& load, bool& buckled) const {
+    const Solved solved = last_.get(wedge, solve);
+    buckled = buckled || solved.buckled;
+    return plate::respond(solved.profiles, wedge.thickness, load.mu1, load.mu2);
+  }
+
   IceProperties ice_;
   BendingOptions options_;
   double l_c_;
+  mutable LastSolved<plate::WedgePlate, Solved> last_;
 };
 
 }  // namespace

@@ -29,6 +29,8 @@ struct WedgePlate {
   /// Whether a radial crack from B has split the sheet along the whole centre line: no moments across it. In the plane
   /// it is closed.
   bool split = false;
+
+  friend bool operator==(const WedgePlate&, const WedgePlate&) = default;
 };
 
 /// How finely the plate is meshed. Sizes are longest element edges.
@@ -96,6 +98,8 @@ struct OutlinePlate {
   double poisson_ratio = 0.3;   ///< nu [-]
   Theory theory = Theory::kReissnerMindlin;
   double in_plane_load = 0.0;  ///< N / sqrt(k D) [-], as in WedgePlate
+
+  friend bool operator==(const OutlinePlate&, const OutlinePlate&) = default;
 };
 
 /// Solves the plate with the given edge for the same three unit loads (along x, y and out of the plane everywhere on
