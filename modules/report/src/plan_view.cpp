@@ -80,9 +80,10 @@ std::string floes(const View& view, const io::Case& resolved, const io::RunResul
 std::string scale_bar(const View& view) {
   const Vec2 from = view.on_page(view.lower + Vec2{1.0, 0.8});
   return fmt::format(
+      "<rect x=\"{4:.1f}\" y=\"{5:.1f}\" width=\"{6:.1f}\" height=\"32\" rx=\"4\" fill=\"#fff\"/>"
       "<path d=\"M{0:.1f} {1:.1f}h{2:.1f}\" stroke=\"#000\" stroke-width=\"3\"/>"
       "<text x=\"{0:.1f}\" y=\"{3:.1f}\" class=\"label\">5 m</text>\n",
-      from.x, from.y, 5.0 * kPixelsPerMetre, from.y - 6.0);
+      from.x, from.y, 5.0 * kPixelsPerMetre, from.y - 6.0, from.x - 8.0, from.y - 23.0, 5.0 * kPixelsPerMetre + 16.0);
 }
 
 constexpr const char* kStyle =
