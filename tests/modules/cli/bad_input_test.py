@@ -26,6 +26,8 @@ PARTS = ("\n  allowed: ", "\n  remedy:  ")
 
 
 def limit_memory():
+    if os.environ.get("BRASH_SANITIZE"):
+        return  # a sanitizer reserves more address space than there is memory
     resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
 
 
