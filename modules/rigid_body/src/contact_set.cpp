@@ -83,35 +83,42 @@ std::vector<btPersistentManifold*> ContactSet::manifolds() {
   return manifolds;
 }
 
-std::vector<ContactLoad> ContactSet::loads(double dt, const std::vector<double>& bounds) const {
-  std::vector<ContactLoad> loads;
+/// What the solver left in a contact point.
+ContactLoad ContactSet::load(const Contact& contact, int point, double dt, const std::vector<double>& bounds) const {
+  const bool turn = contact.reported_turned();
+  const double sign = turn ? -1.0 : 1.0;
+  const Body& body = turn ? *contact.second : *contact.first;
+  const Body& other = turn ? *contact.first : *contact.second;
+  const btManifoldPoint& p = contact.manifold.getContactPoint(point);
+  const btVector3 friction =
+      p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 + p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
+  const Vec3 at = from_bullet(p.m_positionWorldOnB);
+  return {.body = body.id,
+          .other = other.id,
+          .other_kind = other.kind,
+          .point = at,
+          .normal = sign * contact.normal,
+          .normal_force = p.m_appliedImpulse / dt,
+          .friction_force = (sign / dt) * from_bullet(friction),
+          .area = contact.patch.points[static_cast<std::size_t>(point)].area,
+          .depth = contact.patch.depth,
+          .at_bound = p.m_appliedImpulse >= bounds[static_cast<std::size_t>(p.m_index0)],
+          .body_velocity = velocity_at(body.mean_twist, at - body.pose.position),
+          .other_velocity = velocity_at(other.mean_twist, at - other.pose.position)};
+}
+
+void ContactSet::report(double dt, const std::vector<double>& bounds, std::vector<ContactLoad>& loads) {
+  listed_.clear();
   for (const Contact& contact : contacts_) {
-    const bool turn = contact.second->is_floe() && contact.second->id < contact.first->id;
-    const double sign = turn ? -1.0 : 1.0;
-    for (int i = 0; i < contact.manifold.getNumContacts(); ++i) {
-      const btManifoldPoint& p = contact.manifold.getContactPoint(i);
-      const btVector3 friction =
-          p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 + p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
-      const double bound = bounds[static_cast<std::size_t>(p.m_index0)];
-      const Vec3 at = from_bullet(p.m_positionWorldOnB);
-      const Body& body = turn ? *contact.second : *contact.first;
-      const Body& other = turn ? *contact.first : *contact.second;
-      loads.push_back({.body = body.id,
-                       .other = other.id,
-                       .point = at,
-                       .normal = sign * contact.normal,
-                       .normal_force = p.m_appliedImpulse / dt,
-                       .friction_force = (sign / dt) * from_bullet(friction),
-                       .area = contact.patch.points[static_cast<std::size_t>(i)].area,
-                       .depth = contact.patch.depth,
-                       .at_bound = p.m_appliedImpulse >= bound,
-                       .body_velocity = velocity_at(body.mean_twist, at - body.pose.position),
-                       .other_velocity = velocity_at(other.mean_twist, at - other.pose.position)});
-    }
+    const bool turn = contact.reported_turned();
+    for (int i = 0; i < contact.manifold.getNumContacts(); ++i)
+      listed_.push_back({(turn ? contact.second : contact.first)->id, (turn ? contact.first : contact.second)->id,
+                         from_bullet(contact.manifold.getContactPoint(i).m_positionWorldOnB), &contact, i});
   }
-  const auto key = [](const ContactLoad& c) { return std::tuple(c.body, c.other, c.point.x, c.point.y, c.point.z); };
-  std::sort(loads.begin(), loads.end(), [&](const ContactLoad& a, const ContactLoad& b) { return key(a) < key(b); });
-  return loads;
+  const auto key = [](const Listed& l) { return std::tie(l.body, l.other, l.place.x, l.place.y, l.place.z); };
+  std::sort(listed_.begin(), listed_.end(), [&](const Listed& a, const Listed& b) { return key(a) < key(b); });
+  loads.clear();
+  for (const Listed& l : listed_) loads.push_back(load(*l.contact, l.point, dt, bounds));
 }
 
 }  // namespace brash::rigid_body

@@ -22,8 +22,8 @@ class ContactSet {
   std::vector<Body*> settled_and_hit(double speed) const;
   /// For the solver; they hold until the next find().
   std::vector<btPersistentManifold*> manifolds();
-  /// Each point's load after the solver, sorted by (body, other, point).
-  std::vector<ContactLoad> loads(double dt, const std::vector<double>& bounds) const;
+  /// Fills `loads` with each point's load after the solver, sorted by (body, other, point).
+  void report(double dt, const std::vector<double>& bounds, std::vector<ContactLoad>& loads);
 
  private:
   /// A contact of two parts on its way through the solver.
@@ -34,6 +34,9 @@ class ContactSet {
           normal(direction),
           patch(overlap),
           manifold(one.bullet.get(), other.bullet.get(), 0, BT_LARGE_FLOAT, BT_LARGE_FLOAT) {}
+
+    /// A pair of floes is reported from the lower id.
+    bool reported_turned() const { return second->is_floe() && second->id < first->id; }
 
     Body* first;
     Body* second;
@@ -46,11 +49,22 @@ class ContactSet {
     return second.kind == BodyKind::kStructure ? ice_structure_ : ice_ice_;
   }
   void add(const PartPair& pair, double dt, std::vector<double>& bounds);
+  ContactLoad load(const Contact& contact, int point, double dt, const std::vector<double>& bounds) const;
+
+  /// A contact point on its way into the order of the report.
+  struct Listed {
+    BodyId body;
+    BodyId other;
+    Vec3 place;
+    const Contact* contact;
+    int point;
+  };
 
   ContactLaw ice_structure_;
   ContactLaw ice_ice_;
   NarrowPhase narrow_phase_;
   std::vector<Contact> contacts_;
+  std::vector<Listed> listed_;              ///< scratch of report
   std::vector<const Part*> near_sheet_;     ///< scratch of find
   std::vector<const Part*> beside_first_;   ///< scratch of find
   std::vector<const Part*> beside_second_;  ///< scratch of find

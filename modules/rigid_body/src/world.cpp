@@ -41,13 +41,16 @@ struct World::Impl {
 
   WorldSettings settings;
   std::map<BodyId, std::unique_ptr<Body>> bodies;
-  std::uint32_t next_index = 0;
+  std::vector<Body*> by_index;  ///< of every body there has been; null where it is gone
   bool neighbours_known = false;  ///< of the bodies' present places
   BroadPhase broad_phase;
   ContactSet contacts;
   BoundedSolver solver;
   std::vector<ContactLoad> loads;
 
+  bool contains(BodyId id) const {
+    return id.index < by_index.size() && by_index[id.index] != nullptr && by_index[id.index]->id == id;
+  }
   Body& get(BodyId id);
   BodyId insert(std::unique_ptr<Body> body);
   std::vector<Body*> canonical_order();
@@ -62,18 +65,18 @@ struct World::Impl {
 };
 
 Body& World::Impl::get(BodyId id) {
-  const auto found = bodies.find(id);
-  BRASH_EXPECTS(found != bodies.end(), "no such body", id.index, id.generation);
-  return *found->second;
+  BRASH_EXPECTS(contains(id), "no such body", id.index, id.generation);
+  return *by_index[id.index];
 }
 
 BodyId World::Impl::insert(std::unique_ptr<Body> body) {
   neighbours_known = false;
-  const BodyId id{next_index++, 0};
+  const BodyId id{static_cast<std::uint32_t>(by_index.size()), 0};
   body->id = id;
   body->next_pose = body->pose;
   body->make_bullet_body();
   for (const auto& part : body->parts) broad_phase.add(*part);
+  by_index.push_back(body.get());
   bodies.emplace(id, std::move(body));
   return id;
 }
@@ -247,6 +250,7 @@ BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose
 void World::remove(BodyId id) {
   impl_->neighbours_known = false;
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
+  impl_->by_index[id.index] = nullptr;
   impl_->bodies.erase(id);
 }
 
@@ -280,7 +284,7 @@ void World::step(double dt) {
   impl_->find_contacts(dt);
   impl_->solve(order, dt);
   impl_->average_velocities(order);
-  impl_->loads = impl_->contacts.loads(dt, impl_->solver.bounds);
+  impl_->contacts.report(dt, impl_->solver.bounds, impl_->loads);
   impl_->advance(order, dt);
 }
 
@@ -294,7 +298,7 @@ void World::neighbours(BodyId id, double reach, std::vector<Solid>& solids) {
 }
 
 BodyKind World::kind(BodyId id) const { return impl_->get(id).kind; }
-bool World::contains(BodyId id) const { return impl_->bodies.contains(id); }
+bool World::contains(BodyId id) const { return impl_->contains(id); }
 
 std::vector<BodyId> World::floes() const {
   std::vector<BodyId> ids;

@@ -110,7 +110,7 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
 io::Checkpoint Simulation::Impl::checkpoint() const {
   const geometry::Ledger& l = field.ledger();
   io::Checkpoint saved{.case_name = resolved.name,
-                       .case_toml = io::to_toml(resolved),
+                       .case_toml = resolved_toml,
                        .sheet = {},
                        .floes = {},
                        .ledger = {{"initial", to_text(l.initial)},

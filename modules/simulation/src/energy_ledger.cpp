@@ -12,16 +12,16 @@ double power(const Wrench& load, const Twist& twist) {
   return dot(load.force, twist.linear) + dot(load.moment, twist.angular);
 }
 
-void book(io::EnergyLosses& losses, BodyKind other, const ContactLoad& contact, double dt) {
+void book(io::EnergyLosses& losses, const ContactLoad& contact, double dt) {
   const double normal = -dt * rigid_body::normal_power(contact);
   const double friction = -dt * rigid_body::friction_power(contact);
   const auto add = [&](double& of_contact, double& of_friction) {
     of_contact += normal;
     of_friction += friction;
   };
-  if (other == BodyKind::kStructure) add(losses.structure_contact, losses.structure_friction);
-  if (other == BodyKind::kSheet) add(losses.sheet_contact, losses.sheet_friction);
-  if (other == BodyKind::kFloe) add(losses.floe_contact, losses.floe_friction);
+  if (contact.other_kind == BodyKind::kStructure) add(losses.structure_contact, losses.structure_friction);
+  if (contact.other_kind == BodyKind::kSheet) add(losses.sheet_contact, losses.sheet_friction);
+  if (contact.other_kind == BodyKind::kFloe) add(losses.floe_contact, losses.floe_friction);
 }
 
 }  // namespace
@@ -34,11 +34,11 @@ void EnergyLedger::book_structure(double edge_force, double floe_force, double a
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
   received_.clear();
   for (const ContactLoad& contact : world.contacts()) {
-    book(losses_, world.kind(contact.other), contact, dt);
+    if (!bears(contact)) continue;
+    book(losses_, contact, dt);
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
     received_[contact.body] += dt * dot(force, contact.body_velocity);
-    if (world.kind(contact.other) == BodyKind::kFloe)
-      received_[contact.other] -= dt * dot(force, contact.other_velocity);
+    if (contact.other_kind == BodyKind::kFloe) received_[contact.other] -= dt * dot(force, contact.other_velocity);
   }
   for (const auto& [body, floe] : floes.floes()) {
     const Twist twist = world.mean_twist(body);

@@ -148,17 +148,18 @@ void FloePopulation::average_contacts(const rigid_body::World& world, double dt)
   std::map<BodyId, std::array<double, 6>> dipoles;
   std::map<BodyId, io::Bearing> bearings;
   // In the order of their places, so that the sums do not depend on how the bodies came to their ids.
-  std::vector<rigid_body::ContactLoad> contacts = world.contacts();
-  std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad& c) {
-    return std::tuple(c.point.x, c.point.y, c.point.z, c.normal.x, c.normal.y, c.normal.z);
+  std::vector<const rigid_body::ContactLoad*> contacts;
+  for (const rigid_body::ContactLoad& contact : world.contacts()) contacts.push_back(&contact);
+  std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad* c) {
+    return std::tie(c->point.x, c->point.y, c->point.z, c->normal.x, c->normal.y, c->normal.z);
   });
-  for (const rigid_body::ContactLoad& contact : contacts) {
-    const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
-    add_dipole(dipoles[contact.body], contact.point - world.pose(contact.body).position, force);
-    const rigid_body::BodyKind other = world.kind(contact.other);
-    if (other == rigid_body::BodyKind::kFloe)
-      add_dipole(dipoles[contact.other], contact.point - world.pose(contact.other).position, -force);
-    if (other == rigid_body::BodyKind::kSheet) add_contact(bearings[contact.body], contact);
+  for (const rigid_body::ContactLoad* const contact : contacts) {
+    if (!bears(*contact)) continue;
+    const Vec3 force = contact->normal_force * contact->normal + contact->friction_force;
+    add_dipole(dipoles[contact->body], contact->point - world.pose(contact->body).position, force);
+    if (contact->other_kind == rigid_body::BodyKind::kFloe)
+      add_dipole(dipoles[contact->other], contact->point - world.pose(contact->other).position, -force);
+    if (contact->other_kind == rigid_body::BodyKind::kSheet) add_contact(bearings[contact->body], *contact);
   }
   for (auto& [body, floe] : floes_) {
     if (world.is_settled(body)) continue;
@@ -220,7 +221,7 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
 std::vector<BodyId> FloePopulation::overstressed(double strength) const {
   std::vector<BodyId> bodies;
   for (const auto& [body, floe] : floes_)
-    if (largest_compression(floe.stress) > strength) bodies.push_back(body);
+    if (floe.peak_compression > strength && largest_compression(floe.stress) > strength) bodies.push_back(body);
   return bodies;
 }
 
@@ -233,7 +234,10 @@ Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
 
 double FloePopulation::raised(const rigid_body::World& world, BodyId body, const Floe& floe) const {
   if (world.is_settled(body)) return floe.settled_height;
-  return potential(floe, world.pose(body), water_.density) - floe.rest_potential;
+  const Pose pose = world.pose(body);
+  if (!floe.raised || floe.raised->first != pose)
+    floe.raised.emplace(pose, potential(floe, pose, water_.density) - floe.rest_potential);
+  return floe.raised->second;
 }
 
 double FloePopulation::potential_energy(const rigid_body::World& world) const {

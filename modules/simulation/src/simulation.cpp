@@ -58,6 +58,7 @@ class TimedCriterion final : public failure::BendingCriterion {
 
 Simulation::Impl::Impl(const io::Case& c, IceField laid)
     : resolved(c),
+      resolved_toml(io::to_toml(c)),
       ice(ice_properties(c)),
       cone(cone_of(c)),
       criterion(std::make_unique<TimedCriterion>(make_criterion(c, ice), timer, times.failure)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "brash/io/checkpoint.hpp"
@@ -18,6 +19,7 @@ namespace brash::simulation {
 
 struct Simulation::Impl {
   io::Case resolved;
+  std::string resolved_toml;  ///< the case as a checkpoint holds it
   StageTimes times;
   StageTimer timer;
   failure::IceProperties ice;

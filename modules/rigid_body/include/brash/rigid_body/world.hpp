@@ -54,22 +54,28 @@ struct PlacedPrism {
 PlacedPrism place_prism(std::span<const std::vector<Vec2>> rings, std::span<const std::vector<Vec2>> parts,
                         double thickness, double mid_height);
 
+enum class BodyKind { kFloe, kStructure, kSheet };
+
 /// One contact point's load, as the solver left it. A pair of floes is reported once, with `body` < `other`.
 struct ContactLoad {
-  BodyId body;                ///< the floe
-  BodyId other;               ///< structure, sheet or another floe
-  Vec3 point{};               ///< [m], world
-  Vec3 normal{};              ///< unit, from `other` into `body`
-  double normal_force = 0.0;  ///< impulse / dt [N], >= 0
-  Vec3 friction_force{};      ///< on `body` [N]
-  double area = 0.0;          ///< the point's share of the overlap's area normal to `normal` [m2]
-  double depth = 0.0;         ///< extent of the overlap along the normal [m]
-  bool at_bound = false;      ///< the crushing bound was reached
+  BodyId body;                            ///< the floe
+  BodyId other;                           ///< structure, sheet or another floe
+  BodyKind other_kind = BodyKind::kFloe;  ///< what that is
+  Vec3 point{};                           ///< [m], world
+  Vec3 normal{};                          ///< unit, from `other` into `body`
+  double normal_force = 0.0;              ///< impulse / dt [N], >= 0
+  Vec3 friction_force{};                  ///< on `body` [N]
+  double area = 0.0;                      ///< the point's share of the overlap's area normal to `normal` [m2]
+  double depth = 0.0;                     ///< extent of the overlap along the normal [m]
+  bool at_bound = false;                  ///< the crushing bound was reached
   /// Velocities of the two bodies at the point, each the mean of those at the start and the end of the step [m/s]. A
   /// force of the step times such a mean is its share of the change of kinetic energy, exactly (dynamics.md, E2).
   Vec3 body_velocity{};
   Vec3 other_velocity{};
 };
+
+/// Whether it bears anything; most contacts of floes that drift apart do not.
+constexpr bool bears(const ContactLoad& c) { return c.normal_force != 0.0 || c.friction_force != Vec3{}; }
 
 /// Power of the normal force on both bodies together [W]; negative: kinetic energy lost to crushing and impact.
 constexpr double normal_power(const ContactLoad& c) {
@@ -80,8 +86,6 @@ constexpr double normal_power(const ContactLoad& c) {
 constexpr double friction_power(const ContactLoad& c) {
   return dot(c.friction_force, c.body_velocity - c.other_velocity);
 }
-
-enum class BodyKind { kFloe, kStructure, kSheet };
 
 /// The rigid-body world: floes, one structure, the fixed sheet's collision shapes. Hides Bullet.
 ///
