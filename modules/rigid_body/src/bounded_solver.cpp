@@ -16,36 +16,37 @@ void BoundedSolver::convertContacts(btPersistentManifold** manifolds, int n_mani
   }
 }
 
-BoundedSolver::Side BoundedSolver::side(int body, const btVector3& linear, const btVector3& angular,
-                                        const btVector3& turned) const {
-  const btVector3 pushed = linear * m_tmpSolverBodyPool[body].internalGetInvMass();
-  Side s{.body = static_cast<std::size_t>(body)};
-  for (int k = 0; k < 3; ++k) {
-    s.jacobian[static_cast<std::size_t>(k)] = Pair{linear[k], angular[k]};
-    s.response[static_cast<std::size_t>(k)] = Pair{pushed[k], turned[k]};
-  }
-  return s;
-}
-
-BoundedSolver::Row BoundedSolver::compact(const btSolverConstraint& row) const {
-  return {.a = side(row.m_solverBodyIdA, row.m_contactNormal1, row.m_relpos1CrossNormal, row.m_angularComponentA),
-          .b = side(row.m_solverBodyIdB, row.m_contactNormal2, row.m_relpos2CrossNormal, row.m_angularComponentB),
-          .rhs = row.m_rhs,
-          .softness = row.m_cfm,
-          .inverse_jacobian = row.m_jacDiagABInv,
-          .jacobian = 1.0 / row.m_jacDiagABInv,
-          .lower = row.m_lowerLimit,
-          .upper = row.m_upperLimit,
-          .impulse = row.m_appliedImpulse};
+void BoundedSolver::copy_in(const btSolverConstraint& from, Row& row) const {
+  const auto copy = [](const btVector3& linear, const btVector3& angular, Spatial& to) {
+    for (int k = 0; k < 3; ++k) to[static_cast<std::size_t>(k)] = Pair{linear[k], angular[k]};
+  };
+  const btVector3& inverse_mass_a = m_tmpSolverBodyPool[from.m_solverBodyIdA].internalGetInvMass();
+  const btVector3& inverse_mass_b = m_tmpSolverBodyPool[from.m_solverBodyIdB].internalGetInvMass();
+  copy(from.m_contactNormal1, from.m_relpos1CrossNormal, row.a.jacobian);
+  copy(from.m_contactNormal1 * inverse_mass_a, from.m_angularComponentA, row.a.response);
+  copy(from.m_contactNormal2, from.m_relpos2CrossNormal, row.b.jacobian);
+  copy(from.m_contactNormal2 * inverse_mass_b, from.m_angularComponentB, row.b.response);
+  row.body_a = static_cast<std::uint32_t>(from.m_solverBodyIdA);
+  row.body_b = static_cast<std::uint32_t>(from.m_solverBodyIdB);
+  row.rhs = from.m_rhs;
+  row.softness = from.m_cfm;
+  row.inverse_jacobian = from.m_jacDiagABInv;
+  row.jacobian = 1.0 / from.m_jacDiagABInv;
+  row.lower = from.m_lowerLimit;
+  row.upper = from.m_upperLimit;
+  row.impulse = from.m_appliedImpulse;
 }
 
 void BoundedSolver::copy_in() {
   const btConstraintArray& friction = m_tmpSolverContactFrictionConstraintPool;
-  rows_.clear();
-  for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i) {
-    const btSolverConstraint& normal = m_tmpSolverContactConstraintPool[i];
+  rows_.resize(static_cast<std::size_t>(m_tmpSolverContactConstraintPool.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const btSolverConstraint& normal = m_tmpSolverContactConstraintPool[static_cast<int>(i)];
     const btSolverConstraint& first = friction[normal.m_frictionIndex];
-    rows_.push_back({compact(normal), first.m_friction, compact(first), compact(friction[normal.m_frictionIndex + 1])});
+    copy_in(normal, rows_[i].normal);
+    rows_[i].friction = first.m_friction;
+    copy_in(first, rows_[i].first);
+    copy_in(friction[normal.m_frictionIndex + 1], rows_[i].second);
   }
   velocities_.assign(static_cast<std::size_t>(m_tmpSolverBodyPool.size()), Spatial{});
 }
@@ -71,8 +72,8 @@ double BoundedSolver::resolve(Row& row) {
     const Pair sum = jacobian[0] * velocity[0] + jacobian[1] * velocity[1] + jacobian[2] * velocity[2];
     return sum[0] + sum[1];
   };
-  Spatial& a = velocities_[row.a.body];
-  Spatial& b = velocities_[row.b.body];
+  Spatial& a = velocities_[row.body_a];
+  Spatial& b = velocities_[row.body_b];
   double change = row.rhs - row.impulse * row.softness;
   change -= relative(row.a.jacobian, a) * row.inverse_jacobian;
   change -= relative(row.b.jacobian, b) * row.inverse_jacobian;
@@ -82,10 +83,12 @@ double BoundedSolver::resolve(Row& row) {
     change = impulse - row.impulse;
   }
   row.impulse = impulse;
-  for (std::size_t k = 0; k < 3; ++k) {
-    a[k] += row.a.response[k] * change;
-    b[k] += row.b.response[k] * change;
-  }
+  const auto push = [&](Spatial& velocity, const Spatial& response) {
+    velocity = {velocity[0] + response[0] * change, velocity[1] + response[1] * change,
+                velocity[2] + response[2] * change};
+  };
+  push(a, row.a.response);
+  push(b, row.b.response);
   return change * row.jacobian;
 }
 

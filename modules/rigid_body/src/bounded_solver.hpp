@@ -4,6 +4,7 @@
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace brash::rigid_body {
@@ -40,14 +41,15 @@ class BoundedSolver : public btSequentialImpulseConstraintSolver {
 
   /// One body's side of a row.
   struct Side {
-    std::size_t body = 0;  ///< in velocities_
-    Spatial jacobian{};    ///< relative velocity per velocity of the body
-    Spatial response{};    ///< change of the body's velocity per impulse
+    Spatial jacobian{};  ///< relative velocity per velocity of the body
+    Spatial response{};  ///< change of the body's velocity per impulse
   };
   /// One constraint: keeps an impulse within limits that makes a relative velocity vanish.
   struct Row {
     Side a;
     Side b;
+    std::uint32_t body_a = 0;       ///< in velocities_
+    std::uint32_t body_b = 0;       ///< likewise
     double rhs = 0.0;               ///< impulse that would do so alone [N s]
     double softness = 0.0;          ///< Bullet's cfm
     double inverse_jacobian = 0.0;  ///< impulse per relative velocity [kg]
@@ -64,8 +66,7 @@ class BoundedSolver : public btSequentialImpulseConstraintSolver {
     Row second;
   };
 
-  Side side(int body, const btVector3& linear, const btVector3& angular, const btVector3& turned) const;
-  Row compact(const btSolverConstraint& row) const;
+  void copy_in(const btSolverConstraint& from, Row& row) const;
   void copy_in();
   void copy_out();
   double resolve(Row& row);
