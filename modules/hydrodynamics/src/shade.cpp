@@ -24,7 +24,10 @@ Shade::Shade(const Prism& prism, const Pose& pose, std::span<const Solid> neighb
   const Vec3 centre{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), 0.0};
   const Vec3 half{0.5 * (high.x - low.x) + gap, 0.5 * (high.y - low.y) + gap, 0.5 * prism.thickness + gap};
   near_.reserve(8 * neighbours.size());
+  near_ends_.reserve(neighbours.size());
   for (const Solid solid : neighbours) keep(solid, centre, half);
+  planes_.reserve(near_.size());
+  ends_.reserve(near_ends_.size());
 }
 
 /// Keeps the planes of `solid` that pass among the probes, which the box in the body frame holds; nothing of a solid

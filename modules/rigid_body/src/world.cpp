@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 
 #include "body.hpp"
@@ -40,9 +39,9 @@ struct World::Impl {
   explicit Impl(const WorldSettings& s) : settings(s), contacts(s) {}
 
   WorldSettings settings;
-  std::map<BodyId, std::unique_ptr<Body>> bodies;
-  std::vector<Body*> by_index;  ///< of every body there has been; null where it is gone
-  bool neighbours_known = false;  ///< of the bodies' present places
+  std::vector<std::unique_ptr<Body>> bodies;  ///< in the order of their ids
+  std::vector<Body*> by_index;                ///< of every body there has been; null where it is gone
+  bool neighbours_known = false;              ///< of the bodies' present places
   BroadPhase broad_phase;
   ContactSet contacts;
   BoundedSolver solver;
@@ -77,14 +76,15 @@ BodyId World::Impl::insert(std::unique_ptr<Body> body) {
   body->make_bullet_body();
   for (const auto& part : body->parts) broad_phase.add(*part);
   by_index.push_back(body.get());
-  bodies.emplace(id, std::move(body));
+  bodies.push_back(std::move(body));
   return id;
 }
 
 /// All bodies in an order that depends on their states only; ranks are set.
 std::vector<Body*> World::Impl::canonical_order() {
   std::vector<Body*> order;
-  for (const auto& [id, body] : bodies) order.push_back(body.get());
+  order.reserve(bodies.size());
+  for (const auto& body : bodies) order.push_back(body.get());
   std::sort(order.begin(), order.end(), [](const Body* a, const Body* b) { return comes_before(*a, *b); });
   for (std::size_t i = 0; i < order.size(); ++i) order[i]->rank = static_cast<int>(i);
   return order;
@@ -109,10 +109,10 @@ void World::Impl::set_settled(Body& body, bool settled) {
 void World::Impl::find_neighbours(double reach) {
   if (reach != broad_phase.reach) {
     broad_phase.reach = reach;
-    for (const auto& [id, body] : bodies)
+    for (const auto& body : bodies)
       for (const auto& part : body->parts) broad_phase.move(*part);
   }
-  for (const auto& [id, body] : bodies) body->near.clear();
+  for (const auto& body : bodies) body->near.clear();
   for (const auto& [first, second] : broad_phase.near_pairs()) {
     first->body->near.push_back(second);
     if (second->body->is_floe()) second->body->near.push_back(first);
@@ -121,7 +121,7 @@ void World::Impl::find_neighbours(double reach) {
     const auto& [lower, upper] = std::tie(part->now.lower, part->now.upper);
     return std::tuple(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, part->body->id, part->number);
   };
-  for (const auto& [id, body] : bodies) {
+  for (const auto& body : bodies) {
     std::sort(body->near.begin(), body->near.end(), [&](const Part* a, const Part* b) {
       return a->now.lower.x != b->now.lower.x ? a->now.lower.x < b->now.lower.x : key(a) < key(b);
     });
@@ -251,7 +251,7 @@ void World::remove(BodyId id) {
   impl_->neighbours_known = false;
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
   impl_->by_index[id.index] = nullptr;
-  impl_->bodies.erase(id);
+  impl_->bodies.erase(std::ranges::lower_bound(impl_->bodies, id, {}, [](const auto& body) { return body->id; }));
 }
 
 void World::set_settled(BodyId id, bool settled) {
@@ -302,8 +302,8 @@ bool World::contains(BodyId id) const { return impl_->contains(id); }
 
 std::vector<BodyId> World::floes() const {
   std::vector<BodyId> ids;
-  for (const auto& [id, body] : impl_->bodies)
-    if (body->is_floe()) ids.push_back(id);
+  for (const auto& body : impl_->bodies)
+    if (body->is_floe()) ids.push_back(body->id);
   return ids;
 }
 
@@ -335,7 +335,7 @@ void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
 
 double World::kinetic_energy() const {
   double sum = 0.0;
-  for (const auto& [id, body] : impl_->bodies)
+  for (const auto& body : impl_->bodies)
     if (body->is_floe()) sum += body->kinetic_energy();
   return sum;
 }
