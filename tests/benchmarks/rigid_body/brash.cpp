@@ -20,15 +20,13 @@ std::vector<brash::Vec3> box(brash::Vec3 from, brash::Vec3 to) {
   return corners;
 }
 
-constexpr double kCrushing = 0.5e6;  ///< bound of a contact, far above every force here [Pa]
-
 class BrashEngine : public Engine {
  public:
   BrashEngine(const Pack& pack, const Settings& settings)
       : pack_(pack),
         dt_(settings.dt),
-        world_({.ice_structure = {0.0, 0.0, kCrushing},
-                .ice_ice = {kFriction, 0.0, kCrushing},
+        world_({.ice_structure = {0.0, 0.0, settings.crushing},
+                .ice_ice = {kFriction, 0.0, settings.crushing},
                 .iterations = settings.iterations}) {
     for (const Floe& floe : pack.floes) {
       const double x = 0.5 * floe.size.x, y = 0.5 * floe.size.y;

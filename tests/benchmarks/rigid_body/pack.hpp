@@ -39,8 +39,9 @@ Pack make_pack(int along, int across, int layers);
 
 /// How an engine steps.
 struct Settings {
-  double dt = 0.01;     ///< [s]
-  int iterations = 50;  ///< of its solver a step; what that means is the engine's
+  double dt = 0.01;         ///< [s]
+  int iterations = 50;      ///< of its solver a step; what that means is the engine's
+  double crushing = 0.5e6;  ///< the program's contacts give way at this, far above every pressure here [Pa]; inf: rigid
 };
 
 /// Forces on bed and wall in one step [N].
