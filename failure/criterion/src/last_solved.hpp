@@ -8,8 +8,9 @@
 
 namespace brash::failure {
 
-/// Remembers the plates solved last. A plate's unit fields do not depend on the pressure, and a contact is assessed
-/// again within a step, on the same ice under another pressure, once other ice has been crushed. Safe between threads.
+/// Remembers the plates solved last. To first order a plate's fields do not depend on the pressure, and a contact is
+/// assessed again within a step, on the same ice under another pressure, once other ice has been crushed. Safe between
+/// threads.
 template <class Plate, class Solution>
 class LastSolved {
  public:
@@ -30,7 +31,7 @@ class LastSolved {
   }
 
  private:
-  static constexpr std::size_t kKept = 8;  ///< contacts of a step; a solution holds about 0.1 MB
+  static constexpr std::size_t kKept = 8;  ///< contacts of a step
 
   std::mutex mutex_;
   std::deque<std::pair<Plate, Solution>> last_;

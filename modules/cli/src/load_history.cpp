@@ -55,8 +55,7 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   load.unit = series.units[column];
   const std::vector<double>& values = series.columns[column];
   // A thousandth of a step absorbs the rounding of printed times.
-  const double n_steps = static_cast<double>(values.size()) - 1.0;
-  const double step = n_steps > 0.0 ? (time_of(values.size() - 1) - time_of(0)) / n_steps : 0.0;
+  const double step = (time_of(values.size() - 1) - time_of(0)) / static_cast<double>(values.size() - 1);
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (choice.has_from && time_of(row) < choice.from - 1e-3 * step) continue;
     if (std::isnan(values[row])) {

@@ -56,8 +56,8 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
     std::size_t end = 0;
     for (bool quoted = false; end < line.size() && (quoted || line[end] != separator); ++end)
       if (line[end] == '"') quoted = !quoted;
-    const std::string_view cell = unquoted(without_blanks(line.substr(0, end)));
-    if (separator != ' ' || !cell.empty()) cells.push_back(cell);
+    const std::string_view cell = without_blanks(line.substr(0, end));
+    if (separator != ' ' || !cell.empty()) cells.push_back(unquoted(cell));  // "" between quotes is a cell
     if (end == line.size() || cells.size() > kMostColumns) return cells;
     line.remove_prefix(end + 1);
   }
