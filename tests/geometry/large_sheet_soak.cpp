@@ -13,7 +13,9 @@ using namespace brash::geometry;
 namespace {
 
 constexpr int kVertices = 100000;
-constexpr double kSpacing = 0.5;  // m
+constexpr double kSpacing = 0.15;  // m
+constexpr double kLength = kVertices * kSpacing;  // of the sheet, about the origin: coordinates end at kMaxCoordinate
+static_assert(0.5 * kLength < kMaxCoordinate);
 
 double heap_in_use() {
   const struct mallinfo2 info = ::mallinfo2();
@@ -23,9 +25,9 @@ double heap_in_use() {
 /// A sheet whose free edge is ragged.
 Polygon ragged_sheet(std::mt19937_64& random) {
   std::vector<Vec2> outline;
-  for (int i = 0; i < kVertices; ++i) outline.push_back({kSpacing * i, shapes::uniform(random)});
-  outline.push_back({kSpacing * kVertices, 100.0});
-  outline.push_back({0.0, 100.0});
+  for (int i = 0; i < kVertices; ++i) outline.push_back({kSpacing * i - 0.5 * kLength, shapes::uniform(random)});
+  outline.push_back({0.5 * kLength, 100.0});
+  outline.push_back({-0.5 * kLength, 100.0});
   return {ring(outline), {}};
 }
 
@@ -38,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_large_sheet_is_cut_ten_thousand_times_and_its_memory_foll
   const double bytes_a_vertex = (heap_in_use() - before) / static_cast<double>(sheet.n_vertices());
   BOOST_TEST_MESSAGE(sheet.n_vertices() << " vertices, " << bytes_a_vertex << " bytes each");
   for (int i = 1; i <= 10000; ++i) {
-    const Vec2 centre{kSpacing * kVertices * shapes::uniform(random), 60.0 * shapes::uniform(random)};
+    const Vec2 centre{kLength * (shapes::uniform(random) - 0.5), 60.0 * shapes::uniform(random)};
     const ExactArea whole = sheet.area();
     const Cut cut = cut_circumferential(sheet, centre, 0.5 + 2.5 * shapes::uniform(random), 3 + i % 3);
     ExactArea pieces;
