@@ -19,6 +19,36 @@
 
 namespace brash::io {
 
+namespace {
+
+template <typename VectorOf, typename Visit>
+void visit_vector(const std::string& name, const char* unit, const std::string& meaning, VectorOf of, Visit&& visit) {
+  visit(
+      name + "x", unit, meaning + ", x", [of](auto& row) -> auto& { return of(row).x; });
+  visit(
+      name + "y", unit, meaning + ", y", [of](auto& row) -> auto& { return of(row).y; });
+  visit(
+      name + "z", unit, meaning + ", z", [of](auto& row) -> auto& { return of(row).z; });
+}
+
+}  // namespace
+
+template <>
+struct Columns<FloePush> {
+  static constexpr const char* dimension = "push";
+  static constexpr const char* prefix = "push_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "floe", "1", "floe_id of the pushed floe", [](auto& row) -> auto& { return row.floe; });
+    visit(
+        "other", "1", "floe_id of the pushing floe", [](auto& row) -> auto& { return row.other; });
+    visit_vector(
+        "force_", "N", "mean force", [](auto& row) -> auto& { return row.force; }, visit);
+  }
+};
+
 template <>
 struct Columns<CheckpointFloe> {
   static constexpr const char* dimension = "present";
@@ -48,7 +78,7 @@ struct Columns<CheckpointFloe> {
     visit(
         "settled", "1", "whether it is fixed where it is", [](auto& row) -> auto& { return row.rest.settled; });
     visit_vector(
-        "push_", "N", "mean force on it where it is settled", [](auto& row) -> auto& { return row.rest.push; }, visit);
+        "push_", "N", "mean force of other floes when it was settled", [](auto& row) -> auto& { return row.rest.push; }, visit);
   }
 
  private:
@@ -74,24 +104,13 @@ struct Columns<CheckpointFloe> {
           std::string("bearing_second_") + kNames[i], "N m2",
           "their second moment", [i](auto& row) -> auto& { return row.bearing.second[i]; });
   }
-
-  template <typename VectorOf, typename Visit>
-  static void visit_vector(const std::string& name, const char* unit, const std::string& meaning, VectorOf of,
-                           Visit&& visit) {
-    visit(
-        name + "x", unit, meaning + ", x", [of](auto& row) -> auto& { return of(row).x; });
-    visit(
-        name + "y", unit, meaning + ", y", [of](auto& row) -> auto& { return of(row).y; });
-    visit(
-        name + "z", unit, meaning + ", z", [of](auto& row) -> auto& { return of(row).z; });
-  }
 };
 
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-3";
+constexpr const char* kFormat = "brash-checkpoint-4";
 
 /// The side of the grid, 2^-30 m, as a unit.
 const NodeFrame kGrid{"9.313225746154785e-10 m", "sheet frame, exact"};
@@ -172,6 +191,7 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   file.attribute("numbers", Json(checkpoint.numbers).dump());
   write_polygons(file, "sheet", "sheet_polygon", kGrid, checkpoint.sheet);
   write_rows(file, checkpoint.floes);
+  write_rows(file, checkpoint.pushes);
   file.variable("present_body_index", "present", {"1", "slot of the body"},
                 body_numbers(checkpoint.floes, &BodyId::index));
   file.variable("present_body_generation", "present", {"1", "generation of the body"},
@@ -197,6 +217,7 @@ Checkpoint read_checkpoint(const std::string& path) {
   checkpoint.numbers = read_map<double>(file, "numbers");
   checkpoint.sheet = read_polygons<GridPoint>(file, "sheet", "sheet_polygon");
   checkpoint.floes = read_rows<CheckpointFloe>(file);
+  checkpoint.pushes = read_rows<FloePush>(file);
   read_body_numbers(file, "present_body_index", checkpoint.floes, &BodyId::index);
   read_body_numbers(file, "present_body_generation", checkpoint.floes, &BodyId::generation);
   std::vector<GridRings> outlines = read_polygons<GridPoint>(file, "present_outline", "present");

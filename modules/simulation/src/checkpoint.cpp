@@ -38,6 +38,7 @@ ExactArea from_text(const std::string& text) {
 
 std::vector<io::GridPoint> to_grid(const geometry::Ring& ring) {
   std::vector<io::GridPoint> points;
+  points.reserve(ring.size());
   for (const geometry::Point p : ring) points.push_back({p.x, p.y});
   return points;
 }
@@ -104,6 +105,7 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .peak_compression = floe.peak_stress,
                    .bearing = floe.bearing,
                    .rest = floe.rest});
+  for (const io::FloePush& push : checkpoint.pushes) floes.restore_push(push.floe, push.other, push.force);
   floes.set_next_id(checkpoint.counters.at("next_floe"));
 }
 
@@ -113,6 +115,7 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
                        .case_toml = resolved_toml,
                        .sheet = {},
                        .floes = {},
+                       .pushes = {},
                        .ledger = {{"initial", to_text(l.initial)},
                                   {"sheet", to_text(l.sheet)},
                                   {"floes", to_text(l.floes)},
@@ -139,6 +142,8 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
                            .peak_stress = floe.peak_compression,
                            .bearing = floe.bearing,
                            .rest = floe.rest});
+  for (const auto& [pair, force] : floes.pushes().pairs())
+    saved.pushes.push_back({floes.floes().at(pair.first).id, floes.floes().at(pair.second).id, force});
   return saved;
 }
 

@@ -20,8 +20,8 @@ using hydrodynamics::DragLaw;
 
 /// A floe is fixed after it has been slow for so long [s]: longer than it heaves once.
 constexpr double kSettleTime = 2.0;
-/// A settled floe is let go after so long [s], and has to come to rest again: what held it may have left.
-constexpr double kLongestRest = 20.0;
+/// A mean push is forgotten when it is this share of what would let a cube of the ice go [-].
+constexpr double kNoPush = 1e-3;
 
 /// Water::shading_gap of a case [m].
 double shading_gap(const io::Case& resolved) {
@@ -122,6 +122,15 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   floes_.emplace(body, std::move(floe));
 }
 
+void FloePopulation::restore_push(std::int64_t id, std::int64_t other, Vec3 force) {
+  const auto body_of = [&](std::int64_t wanted) {
+    const auto found = std::ranges::find_if(floes_, [&](const auto& entry) { return entry.second.id == wanted; });
+    BRASH_EXPECTS(found != floes_.end(), wanted);
+    return found->first;
+  };
+  pushes_.restore(body_of(id), body_of(other), force);
+}
+
 void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
   for (auto& [body, floe] : floes_) {
     if (world.is_settled(body)) continue;
@@ -172,43 +181,47 @@ void FloePopulation::average_contacts(const rigid_body::World& world, double dt)
   }
 }
 
-void FloePopulation::forget_bearings(Vec2 at, double radius) {
-  for (auto& [body, floe] : floes_)
+void FloePopulation::sheet_broke(rigid_body::World& world, Vec2 at, double radius) {
+  for (auto& [body, floe] : floes_) {
     if (floe.bearing.weight > 0.0 && norm(floe.bearing.first / floe.bearing.weight - at) < radius) floe.bearing = {};
+    if (!world.is_settled(body)) continue;
+    const auto [lower, upper] = world.bounds(body);
+    const Vec2 nearest{std::clamp(at.x, lower.x, upper.x), std::clamp(at.y, lower.y, upper.y)};
+    if (norm(nearest - at) < radius) let_go(world, body, floe);
+  }
 }
 
 double FloePopulation::slow_energy(const Floe& floe) const {
   return 0.5 * floe.inertia.mass * case_->time.settle_speed * case_->time.settle_speed;
 }
 
+double FloePopulation::slow_push(double mass) const {
+  return mass * case_->time.settle_speed / kSettleTime;
+}
+
+void FloePopulation::let_go(rigid_body::World& world, BodyId body, Floe& floe) const {
+  floe.rest = {};
+  world.set_settled(body, false);
+}
+
 double FloePopulation::settle(rigid_body::World& world, double astern) {
   if (case_->time.settle_speed == 0.0) return 0.0;
-  std::map<BodyId, Vec3> pushes;  // of the settled floes that others touch
-  for (const rigid_body::ContactLoad& contact : world.contacts()) {
-    const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
-    if (world.is_settled(contact.body)) pushes[contact.body] += force;
-    if (world.is_settled(contact.other)) pushes[contact.other] += -1.0 * force;
-  }
   const double dt = case_->time.step;
-  const double share = 1.0 - std::exp(-dt / kSettleTime);
+  const double cube = case_->ice.density * std::pow(case_->ice.thickness, 3);
+  pushes_.average(world, 1.0 - std::exp(-dt / kSettleTime), kNoPush * slow_push(cube));
+  std::map<BodyId, Vec3> pushes = pushes_.on_floes();
   double taken = 0.0;
   for (auto& [body, floe] : floes_) {
     io::Rest& rest = floe.rest;
     if (!world.is_settled(body)) rest.settled = 0;  // it may have been run into
     if (rest.settled != 0) {
-      const auto push = pushes.find(body);
-      rest.push += share * ((push == pushes.end() ? Vec3{} : push->second) - rest.push);
-      rest.slow_for += dt;
-      const double most = floe.inertia.mass * case_->time.settle_speed / kSettleTime;
-      if (norm(rest.push) <= most && rest.slow_for < kLongestRest) continue;
-      rest = {};
-      world.set_settled(body, false);
+      if (norm(pushes[body] - rest.push) > slow_push(floe.inertia.mass)) let_go(world, body, floe);
       continue;
     }
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
     if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;
-    rest = {.slow_for = 0.0, .settled = 1, .push = {}};
+    rest = {.slow_for = 0.0, .settled = 1, .push = pushes[body]};
     floe.bearing = {};
     floe.drag = floe.skin_friction = {};
     floe.settled_height = raised(world, body, floe);
@@ -228,6 +241,7 @@ std::vector<BodyId> FloePopulation::overstressed(double strength) const {
 Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
   auto node = floes_.extract(body);
   BRASH_EXPECTS(!node.empty(), body.index, body.generation);
+  pushes_.forget(body);
   world.remove(body);
   return std::move(node.mapped());
 }

@@ -16,6 +16,7 @@
 #include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
 #include "brash/rigid_body/world.hpp"
+#include "mean_pushes.hpp"
 
 namespace brash::simulation {
 
@@ -63,6 +64,9 @@ class FloePopulation {
   /// Gives a floe of an earlier run its body back; in the order of their bodies there.
   void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
 
+  /// Once all floes are restored: the mean force of the floe `other` on the floe `id` [N].
+  void restore_push(std::int64_t id, std::int64_t other, Vec3 force);
+
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
   /// @param structure  its centre on the waterplane [m]; the water gives way to it (hydrodynamics.structure_flow).
   void apply_water(rigid_body::World& world, double dt, Vec2 structure);
@@ -71,11 +75,12 @@ class FloePopulation {
   /// averaged over its collision time T_col.
   void average_contacts(const rigid_body::World& world, double dt);
 
-  /// Forgets what floes pressed on ice that has broken off within `radius` of `at`.
-  void forget_bearings(Vec2 at, double radius);
+  /// The sheet has broken within `radius` of `at`: forgets what floes pressed on it there, and lets go the settled
+  /// floes that it may have held.
+  void sheet_broke(rigid_body::World& world, Vec2 at, double radius);
 
-  /// Lets go the settled floes that what moves pushes on, and fixes those that have been slow for long where nothing
-  /// but floes at rest holds them; for time.settle_speed > 0. docs/theory/simulation.md, (S2).
+  /// Lets go the settled floes that others push on more, or less, than when they came to rest, and fixes those that
+  /// have been slow for long; for time.settle_speed > 0. docs/theory/simulation.md, (S2).
   /// @param astern  only floes wholly below this x are fixed [m].
   /// @return the kinetic energy that this took [J].
   double settle(rigid_body::World& world, double astern);
@@ -93,6 +98,7 @@ class FloePopulation {
   /// How far around a floe other ice matters to the water on it [m].
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
   const std::map<BodyId, Floe>& floes() const { return floes_; }
+  const MeanPushes& pushes() const { return pushes_; }
   std::int64_t next_id() const { return next_id_; }
   void set_next_id(std::int64_t id) { next_id_ = id; }
 
@@ -102,6 +108,9 @@ class FloePopulation {
 
   /// The kinetic energy of a floe at time.settle_speed [J].
   double slow_energy(const Floe& floe) const;
+  /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
+  double slow_push(double mass) const;
+  void let_go(rigid_body::World& world, BodyId body, Floe& floe) const;
   /// Potential energy against floating at rest [J].
   double raised(const rigid_body::World& world, BodyId body, const Floe& floe) const;
 
@@ -110,6 +119,7 @@ class FloePopulation {
   std::optional<hydrodynamics::StructureFlow> flow_;
   std::vector<Solid> neighbours_;  ///< scratch of apply_water
   std::map<BodyId, Floe> floes_;
+  MeanPushes pushes_;  ///< where floes settle
   std::int64_t next_id_ = 0;
 };
 

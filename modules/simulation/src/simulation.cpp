@@ -91,7 +91,7 @@ void Simulation::Impl::initial_crack() {
 std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
   const StageTimer::Scope clock(timer, times.cutting);
   const geometry::Ring section = leading_section(edge_model(), centre);
-  floes.forget_bearings(at, radius);
+  floes.sheet_broke(world, at, radius);
   const Broken broken =
       field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, section, resolved.failure.smallest_floe);
   std::vector<io::FloeRecord> births;

@@ -35,6 +35,7 @@ Checkpoint sample() {
   floe.bearing = {.force = {1, 2, 1.0 / 3.0}, .thrust = {4, 5}, .weight = 6, .first = {7, 8}, .second = {9, 10, 11}};
   floe.rest = {.slow_for = 2.0 / 3.0, .settled = 1, .push = {12, 13, 1e-9}};
   checkpoint.floes = {floe, {}};
+  checkpoint.pushes = {{17, 0, {1.0 / 3.0, -5e-324, 1e300}}};
   // Twice the area of 50 m x 50 m in squared grid units does not fit in 64 bits.
   checkpoint.ledger = {{"sheet", "5764607523034234880000"}, {"snap", "-170141183460469231731687303715884105728"}};
   checkpoint.counters = {{"step", 1234}, {"breaks", std::numeric_limits<std::int64_t>::max()}};

@@ -70,17 +70,56 @@ BOOST_AUTO_TEST_CASE(a_gentle_push_leaves_a_floe_settled) {
   BOOST_TEST(pool.world.is_settled(rests));
 }
 
-BOOST_AUTO_TEST_CASE(a_settled_floe_has_to_come_to_rest_again_after_twenty_seconds) {
-  Pool pool(kSettling);
-  const BodyId floe = pool.add({-1, -1}, {1, 1}, {});
-  (void)advance(pool, 2.5);
-  int steps_free = 0;
-  for (int i = 0; i < 2500; ++i) {
-    (void)advance(pool, kStep);
-    if (!pool.world.is_settled(floe)) ++steps_free;
+/// Only the smaller of the two floes of a stack lies wholly below this [m].
+constexpr double kSmallAlone = 1.5;
+
+/// A floe that has settled on a larger one, which moves. @return the lower, the upper.
+std::pair<BodyId, BodyId> add_stack(Pool& pool) {
+  const BodyId lower = pool.add({-2, -2}, {2, 2}, {});
+  const BodyId upper = pool.add({-1, -1}, {1, 1}, {});
+  const double h = pool.resolved.ice.thickness;
+  const double afloat = -0.2933;  // where the stack floats [m]
+  for (const auto& [floe, height] : {std::pair(lower, afloat), std::pair(upper, afloat + h)}) {
+    Pose pose = pool.world.pose(floe);
+    pose.position.z = height;
+    pool.world.set_state(floe, pose, {});
   }
-  BOOST_TEST(steps_free >= 199);
-  BOOST_TEST(steps_free <= 202);
+  (void)advance(pool, 15.0, kSmallAlone);
+  BOOST_REQUIRE(!pool.world.is_settled(lower));
+  BOOST_REQUIRE(pool.world.is_settled(upper));
+  return {lower, upper};
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_stays_settled_on_the_one_that_bears_it) {
+  Pool pool(kSettling);
+  const auto [lower, upper] = add_stack(pool);
+  for (int i = 0; i < 2000; ++i) {
+    (void)advance(pool, kStep, kSmallAlone);
+    BOOST_REQUIRE(pool.world.is_settled(upper));
+  }
+  double push = 0.0;  // by which the lower one bears it
+  for (const rigid_body::ContactLoad& contact : pool.world.contacts()) push += contact.normal_force;
+  BOOST_TEST(push > 5 * pool.floes.floes().at(upper).inertia.mass * kSlow / 2.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_is_let_go_when_the_one_that_bears_it_leaves) {
+  Pool pool(kSettling);
+  const auto [lower, upper] = add_stack(pool);
+  const double height = pool.world.pose(upper).position.z;
+  (void)pool.floes.remove(pool.world, lower);
+  (void)advance(pool, 0.5);
+  BOOST_TEST(!pool.world.is_settled(upper));
+  BOOST_TEST(pool.world.pose(upper).position.z < height - 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_is_let_go_where_the_sheet_breaks) {
+  Pool pool(kSettling);
+  const BodyId near = pool.add({-1, -1}, {1, 1}, {});
+  const BodyId far = pool.add({4, -1}, {6, 1}, {});
+  (void)advance(pool, 2.5);
+  pool.floes.sheet_broke(pool.world, {-3, 0}, 2.5);
+  BOOST_TEST(!pool.world.is_settled(near));
+  BOOST_TEST(pool.world.is_settled(far));
 }
 
 BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_restored_goes_on_to_the_last_bit) {
@@ -98,6 +137,8 @@ BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_restored_goes_on_to_the_last_bit) {
                             .peak_compression = floe.peak_compression,
                             .bearing = floe.bearing,
                             .rest = floe.rest});
+  for (const auto& [pair, force] : pool.floes.pushes().pairs())
+    restored.floes.restore_push(pool.floes.floes().at(pair.first).id, pool.floes.floes().at(pair.second).id, force);
   for (Pool* each : {&pool, &restored}) (void)advance(*each, 8.0);
   for (const BodyId floe : {rests, comes}) BOOST_TEST((pool.world.pose(floe) == restored.world.pose(floe)));
   BOOST_TEST(speed(pool, rests) > 0.0);

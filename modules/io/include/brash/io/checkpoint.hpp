@@ -40,7 +40,7 @@ struct Bearing {
 struct Rest {
   double slow_for = 0.0;     ///< it has been slower than time.settle_speed for so long [s]
   std::int64_t settled = 0;  ///< 1: it is fixed where it is
-  Vec3 push{};               ///< mean force of the floes that still move on a settled one [N]
+  Vec3 push{};               ///< mean force of other floes on a settled one when it came to rest [N]
 
   friend bool operator==(const Rest&, const Rest&) = default;
 };
@@ -61,12 +61,22 @@ struct CheckpointFloe {
   friend bool operator==(const CheckpointFloe&, const CheckpointFloe&) = default;
 };
 
+/// The mean force of the floe `other` on the floe `floe`, both by FloeRecord::id [N].
+struct FloePush {
+  std::int64_t floe = 0;
+  std::int64_t other = 0;
+  Vec3 force{};
+
+  friend bool operator==(const FloePush&, const FloePush&) = default;
+};
+
 /// Everything that a run needs to go on as if it had not been interrupted. Nothing in it is rounded.
 struct Checkpoint {
   std::string case_name;
   std::string case_toml;  ///< the resolved case as to_toml wrote it: a run resumes its own case only
   std::vector<GridRings> sheet;
   std::vector<CheckpointFloe> floes;
+  std::vector<FloePush> pushes;  ///< where floes settle (time.settle_speed)
   std::map<std::string, std::string> ledger;  ///< whole numbers of any size as decimal text, e.g. twice an exact area
   std::map<std::string, std::int64_t> counters;  ///< steps done, random streams used, next id, ...
   std::map<std::string, double> numbers;         ///< finite: place of the structure, work done, ...
