@@ -8,9 +8,6 @@
 namespace brash::rigid_body {
 namespace {
 
-/// The sweep's integer coordinates span this box [m]: 2^-20 m apart in plan. Parts beyond it are compared as if at its
-/// border, which costs time but misses no pair.
-const btVector3 kReach(2048.0, 2048.0, 512.0);
 constexpr int kMobile = 1;
 constexpr int kFixed = 2;
 
@@ -19,7 +16,7 @@ bool within_reach(const PlacedPart& a, const PlacedPart& b, double reach) {
          b.lower.y <= a.upper.y + reach && a.lower.z <= b.upper.z + reach && b.lower.z <= a.upper.z + reach;
 }
 
-/// Each box is larger than its part by half the reach, so that the sweep knows all neighbours.
+/// Each box is larger than its part by half the reach, so that the tree knows all neighbours.
 btVector3 lower(const Part& part, double reach) {
   return to_bullet(part.now.lower) - btVector3(0.5 * reach, 0.5 * reach, 0.5 * reach);
 }
@@ -29,36 +26,22 @@ btVector3 upper(const Part& part, double reach) {
 
 }  // namespace
 
-BroadPhase::BroadPhase() { grow(); }
-
-/// Room for twice as many parts: the sweep cannot grow, so all are sorted into a new one.
-void BroadPhase::grow() {
-  capacity_ *= 2;
-  sweep_ = std::make_unique<bt32BitAxisSweep3>(-kReach, kReach, capacity_, nullptr, true);
-  const std::vector<Part*> parts = std::move(parts_);
-  parts_.clear();
-  for (Part* part : parts) add(*part);
-}
-
 void BroadPhase::add(Part& part) {
-  if (parts_.size() + 2 > capacity_) grow();
   const bool mobile = part.body->is_free();
-  part.proxy = sweep_->createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
-                                   mobile ? kMobile : kFixed, mobile ? kMobile | kFixed : kMobile, nullptr);
-  parts_.push_back(&part);
+  part.proxy = tree_.createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
+                                 mobile ? kMobile : kFixed, mobile ? kMobile | kFixed : kMobile, nullptr);
 }
 
 void BroadPhase::remove(Part& part) {
-  sweep_->destroyProxy(part.proxy, nullptr);
+  tree_.destroyProxy(part.proxy, nullptr);
   part.proxy = nullptr;
-  parts_.erase(std::find(parts_.begin(), parts_.end(), &part));
 }
 
-void BroadPhase::move(Part& part) { sweep_->setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr); }
+void BroadPhase::move(Part& part) { tree_.setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr); }
 
 void BroadPhase::collect(double distance) {
   pairs_.clear();
-  const btBroadphasePairArray& found = sweep_->getOverlappingPairCache()->getOverlappingPairArray();
+  const btBroadphasePairArray& found = tree_.getOverlappingPairCache()->getOverlappingPairArray();
   for (int i = 0; i < found.size(); ++i) {
     auto* a = static_cast<Part*>(found[i].m_pProxy0->m_clientObject);
     auto* b = static_cast<Part*>(found[i].m_pProxy1->m_clientObject);
@@ -75,6 +58,7 @@ const std::vector<PartPair>& BroadPhase::near_pairs() {
 }
 
 const std::vector<PartPair>& BroadPhase::pairs() {
+  tree_.calculateOverlappingPairs(nullptr);  // forgets some of the pairs that have parted
   collect(0.0);
   const auto place = [](const Part& part) {
     return static_cast<std::uint64_t>(part.body->rank) << 32 | static_cast<std::uint32_t>(part.number);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include <cstdint>
 #include <memory>
@@ -17,15 +17,14 @@ struct PartPair {
   Part* second = nullptr;
 };
 
-/// Sweep and prune (Bullet's 32-bit btAxisSweep3) over the parts' boxes.
+/// A tree of the parts' boxes (Bullet's btDbvtBroadphase).
 class BroadPhase {
  public:
-  BroadPhase();
   void add(Part& part);
   void remove(Part& part);
   void move(Part& part);
-  /// Overlapping pairs with at least one floe that moves, sorted by (rank, part) of the first and the second body. Boxes are
-  /// compared in full precision, so the answer is a function of the boxes and not of the sweep's history.
+  /// Overlapping pairs with at least one floe that moves, sorted by (rank, part) of the first and the second body.
+  /// Boxes are compared in full precision, so the answer is a function of the boxes and not of the tree's history.
   const std::vector<PartPair>& pairs();
   /// How near the boxes of a pair may be to be known to near_pairs() [m]; from the next move of the parts on.
   double reach = 0.0;
@@ -39,12 +38,9 @@ class BroadPhase {
     std::uint64_t second;
     PartPair pair;
   };
-  void grow();
   void collect(double distance);
 
-  unsigned capacity_ = 512;
-  std::vector<Part*> parts_;
-  std::unique_ptr<bt32BitAxisSweep3> sweep_;
+  btDbvtBroadphase tree_;
   std::vector<PartPair> pairs_;
   std::vector<Ordered> ordered_;  ///< scratch of pairs
 };
