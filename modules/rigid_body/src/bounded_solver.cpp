@@ -16,47 +16,49 @@ void BoundedSolver::convertContacts(btPersistentManifold** manifolds, int n_mani
   }
 }
 
-void BoundedSolver::copy_in(const btSolverConstraint& from, Row& row) const {
+void BoundedSolver::copy_in(const btSolverConstraint& from, Row& row, Response& response) const {
   const auto copy = [](const btVector3& linear, const btVector3& angular, Spatial& to) {
     for (int k = 0; k < 3; ++k) to[static_cast<std::size_t>(k)] = Pair{linear[k], angular[k]};
   };
   const btVector3& inverse_mass_a = m_tmpSolverBodyPool[from.m_solverBodyIdA].internalGetInvMass();
   const btVector3& inverse_mass_b = m_tmpSolverBodyPool[from.m_solverBodyIdB].internalGetInvMass();
-  copy(from.m_contactNormal1, from.m_relpos1CrossNormal, row.a.jacobian);
-  copy(from.m_contactNormal1 * inverse_mass_a, from.m_angularComponentA, row.a.response);
-  copy(from.m_contactNormal2, from.m_relpos2CrossNormal, row.b.jacobian);
-  copy(from.m_contactNormal2 * inverse_mass_b, from.m_angularComponentB, row.b.response);
+  copy(from.m_contactNormal1, from.m_relpos1CrossNormal, row.jacobian_a);
+  copy(from.m_contactNormal2, from.m_relpos2CrossNormal, row.jacobian_b);
   row.body_a = static_cast<std::uint32_t>(from.m_solverBodyIdA);
   row.body_b = static_cast<std::uint32_t>(from.m_solverBodyIdB);
   row.rhs = from.m_rhs;
-  row.softness = from.m_cfm;
   row.inverse_jacobian = from.m_jacDiagABInv;
-  row.jacobian = 1.0 / from.m_jacDiagABInv;
-  row.lower = from.m_lowerLimit;
-  row.upper = from.m_upperLimit;
-  row.impulse = from.m_appliedImpulse;
+  copy(from.m_contactNormal1 * inverse_mass_a, from.m_angularComponentA, response.a);
+  copy(from.m_contactNormal2 * inverse_mass_b, from.m_angularComponentB, response.b);
+  response.jacobian = 1.0 / from.m_jacDiagABInv;
 }
 
+/// Of rows without softness, as all contacts here are.
 void BoundedSolver::copy_in() {
-  const btConstraintArray& friction = m_tmpSolverContactFrictionConstraintPool;
-  rows_.resize(static_cast<std::size_t>(m_tmpSolverContactConstraintPool.size()));
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+  const btConstraintArray& tangential = m_tmpSolverContactFrictionConstraintPool;
+  const auto n = static_cast<std::size_t>(m_tmpSolverContactConstraintPool.size());
+  contacts_.resize(n);
+  normals_.resize(n);
+  normal_responses_.resize(n);
+  tangentials_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
     const btSolverConstraint& normal = m_tmpSolverContactConstraintPool[static_cast<int>(i)];
-    const btSolverConstraint& first = friction[normal.m_frictionIndex];
-    copy_in(normal, rows_[i].normal);
-    rows_[i].friction = first.m_friction;
-    copy_in(first, rows_[i].first);
-    copy_in(friction[normal.m_frictionIndex + 1], rows_[i].second);
+    copy_in(normal, normals_[i], normal_responses_[i]);
+    for (int k = 0; k < 2; ++k) {
+      Tangential& row = tangentials_[i][static_cast<std::size_t>(k)];
+      copy_in(tangential[normal.m_frictionIndex + k], row.row, row.response);
+    }
+    contacts_[i] = {.friction = tangential[normal.m_frictionIndex].m_friction, .bound = normal.m_upperLimit};
   }
   velocities_.assign(static_cast<std::size_t>(m_tmpSolverBodyPool.size()), Spatial{});
 }
 
 void BoundedSolver::copy_out() {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const btSolverConstraint& normal = m_tmpSolverContactConstraintPool[static_cast<int>(i)];
-    normal.m_appliedImpulse = rows_[i].normal.impulse;
-    m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex].m_appliedImpulse = rows_[i].first.impulse;
-    m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex + 1].m_appliedImpulse = rows_[i].second.impulse;
+    normal.m_appliedImpulse = contacts_[i].normal;
+    m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex].m_appliedImpulse = contacts_[i].first;
+    m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex + 1].m_appliedImpulse = contacts_[i].second;
   }
   for (std::size_t i = 0; i < velocities_.size(); ++i) {
     const auto& [x, y, z] = velocities_[i];
@@ -66,53 +68,54 @@ void BoundedSolver::copy_out() {
   }
 }
 
-/// Changes the row's impulse within its limits; returns the change of relative velocity [m/s].
-double BoundedSolver::resolve(Row& row) {
+/// Changes a row's impulse within its limits; returns the change of relative velocity [m/s].
+double BoundedSolver::resolve(const Row& row, const Response& response, Limits limits, double& impulse) {
   const auto relative = [](const Spatial& jacobian, const Spatial& velocity) {
     const Pair sum = jacobian[0] * velocity[0] + jacobian[1] * velocity[1] + jacobian[2] * velocity[2];
     return sum[0] + sum[1];
   };
   Spatial& a = velocities_[row.body_a];
   Spatial& b = velocities_[row.body_b];
-  double change = row.rhs - row.impulse * row.softness;
-  change -= relative(row.a.jacobian, a) * row.inverse_jacobian;
-  change -= relative(row.b.jacobian, b) * row.inverse_jacobian;
-  double impulse = row.impulse + change;
-  if (impulse < row.lower || impulse > row.upper) {
-    impulse = impulse < row.lower ? row.lower : row.upper;
-    change = impulse - row.impulse;
+  double change = row.rhs;
+  change -= relative(row.jacobian_a, a) * row.inverse_jacobian;
+  change -= relative(row.jacobian_b, b) * row.inverse_jacobian;
+  double wanted = impulse + change;
+  if (wanted < limits.lower || wanted > limits.upper) {
+    wanted = wanted < limits.lower ? limits.lower : limits.upper;
+    change = wanted - impulse;
   }
-  row.impulse = impulse;
-  const auto push = [&](Spatial& velocity, const Spatial& response) {
-    velocity = {velocity[0] + response[0] * change, velocity[1] + response[1] * change,
-                velocity[2] + response[2] * change};
+  if (change == 0.0) return 0.0;
+  impulse = wanted;
+  const auto push = [&](Spatial& velocity, const Spatial& per_impulse) {
+    velocity = {velocity[0] + per_impulse[0] * change, velocity[1] + per_impulse[1] * change,
+                velocity[2] + per_impulse[2] * change};
   };
-  push(a, row.a.response);
-  push(b, row.b.response);
-  return change * row.jacobian;
+  push(a, response.a);
+  push(b, response.b);
+  return change * response.jacobian;
 }
 
 /// Eq. 6 for both tangential rows of a contact, as a disc.
-double BoundedSolver::resolve_friction(ContactRows& contact) {
-  auto& [normal, friction, first, second] = contact;
-  const double radius = friction * normal.impulse;
-  if (radius == 0.0 && first.impulse == 0.0 && second.impulse == 0.0) return 0.0;
-  first.upper = radius;
-  first.lower = -radius;
-  const double change = resolve(first);
-  const double along = first.impulse;
-  const double left = std::sqrt(std::max(0.0, (radius - along) * (radius + along)));
-  second.upper = left;
-  second.lower = -left;
-  return std::max(std::abs(change), std::abs(resolve(second)));
+double BoundedSolver::resolve_friction(Contact& contact, const std::array<Tangential, 2>& rows) {
+  const double radius = contact.friction * contact.normal;
+  if (radius == 0.0 && contact.first == 0.0 && contact.second == 0.0) return 0.0;
+  const double first = resolve(rows[0].row, rows[0].response, {-radius, radius}, contact.first);
+  const double left = std::sqrt(std::max(0.0, (radius - contact.first) * (radius + contact.first)));
+  const double second = resolve(rows[1].row, rows[1].response, {-left, left}, contact.second);
+  return std::max(std::abs(first), std::abs(second));
 }
 
 btScalar BoundedSolver::solveSingleIteration(int iteration, btCollisionObject**, int, btPersistentManifold**, int,
                                              btTypedConstraint**, int, const btContactSolverInfo&, btIDebugDraw*) {
   if (iteration == 0) copy_in();
   double largest = 0.0;
-  for (ContactRows& contact : rows_) largest = std::max(largest, std::abs(resolve(contact.normal)));
-  for (ContactRows& contact : rows_) largest = std::max(largest, resolve_friction(contact));
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& contact = contacts_[i];
+    const double change = resolve(normals_[i], normal_responses_[i], {0.0, contact.bound}, contact.normal);
+    largest = std::max(largest, std::abs(change));
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i)
+    largest = std::max(largest, resolve_friction(contacts_[i], tangentials_[i]));
   return largest * largest;
 }
 

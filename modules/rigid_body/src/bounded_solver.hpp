@@ -39,40 +39,50 @@ class BoundedSolver : public btSequentialImpulseConstraintSolver {
   /// A linear and an angular vector: x, y, z.
   using Spatial = std::array<Pair, 3>;
 
-  /// One body's side of a row.
-  struct Side {
-    Spatial jacobian{};  ///< relative velocity per velocity of the body
-    Spatial response{};  ///< change of the body's velocity per impulse
-  };
-  /// One constraint: keeps an impulse within limits that makes a relative velocity vanish.
+  /// One constraint, an impulse that makes a relative velocity vanish: what tells how far the impulse is from that.
   struct Row {
-    Side a;
-    Side b;
+    Spatial jacobian_a{};           ///< relative velocity per velocity of the first body
+    Spatial jacobian_b{};           ///< and of the second
     std::uint32_t body_a = 0;       ///< in velocities_
     std::uint32_t body_b = 0;       ///< likewise
     double rhs = 0.0;               ///< impulse that would do so alone [N s]
-    double softness = 0.0;          ///< Bullet's cfm
     double inverse_jacobian = 0.0;  ///< impulse per relative velocity [kg]
-    double jacobian = 0.0;          ///< its inverse
-    double lower = 0.0;             ///< [N s]
-    double upper = 0.0;             ///< [N s]
-    double impulse = 0.0;           ///< [N s]
   };
-  /// Of a contact point: the normal row, its friction coefficient and the tangential rows.
-  struct ContactRows {
-    Row normal;
+  /// What a change of the row's impulse does.
+  struct Response {
+    Spatial a{};            ///< change of the first body's velocity per impulse
+    Spatial b{};            ///< and of the second
+    double jacobian = 0.0;  ///< relative velocity per impulse [1/kg]
+  };
+  struct Tangential {
+    Row row;
+    Response response;
+  };
+  struct Limits {
+    double lower = 0.0;  ///< [N s]
+    double upper = 0.0;  ///< [N s]
+  };
+  /// A contact point.
+  struct Contact {
+    double normal = 0.0;  ///< impulse [N s]
+    double first = 0.0;   ///< and of the first tangential row
+    double second = 0.0;  ///< and of the second
     double friction = 0.0;
-    Row first;
-    Row second;
+    double bound = 0.0;  ///< of the normal impulse [N s]
   };
 
-  void copy_in(const btSolverConstraint& from, Row& row) const;
+  void copy_in(const btSolverConstraint& from, Row& row, Response& response) const;
   void copy_in();
   void copy_out();
-  double resolve(Row& row);
-  double resolve_friction(ContactRows& contact);
+  double resolve(const Row& row, const Response& response, Limits limits, double& impulse);
+  double resolve_friction(Contact& contact, const std::array<Tangential, 2>& rows);
 
-  std::vector<ContactRows> rows_;
+  // Most contact points bear nothing, and of those an iteration reads contact and normal row alone. Each kind lies
+  // apart from the others, for what an iteration costs is the memory that it goes through.
+  std::vector<Contact> contacts_;
+  std::vector<Row> normals_;
+  std::vector<Response> normal_responses_;
+  std::vector<std::array<Tangential, 2>> tangentials_;
   std::vector<Spatial> velocities_;  ///< changes of the bodies' velocities so far
 };
 
