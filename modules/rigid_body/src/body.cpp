@@ -5,11 +5,19 @@
 #include <cmath>
 
 namespace brash::rigid_body {
+
+Hull::Hull(std::span<const Vec3> vertices)
+    : btConvexHullShape(&vertices[0].x, static_cast<int>(vertices.size()), sizeof(Vec3)) {
+  m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;  // Bullet searches the points of a hull itself, whatever its class
+  corners_.assign(vertices);
+}
+
+btVector3 Hull::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
+  return getUnscaledPoints()[corners_.farthest(from_bullet(direction))];
+}
+
 Part::Part(Body& owner, int which, ConvexPart shape, std::span<const Vec3> inset_corners, double margin)
-    : body(&owner),
-      number(which),
-      solid(std::move(shape)),
-      hull(&inset_corners[0].x, static_cast<int>(inset_corners.size()), sizeof(Vec3)) {
+    : body(&owner), number(which), solid(std::move(shape)), hull(inset_corners) {
   hull.setMargin(margin);
   now.part = &solid;
   update(now, owner.pose);

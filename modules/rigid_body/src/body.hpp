@@ -11,11 +11,22 @@
 #include "brash/rigid_body/world.hpp"
 #include "bullet_types.hpp"
 #include "convex_part.hpp"
+#include "corners.hpp"
 #include "overlap.hpp"
 
 namespace brash::rigid_body {
 
 struct Body;
+
+/// Bullet's hull with a faster search for the vertex that is farthest along a direction.
+class Hull final : public btConvexHullShape {
+ public:
+  explicit Hull(std::span<const Vec3> vertices);
+  btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
+
+ private:
+  Corners corners_;
+};
 
 /// A convex part of a body: its true surface, and Bullet's hull (inset by the margin) for the direction of contact.
 struct Part {
@@ -25,7 +36,7 @@ struct Part {
   int number;  ///< within its body
   ConvexPart solid;
   PlacedPart now;
-  btConvexHullShape hull;
+  Hull hull;
   btBroadphaseProxy* proxy = nullptr;
 };
 

@@ -123,6 +123,7 @@ std::array<Vec3, 2> plane_axes(Vec3 normal) {
 
 void clip(std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& scratch) {
   const auto height = [&](Vec3 p) { return dot(plane.normal, p) - plane.offset; };
+  if (std::none_of(polygon.begin(), polygon.end(), [&](Vec3 p) { return height(p) > 0.0; })) return;
   scratch.clear();
   Vec3 a = polygon.front();
   double at_a = height(a);

@@ -17,6 +17,7 @@ constexpr double kMergeWithin = 0.1;
 
 void update(PlacedPart& part, const Pose& pose) {
   place(*part.part, pose, part.vertices, part.planes);
+  part.corners.assign(part.vertices);
   part.lower = part.upper = part.vertices[0];
   for (const Vec3& v : part.vertices) {
     part.lower = {std::min(part.lower.x, v.x), std::min(part.lower.y, v.y), std::min(part.lower.z, v.z)};
@@ -25,17 +26,13 @@ void update(PlacedPart& part, const Pose& pose) {
 }
 
 PlacedPart placed(const ConvexPart& part, const Pose& pose) {
-  PlacedPart result{.part = &part, .vertices = {}, .planes = {}};
+  PlacedPart result{.part = &part, .vertices = {}, .corners = {}, .planes = {}};
   update(result, pose);
   return result;
 }
 
 double depth_along(const PlacedPart& a, const PlacedPart& b, Vec3 normal) {
-  double lowest_a = std::numeric_limits<double>::infinity();
-  double highest_b = -lowest_a;
-  for (const Vec3& v : a.vertices) lowest_a = std::min(lowest_a, dot(normal, v));
-  for (const Vec3& v : b.vertices) highest_b = std::max(highest_b, dot(normal, v));
-  return highest_b - lowest_a;
+  return b.corners.extent(normal).second - a.corners.extent(normal).first;
 }
 
 /// Collects the faces of `solid` whose planes pass through `other`; false when one of them parts the two.
@@ -44,13 +41,7 @@ bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, bool 
   cutting.clear();
   for (std::size_t f = 0; f < solid.planes.size(); ++f) {
     const Plane& plane = solid.planes[f];
-    double nearest = std::numeric_limits<double>::infinity();
-    double farthest = -nearest;
-    for (const Vec3& v : other.vertices) {
-      const double d = dot(plane.normal, v);
-      nearest = std::min(nearest, d);
-      farthest = std::max(farthest, d);
-    }
+    const auto [nearest, farthest] = other.corners.extent(plane.normal);
     const double depth = plane.offset - nearest;
     if (depth <= kTouch) return false;
     overlap_.ways.push_back({side * plane.normal, depth});

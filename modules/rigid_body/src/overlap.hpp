@@ -7,6 +7,7 @@
 
 #include "brash/core/vec.hpp"
 #include "convex_part.hpp"
+#include "corners.hpp"
 
 namespace brash::rigid_body {
 
@@ -17,6 +18,7 @@ inline constexpr double kTouch = 0x1p-30;
 struct PlacedPart {
   const ConvexPart* part = nullptr;
   std::vector<Vec3> vertices;
+  Corners corners;  ///< the vertices once more, for their distances
   std::vector<Plane> planes;
   Vec3 lower{};  ///< axis-aligned box
   Vec3 upper{};
