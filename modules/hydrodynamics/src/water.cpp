@@ -17,7 +17,6 @@ namespace {
 struct WettedBody {
   double volume = 0.0;
   Vec3 volume_moment{};
-  double area = 0.0;
 };
 
 /// Adds the cone from the reference point on the waterplane to a wetted face. The waterplane's own cap has no cone.
@@ -26,7 +25,6 @@ void add_cone(WettedBody& body, const WettedFace& face, Vec3 reference) {
   body.volume += signed_volume;
   // The centroid of a cone lies a quarter of the way from the base's centroid to the apex.
   body.volume_moment += signed_volume * (0.75 / face.area * face.area_moment + 0.25 * reference);
-  body.area += face.area;
 }
 
 WettedBody wetted_body(const WettedFaces& faces, const Waterplane& water) {
@@ -48,17 +46,19 @@ double average_length(const Prism& prism) {
 }
 
 /// Eqs. 13 and 14 at one velocity for the whole floe, as dampers at that velocity: only faces that look along it count.
-Damping paper_drag(const Prism& prism, const WettedFaces& faces, const WettedBody& body, const Twist& relative,
+Damping paper_drag(const Prism& prism, const WettedFaces& faces, Vec3 centre, const Twist& relative,
                    const Water& water) {
-  const Vec3 centre = body.volume_moment / body.volume;
   const Vec3 velocity = velocity_at(relative, centre);
+  double area = 0.0;
   double area_times_speed = 0.0;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    area += faces[i].area;
     area_times_speed += faces[i].area * std::max(0.0, dot(faces[i].normal, velocity));
+  }
   const double l_avg = average_length(prism);
   Damping damping;
   damping.add(0.5 * water.form_drag * water.density * area_times_speed, centre);
-  damping.add_rotation(0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * body.area *
+  damping.add_rotation(0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * area *
                        norm(relative.angular));
   return damping;
 }
@@ -77,6 +77,12 @@ Wrench skin_friction(const WettedFaces& faces, const Twist& relative, const Wate
   return total;
 }
 
+SurfaceDrag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const Twist& relative,
+                      const Water& water) {
+  const WettedFaces faces(prism, plane);
+  return {paper_drag(prism, faces, centre, relative, water), skin_friction(faces, relative, water)};
+}
+
 Wrench rotated(const Quaternion& q, const Wrench& w) { return {rotate(q, w.force), rotate(q, w.moment)}; }
 
 void check(const Prism& prism) {
@@ -91,31 +97,28 @@ Displacement displacement(const Prism& prism, const Pose& pose) {
   const Waterplane plane = waterplane_in_body_frame(pose);
   const WettedBody body = wetted_body(WettedFaces(prism, plane), plane);
   if (body.volume <= 0.0) return {};
-  return {body.volume, to_world(pose, body.volume_moment / body.volume)};
+  const Vec3 centre = body.volume_moment / body.volume;
+  return {body.volume, to_world(pose, centre), centre};
 }
 
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
-                     const StepInertia& step, std::span<const Solid> neighbours) {
+                     const StepInertia& step, std::span<const Solid> neighbours, const Displacement& wet) {
   check(prism);
   BRASH_EXPECTS(step.dt >= 0.0 && step.mass > 0.0, step.dt, step.mass);
   BRASH_EXPECTS(step.inertia.x > 0.0 && step.inertia.y > 0.0 && step.inertia.z > 0.0);
+  if (wet.volume <= 0.0) return {};
   const Waterplane plane = waterplane_in_body_frame(pose);
-  const WettedFaces faces(prism, plane);
-  const WettedBody body = wetted_body(faces, plane);
-  if (body.volume <= 0.0) return {};
-  const Vec3 centre = body.volume_moment / body.volume;
 
   WaterLoad load;
-  load.buoyancy.force = {0.0, 0.0, water.density * kGravity * body.volume};
-  load.buoyancy.moment = cross(rotate(pose.rotation, centre), load.buoyancy.force);
+  load.buoyancy.force = {0.0, 0.0, water.density * kGravity * wet.volume};
+  load.buoyancy.moment = cross(rotate(pose.rotation, wet.centre_in_body), load.buoyancy.force);
 
   const Quaternion to_body_axes = conjugate(pose.rotation);
-  const Twist relative{rotate(to_body_axes, twist.linear - water.current),
-                       rotate(to_body_axes, twist.angular)};
+  const Twist relative{rotate(to_body_axes, twist.linear - water.current), rotate(to_body_axes, twist.angular)};
   const SurfaceDrag drag =
       water.drag_law == DragLaw::kSurface
           ? surface_drag(prism, plane, relative, water, Shade(prism, pose, neighbours, water.shading_gap))
-          : SurfaceDrag{paper_drag(prism, faces, body, relative, water), skin_friction(faces, relative, water)};
+          : paper_law(prism, plane, wet.centre_in_body, relative, water);
   load.skin_friction = rotated(pose.rotation, drag.skin_friction);
 
   // The coefficient of the start of the step times the velocity at its end, as loads and drag alone give it.

@@ -29,10 +29,15 @@ double shading_gap(const io::Case& resolved) {
   return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
+const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose) {
+  if (!floe.wet || floe.wet->first != pose) floe.wet.emplace(pose, hydrodynamics::displacement(floe.prism, pose));
+  return floe.wet->second;
+}
+
 /// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0
 /// [J].
 double potential(const Floe& floe, const Pose& pose, double water_density) {
-  const hydrodynamics::Displacement wet = hydrodynamics::displacement(floe.prism, pose);
+  const hydrodynamics::Displacement& wet = displaced(floe, pose);
   return floe.weight * pose.position.z - water_density * kGravity * wet.volume * wet.centre.z;
 }
 
@@ -142,7 +147,7 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 struc
     if (flow_)
       water.current += flow_->at(pose.position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
     const hydrodynamics::WaterLoad load =
-        hydrodynamics::water_load(floe.prism, pose, world.twist(body), water, step, neighbours_);
+        hydrodynamics::water_load(floe.prism, pose, world.twist(body), water, step, neighbours_, displaced(floe, pose));
     Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
     wrench += load.buoyancy;
     wrench += load.drag;
@@ -195,9 +200,7 @@ double FloePopulation::slow_energy(const Floe& floe) const {
   return 0.5 * floe.inertia.mass * case_->time.settle_speed * case_->time.settle_speed;
 }
 
-double FloePopulation::slow_push(double mass) const {
-  return mass * case_->time.settle_speed / kSettleTime;
-}
+double FloePopulation::slow_push(double mass) const { return mass * case_->time.settle_speed / kSettleTime; }
 
 void FloePopulation::let_go(rigid_body::World& world, BodyId body, Floe& floe) const {
   floe.rest = {};
@@ -248,10 +251,7 @@ Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
 
 double FloePopulation::raised(const rigid_body::World& world, BodyId body, const Floe& floe) const {
   if (world.is_settled(body)) return floe.settled_height;
-  const Pose pose = world.pose(body);
-  if (!floe.raised || floe.raised->first != pose)
-    floe.raised.emplace(pose, potential(floe, pose, water_.density) - floe.rest_potential);
-  return floe.raised->second;
+  return potential(floe, world.pose(body), water_.density) - floe.rest_potential;
 }
 
 double FloePopulation::potential_energy(const rigid_body::World& world) const {

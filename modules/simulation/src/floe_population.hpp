@@ -38,8 +38,8 @@ struct Floe {
   double settled_height = 0.0;  ///< potential energy against floating at rest while it is settled [J]
   Wrench drag{};                ///< of the last step, form and rotational, about the centre of mass
   Wrench skin_friction{};       ///< likewise
-  /// Where potential energy was last asked for, and what it is there against floating at rest [J].
-  mutable std::optional<std::pair<Pose, double>> raised{};
+  /// Where it was last asked what the floe displaces, and that.
+  mutable std::optional<std::pair<Pose, hydrodynamics::Displacement>> wet{};
 };
 
 /// What changes of a floe after its birth.

@@ -32,8 +32,9 @@ inline constexpr double kShadingReach = 1.5;
 
 /// Volume below the waterplane and its centroid in the world frame.
 struct Displacement {
-  double volume = 0.0;  ///< [m3]
-  Vec3 centre{};        ///< centre of buoyancy [m]; the origin when nothing is submerged
+  double volume = 0.0;    ///< [m3]
+  Vec3 centre{};          ///< centre of buoyancy [m]; the origin when nothing is submerged
+  Vec3 centre_in_body{};  ///< likewise, body frame
 };
 
 /// Volume below the waterplane and its centroid, exact to rounding (docs/theory/hydrodynamics.md, (H1), (H2), (H3)).
@@ -80,8 +81,14 @@ struct StepInertia {
 /// steady velocity, and it never reverses a motion.
 ///
 /// @param neighbours  convex bodies near the floe that may shade it, world frame.
+/// @param wet  displacement(prism, pose).
 /// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8), (H9).
 WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
-                     const StepInertia& step = {}, std::span<const Solid> neighbours = {});
+                     const StepInertia& step, std::span<const Solid> neighbours, const Displacement& wet);
+
+inline WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
+                            const StepInertia& step = {}, std::span<const Solid> neighbours = {}) {
+  return water_load(prism, pose, twist, water, step, neighbours, displacement(prism, pose));
+}
 
 }  // namespace brash::hydrodynamics
