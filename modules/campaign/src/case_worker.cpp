@@ -70,7 +70,7 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
       resolved, {.observer = {}, .checkpoint_file = checkpoint, .resume = true, .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;
   simulation::write_run(partial, task.case_file, resolved, run, {}, kept(task.keep));
-  for (const char* const leftover : {"checkpoint.nc", "messages.txt"}) fs::remove(partial + "/" + leftover);
+  fs::remove(checkpoint);
   publish(partial, task.folder);
   return CaseEnd::kDone;
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "brash/core/error.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "columns.hpp"
 
@@ -66,11 +67,14 @@ void Folder::prepare(bool resume) const {
 }
 
 Job Folder::job_of(const CaseKey& key, const std::string& program) const {
-  return {.command = {program, "campaign-case", setting_file(key.setting), case_folder(key), "--replicate",
-                      std::to_string(key.replicate), "--keep", plan_.keep},
-          .messages = case_folder(key) + ".part/messages.txt",
-          .result = case_folder(key) + "/summary.json",
-          .record = failure_record(key)};
+  return {
+      .command = {program, "campaign-case", setting_file(key.setting), case_folder(key), "--replicate",
+                  std::to_string(key.replicate), "--keep", plan_.keep},
+      // Not in the folder of the case, which gets another name when the case is done, by an earlier process perhaps.
+      .messages = part_of(case_folder(key) + ".messages"),
+      .folder = case_folder(key) + ".part",
+      .result = case_folder(key) + "/summary.json",
+      .record = failure_record(key)};
 }
 
 }  // namespace brash::campaign

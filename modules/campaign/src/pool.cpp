@@ -97,10 +97,6 @@ class Streams {
 };
 
 pid_t start(const Job& job, const sigset_t& mask) {
-  std::error_code reason;
-  const fs::path folder = fs::path(job.messages).parent_path();
-  fs::create_directories(folder, reason);
-  if (reason) throw StorageError(fmt::format("{}: cannot be made: {}", folder.string(), reason.message()));
   std::vector<char*> arguments;
   for (const std::string& argument : job.command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
@@ -121,9 +117,12 @@ class Running {
   explicit Running(const sigset_t& mask) : mask_(mask) {}
   ~Running() {
     ask_to_end();
-    for (const auto& [process, job] : jobs_)
+    for (const auto& [process, job] : jobs_) {
       while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
       }
+      std::error_code ignored;
+      fs::remove(job.messages, ignored);
+    }
   }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
@@ -155,17 +154,20 @@ class Running {
   std::map<pid_t, Job> jobs_;
 };
 
-/// The end of what a process said, without trailing blanks.
-std::string last_words(const std::string& file) {
+/// The end of what a process said, without trailing blanks; the file goes.
+std::string take_last_words(const std::string& file) {
   constexpr std::size_t kMost = 4000;
   std::string text = read_text(file);
+  std::error_code ignored;
+  fs::remove(file, ignored);
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   return text.size() > kMost ? text.substr(text.size() - kMost) : text;
 }
 
 /// Keeps the state that a failed job has left beside its record, and names it in `error`.
 void keep_state(const Job& job, std::string& error) {
-  const std::string left = (fs::path(job.messages).parent_path() / "checkpoint.nc").string();
+  if (job.folder.empty()) return;
+  const std::string left = job.folder + "/checkpoint.nc";
   const std::string kept = job.record + ".nc";
   std::error_code nothing_left;
   fs::rename(left, kept, nothing_left);
@@ -183,13 +185,12 @@ void record_failure(const Job& job, const Exit& exit, std::string error) {
   else
     record["exit_code"] = exit.code;
   io::write_file(job.record, record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  fs::remove_all(fs::path(job.messages).parent_path());
+  fs::remove_all(job.folder);
 }
 
-void judge(const Job& job, const Exit& exit) {
+void judge(const Job& job, const Exit& exit, std::string error) {
   constexpr int kFromOutside[] = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
   if (exit == Exit{} || exit.code == kInterruptedExit || std::ranges::count(kFromOutside, exit.signal) > 0) return;
-  std::string error = last_words(job.messages);
   if (exit.code == kStorageExit) throw StorageError(error);
   if (exit.signal != 0) error += fmt::format("{}ended by SIG{}", error.empty() ? "" : "\n", sigabbrev_np(exit.signal));
   if (job.record.empty()) throw RunError(error);
@@ -219,7 +220,7 @@ bool run_pool(int n_workers, const PoolCalls& calls) {
       running.ask_to_end();
     }
     while (const auto ended = running.take_ended()) {
-      judge(ended->first, ended->second);
+      judge(ended->first, ended->second, take_last_words(ended->first.messages));
       calls.ended(ended->first);
     }
     if (calls.idle) calls.idle(running.size());

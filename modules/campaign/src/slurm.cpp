@@ -79,7 +79,11 @@ std::string output_option(const std::string& folder, const char* pattern) {
 }
 
 Json json_of(const Job& job) {
-  return {{"command", job.command}, {"messages", job.messages}, {"result", job.result}, {"record", job.record}};
+  return {{"command", job.command},
+          {"messages", job.messages},
+          {"folder", job.folder},
+          {"result", job.result},
+          {"record", job.record}};
 }
 
 /// The jobs in `n` parts, consecutive ones together, none empty.
@@ -174,7 +178,7 @@ bool run_chunk(const std::string& list_file, std::size_t chunk) {
     throw InputError(fmt::format("{}: has no part {} of a list of jobs", list_file, chunk));
   std::vector<Job> jobs;
   for (const Json& job : list[chunk])
-    jobs.push_back({0, job.at("command"), job.at("messages"), job.at("result"), job.at("record")});
+    jobs.push_back({0, job.at("command"), job.at("messages"), job.at("folder"), job.at("result"), job.at("record")});
   return run_jobs(1, jobs);
 }
 

@@ -11,6 +11,7 @@
 #include "brash/campaign/slurm.hpp"
 #include "brash/core/folder_lock.hpp"
 #include "brash/core/sha256.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
 #include "commands.hpp"
 #include "failure_commands.hpp"
@@ -39,7 +40,8 @@ std::vector<campaign::Job> missing_jobs(const database::Plan& plan, const Databa
     const std::string file = database::chunk_file(options.output, first);
     jobs.push_back({.command = {campaign::this_program(), "failure", "database", options.plan, "-o", options.output,
                                 "--chunk", std::to_string(first)},
-                    .messages = file + ".txt",
+                    .messages = part_of(file + ".messages"),
+                    .folder = {},
                     .result = file,
                     .record = {}});
   }

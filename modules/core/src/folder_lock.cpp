@@ -45,10 +45,9 @@ std::optional<FolderLock> FolderLock::take(const std::string& path, double patie
   };
   using std::chrono::steady_clock;
   const auto end = steady_clock::now() + std::chrono::duration<double>(patience);
-  for (bool first = true;; first = false) {
+  while (true) {
     FolderLock lock(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    // Who held it has given its folder another name.
-    if (lock.file_ < 0 && errno == ENOENT && !first) return {};
+    if (lock.file_ < 0 && errno == ENOENT) return {};  // who held it has given its folder another name
     if (lock.file_ < 0) refuse(errno);
     while (::flock(lock.file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK && errno != EINTR) refuse(errno);

@@ -14,10 +14,11 @@ using namespace brash::campaign;
 
 namespace {
 
-/// A job that runs a line of the shell; `messages` has a folder of its own, as that of a case.
+/// A job that runs a line of the shell.
 Job shell(const Scratch& scratch, const std::string& name, const std::string& line) {
   return {.command = {"/bin/sh", "-c", line},
-          .messages = scratch.path(name + ".part/messages.txt"),
+          .messages = scratch.path(name + ".messages"),
+          .folder = scratch.path(name + ".part"),
           .result = scratch.path(name),
           .record = scratch.path(name + ".failed")};
 }
@@ -56,7 +57,8 @@ BOOST_AUTO_TEST_CASE(a_job_that_fails_by_itself_leaves_a_record_and_the_others_g
   BOOST_TEST(a.find("\"exit_code\": 1") != std::string::npos, a);
   BOOST_TEST(read_bytes(scratch.path("b.failed")).find("\"signal\": \"SEGV\"") != std::string::npos);
   BOOST_TEST(!exists(scratch, "c.failed"));
-  BOOST_TEST(!exists(scratch, "a.part"));
+  for (const char* const left : {"a.part", "a.messages", "b.messages", "c.messages"})
+    BOOST_TEST(!exists(scratch, left));
 }
 
 BOOST_AUTO_TEST_CASE(a_job_that_is_killed_from_outside_or_interrupted_has_no_record) {

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named) {
   const Scratch scratch;
   scratch.write("file", "");
   BOOST_CHECK_THROW(FolderLock::take_or_refuse(scratch.path("file/a"), "lock"), InputError);
-  BOOST_CHECK_THROW(FolderLock::take(scratch.path("missing/lock")), StorageError);
+  BOOST_TEST(!FolderLock::take(scratch.path("missing/lock")).has_value());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,7 +15,8 @@ std::string this_program();
 struct Job {
   std::size_t ticket = 0;            ///< the caller's own number for it
   std::vector<std::string> command;  ///< the program's path and its arguments
-  std::string messages;              ///< file that takes what it prints to stderr, its folder made; stdout is dropped
+  std::string messages;              ///< file that takes what it prints to stderr while it runs; stdout is dropped
+  std::string folder;                ///< that it works in, made by itself; removed when it fails, its state kept
   std::string result;                ///< file that is there when the job is done
   std::string record;                ///< file that says why the job failed by itself; empty: the pool stops then
 };
@@ -41,8 +42,8 @@ struct PoolCalls {
 /// Runs jobs in at most `n_workers` processes at once until there are no more.
 ///
 /// A job that ends with exit code 0 is done. One that ends with code 3, or is killed from outside (SIGKILL, SIGTERM,
-/// SIGINT, SIGHUP), was interrupted: it stays to be done. Any other end is its own failure: `record` says so, and the
-/// folder of its messages is removed. SIGINT, SIGTERM and SIGHUP are passed on to the running processes as SIGTERM;
+/// SIGINT, SIGHUP), was interrupted: it stays to be done. Any other end is its own failure: `record` says so, and its
+/// folder is removed. SIGINT, SIGTERM and SIGHUP are passed on to the running processes as SIGTERM;
 /// then no job is started any more. The processes have ended when this returns or throws.
 ///
 /// @return whether all jobs ran; false when it was interrupted.

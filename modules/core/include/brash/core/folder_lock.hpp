@@ -14,8 +14,8 @@ namespace brash {
 class FolderLock {
  public:
   /// Takes `path`, made if missing, or waits up to `patience` [s] for another process that is about to end.
-  /// @return nothing when another process holds it, or has given its folder another name meanwhile. @throws
-  /// StorageError when the file cannot be made.
+  /// @return nothing when another process holds it, or when its folder is not there: who held it has given the folder
+  ///         another name. @throws StorageError when the file cannot be made.
   static std::optional<FolderLock> take(const std::string& path, double patience = 0.0);
   /// As take(), of the file `name` in `folder`, which is made if missing; one that is still empty in the end is
   /// removed.
