@@ -23,38 +23,41 @@ using geometry::IceSheet;
 
 enum Part { kFloes, kSheet, kStructure };
 
-/// The sheet at the frames of a run, which stores its first and last outline only: the breaks are cut again at their
-/// places, and the structure's waterline section at each frame is crushed. Between frames the section's path is not
-/// followed, so the channel's walls differ from the run's by less than the structure moves in a frame.
+/// The sheet at the frames of a run, which stores it after each step with cracks: since then the structure's waterline
+/// section has been crushed. Between frames its path is not followed, so the channel's walls differ from the run's by
+/// less than the structure moves in a frame.
 class SheetReplay {
  public:
   SheetReplay(const io::Case& resolved, const io::RunResults& results)
-      : case_(resolved), results_(results), section_(structure::section(simulation::cone_of(resolved), 0.0)) {
-    auto sheet = IceSheet::from_polygons(polygons_of(results.initial_sheet));
-    BRASH_EXPECTS(sheet.has_value(), sheet.error().what);
-    sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
+      : results_(results), section_(structure::section(simulation::cone_of(resolved), 0.0)) {
+    take(results.initial_sheet);
   }
 
   /// The sheet at `frame`; frames in the order of time.
   std::vector<geometry::Polygon> at(const io::Frame& frame) {
-    for (; next_ < results_.events.size() && results_.events[next_].time <= frame.time; ++next_) {
-      const io::CrackEvent& event = results_.events[next_];
-      geometry::cut_circumferential(*sheet_, event.at, event.breaking_length, event.wedges, case_.failure.arc_sides);
-      sheet_->release_detached();
-    }
+    if (&frame == &results_.frames.back()) return polygons_of(results_.final_sheet);
+    const auto& cracked = results_.cracked_sheets;
+    const std::size_t before = next_;
+    while (next_ < cracked.size() && cracked[next_].time <= frame.time) ++next_;
+    if (next_ > before) take(cracked[next_ - 1].rings);
     std::vector<Vec2> section;
     for (const Vec2 v : section_) section.push_back(plan(to_world(frame.structure, {v.x, v.y, 0.0})));
     sheet_->cut(geometry::ring(section));
     sheet_->release_detached();
-    return &frame == &results_.frames.back() ? polygons_of(results_.final_sheet) : sheet_->polygons();
+    return sheet_->polygons();
   }
 
  private:
-  const io::Case& case_;
+  void take(std::span<const std::vector<Vec2>> rings) {
+    auto sheet = IceSheet::from_polygons(polygons_of(rings));
+    BRASH_EXPECTS(sheet.has_value(), sheet.error().what);
+    sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
+  }
+
   const io::RunResults& results_;
   std::vector<Vec2> section_;
   std::unique_ptr<IceSheet> sheet_;
-  std::size_t next_ = 0;
+  std::size_t next_ = 0;  ///< of the cracked sheets
 };
 
 io::PolyData floes_at(const io::Case& resolved, const io::Frame& frame,
@@ -110,6 +113,8 @@ void check_polygons(const std::string& run_file, const io::RunResults& results) 
   };
   check("initial_sheet", results.initial_sheet);
   check("final_sheet", results.final_sheet);
+  for (const io::CrackedSheet& sheet : results.cracked_sheets)
+    check(fmt::format("the sheet cracked at {} s", sheet.time), sheet.rings);
   for (const io::FloeRecord& floe : results.floes) check(fmt::format("floe {}", floe.id), floe.rings);
 }
 
