@@ -61,7 +61,7 @@ void Shade::keep(Solid solid, Vec3 box_centre, Vec3 half_box) {
       near_.resize(first);
       return;
     }
-    near_.push_back({plane, normal});
+    near_.push_back({plane, {normal, plane.offset - dot(plane.normal, pose_.position)}});
   }
   near_ends_.push_back(near_.size());
 }
@@ -73,7 +73,7 @@ void Shade::face(std::span<const Vec3> corners, Vec3 normal, const Patch& around
   if (near_ends_.empty()) return;
   const Vec3 centre = mean(corners);
   const Vec3 middle = to_world(pose_, centre) + gap_ * rotate(pose_.rotation, normal);
-  const Vec3 shift = around.centre - centre;
+  const Vec3 around_probe = around.centre + gap_ * normal;
   const double cut = 0.5 * gap_ + kMargin;
   const double farthest = size(around.u) + size(around.v) + cut;
   std::size_t begin = 0;
@@ -81,17 +81,18 @@ void Shade::face(std::span<const Vec3> corners, Vec3 normal, const Patch& around
     const std::size_t first = planes_.size();
     bool apart = false;
     for (std::size_t i = begin; i < end; ++i) {
-      const auto& [world, n] = near_[i];
-      const double distance = dot(world.normal, middle) - world.offset;
-      const double at_centre = distance + dot(n, shift);
+      const auto& [world, body] = near_[i];
+      const double distance = dot(body.normal, around_probe) - body.offset;
       // Most are far apart, and no closer look is needed.
-      const double extent = at_centre > farthest ? 0.0 : std::abs(dot(n, around.u)) + std::abs(dot(n, around.v));
-      apart = at_centre > extent + cut;
+      const double reach =
+          distance > farthest ? cut : std::abs(dot(body.normal, around.u)) + std::abs(dot(body.normal, around.v)) + cut;
+      apart = distance > reach;
       if (apart) {
         std::swap(near_[begin], near_[i]);  // it is likely to part the next face from this neighbour too
         break;
       }
-      if (at_centre >= -(extent + cut)) planes_.push_back({n, dot(n, centre) - distance});
+      if (distance >= -reach)
+        planes_.push_back({body.normal, dot(body.normal, centre) - (dot(world.normal, middle) - world.offset)});
     }
     begin = end;
     if (apart) {

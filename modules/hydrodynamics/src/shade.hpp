@@ -49,7 +49,7 @@ class Shade {
  private:
   struct NearPlane {
     Plane world;
-    Vec3 normal;  ///< body frame
+    Plane body;  ///< the same in the body frame, for what needs no last digit
   };
   void keep(Solid solid, Vec3 box_centre, Vec3 half_box);
 
