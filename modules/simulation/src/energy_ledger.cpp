@@ -32,7 +32,7 @@ void EnergyLedger::book_structure(double edge_force, double floe_force, double a
 }
 
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
-  received_.clear();
+  for (auto& [body, sum] : received_) sum = 0.0;
   for (const ContactLoad& contact : world.contacts()) {
     if (!bears(contact)) continue;
     book(losses_, contact, dt);
@@ -52,6 +52,7 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
 }
 
 void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {
+  received_.erase(body);
   removed_ += floes.energy(world, body);
 }
 

@@ -163,12 +163,12 @@ void FloePopulation::average_contacts(const rigid_body::World& world, double dt)
   std::map<BodyId, io::Bearing> bearings;
   // In the order of their places, so that the sums do not depend on how the bodies came to their ids.
   std::vector<const rigid_body::ContactLoad*> contacts;
-  for (const rigid_body::ContactLoad& contact : world.contacts()) contacts.push_back(&contact);
+  for (const rigid_body::ContactLoad& contact : world.contacts())
+    if (bears(contact)) contacts.push_back(&contact);
   std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad* c) {
     return std::tie(c->point.x, c->point.y, c->point.z, c->normal.x, c->normal.y, c->normal.z);
   });
   for (const rigid_body::ContactLoad* const contact : contacts) {
-    if (!bears(*contact)) continue;
     const Vec3 force = contact->normal_force * contact->normal + contact->friction_force;
     add_dipole(dipoles[contact->body], contact->point - world.pose(contact->body).position, force);
     if (contact->other_kind == rigid_body::BodyKind::kFloe)
