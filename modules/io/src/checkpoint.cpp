@@ -78,7 +78,8 @@ struct Columns<CheckpointFloe> {
     visit(
         "settled", "1", "whether it is fixed where it is", [](auto& row) -> auto& { return row.rest.settled; });
     visit_vector(
-        "push_", "N", "mean force of other floes when it was settled", [](auto& row) -> auto& { return row.rest.push; }, visit);
+        "push_", "N", "change of the mean force of other floes since it was settled",
+        [](auto& row) -> auto& { return row.rest.push; }, visit);
   }
 
  private:

@@ -211,20 +211,20 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
   if (case_->time.settle_speed == 0.0) return 0.0;
   const double dt = case_->time.step;
   const double cube = case_->ice.density * std::pow(case_->ice.thickness, 3);
-  pushes_.average(world, 1.0 - std::exp(-dt / kSettleTime), kNoPush * slow_push(cube));
-  std::map<BodyId, Vec3> pushes = pushes_.on_floes();
+  pushes_.average(world, 1.0 - std::exp(-dt / kSettleTime), kNoPush * slow_push(cube),
+                  [&](BodyId body, Vec3 change) { floes_.at(body).rest.push += change; });
   double taken = 0.0;
   for (auto& [body, floe] : floes_) {
     io::Rest& rest = floe.rest;
     if (!world.is_settled(body)) rest.settled = 0;  // it may have been run into
     if (rest.settled != 0) {
-      if (norm(pushes[body] - rest.push) > slow_push(floe.inertia.mass)) let_go(world, body, floe);
+      if (norm(rest.push) > slow_push(floe.inertia.mass)) let_go(world, body, floe);
       continue;
     }
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
     if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;
-    rest = {.slow_for = 0.0, .settled = 1, .push = pushes[body]};
+    rest = {.slow_for = 0.0, .settled = 1, .push = {}};
     floe.bearing = {};
     floe.drag = floe.skin_friction = {};
     floe.settled_height = raised(world, body, floe);
@@ -244,7 +244,7 @@ std::vector<BodyId> FloePopulation::overstressed(double strength) const {
 Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
   auto node = floes_.extract(body);
   BRASH_EXPECTS(!node.empty(), body.index, body.generation);
-  pushes_.forget(body);
+  pushes_.forget(body, [&](BodyId other, Vec3 change) { floes_.at(other).rest.push += change; });
   world.remove(body);
   return std::move(node.mapped());
 }

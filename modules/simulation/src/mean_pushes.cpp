@@ -5,29 +5,39 @@
 
 namespace brash::simulation {
 
-void MeanPushes::average(const rigid_body::World& world, double share, double least) {
-  for (auto& [pair, force] : pairs_)
-    if (!world.is_settled(pair.first) || !world.is_settled(pair.second)) force = (1.0 - share) * force;
+void MeanPushes::average(const rigid_body::World& world, double share, double least, const Tell& tell) {
+  const auto tell_settled = [&](const Pair& pair, Vec3 change) {
+    if (world.is_settled(pair.first)) tell(pair.first, change);
+    if (world.is_settled(pair.second)) tell(pair.second, -change);
+  };
+  for (auto& [pair, mean] : pairs_) {
+    if (world.is_settled(pair.first) && world.is_settled(pair.second)) continue;
+    tell_settled(pair, -share * mean);
+    mean = (1.0 - share) * mean;
+  }
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
     if (contact.other_kind != rigid_body::BodyKind::kFloe || !rigid_body::bears(contact)) continue;
-    const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
     const bool in_order = contact.body < contact.other;
-    pairs_[std::minmax(contact.body, contact.other)] += (in_order ? share : -share) * force;
+    const Pair pair = std::minmax(contact.body, contact.other);
+    const Vec3 change = (in_order ? share : -share) * (contact.normal_force * contact.normal + contact.friction_force);
+    pairs_[pair] += change;
+    tell_settled(pair, change);
   }
-  std::erase_if(pairs_, [&](const auto& entry) { return norm(entry.second) < least; });
+  std::erase_if(pairs_, [&](const auto& entry) {
+    const auto& [pair, mean] = entry;
+    if (norm(mean) >= least) return false;
+    tell_settled(pair, -mean);
+    return true;
+  });
 }
 
-std::map<BodyId, Vec3> MeanPushes::on_floes() const {
-  std::map<BodyId, Vec3> sums;
-  for (const auto& [pair, force] : pairs_) {
-    sums[pair.first] += force;
-    sums[pair.second] += -1.0 * force;
-  }
-  return sums;
-}
-
-void MeanPushes::forget(BodyId floe) {
-  std::erase_if(pairs_, [&](const auto& entry) { return entry.first.first == floe || entry.first.second == floe; });
+void MeanPushes::forget(BodyId floe, const Tell& tell) {
+  std::erase_if(pairs_, [&](const auto& entry) {
+    const auto& [pair, mean] = entry;
+    if (pair.first == floe) tell(pair.second, mean);
+    if (pair.second == floe) tell(pair.first, -mean);
+    return pair.first == floe || pair.second == floe;
+  });
 }
 
 }  // namespace brash::simulation

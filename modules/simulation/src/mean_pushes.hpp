@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -14,22 +15,25 @@ namespace brash::simulation {
 /// Nothing is known of a pair while both are settled: it keeps the mean that it had.
 class MeanPushes {
  public:
-  /// Takes in the contacts of the last step.
+  using Pair = std::pair<BodyId, BodyId>;  ///< the lower id first
+
+  /// Tells by how much the mean push on a floe has changed [N].
+  using Tell = std::function<void(BodyId floe, Vec3 change)>;
+
+  /// Takes in the contacts of the last step, and tells the changes for settled floes.
   /// @param share  weight of the step, dt over the time of averaging [-].
   /// @param least  a mean smaller than this is forgotten [N].
-  void average(const rigid_body::World& world, double share, double least);
+  void average(const rigid_body::World& world, double share, double least, const Tell& tell);
 
-  /// What each floe is pushed with by all others [N]; floes that nothing pushes are left out.
-  std::map<BodyId, Vec3> on_floes() const;
-
-  void forget(BodyId floe);
+  /// Takes a floe out, and tells the changes for those that it pushed.
+  void forget(BodyId floe, const Tell& tell);
 
   /// The mean force of the second floe of each pair on the first [N].
-  const std::map<std::pair<BodyId, BodyId>, Vec3>& pairs() const { return pairs_; }
+  const std::map<Pair, Vec3>& pairs() const { return pairs_; }
   void restore(BodyId floe, BodyId other, Vec3 force) { pairs_[{floe, other}] = force; }
 
  private:
-  std::map<std::pair<BodyId, BodyId>, Vec3> pairs_;  ///< the lower id first
+  std::map<Pair, Vec3> pairs_;
 };
 
 }  // namespace brash::simulation

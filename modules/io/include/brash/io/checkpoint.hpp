@@ -40,7 +40,7 @@ struct Bearing {
 struct Rest {
   double slow_for = 0.0;     ///< it has been slower than time.settle_speed for so long [s]
   std::int64_t settled = 0;  ///< 1: it is fixed where it is
-  Vec3 push{};               ///< mean force of other floes on a settled one when it came to rest [N]
+  Vec3 push{};               ///< by how much the mean force of other floes on it has changed since it was settled [N]
 
   friend bool operator==(const Rest&, const Rest&) = default;
 };
