@@ -51,6 +51,9 @@ void Folder::prepare(bool resume) const {
                     directory_));
   for (const fs::path& written_to : {fs::path(directory_), cases, fs::path(directory_) / "settings"})
     remove_parts(written_to);
+  // A worker that was killed just after it gave the folder of a case its name left the lock there.
+  for (const auto& entry : fs::directory_iterator(cases))
+    if (entry.path().extension() != ".part") fs::remove(entry.path() / "lock", reason);
   for (std::size_t i = 0; i < plan_.settings.size(); ++i) {
     const std::string text = io::to_toml(plan_.settings[i].resolved);
     const std::string path = setting_file(i);

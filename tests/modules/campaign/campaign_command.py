@@ -67,7 +67,13 @@ class Command(unittest.TestCase):
         self.assertEqual(status["n_done"] + status["n_missing"], 12)
         self.assertGreater(status["n_missing"], 0)
         self.assertFalse((folder / "campaign.csv").exists())
+        # As a worker leaves them that is killed when its case has just got its name, and one that is killed at work.
+        done = next((folder / "cases").glob("*[0-9]"))
+        left = [done / "lock", folder / "cases" / (done.name + ".messages.1.part")]
+        for path in left:
+            path.touch()
         self.assertEqual(quick(folder, "--resume").returncode, 0)
+        self.assertEqual([path for path in left if path.exists()], [])
         self.assertEqual(different(self.whole, folder), [])
 
     def test_an_interrupted_campaign_says_so_with_exit_code_3(self):
