@@ -63,7 +63,8 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
     def test_a_program_of_others_is_built_with_the_installed_package(self):
         source, build = SOURCE / "tests/install/consumer", self.prefix / "consumer"
         said = ""
-        for command in ([os.environ["CMAKE"], "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+        for command in ([os.environ["CMAKE"], "-G", "Ninja", "-S", source, "-B", build,
+                         f"-DCMAKE_PREFIX_PATH={self.prefix}"],
                         [os.environ["CMAKE"], "--build", build], [build / "consumer"]):
             done = subprocess.run(command, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
