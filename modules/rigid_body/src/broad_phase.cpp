@@ -26,6 +26,17 @@ btVector3 upper(const Part& part, double reach) {
 
 }  // namespace
 
+/// Bullet's tree leaves to its user what it made for each box. Taking the boxes out one by one would look through all
+/// pairs for each.
+BroadPhase::~BroadPhase() {
+  for (btDbvtProxy* proxy : tree_.m_stageRoots)
+    while (proxy != nullptr) {
+      btDbvtProxy* const next = proxy->links[1];
+      btAlignedFree(proxy);
+      proxy = next;
+    }
+}
+
 void BroadPhase::add(Part& part) {
   const bool mobile = part.body->is_free();
   part.proxy = tree_.createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,

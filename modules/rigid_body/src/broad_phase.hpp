@@ -20,6 +20,11 @@ struct PartPair {
 /// A tree of the parts' boxes (Bullet's btDbvtBroadphase).
 class BroadPhase {
  public:
+  BroadPhase() = default;
+  ~BroadPhase();
+  BroadPhase(const BroadPhase&) = delete;
+  BroadPhase& operator=(const BroadPhase&) = delete;
+
   void add(Part& part);
   void remove(Part& part);
   void move(Part& part);
