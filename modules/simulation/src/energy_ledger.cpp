@@ -41,7 +41,6 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     if (contact.other_kind == BodyKind::kFloe) received_[contact.other] -= dt * dot(force, contact.other_velocity);
   }
   for (const auto& [body, floe] : floes.floes()) {
-    if (world.is_settled(body)) continue;  // it neither moves nor drags
     const Twist twist = world.mean_twist(body);
     const double drag = dt * power(floe.drag, twist);
     const double skin_friction = dt * power(floe.skin_friction, twist);

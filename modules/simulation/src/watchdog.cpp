@@ -33,7 +33,7 @@ void Watchdog::look(const Watched& now) {
   std::erase_if(explained_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
   for (const auto& [body, floe] : now.floes.floes()) {
     look_at_place(floe, now.world.pose(body).position, now.row.time);
-    if (!now.world.is_settled(body)) look_at_energy(now, body, floe);
+    look_at_energy(now, body, floe);
   }
   look_at_losses(now);
   look_at_balance(now);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/simulation/simulation.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +9,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/scales.hpp"
 
@@ -16,8 +18,8 @@ namespace {
 using namespace brash;
 
 /// The validation case, cut short: 3.5 s see the first dozens of breaks.
-io::Case short_case(std::vector<std::string> overrides = {}) {
-  overrides.push_back("time.duration=3.5");
+io::Case short_case(std::vector<std::string> overrides = {}, double duration = 3.5) {
+  overrides.push_back("time.duration=" + std::to_string(duration));
   return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
 }
 
@@ -71,10 +73,10 @@ BOOST_AUTO_TEST_CASE(a_step_reports_what_it_did) {
   BOOST_TEST(born.size() > 10u);
 }
 
-BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
-  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-checkpoint.nc").string();
+/// A run, and the same interrupted at one second and every 1.1 s from then on; `file` is left for more.
+std::pair<simulation::Run, simulation::Run> whole_and_resumed(const io::Case& resolved, const std::string& file) {
   std::filesystem::remove(file);
-  const simulation::Run whole = simulation::run(short_case());
+  simulation::Run whole = simulation::run(resolved);
   double stop_at = 1.0;
   double now = 0.0;
   const simulation::RunOptions options{
@@ -82,8 +84,28 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
       .checkpoint_file = file,
       .resume = true,
       .interrupted = [&] { return now >= stop_at; }};
-  simulation::Run resumed = simulation::run(short_case(), options);
-  for (; !resumed.complete; resumed = simulation::run(short_case(), options)) stop_at += 1.1;
+  simulation::Run resumed = simulation::run(resolved, options);
+  for (; !resumed.complete; resumed = simulation::run(resolved, options)) stop_at += 1.1;
+  return {std::move(whole), std::move(resumed)};
+}
+
+BOOST_AUTO_TEST_CASE(a_resumed_run_with_floes_at_rest_is_the_uninterrupted_one_to_the_bit) {
+  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-settled.nc").string();
+  const io::Case narrow =
+      short_case({"structure.waterline_width=3", "structure.height=2", "structure.height_under_water=1",
+                  "structure.start_distance=1.6", "time.settle_speed=0.5"},
+                 10.0);
+  const auto [whole, resumed] = whole_and_resumed(narrow, file);
+  const auto n_settled = std::ranges::count_if(io::read_checkpoint(file).floes,
+                                               [](const io::CheckpointFloe& floe) { return floe.rest.settled == 1; });
+  BOOST_TEST(n_settled > 0);
+  BOOST_TEST((resumed.results == whole.results));
+  std::filesystem::remove(file);
+}
+
+BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
+  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-checkpoint.nc").string();
+  const auto [whole, resumed] = whole_and_resumed(short_case(), file);
   BOOST_TEST((bytes_of(resumed) == bytes_of(whole)));
   BOOST_TEST((resumed.results == whole.results));
   BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
