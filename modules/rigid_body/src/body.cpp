@@ -6,27 +6,14 @@
 
 namespace brash::rigid_body {
 
-Hull::Hull(std::span<const Vec3> vertices)
-    : btConvexHullShape(&vertices[0].x, static_cast<int>(vertices.size()), sizeof(Vec3)) {
-  m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;  // Bullet searches the points of a hull itself, whatever its class
-  corners_.assign(vertices);
-}
-
-btVector3 Hull::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
-  return getUnscaledPoints()[corners_.farthest(from_bullet(direction))];
-}
-
-Part::Part(Body& owner, int which, ConvexPart shape, std::span<const Vec3> inset_corners, double margin)
-    : body(&owner), number(which), solid(std::move(shape)), hull(inset_corners) {
-  hull.setMargin(margin);
+Part::Part(Body& owner, int which, ConvexPart shape) : body(&owner), number(which), solid(std::move(shape)) {
   now.part = &solid;
   update(now, owner.pose);
 }
 
 bool Body::add_part(ConvexPart solid, double margin) {
-  const std::vector<Vec3> corners = inset_vertices(solid, margin);
-  if (corners.size() < 4) return false;
-  parts.push_back(std::make_unique<Part>(*this, static_cast<int>(parts.size()), std::move(solid), corners, margin));
+  if (inset_vertices(solid, margin).size() < 4) return false;
+  parts.push_back(std::make_unique<Part>(*this, static_cast<int>(parts.size()), std::move(solid)));
   return true;
 }
 

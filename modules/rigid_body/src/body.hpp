@@ -2,7 +2,6 @@
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <memory>
@@ -11,32 +10,20 @@
 #include "brash/rigid_body/world.hpp"
 #include "bullet_types.hpp"
 #include "convex_part.hpp"
-#include "corners.hpp"
 #include "overlap.hpp"
 
 namespace brash::rigid_body {
 
 struct Body;
 
-/// Bullet's hull with a faster search for the vertex that is farthest along a direction.
-class Hull final : public btConvexHullShape {
- public:
-  explicit Hull(std::span<const Vec3> vertices);
-  btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
-
- private:
-  Corners corners_;
-};
-
-/// A convex part of a body: its true surface, and Bullet's hull (inset by the margin) for the direction of contact.
+/// A convex part of a body.
 struct Part {
-  Part(Body& owner, int number, ConvexPart shape, std::span<const Vec3> inset_corners, double margin);
+  Part(Body& owner, int number, ConvexPart shape);
 
   Body* body;
   int number;  ///< within its body
   ConvexPart solid;
   PlacedPart now;
-  Hull hull;
   btBroadphaseProxy* proxy = nullptr;
 };
 

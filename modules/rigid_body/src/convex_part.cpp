@@ -113,17 +113,29 @@ std::pair<std::vector<int>, Plane> settle(const Plane& plane, std::span<const Ve
   return {};
 }
 
-}  // namespace
-
-std::array<Vec3, 2> plane_axes(Vec3 normal) {
-  const Vec3 other = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 u = normalized(cross(other, normal));
-  return {u, cross(normal, u)};
+/// Each edge once: the loops of the faces beside it run along it in opposite directions.
+std::vector<Edge> edges_between(const std::vector<std::vector<int>>& faces) {
+  struct Side {
+    int from, to, face;
+    std::pair<int, int> ends() const { return std::minmax(from, to); }
+  };
+  std::vector<Side> sides;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t i = 0; i < faces[f].size(); ++i)
+      sides.push_back({faces[f][i], faces[f][i + 1 == faces[f].size() ? 0 : i + 1], static_cast<int>(f)});
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& p, const Side& q) { return p.ends() != q.ends() ? p.ends() < q.ends() : p.from < q.from; });
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+    BRASH_EXPECTS(sides[i].from == sides[i + 1].to && sides[i].to == sides[i + 1].from, "faces do not close a solid");
+    edges.push_back({sides[i].from, sides[i].to, sides[i].face, sides[i + 1].face});
+  }
+  return edges;
 }
 
+/// Leaves the part of the convex `polygon` inside `plane`; `scratch` saves it from allocating.
 void clip(std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& scratch) {
   const auto height = [&](Vec3 p) { return dot(plane.normal, p) - plane.offset; };
-  if (std::none_of(polygon.begin(), polygon.end(), [&](Vec3 p) { return height(p) > 0.0; })) return;
   scratch.clear();
   Vec3 a = polygon.front();
   double at_a = height(a);
@@ -137,6 +149,14 @@ void clip(std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& scr
     at_a = at_b;
   }
   polygon.swap(scratch);
+}
+
+}  // namespace
+
+std::array<Vec3, 2> plane_axes(Vec3 normal) {
+  const Vec3 other = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  const Vec3 u = normalized(cross(other, normal));
+  return {u, cross(normal, u)};
 }
 
 ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top) {
@@ -163,6 +183,7 @@ ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top) {
     part.planes.push_back({{out.x, out.y, 0.0}, dot(out, ring[i])});
     part.faces.push_back({i, j, n + j, n + i});
   }
+  part.edges = edges_between(part.faces);
   return part;
 }
 
@@ -187,6 +208,7 @@ ConvexPart convex_hull(std::span<const Vec3> points) {
     part.planes.push_back(plane);
     part.faces.push_back(loop_on(plane, part.vertices, tolerance));
   }
+  part.edges = edges_between(part.faces);
   return part;
 }
 

@@ -10,12 +10,21 @@
 
 namespace brash::rigid_body {
 
-/// A convex solid: its faces' planes, its vertices, and each face as a loop of vertices (counter-clockwise from
-/// outside).
+/// Where two faces of a solid meet.
+struct Edge {
+  int from = 0;  ///< vertices
+  int to = 0;
+  int left = 0;  ///< faces beside it, seen from outside
+  int right = 0;
+};
+
+/// A convex solid: its faces' planes, its vertices, each face as a loop of vertices (counter-clockwise from outside),
+/// and its edges.
 struct ConvexPart {
   std::vector<Vec3> vertices;
   std::vector<Plane> planes;
   std::vector<std::vector<int>> faces;  ///< one loop for each plane
+  std::vector<Edge> edges;              ///< in the order of their vertices
 };
 
 /// The prism over a convex counter-clockwise plan `ring` [m] between two heights [m].
@@ -27,9 +36,6 @@ ConvexPart convex_hull(std::span<const Vec3> points);
 
 /// Two unit vectors that make a right-handed frame with the unit vector `normal`.
 std::array<Vec3, 2> plane_axes(Vec3 normal);
-
-/// Leaves the part of the convex `polygon` inside `plane`; `scratch` saves it from allocating.
-void clip(std::vector<Vec3>& polygon, const Plane& plane, std::vector<Vec3>& scratch);
 
 /// Vertices of the solid with every face moved inwards by `inset` [m]; nothing when it is too thin for that.
 std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset);

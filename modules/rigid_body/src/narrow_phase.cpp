@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "narrow_phase.hpp"
 
-#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
-#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace brash::rigid_body {
 namespace {
 
-/// GJK/EPA is believed over the best face only where its way out is shorter by more than this share: its own
-/// round-off (1e-9 and less in double precision) must not tilt the normal of a face contact.
+/// A way out over edges counts only where it is shorter than that through the best face by more than this share: an
+/// edge of one part that lies all but in a face of the other must not tilt the normal of a face contact.
 constexpr double kShorter = 1e-6;
 
 /// How far beyond a surface one looks for what continues there [m]: many times the gap that rounding leaves between
@@ -60,26 +57,13 @@ WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
   return shortest;
 }
 
-/// The direction of the shortest way out of the overlap: GJK with EPA, held against the faces of both parts.
-///
-/// EPA alone can end early on large flat hulls, so its direction counts by the depth that it really gives. What is left
-/// to it are contacts of two edges, whose direction is no face's.
+/// The direction of the shortest way out of the overlap that ends at a surface: through a face of either part or from
+/// edge to edge.
 Vec3 NarrowPhase::direction(const PartPair& pair, const Overlap& overlap, const Beside& beside) {
   const WayOut face = best_face(overlap, beside);
-  const Part& a = *pair.first;
-  const Part& b = *pair.second;
-  btGjkPairDetector detector(&a.hull, &b.hull, &simplex_, &epa_);
-  btGjkPairDetector::ClosestPointInput input;
-  input.m_transformA = to_bullet(a.body->pose);
-  input.m_transformB = to_bullet(b.body->pose);
-  btPointCollector closest;
-  detector.getClosestPoints(input, closest, nullptr);
-  if (!closest.m_hasResult) return face.normal;
-  const double length = norm(from_bullet(closest.m_normalOnBInWorld));
-  if (!(length > 0.5)) return face.normal;
-  const Vec3 found = from_bullet(closest.m_normalOnBInWorld) / length;
-  if (depth_along(a.now, b.now, found) >= (1.0 - kShorter) * face.depth) return face.normal;
-  return !beside.none() && leads_on(overlap, found, beside.first, beside.second) ? face.normal : found;
+  for (const WayOut& way : edge_ways_.find(pair.first->now, pair.second->now, (1.0 - kShorter) * face.depth))
+    if (beside.none() || !leads_on(overlap, way.normal, beside.first, beside.second)) return way.normal;
+  return face.normal;
 }
 
 bool NarrowPhase::find(const PartPair& pair, std::span<const Part* const> beside_first,

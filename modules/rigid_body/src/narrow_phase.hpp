@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
-#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
-
 #include <span>
 #include <vector>
 
 #include "broad_phase.hpp"
+#include "edge_ways.hpp"
 #include "overlap.hpp"
 
 namespace brash::rigid_body {
@@ -38,8 +36,7 @@ class NarrowPhase {
   Vec3 direction(const PartPair& pair, const Overlap& overlap, const Beside& beside);
 
   OverlapFinder finder_;
-  btVoronoiSimplexSolver simplex_;
-  btGjkEpaPenetrationDepthSolver epa_;
+  EdgeWays edge_ways_;
   std::vector<WayOut> ways_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace brash::rigid_body {
 namespace {
@@ -31,51 +32,56 @@ PlacedPart placed(const ConvexPart& part, const Pose& pose) {
   return result;
 }
 
-double depth_along(const PlacedPart& a, const PlacedPart& b, Vec3 normal) {
-  return b.corners.extent(normal).second - a.corners.extent(normal).first;
-}
-
-/// Collects the faces of `solid` whose planes pass through `other`; false when one of them parts the two.
-bool OverlapFinder::cull(const PlacedPart& solid, const PlacedPart& other, bool solid_is_b, std::vector<int>& cutting) {
-  const double side = solid_is_b ? 1.0 : -1.0;
-  cutting.clear();
-  for (std::size_t f = 0; f < solid.planes.size(); ++f) {
-    const Plane& plane = solid.planes[f];
-    const auto [nearest, farthest] = other.corners.extent(plane.normal);
-    const double depth = plane.offset - nearest;
-    if (depth <= kTouch) return false;
-    overlap_.ways.push_back({side * plane.normal, depth});
-    if (farthest > plane.offset) cutting.push_back(static_cast<int>(f));
+/// Heights of `part` over the planes of `other` that pass through it, and the ways out through all of its planes, with
+/// the normals times `outwards`; false when a plane parts the two.
+bool OverlapFinder::find_heights(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights) {
+  heights.n_planes = 0;
+  heights.stride = part.corners.n_heights();
+  heights.values.resize(std::max(heights.values.size(), other.planes.size() * heights.stride));
+  for (const Plane& plane : other.planes) {
+    const auto [lowest, highest] =
+        part.corners.heights_over(plane, heights.values.data() + heights.n_planes * heights.stride);
+    if (-lowest <= kTouch) return false;
+    overlap_.ways.push_back({outwards * plane.normal, -lowest});
+    if (highest > 0.0) ++heights.n_planes;
   }
   return true;
 }
 
-/// Adds the corners of a's `faces` clipped to the inside of b's `cutting` planes.
-void OverlapFinder::add_faces(const PlacedPart& a, std::span<const int> faces, const PlacedPart& b,
-                              std::span<const int> cutting) {
-  for (const int f : faces) {
-    polygon_.clear();
-    for (const int i : a.part->faces[static_cast<std::size_t>(f)])
-      polygon_.push_back(a.vertices[static_cast<std::size_t>(i)]);
-    for (const int g : cutting) {
-      clip(polygon_, b.planes[static_cast<std::size_t>(g)], clipped_);
-      if (polygon_.empty()) break;
+/// Adds the vertices that lie in the other part.
+void OverlapFinder::add_corners(const PlacedPart& part, const Heights& heights) {
+  for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+    bool inside = true;
+    for (std::size_t k = 0; inside && k < heights.n_planes; ++k) inside = heights.of(i, k) <= 0.0;
+    if (inside) overlap_.vertices.push_back(part.vertices[i]);
+  }
+}
+
+/// Adds the points where edges enter and leave the other part.
+void OverlapFinder::add_crossings(const PlacedPart& part, const Heights& heights) {
+  for (const Edge& edge : part.part->edges) {
+    const auto from = static_cast<std::size_t>(edge.from), to = static_cast<std::size_t>(edge.to);
+    double enters = 0.0, leaves = 1.0;  // shares of the way along the edge
+    for (std::size_t k = 0; enters < leaves && k < heights.n_planes; ++k) {
+      const double p = heights.of(from, k), q = heights.of(to, k);
+      if (p > 0.0 && q > 0.0) leaves = -1.0;
+      if (p > 0.0 && q <= 0.0) enters = std::max(enters, p / (p - q));
+      if (p <= 0.0 && q > 0.0) leaves = std::min(leaves, p / (p - q));
     }
-    overlap_.vertices.insert(overlap_.vertices.end(), polygon_.begin(), polygon_.end());
+    if (enters >= leaves) continue;
+    const Vec3 start = part.vertices[from], along = part.vertices[to] - start;
+    if (enters > 0.0) overlap_.vertices.push_back(start + enters * along);
+    if (leaves < 1.0) overlap_.vertices.push_back(start + leaves * along);
   }
 }
 
 const Overlap& OverlapFinder::find(const PlacedPart& a, const PlacedPart& b) {
   overlap_.vertices.clear();
   overlap_.ways.clear();
-  if (!cull(b, a, true, cutting_b_) || !cull(a, b, false, cutting_a_)) return overlap_;
-  if (cutting_b_.empty()) {
-    overlap_.vertices = a.vertices;  // a lies inside b
-  } else if (cutting_a_.empty()) {
-    overlap_.vertices = b.vertices;
-  } else {
-    add_faces(a, cutting_a_, b, cutting_b_);
-    add_faces(b, cutting_b_, a, cutting_a_);
+  if (!find_heights(a, b, 1.0, of_a_) || !find_heights(b, a, -1.0, of_b_)) return overlap_;
+  for (const auto& [part, heights] : {std::pair(&a, &of_a_), std::pair(&b, &of_b_)}) {
+    add_corners(*part, *heights);
+    add_crossings(*part, *heights);
   }
   return overlap_;
 }

@@ -53,9 +53,9 @@ struct Patch {
 /// Scratch space, so that no call allocates.
 class OverlapFinder {
  public:
-  /// Corners of a cut with b. Only faces whose plane passes through the other part are clipped (all others contribute
-  /// nothing that they do not share with a face that does), so a hull of many facets costs one sign test per vertex
-  /// and facet.
+  /// The corners are those of either part that lie in the other, and where an edge of one passes a face of the other.
+  /// Only planes that pass through the other part cut its edges, so a hull of many facets costs one height per facet
+  /// and vertex.
   const Overlap& find(const PlacedPart& a, const PlacedPart& b);
 
   /// Projects the last overlap along `normal` (unit).
@@ -68,25 +68,29 @@ class OverlapFinder {
   const Patch& project(Vec3 normal);
 
  private:
-  bool cull(const PlacedPart& solid, const PlacedPart& other, bool solid_is_b, std::vector<int>& cutting);
-  void add_faces(const PlacedPart& a, std::span<const int> faces, const PlacedPart& b, std::span<const int> cutting);
+  /// Heights of a part's vertices over those planes of the other part that pass through it [m]: a row for each plane.
+  struct Heights {
+    std::size_t n_planes = 0;
+    std::size_t stride = 0;
+    std::vector<double> values;
+
+    double of(std::size_t vertex, std::size_t plane) const { return values[plane * stride + vertex]; }
+  };
+  bool find_heights(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights);
+  void add_corners(const PlacedPart& part, const Heights& heights);
+  void add_crossings(const PlacedPart& part, const Heights& heights);
   void hull_2d();
   void lump(double u0, double v0);
   double diameter() const;
 
   Overlap overlap_;
   Patch patch_;
-  std::vector<int> cutting_a_;
-  std::vector<int> cutting_b_;
-  std::vector<Vec3> polygon_;
-  std::vector<Vec3> clipped_;
+  Heights of_a_;
+  Heights of_b_;
   std::vector<Vec2> plane_points_;
   std::vector<Vec2> hull_;
   std::vector<double> shares_;
 };
-
-/// How far a reaches into b along `normal` (from b into a) [m]; negative when they are apart along it.
-double depth_along(const PlacedPart& a, const PlacedPart& b, Vec3 normal);
 
 /// Area of the projection of the overlap of a and b on the plane normal to `normal` [m2].
 double overlap_area(const PlacedPart& a, const PlacedPart& b, Vec3 normal);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "overlap.hpp"
+
+namespace brash::rigid_body {
+
+/// Finds the ways out of an overlap along which an edge of one part leaves an edge of the other. Scratch space, so that
+/// no call allocates.
+///
+/// The direction of such a way is normal to both edges, and each is the last of its part along it: then it lies
+/// between the normals of the two faces beside the edge, which arcs on the sphere of directions tell without a look at
+/// any other corner (Gregorius, The separating axis test between convex polyhedra, Game Developers Conference, 2013).
+/// With the faces' ways these are all directions in which the Minkowski difference of two convex solids has a face, so
+/// the shortest of them all is the shortest way out. Along that one the edges meet in a point of both: they are no
+/// farther apart than it is long, and pairs that are need no look.
+class EdgeWays {
+ public:
+  /// Those from b into a shorter than `limit` [m], shortest first, of edges no farther apart than that.
+  std::span<const WayOut> find(const PlacedPart& a, const PlacedPart& b, double limit);
+
+ private:
+  /// An edge where it is now.
+  struct PlacedEdge {
+    Vec3 from;
+    Vec3 along;  ///< to its other end
+    Vec3 left;   ///< normals of the faces beside it
+    Vec3 right;
+    Vec3 lower;  ///< axis-aligned box
+    Vec3 upper;
+  };
+  void collect_near(const PlacedPart& part, const PlacedPart& other, double reach, std::vector<PlacedEdge>& edges);
+  void try_pair(const PlacedEdge& e, const PlacedEdge& f, double limit);
+
+  std::vector<unsigned> sides_;  ///< of each vertex: one bit for each side of the other's box that it lies beyond
+  std::vector<PlacedEdge> edges_a_;
+  std::vector<PlacedEdge> edges_b_;
+  std::vector<WayOut> ways_;
+};
+
+}  // namespace brash::rigid_body
