@@ -10,38 +10,23 @@ namespace {
 /// Edges whose directions differ by less than this angle [rad] count as parallel: no direction is normal to both alone.
 constexpr double kParallel = 1e-6;
 
-struct Box {
-  Vec3 lower;
-  Vec3 upper;
-};
-
-Box grown(Vec3 lower, Vec3 upper, double by) { return {lower - Vec3{by, by, by}, upper + Vec3{by, by, by}}; }
-
-/// One bit for each side of the box that the point lies beyond.
-unsigned sides_beyond(const Box& box, Vec3 p) {
-  return unsigned{p.x < box.lower.x} | unsigned{p.x > box.upper.x} << 1 | unsigned{p.y < box.lower.y} << 2 |
-         unsigned{p.y > box.upper.y} << 3 | unsigned{p.z < box.lower.z} << 4 | unsigned{p.z > box.upper.z} << 5;
-}
-
-/// Without a branch until the end: which side parts two boxes is hard to foresee.
-bool overlap(const Box& box, Vec3 lower, Vec3 upper) {
-  return static_cast<bool>(unsigned{lower.x <= box.upper.x} & unsigned{upper.x >= box.lower.x} &
-                           unsigned{lower.y <= box.upper.y} & unsigned{upper.y >= box.lower.y} &
-                           unsigned{lower.z <= box.upper.z} & unsigned{upper.z >= box.lower.z});
+/// Whether boxes overlap, without a branch until the end: which side parts them is hard to foresee.
+bool boxes_overlap(Vec3 lower, Vec3 upper, Vec3 other_lower, Vec3 other_upper) {
+  return static_cast<bool>(unsigned{other_lower.x <= upper.x} & unsigned{other_upper.x >= lower.x} &
+                           unsigned{other_lower.y <= upper.y} & unsigned{other_upper.y >= lower.y} &
+                           unsigned{other_lower.z <= upper.z} & unsigned{other_upper.z >= lower.z});
 }
 
 }  // namespace
 
-/// Edges that come within `reach` of the other part's box.
-void EdgeWays::collect_near(const PlacedPart& part, const PlacedPart& other, double reach,
+/// Edges that no plane of the other part keeps farther from it than `reach`.
+void EdgeWays::collect_near(const PlacedPart& part, const Heights& heights, double reach,
                             std::vector<PlacedEdge>& edges) {
   edges.clear();
-  const Box box = grown(other.lower, other.upper, reach);
-  sides_.clear();
-  for (const Vec3 vertex : part.vertices) sides_.push_back(sides_beyond(box, vertex));
+  beyond_.assign(heights, reach);
   for (const Edge& edge : part.part->edges) {
     const auto from = static_cast<std::size_t>(edge.from), to = static_cast<std::size_t>(edge.to);
-    if ((sides_[from] & sides_[to]) != 0) continue;
+    if (beyond_.both(from, to)) continue;
     const Vec3 p = part.vertices[from], q = part.vertices[to];
     edges.push_back({.from = p,
                      .along = q - p,
@@ -66,15 +51,17 @@ void EdgeWays::try_pair(const PlacedEdge& e, const PlacedEdge& f, double limit) 
   if (depth < limit) ways_.push_back({normal, depth});
 }
 
-std::span<const WayOut> EdgeWays::find(const PlacedPart& a, const PlacedPart& b, double limit) {
+std::span<const WayOut> EdgeWays::find(const OverlapFinder& overlap, const PlacedPart& a, const PlacedPart& b,
+                                       double limit) {
   ways_.clear();
-  collect_near(a, b, limit, edges_a_);
+  collect_near(a, overlap.heights_of_a(), limit, edges_a_);
   if (edges_a_.empty()) return ways_;
-  collect_near(b, a, limit, edges_b_);
+  collect_near(b, overlap.heights_of_b(), limit, edges_b_);
+  const Vec3 reach{limit, limit, limit};
   for (const PlacedEdge& e : edges_a_) {
-    const Box box = grown(e.lower, e.upper, limit);
+    const Vec3 lower = e.lower - reach, upper = e.upper + reach;
     for (const PlacedEdge& f : edges_b_)
-      if (overlap(box, f.lower, f.upper)) try_pair(e, f, limit);
+      if (boxes_overlap(lower, upper, f.lower, f.upper)) try_pair(e, f, limit);
   }
   std::sort(ways_.begin(), ways_.end(), [](const WayOut& p, const WayOut& q) { return p.depth < q.depth; });
   return ways_;

@@ -19,8 +19,9 @@ namespace brash::rigid_body {
 /// farther apart than it is long, and pairs that are need no look.
 class EdgeWays {
  public:
-  /// Those from b into a shorter than `limit` [m], shortest first, of edges no farther apart than that.
-  std::span<const WayOut> find(const PlacedPart& a, const PlacedPart& b, double limit);
+  /// Those from b into a shorter than `limit` [m], shortest first, of edges no farther apart than that; `overlap` has
+  /// just found the overlap of a and b.
+  std::span<const WayOut> find(const OverlapFinder& overlap, const PlacedPart& a, const PlacedPart& b, double limit);
 
  private:
   /// An edge where it is now.
@@ -32,10 +33,10 @@ class EdgeWays {
     Vec3 lower;  ///< axis-aligned box
     Vec3 upper;
   };
-  void collect_near(const PlacedPart& part, const PlacedPart& other, double reach, std::vector<PlacedEdge>& edges);
+  void collect_near(const PlacedPart& part, const Heights& heights, double reach, std::vector<PlacedEdge>& edges);
   void try_pair(const PlacedEdge& e, const PlacedEdge& f, double limit);
 
-  std::vector<unsigned> sides_;  ///< of each vertex: one bit for each side of the other's box that it lies beyond
+  Beyond beyond_;
   std::vector<PlacedEdge> edges_a_;
   std::vector<PlacedEdge> edges_b_;
   std::vector<WayOut> ways_;

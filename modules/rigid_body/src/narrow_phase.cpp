@@ -61,7 +61,7 @@ WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
 /// edge to edge.
 Vec3 NarrowPhase::direction(const PartPair& pair, const Overlap& overlap, const Beside& beside) {
   const WayOut face = best_face(overlap, beside);
-  for (const WayOut& way : edge_ways_.find(pair.first->now, pair.second->now, (1.0 - kShorter) * face.depth))
+  for (const WayOut& way : edge_ways_.find(finder_, pair.first->now, pair.second->now, (1.0 - kShorter) * face.depth))
     if (beside.none() || !leads_on(overlap, way.normal, beside.first, beside.second)) return way.normal;
   return face.normal;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace brash::rigid_body {
 namespace {
@@ -32,42 +31,35 @@ PlacedPart placed(const ConvexPart& part, const Pose& pose) {
   return result;
 }
 
-/// Heights of `part` over the planes of `other` that pass through it, and the ways out through all of its planes, with
-/// the normals times `outwards`; false when a plane parts the two.
-bool OverlapFinder::find_heights(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights) {
-  heights.n_planes = 0;
-  heights.stride = part.corners.n_heights();
-  heights.values.resize(std::max(heights.values.size(), other.planes.size() * heights.stride));
+/// Heights of `part` over the planes of `other`, and the ways out through them, their normals times `outwards`; false
+/// when a plane parts the two.
+bool OverlapFinder::find_ways(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights) {
+  heights.reset(part.corners, other.planes.size());
   for (const Plane& plane : other.planes) {
-    const auto [lowest, highest] =
-        part.corners.heights_over(plane, heights.values.data() + heights.n_planes * heights.stride);
-    if (-lowest <= kTouch) return false;
-    overlap_.ways.push_back({outwards * plane.normal, -lowest});
-    if (highest > 0.0) ++heights.n_planes;
+    const double depth = -heights.add(part.corners, plane).least;
+    if (depth <= kTouch) return false;
+    overlap_.ways.push_back({outwards * plane.normal, depth});
   }
   return true;
 }
 
-/// Adds the vertices that lie in the other part.
+/// Adds the vertices of `part` that lie in the other and the points where its edges enter and leave that.
 void OverlapFinder::add_corners(const PlacedPart& part, const Heights& heights) {
-  for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-    bool inside = true;
-    for (std::size_t k = 0; inside && k < heights.n_planes; ++k) inside = heights.of(i, k) <= 0.0;
-    if (inside) overlap_.vertices.push_back(part.vertices[i]);
-  }
-}
-
-/// Adds the points where edges enter and leave the other part.
-void OverlapFinder::add_crossings(const PlacedPart& part, const Heights& heights) {
+  beyond_.assign(heights, 0.0);
+  for (std::size_t i = 0; i < part.vertices.size(); ++i)
+    if (beyond_.none(i)) overlap_.vertices.push_back(part.vertices[i]);
   for (const Edge& edge : part.part->edges) {
     const auto from = static_cast<std::size_t>(edge.from), to = static_cast<std::size_t>(edge.to);
+    if (beyond_.both(from, to)) continue;
     double enters = 0.0, leaves = 1.0;  // shares of the way along the edge
-    for (std::size_t k = 0; enters < leaves && k < heights.n_planes; ++k) {
-      const double p = heights.of(from, k), q = heights.of(to, k);
-      if (p > 0.0 && q > 0.0) leaves = -1.0;
-      if (p > 0.0 && q <= 0.0) enters = std::max(enters, p / (p - q));
-      if (p <= 0.0 && q > 0.0) leaves = std::min(leaves, p / (p - q));
-    }
+    beyond_.each_between(from, to, [&](std::size_t plane, bool starts_beyond) {
+      const double start = heights.of(from, plane), end = heights.of(to, plane);
+      const double at = start / (start - end);
+      if (starts_beyond)
+        enters = std::max(enters, at);
+      else
+        leaves = std::min(leaves, at);
+    });
     if (enters >= leaves) continue;
     const Vec3 start = part.vertices[from], along = part.vertices[to] - start;
     if (enters > 0.0) overlap_.vertices.push_back(start + enters * along);
@@ -78,11 +70,9 @@ void OverlapFinder::add_crossings(const PlacedPart& part, const Heights& heights
 const Overlap& OverlapFinder::find(const PlacedPart& a, const PlacedPart& b) {
   overlap_.vertices.clear();
   overlap_.ways.clear();
-  if (!find_heights(a, b, 1.0, of_a_) || !find_heights(b, a, -1.0, of_b_)) return overlap_;
-  for (const auto& [part, heights] : {std::pair(&a, &of_a_), std::pair(&b, &of_b_)}) {
-    add_corners(*part, *heights);
-    add_crossings(*part, *heights);
-  }
+  if (!find_ways(a, b, 1.0, of_a_) || !find_ways(b, a, -1.0, of_b_)) return overlap_;
+  add_corners(a, of_a_);
+  add_corners(b, of_b_);
   return overlap_;
 }
 

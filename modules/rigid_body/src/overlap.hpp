@@ -8,6 +8,7 @@
 #include "brash/core/vec.hpp"
 #include "convex_part.hpp"
 #include "corners.hpp"
+#include "heights.hpp"
 
 namespace brash::rigid_body {
 
@@ -57,6 +58,9 @@ class OverlapFinder {
   /// Only planes that pass through the other part cut its edges, so a hull of many facets costs one height per facet
   /// and vertex.
   const Overlap& find(const PlacedPart& a, const PlacedPart& b);
+  /// Of the last overlap: a's vertices over planes of b, and b's over planes of a.
+  const Heights& heights_of_a() const { return of_a_; }
+  const Heights& heights_of_b() const { return of_b_; }
 
   /// Projects the last overlap along `normal` (unit).
   ///
@@ -68,17 +72,8 @@ class OverlapFinder {
   const Patch& project(Vec3 normal);
 
  private:
-  /// Heights of a part's vertices over those planes of the other part that pass through it [m]: a row for each plane.
-  struct Heights {
-    std::size_t n_planes = 0;
-    std::size_t stride = 0;
-    std::vector<double> values;
-
-    double of(std::size_t vertex, std::size_t plane) const { return values[plane * stride + vertex]; }
-  };
-  bool find_heights(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights);
+  bool find_ways(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights);
   void add_corners(const PlacedPart& part, const Heights& heights);
-  void add_crossings(const PlacedPart& part, const Heights& heights);
   void hull_2d();
   void lump(double u0, double v0);
   double diameter() const;
@@ -87,6 +82,7 @@ class OverlapFinder {
   Patch patch_;
   Heights of_a_;
   Heights of_b_;
+  Beyond beyond_;
   std::vector<Vec2> plane_points_;
   std::vector<Vec2> hull_;
   std::vector<double> shares_;

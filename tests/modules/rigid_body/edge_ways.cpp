@@ -67,8 +67,10 @@ BOOST_AUTO_TEST_CASE(Two_crossed_edges_part_along_the_normal_of_both) {
   const Quaternion quarter = turn({0, 0, 1}, kPi / 2), q = turn({0, 1, 0}, kPi / 4);
   const Quaternion both{q.w * quarter.w, q.y * quarter.z, q.y * quarter.w, q.w * quarter.z};
   const PlacedPart upper = placed(beam, {{0, 0, 2 * std::sqrt(2.0) - 0.1}, both});
+  OverlapFinder finder;
+  finder.find(upper, lower);
   EdgeWays edges;
-  const auto ways = edges.find(upper, lower, 1.0);
+  const auto ways = edges.find(finder, upper, lower, 1.0);
   BOOST_TEST_REQUIRE(!ways.empty());
   BOOST_TEST(ways[0].depth == 0.1, boost::test_tools::tolerance(1e-10));
   BOOST_TEST(norm(ways[0].normal - Vec3{0, 0, 1}) < kRoundOff);
@@ -96,7 +98,7 @@ BOOST_AUTO_TEST_CASE(The_shortest_way_out_is_that_of_all_normals_of_edges_and_fa
     ++n_overlaps;
     double face = std::numeric_limits<double>::infinity();
     for (const WayOut& way : overlap.ways) face = std::min(face, way.depth);
-    const auto ways = edges.find(a, b, face);
+    const auto ways = edges.find(finder, a, b, face);
     for (const WayOut& way : ways) {
       BOOST_TEST(std::abs(norm(way.normal) - 1.0) < kRoundOff);
       BOOST_TEST(std::abs(depth_along(a, b, way.normal) - way.depth) < kRoundOff);
