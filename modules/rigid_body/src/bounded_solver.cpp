@@ -17,19 +17,17 @@ void BoundedSolver::convertContacts(btPersistentManifold** manifolds, int n_mani
 }
 
 void BoundedSolver::copy_in(const btSolverConstraint& from, Row& row, Response& response) const {
-  const auto copy = [](const btVector3& linear, const btVector3& angular, Spatial& to) {
-    for (int k = 0; k < 3; ++k) to[static_cast<std::size_t>(k)] = Pair{linear[k], angular[k]};
-  };
-  const btVector3& inverse_mass_a = m_tmpSolverBodyPool[from.m_solverBodyIdA].internalGetInvMass();
-  const btVector3& inverse_mass_b = m_tmpSolverBodyPool[from.m_solverBodyIdB].internalGetInvMass();
-  copy(from.m_contactNormal1, from.m_relpos1CrossNormal, row.jacobian_a);
-  copy(from.m_contactNormal2, from.m_relpos2CrossNormal, row.jacobian_b);
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    row.jacobian_a[i] = Pair{from.m_contactNormal1[k], from.m_relpos1CrossNormal[k]};
+    row.turn_b[i] = from.m_relpos2CrossNormal[k];
+    response.turn_a[i] = from.m_angularComponentA[k];
+    response.turn_b[i] = from.m_angularComponentB[k];
+  }
   row.body_a = static_cast<std::uint32_t>(from.m_solverBodyIdA);
   row.body_b = static_cast<std::uint32_t>(from.m_solverBodyIdB);
   row.rhs = from.m_rhs;
   row.inverse_jacobian = from.m_jacDiagABInv;
-  copy(from.m_contactNormal1 * inverse_mass_a, from.m_angularComponentA, response.a);
-  copy(from.m_contactNormal2 * inverse_mass_b, from.m_angularComponentB, response.b);
   response.jacobian = 1.0 / from.m_jacDiagABInv;
 }
 
@@ -50,7 +48,9 @@ void BoundedSolver::copy_in() {
     }
     contacts_[i] = {.friction = tangential[normal.m_frictionIndex].m_friction, .bound = normal.m_upperLimit};
   }
-  velocities_.assign(static_cast<std::size_t>(m_tmpSolverBodyPool.size()), Spatial{});
+  bodies_.resize(static_cast<std::size_t>(m_tmpSolverBodyPool.size()));
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    bodies_[i] = {.velocity = {}, .inverse_mass = m_tmpSolverBodyPool[static_cast<int>(i)].internalGetInvMass().x()};
 }
 
 void BoundedSolver::copy_out() {
@@ -60,8 +60,8 @@ void BoundedSolver::copy_out() {
     m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex].m_appliedImpulse = contacts_[i].first;
     m_tmpSolverContactFrictionConstraintPool[normal.m_frictionIndex + 1].m_appliedImpulse = contacts_[i].second;
   }
-  for (std::size_t i = 0; i < velocities_.size(); ++i) {
-    const auto& [x, y, z] = velocities_[i];
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto& [x, y, z] = bodies_[i].velocity;
     btSolverBody& body = m_tmpSolverBodyPool[static_cast<int>(i)];
     body.internalGetDeltaLinearVelocity().setValue(x[0], y[0], z[0]);
     body.internalGetDeltaAngularVelocity().setValue(x[1], y[1], z[1]);
@@ -74,11 +74,13 @@ double BoundedSolver::resolve(const Row& row, const Response& response, Limits l
     const Pair sum = jacobian[0] * velocity[0] + jacobian[1] * velocity[1] + jacobian[2] * velocity[2];
     return sum[0] + sum[1];
   };
-  Spatial& a = velocities_[row.body_a];
-  Spatial& b = velocities_[row.body_b];
+  BodyState& a = bodies_[row.body_a];
+  BodyState& b = bodies_[row.body_b];
+  const Spatial jacobian_b{Pair{-row.jacobian_a[0][0], row.turn_b[0]}, Pair{-row.jacobian_a[1][0], row.turn_b[1]},
+                           Pair{-row.jacobian_a[2][0], row.turn_b[2]}};
   double change = row.rhs;
-  change -= relative(row.jacobian_a, a) * row.inverse_jacobian;
-  change -= relative(row.jacobian_b, b) * row.inverse_jacobian;
+  change -= relative(row.jacobian_a, a.velocity) * row.inverse_jacobian;
+  change -= relative(jacobian_b, b.velocity) * row.inverse_jacobian;
   double wanted = impulse + change;
   if (wanted < limits.lower || wanted > limits.upper) {
     wanted = wanted < limits.lower ? limits.lower : limits.upper;
@@ -86,12 +88,11 @@ double BoundedSolver::resolve(const Row& row, const Response& response, Limits l
   }
   if (change == 0.0) return 0.0;
   impulse = wanted;
-  const auto push = [&](Spatial& velocity, const Spatial& per_impulse) {
-    velocity = {velocity[0] + per_impulse[0] * change, velocity[1] + per_impulse[1] * change,
-                velocity[2] + per_impulse[2] * change};
+  const auto push = [&](BodyState& body, const Spatial& jacobian, const std::array<double, 3>& turn) {
+    for (std::size_t k = 0; k < 3; ++k) body.velocity[k] += Pair{jacobian[k][0] * body.inverse_mass, turn[k]} * change;
   };
-  push(a, response.a);
-  push(b, response.b);
+  push(a, row.jacobian_a, response.turn_a);
+  push(b, jacobian_b, response.turn_b);
   return change * response.jacobian;
 }
 

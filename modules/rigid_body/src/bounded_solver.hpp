@@ -39,24 +39,30 @@ class BoundedSolver : public btSequentialImpulseConstraintSolver {
   /// A linear and an angular vector: x, y, z.
   using Spatial = std::array<Pair, 3>;
 
-  /// One constraint, an impulse that makes a relative velocity vanish: what tells how far the impulse is from that.
+  /// One constraint, an impulse that makes a relative velocity vanish: what tells how far the impulse is from that. The
+  /// relative velocity is that of both bodies along the row's direction, of the second against it.
   struct Row {
-    Spatial jacobian_a{};           ///< relative velocity per velocity of the first body
-    Spatial jacobian_b{};           ///< and of the second
-    std::uint32_t body_a = 0;       ///< in velocities_
-    std::uint32_t body_b = 0;       ///< likewise
-    double rhs = 0.0;               ///< impulse that would do so alone [N s]
-    double inverse_jacobian = 0.0;  ///< impulse per relative velocity [kg]
+    Spatial jacobian_a{};            ///< direction, and turn of the first body
+    std::array<double, 3> turn_b{};  ///< relative velocity per angular velocity of the second
+    std::uint32_t body_a = 0;        ///< in bodies_
+    std::uint32_t body_b = 0;        ///< likewise
+    double rhs = 0.0;                ///< impulse that would do so alone [N s]
+    double inverse_jacobian = 0.0;   ///< impulse per relative velocity [kg]
   };
-  /// What a change of the row's impulse does.
+  /// What a change of the row's impulse does, besides the bodies' inverse masses: change of angular velocity per
+  /// impulse.
   struct Response {
-    Spatial a{};            ///< change of the first body's velocity per impulse
-    Spatial b{};            ///< and of the second
+    std::array<double, 3> turn_a{};
+    std::array<double, 3> turn_b{};
     double jacobian = 0.0;  ///< relative velocity per impulse [1/kg]
   };
   struct Tangential {
     Row row;
     Response response;
+  };
+  struct BodyState {
+    Spatial velocity{};         ///< change so far
+    double inverse_mass = 0.0;  ///< [1/kg]
   };
   struct Limits {
     double lower = 0.0;  ///< [N s]
@@ -83,7 +89,7 @@ class BoundedSolver : public btSequentialImpulseConstraintSolver {
   std::vector<Row> normals_;
   std::vector<Response> normal_responses_;
   std::vector<std::array<Tangential, 2>> tangentials_;
-  std::vector<Spatial> velocities_;  ///< changes of the bodies' velocities so far
+  std::vector<BodyState> bodies_;
 };
 
 }  // namespace brash::rigid_body
