@@ -17,9 +17,12 @@ void BoundedSolver::convertContacts(btPersistentManifold** manifolds, int n_mani
 }
 
 void BoundedSolver::copy_in(const btSolverConstraint& from, Row& row, Response& response) const {
+  // Bullet leaves out the direction for a body that does not move.
+  const bool first_moves = m_tmpSolverBodyPool[from.m_solverBodyIdA].m_originalBody != nullptr;
+  const btVector3 direction = first_moves ? from.m_contactNormal1 : -from.m_contactNormal2;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    row.jacobian_a[i] = Pair{from.m_contactNormal1[k], from.m_relpos1CrossNormal[k]};
+    row.jacobian_a[i] = Pair{direction[k], from.m_relpos1CrossNormal[k]};
     row.turn_b[i] = from.m_relpos2CrossNormal[k];
     response.turn_a[i] = from.m_angularComponentA[k];
     response.turn_b[i] = from.m_angularComponentB[k];
