@@ -107,6 +107,7 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .rest = floe.rest});
   for (const io::FloePush& push : checkpoint.pushes) floes.restore_push(push.floe, push.other, push.force);
   floes.set_next_id(checkpoint.counters.at("next_floe"));
+  begin_watch();
 }
 
 io::Checkpoint Simulation::Impl::checkpoint() const {

@@ -74,6 +74,13 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
 
 Simulation::Impl::Impl(const io::Case& c) : Impl(c, IceField(c.field.length, c.field.width)) {
   if (c.field.initial_crack) initial_crack();
+  begin_watch();
+}
+
+void Simulation::Impl::begin_watch() {
+  io::LoadRow row;
+  energy.report(world, floes, row);
+  watchdog.begin({world, floes, energy, field.ledger(), row});
 }
 
 /// The paper takes 3 to 5 wedges at random (after Nevel); one stream a break, so that a resumed run draws the same.

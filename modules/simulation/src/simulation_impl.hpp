@@ -48,6 +48,8 @@ struct Simulation::Impl {
 
   int draw_wedges();
   void initial_crack();
+  /// The state as it is becomes what the watchdog starts from.
+  void begin_watch();
   std::vector<io::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
   void advance_through_ice(StepReport& report);
   std::vector<EdgeContact> move_within_range(double& share, StepReport& report);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 
 #include "brash/geometry/ledger.hpp"
 #include "brash/io/case.hpp"
@@ -23,12 +22,13 @@ struct Watched {
 };
 
 /// Ends a run whose numbers cannot be physics before anyone takes them for a result (docs/theory/simulation.md). It
-/// only looks; nothing in a run depends on it. What it first sees it takes as the start: a resumed run's energies are
-/// those of its checkpoint.
+/// only looks; nothing in a run depends on it.
 class Watchdog {
  public:
   explicit Watchdog(const io::Case& resolved);
 
+  /// Takes the state before the first step, or that of a checkpoint, as the start.
+  void begin(const Watched& start);
   /// @throws RunError naming the floe or the account and the numbers that do not fit.
   void look(const Watched& now);
 
@@ -37,6 +37,7 @@ class Watchdog {
   /// adds up to no more than half its weight along one step's travel (docs/theory/dynamics.md, Energy).
   double allowance(const Floe& floe) const { return 0.5 * floe.weight * travel_; }
   double allowance(const FloePopulation& floes) const;
+  double impulses(const rigid_body::World& world) const;
 
   void look_at_place(const Floe& floe, Vec3 place, double time) const;
   void look_at_energy(const Watched& now, BodyId body, const Floe& floe);
@@ -45,8 +46,8 @@ class Watchdog {
 
   const io::Case* case_;
   double travel_;                       ///< [m]
-  double booked_error_ = 0.0;           ///< of the energies before the first look [J]
-  std::optional<io::LoadRow> before_;   ///< the row of the last look
+  double booked_error_ = 0.0;           ///< of the energies at the start [J]
+  io::EnergyLosses before_;             ///< at the last look, or the start
   std::map<BodyId, double> explained_;  ///< energy of each floe that its work explains [J]
 };
 

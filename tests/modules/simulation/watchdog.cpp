@@ -26,6 +26,9 @@ struct Guarded : Pool {
           add(corner, corner + Vec2{1, 1}, {{0.5 - 0.5 * corner.x, 0.3 - 0.4 * corner.y, 0}, {0, 0.1, 0.2}}));
     for (const auto& [body, floe] : floes.floes()) area.floes += floe.area;
     area.initial = area.floes;
+    io::LoadRow row;
+    ledger.report(world, floes, row);
+    watchdog.begin({world, floes, ledger, area, row});
   }
   void look(const io::LoadRow& row) { watchdog.look({world, floes, ledger, area, row}); }
   void steps(int n) {
@@ -99,6 +102,16 @@ BOOST_AUTO_TEST_CASE(contacts_or_still_water_that_give_energy_end_the_run) {
   row.losses.floe_contact += 1.0;
   row.losses.drag -= 20.0;
   BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("drag gave the floes"));
+}
+
+BOOST_AUTO_TEST_CASE(the_first_step_is_watched_like_any_other) {
+  Guarded pool;
+  io::LoadRow row = pool.step(kStep);
+  row.losses.floe_contact -= 1.0;
+  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("contacts gave the floes"));
+  Guarded kicked;
+  kicked.kick({{0.0, 0.0, 0.7}, {}});
+  BOOST_CHECK_EXCEPTION(kicked.steps(1), RunError, says("floe 1 of 445.5 kg has an energy of"));
 }
 
 BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_ends_the_run) {
