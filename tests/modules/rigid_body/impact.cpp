@@ -290,3 +290,26 @@ BOOST_AUTO_TEST_CASE(A_free_floe_keeps_its_spin_without_gaining_energy) {
   // First order in dt: 2 rad/s for 5 s at 1 ms.
   BOOST_TEST(norm(angular_momentum(world, floe, m) - spin) < 0.02 * norm(spin));
 }
+
+BOOST_AUTO_TEST_CASE(A_settled_floe_stops_another_by_the_force_that_is_reported_on_either_side) {
+  for (const double side : {1.0, -1.0}) {
+    World world({.ice_structure = {}, .ice_ice = {0.3, 0.0, 0.5e6}});
+    const BodyId fixed = add_floe(world, rectangle({-1, -1}, {1, 1}), 0.33);
+    // 1 mm into the other, along it and towards it.
+    const double x = side * 1.999;
+    const BodyId floe = add_floe(world, rectangle({x - 1, -0.7}, {x + 1, 1.3}), 0.33, {{-0.2 * side, 0.1, 0}, {}});
+    world.set_settled(fixed, true);
+    const Vec3 before = world.twist(floe).linear;
+    constexpr double dt = 0.01;
+    world.step(dt);
+    Vec3 impulse{};
+    for (const ContactLoad& c : world.contacts()) {
+      const Vec3 force = c.normal_force * c.normal + c.friction_force;
+      impulse += (c.body == floe ? dt : -dt) * force;
+    }
+    const double mass = kDensity * 4 * 0.33;
+    BOOST_TEST(norm(impulse) > 0.1 * mass);
+    BOOST_TEST(norm(mass * (world.twist(floe).linear - before) - impulse) < 1e-9 * mass);
+    BOOST_TEST(side * world.twist(floe).linear.x > -1e-6);
+  }
+}
