@@ -39,7 +39,7 @@ struct Body {
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
   int rank = 0;                   ///< in the order of the step
-  std::vector<const Part*> near;  ///< parts of other bodies within the world's reach
+  std::vector<const Part*> near;  ///< of a moving floe: parts of other bodies within the world's reach
   std::vector<std::unique_ptr<Part>> parts;
   std::unique_ptr<btRigidBody> bullet;
 

@@ -105,7 +105,7 @@ void World::Impl::set_settled(Body& body, bool settled) {
   for (const auto& part : body.parts) broad_phase.add(*part);
 }
 
-/// Each floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
+/// Each moving floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
 void World::Impl::find_neighbours(double reach) {
   if (reach != broad_phase.reach) {
     broad_phase.reach = reach;
@@ -114,8 +114,8 @@ void World::Impl::find_neighbours(double reach) {
   }
   for (const auto& body : bodies) body->near.clear();
   for (const auto& [first, second] : broad_phase.near_pairs()) {
-    first->body->near.push_back(second);
-    if (second->body->is_floe()) second->body->near.push_back(first);
+    if (first->body->is_free()) first->body->near.push_back(second);
+    if (second->body->is_free()) second->body->near.push_back(first);
   }
   const auto key = [](const Part* part) {
     const auto& [lower, upper] = std::tie(part->now.lower, part->now.upper);

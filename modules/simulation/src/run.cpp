@@ -79,7 +79,11 @@ struct Progress {
   RunSummary counts;
   double recording_seconds = 0.0;
   StageTimer timer{};
+  io::Checkpoint known{};  ///< a state of some steps ago, without results
 };
+
+/// So many steps at most are made again to find the state before one that failed.
+constexpr std::int64_t kStepsAgain = 100;
 
 /// The counters of a run that its results do not hold, by their names in a checkpoint.
 template <typename Counts, typename Visitor>
@@ -126,11 +130,17 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.n_steps_too_long += report.n_steps_too_long;
 }
 
-/// Keeps the state before a step that failed. @return what to say of it.
-std::string keep_reproducer(const RunOptions& options, const io::Checkpoint& before, const Progress& progress) {
+std::int64_t steps_of(const io::Checkpoint& state) { return state.counters.at("n_steps"); }
+
+/// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
+/// it to the bit. @return what to say of it.
+std::string keep_reproducer(const io::Case& resolved, const RunOptions& options, const Progress& progress,
+                            std::int64_t n_steps) {
   if (options.checkpoint_file.empty()) return {};
   try {
-    keep_checkpoint(options.checkpoint_file, before, progress);
+    Simulation again(resolved, progress.known);
+    for (std::int64_t n = steps_of(progress.known); n < n_steps; ++n) static_cast<void>(again.step());
+    keep_checkpoint(options.checkpoint_file, again.checkpoint(), progress);
   } catch (const std::exception& error) {
     return fmt::format("\n  the state before it could not be kept: {}", error.what());
   }
@@ -138,16 +148,18 @@ std::string keep_reproducer(const RunOptions& options, const io::Checkpoint& bef
 }
 
 /// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
-StepReport step(const RunOptions& options, Progress& progress) {
-  const io::Checkpoint before = progress.simulation.checkpoint();
+StepReport step(const io::Case& resolved, const RunOptions& options, Progress& progress) {
   const double from = progress.simulation.time();
+  const std::int64_t n_steps = std::llround(from / resolved.time.step);
+  if (progress.known.counters.empty() || n_steps - steps_of(progress.known) >= kStepsAgain)
+    progress.known = progress.simulation.checkpoint();
   try {
     return progress.simulation.step();
   } catch (const std::bad_alloc&) {
     throw;  // the step is not at fault
   } catch (const std::exception& error) {
-    throw RunError(fmt::format("step {} failed, from t = {:.9g} s: {}{}", before.counters.at("n_steps") + 1, from,
-                               error.what(), keep_reproducer(options, before, progress)));
+    throw RunError(fmt::format("step {} failed, from t = {:.9g} s: {}{}", n_steps + 1, from, error.what(),
+                               keep_reproducer(resolved, options, progress, n_steps)));
   }
 }
 
@@ -157,7 +169,7 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
   const auto n_steps = std::llround(resolved.time.duration / dt);
   const auto checkpoint_every = std::llround(resolved.output.checkpoint_interval / dt);
   for (auto done = std::llround(progress.simulation.time() / dt); done < n_steps;) {
-    const StepReport report = step(options, progress);
+    const StepReport report = step(resolved, options, progress);
     ++done;
     const StageTimer::Scope clock(progress.timer, progress.recording_seconds);
     progress.recorder.record(progress.simulation, report);
