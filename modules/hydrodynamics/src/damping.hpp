@@ -13,6 +13,11 @@ namespace brash::hydrodynamics {
 /// is symmetric and takes energy from every motion. Body frame, about its origin.
 class Damping {
  public:
+  Damping() = default;
+  /// Dampers by the sums of c; c x; c xx, yy, zz; c yz, zx, xy.
+  Damping(double sum, Vec3 first, Vec3 squares, Vec3 products)
+      : sum_(sum), first_(first), squares_(squares), products_(products) {}
+
   /// A damper of `coefficient` [kg/s], >= 0, in the point `at`.
   void add(double coefficient, Vec3 at) {
     sum_ += coefficient;

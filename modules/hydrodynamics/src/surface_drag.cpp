@@ -3,195 +3,250 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <cmath>
+#include <cstddef>
+#include <memory_resource>
 #include <vector>
+
+#include "lanes.hpp"
+#include "shade.hpp"
+#include "wetted_faces.hpp"
 
 namespace brash::hydrodynamics {
 namespace {
 
-/// A flat convex piece of the surface; a triangle or quadrilateral cut by two planes has at most six corners.
-struct Piece {
-  std::array<Vec3, 6> corners{};
-  std::size_t n = 0;
-
-  void add(Vec3 corner) { corners[n++] = corner; }
+/// A flat face lies among the points centre + s u + t v with s and t from -1 to 1; body frame.
+struct Face {
+  Vec3 centre{};
+  Vec3 u{};
+  Vec3 v{};             ///< at right angles to u
+  Vec3 normal{};        ///< unit, outward
+  bool narrow = false;  ///< on a trapezoid of it four points are enough; on others two triangles have eight
 };
 
-/// Whether a quantity, linear over a piece, is negative, or positive, somewhere on it.
-struct Signs {
-  bool negative = false;
-  bool positive = false;
-  bool both() const { return negative && positive; }
+/// A linear function of the place (s, t) on a face.
+struct Linear {
+  double middle;
+  double s;
+  double t;
+
+  double reach() const { return std::abs(s) + std::abs(t); }
+  double operator()(Vec2 p) const { return middle + s * p.x + t * p.y; }
+  Linear operator-() const { return {-middle, -s, -t}; }
 };
 
-template <typename Value>
-Signs signs(std::span<const Vec3> corners, Value value) {
-  Signs s;
-  for (const Vec3 corner : corners) {
-    const double at = value(corner);
-    s.negative |= at < 0.0;
-    s.positive |= at > 0.0;
-  }
-  return s;
-}
+using Polygon = std::pmr::vector<Vec2>;
 
-/// The part of `piece` where `value`, linear in the point, is negative.
-template <typename Value>
-Piece where_negative(const Piece& piece, Value value) {
-  Piece part;
-  Vec3 a = piece.corners[0];
+/// The part of a convex polygon where `value` is negative.
+void where_negative(std::span<const Vec2> polygon, const Linear& value, Polygon& part) {
+  part.clear();
+  Vec2 a = polygon.back();
   double at_a = value(a);
-  for (std::size_t i = 0; i < piece.n; ++i) {
-    const Vec3 b = piece.corners[i + 1 == piece.n ? 0 : i + 1];
+  for (const Vec2 b : polygon) {
     const double at_b = value(b);
-    if (at_a <= 0.0) part.add(a);
-    if ((at_a < 0.0 && at_b > 0.0) || (at_a > 0.0 && at_b < 0.0)) part.add(waterline_point(a, at_a, b, at_b));
+    if ((at_a < 0.0 && at_b > 0.0) || (at_a > 0.0 && at_b < 0.0)) part.push_back(a + at_a / (at_a - at_b) * (b - a));
+    if (at_b <= 0.0) part.push_back(b);
     a = b;
     at_a = at_b;
   }
-  return part;
 }
 
-/// Points with their weights.
-struct Rule {
-  Points points;
-  Lanes weights;
+/// Gauss's rule of two points for the mean of f(x) from -1 to 1 with the weight 1 + k x; k from -1 to 1.
+struct LinearGauss {
+  explicit LinearGauss(double k) {
+    // The points are the zeros of x^2 + b x + c, whose products with 1 and x have the mean 0.
+    const double b = -0.8 * k / (3.0 - k * k), c = -(1.0 + b * k) / 3.0;
+    const double half = std::sqrt(0.25 * b * b - c);
+    x0 = -0.5 * b - half;
+    x1 = -0.5 * b + half;
+    weight0 = (x1 - k / 3.0) / (2.0 * half);
+  }
+  double x0, x1, weight0;
 };
 
-/// The four points of Stroud's conical product rule on the triangle: positive weights, exact for polynomials of degree
-/// 3. The weights sum to the area.
-Rule rule_on(Vec3 a, Vec3 b, Vec3 c) {
-  // Gauss-Jacobi for the weight 1 - u and Gauss-Legendre on [0, 1], two points each.
-  static constexpr double kU0 = 0.15505102572168219, kU1 = 0.64494897427831781;
-  static constexpr double kWeight0 = 0.31804138174397717, kWeight1 = 0.18195861825602283;
-  static constexpr double kV0 = 0.21132486540518712, kV1 = 0.78867513459481288;
-  const Vec3 ab = b - a, ac = c - a;
-  const Vec3 e0 = (1.0 - kV0) * ab + kV0 * ac, e1 = (1.0 - kV1) * ab + kV1 * ac;
-  const Lanes s(1.0 - kU0, 1.0 - kU0, 1.0 - kU1, 1.0 - kU1);
-  const double area = 0.5 * norm(cross(ab, ac));
-  return {{a.x + s * Lanes(e0.x, e1.x, e0.x, e1.x), a.y + s * Lanes(e0.y, e1.y, e0.y, e1.y),
-           a.z + s * Lanes(e0.z, e1.z, e0.z, e1.z)},
-          area * Lanes(kWeight0, kWeight0, kWeight1, kWeight1)};
-}
+/// Four points of the surface in its integrals.
+struct Sample {
+  Vectors points;
+  Lanes area;
+  Vec3 normal;
+};
 
-/// Sums the drag of one piece of the surface after another.
-class Integral {
+/// The points at which the integrals over the wetted surface take their integrands: on a piece of the surface where
+/// these are polynomials of degree 3 the integrals are exact.
+class Samples {
  public:
-  Integral(const Waterplane& plane, const Twist& relative, const Water& water, Shade& shade)
-      : plane_(plane),
-        relative_(relative),
-        form_(0.5 * water.density * water.form_drag),
-        skin_(0.5 * water.density * water.skin_friction),
-        shade_(shade) {}
+  Samples(const Waterplane& plane, const Twist& relative) : plane_(plane), relative_(relative) {
+    list_.reserve(48);
+    wet_.reserve(16);
+    side_.reserve(16);
+  }
 
-  /// A flat convex face, corners counter-clockwise or clockwise, which lies within `around`.
-  void add(std::span<const Vec3> corners, Vec3 normal, const Patch& around) {
-    const Signs height = signs(corners, [&](Vec3 p) { return plane_.height(p); });
-    if (!height.negative) return;
-    shade_.face(corners, normal, around);
-    if (shade_.closed()) return;
-    if (corners.size() == 4) {
-      add({{corners[0], corners[1], corners[2], corners[3]}, 4}, height.positive, normal);
+  /// Adds the wetted part of a face.
+  /// @param corners  (s, t) of the convex face.
+  void add(const Face& face, std::span<const Vec2> corners) {
+    const Linear height{plane_.height(face.centre), dot(plane_.up, face.u), dot(plane_.up, face.v)};
+    if (height.middle >= height.reach()) return;
+    if (height.middle > -height.reach()) {
+      where_negative(corners, height, wet_);
+      corners = wet_;
+      if (corners.size() < 3) return;
+    }
+    // Where the surface moves against its normal it is on the lee side, and the form drag ends at the border.
+    const Vec3 n = face.normal;
+    const Linear outwards{dot(n, velocity_at(relative_, face.centre)), dot(n, cross(relative_.angular, face.u)),
+                          dot(n, cross(relative_.angular, face.v))};
+    if (std::abs(outwards.middle) >= outwards.reach()) {
+      add_piece(face, corners);
     } else {
-      for (std::size_t i = 2; i < corners.size(); ++i)
-        add({{corners[0], corners[i - 1], corners[i]}, 3}, height.positive, normal);
+      where_negative(corners, outwards, side_);
+      add_piece(face, side_);
+      where_negative(corners, -outwards, side_);
+      add_piece(face, side_);
     }
   }
 
-  SurfaceDrag result;
+  const std::pmr::vector<Sample>& list() const { return list_; }
 
  private:
-  void add(const Piece& piece, bool partly_dry, Vec3 normal) {
-    if (!partly_dry) {
-      add_wet(piece, normal);
-      return;
+  void add_piece(const Face& face, std::span<const Vec2> corners) {
+    if (corners.size() < 3) return;
+    const Vec2 a = corners[0];
+    if (face.narrow && corners.size() == 4) {
+      const Vec2 b = corners[1], c = corners[2], d = corners[3];
+      if ((a.x == b.x && c.x == d.x) || (a.y == b.y && c.y == d.y)) return add_parallel(face, a, b, c, d);
+      if ((b.x == c.x && d.x == a.x) || (b.y == c.y && d.y == a.y)) return add_parallel(face, b, c, d, a);
     }
-    const Piece wet = where_negative(piece, [&](Vec3 p) { return plane_.height(p); });
-    if (wet.n >= 3) add_wet(wet, normal);
+    static const LinearGauss kTriangle(-1.0);
+    for (std::size_t i = 2; i < corners.size(); ++i) add_trapezoid(face, corners[i - 1], corners[i], a, a, kTriangle);
   }
 
-  void add_wet(const Piece& wet, Vec3 normal) {
-    // Where the surface moves against its normal it is on the lee side: no form drag there.
-    const auto against = [&](Vec3 p) { return -dot(normal, velocity_at(relative_, p)); };
-    const Signs speed = signs({wet.corners.data(), wet.n}, against);
-    if (speed.both()) {
-      add_side(where_negative(wet, against), normal, true);
-      add_side(where_negative(wet, [&](Vec3 p) { return -against(p); }), normal, false);
-    } else {
-      add_side(wet, normal, speed.negative);
-    }
+  /// A trapezoid whose sides ab and dc are parallel to an axis.
+  void add_parallel(const Face& face, Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const double ab = std::abs(b.x - a.x + b.y - a.y), dc = std::abs(c.x - d.x + c.y - d.y);
+    add_trapezoid(face, a, b, c, d, LinearGauss((dc - ab) / (dc + ab)));
   }
 
-  void add_side(const Piece& piece, Vec3 normal, bool leads) {
-    if (!leads && skin_ == 0.0) return;
-    for (std::size_t i = 2; i < piece.n; ++i) {
-      const Rule rule = rule_on(piece.corners[0], piece.corners[i - 1], piece.corners[i]);
-      add_drag(rule.points, rule.weights * shade_.open_share(rule.points), normal, leads);
-    }
-  }
-
-  /// Adds the drag at four points; each sum takes the points in turn.
-  void add_drag(const Points& p, const Lanes& share, Vec3 normal, bool leads) {
-    const Vec3 v = relative_.linear, w = relative_.angular;
-    const Lanes vx = v.x + (w.y * p.z - w.z * p.y);
-    const Lanes vy = v.y + (w.z * p.x - w.x * p.z);
-    const Lanes vz = v.z + (w.x * p.y - w.y * p.x);
-    const Lanes outwards = vx * normal.x + vy * normal.y + vz * normal.z;
-    if (leads) {
-      const Lanes coefficient = share * form_ * outwards.max(0.0);
-      for (int k = 0; k < 4; ++k) result.form.add(coefficient[k], {p.x[k], p.y[k], p.z[k]});
-    }
-    const Lanes ax = vx - outwards * normal.x, ay = vy - outwards * normal.y, az = vz - outwards * normal.z;
-    const Lanes factor = -share * skin_ * (ax * ax + ay * ay + az * az).sqrt();
-    const Lanes fx = factor * ax, fy = factor * ay, fz = factor * az;
-    const Lanes mx = p.y * fz - p.z * fy, my = p.z * fx - p.x * fz, mz = p.x * fy - p.y * fx;
-    for (int k = 0; k < 4; ++k) result.skin_friction += {{fx[k], fy[k], fz[k]}, {mx[k], my[k], mz[k]}};
+  /// The product of Gauss rules on a trapezoid whose sides ab and dc are parallel.
+  /// @param across  with k = (|dc| - |ab|) / (|dc| + |ab|).
+  void add_trapezoid(const Face& face, Vec2 a, Vec2 b, Vec2 c, Vec2 d, const LinearGauss& across) {
+    constexpr double k0 = 0.21132486540518712, k1 = 0.78867513459481288;  // Gauss-Legendre on [0, 1]
+    const double x0 = 0.5 + 0.5 * across.x0, x1 = 0.5 + 0.5 * across.x1;
+    const Vec2 p0 = a + x0 * (d - a), q0 = b + x0 * (c - b) - p0, p1 = a + x1 * (d - a), q1 = b + x1 * (c - b) - p1;
+    const double half_area = 0.25 * std::abs(cross(c - a, d - b)) * norm(cross(face.u, face.v));
+    const double w0 = half_area * across.weight0, w1 = half_area - w0;
+    const Lanes s(p0.x + k0 * q0.x, p0.x + k1 * q0.x, p1.x + k0 * q1.x, p1.x + k1 * q1.x);
+    const Lanes t(p0.y + k0 * q0.y, p0.y + k1 * q0.y, p1.y + k0 * q1.y, p1.y + k1 * q1.y);
+    list_.push_back({{face.centre.x + s * face.u.x + t * face.v.x, face.centre.y + s * face.u.y + t * face.v.y,
+                      face.centre.z + s * face.u.z + t * face.v.z},
+                     {w0, w0, w1, w1},
+                     face.normal});
   }
 
   const Waterplane& plane_;
   const Twist& relative_;
-  double form_;
-  double skin_;
-  Shade& shade_;
+  std::array<std::byte, 12288> room_;  ///< enough for most floes; the rest is from the heap
+  std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
+  std::pmr::vector<Sample> list_{&memory_};
+  Polygon wet_{&memory_}, side_{&memory_};
 };
 
-/// The box around points at one height.
-Patch plan_patch(std::span<const Vec3> points) {
-  Vec3 low = points.front(), high = low;
-  for (const Vec3 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), low.z};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), high.z};
+/// Top and bottom by the convex parts of the plan, and the sides.
+void add_faces(const Prism& prism, Samples& samples) {
+  const double half = 0.5 * prism.thickness;
+  Polygon corners;
+  for (const auto& part : prism.parts) {
+    Vec2 low = part.front(), high = low;
+    for (const Vec2 p : part) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const Vec2 centre = 0.5 * (low + high), size = 0.5 * (high - low);
+    if (size.x == 0.0 || size.y == 0.0) continue;
+    corners.clear();
+    for (const Vec2 p : part) corners.push_back({(p.x - centre.x) / size.x, (p.y - centre.y) / size.y});
+    for (const double side : {-1.0, 1.0})
+      samples.add({{centre.x, centre.y, side * half}, {size.x, 0.0, 0.0}, {0.0, size.y, 0.0}, {0.0, 0.0, side}},
+                  corners);
   }
-  return {0.5 * (low + high), {0.5 * (high.x - low.x), 0.0, 0.0}, {0.0, 0.5 * (high.y - low.y), 0.0}};
+  static constexpr std::array<Vec2, 4> kWhole{Vec2{-1.0, -1.0}, Vec2{1.0, -1.0}, Vec2{1.0, 1.0}, Vec2{-1.0, 1.0}};
+  for (const auto& ring : prism.rings) {
+    Vec2 from = ring.back();
+    for (const Vec2 to : ring) {
+      const Vec2 middle = 0.5 * (from + to), u = 0.5 * (to - from);
+      from = to;
+      const double length = std::sqrt(dot(u, u));
+      if (length == 0.0) continue;
+      const Vec3 out{u.y / length, -u.x / length, 0.0};
+      for (const double z : {-0.5 * half, 0.5 * half})  // shade differs from top to bottom
+        samples.add({{middle.x, middle.y, z}, {u.x, u.y, 0.0}, {0.0, 0.0, 0.5 * half}, out, true}, kWhole);
+    }
+  }
 }
+
+/// Sums (H5) over samples of the surface.
+class Integral {
+ public:
+  Integral(const Twist& relative, const Water& water)
+      : relative_(relative),
+        form_(0.5 * water.density * water.form_drag),
+        skin_(0.5 * water.density * water.skin_friction) {}
+
+  void add(const Sample& sample, Lanes open) {
+    const Vectors& p = sample.points;
+    const Vec3 n = sample.normal;
+    const Vectors velocity = cross(relative_.angular, p) + relative_.linear;
+    const Lanes area = sample.area * open;
+    const Lanes outwards = dot(velocity, n);
+
+    const Lanes damper = form_ * area * max(outwards, 0.0);
+    const Vectors moment = damper * p;
+    dampers_ += damper;
+    first_ += moment;
+    squares_ += {moment.x * p.x, moment.y * p.y, moment.z * p.z};
+    products_ += {moment.y * p.z, moment.z * p.x, moment.x * p.y};
+
+    const Vectors along{velocity.x - outwards * n.x, velocity.y - outwards * n.y, velocity.z - outwards * n.z};
+    const Lanes speed = sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
+    const Vectors f = -skin_ * area * speed * along;
+    force_ += f;
+    moment_ += {p.y * f.z - p.z * f.y, p.z * f.x - p.x * f.z, p.x * f.y - p.y * f.x};
+  }
+
+  SurfaceDrag result() const {
+    return {{sum(dampers_), sum(first_), sum(squares_), sum(products_)}, {sum(force_), sum(moment_)}};
+  }
+
+ private:
+  const Twist& relative_;
+  double form_;
+  double skin_;
+  Lanes dampers_;
+  Vectors first_, squares_, products_;
+  Vectors force_, moment_;  ///< of the skin friction
+};
 
 }  // namespace
 
-SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twist& relative, const Water& water,
-                         Shade shade) {
-  Integral integral(plane, relative, water, shade);
-  const double half = 0.5 * prism.thickness;
-  std::vector<Vec3> corners;
-  for (const double side : {-1.0, 1.0}) {
-    for (const auto& part : prism.parts) {
-      corners.clear();
-      for (const Vec2 vertex : part) corners.push_back({vertex.x, vertex.y, side * half});
-      integral.add(corners, {0.0, 0.0, side}, plan_patch(corners));
-    }
+SurfaceDrag surface_drag(const Prism& prism, const Pose& pose, const Twist& relative, const Water& water,
+                         std::span<const Solid> neighbours) {
+  const Waterplane plane = waterplane_in_body_frame(pose);
+  Samples samples(plane, relative);
+  add_faces(prism, samples);
+  const auto& list = samples.list();
+  if (list.empty()) return {};
+
+  std::array<std::byte, 8192> room;
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+  std::pmr::vector<Lanes> open(list.size(), 1.0, &memory);
+  if (water.shading_gap > 0.0) {
+    std::pmr::vector<Vectors> probes(&memory);
+    probes.reserve(list.size());
+    for (const Sample& sample : list) probes.push_back(sample.points + water.shading_gap * sample.normal);
+    open_shares(probes, pose, neighbours, water.shading_gap, open);
   }
-  for (const auto& ring : prism.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 from = ring[i == 0 ? ring.size() - 1 : i - 1], to = ring[i];
-      const double length = norm(to - from);
-      if (length == 0.0) continue;
-      const Vec2 out = -perpendicular(to - from) / length;
-      const std::array<Vec3, 4> face{Vec3{from.x, from.y, -half}, Vec3{to.x, to.y, -half}, Vec3{to.x, to.y, half},
-                                     Vec3{from.x, from.y, half}};
-      const Vec2 middle = 0.5 * (from + to), u = 0.5 * (to - from);
-      integral.add(face, {out.x, out.y, 0.0}, {{middle.x, middle.y, 0.0}, {u.x, u.y, 0.0}, {0.0, 0.0, half}});
-    }
-  }
-  return integral.result;
+  Integral integral(relative, water);
+  for (std::size_t i = 0; i < list.size(); ++i) integral.add(list[i], open[i]);
+  return integral.result();
 }
 
 }  // namespace brash::hydrodynamics

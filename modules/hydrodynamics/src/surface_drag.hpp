@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
+#include "brash/core/plane.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
 #include "brash/hydrodynamics/water.hpp"
 #include "damping.hpp"
-#include "shade.hpp"
-#include "wetted_faces.hpp"
 
 namespace brash::hydrodynamics {
 
@@ -19,7 +20,8 @@ struct SurfaceDrag {
 /// Integrates Eq. 13, with the velocity of each place, and skin friction over the wetted surface.
 ///
 /// @param relative  velocity relative to the water, body frame.
-SurfaceDrag surface_drag(const Prism& prism, const Waterplane& plane, const Twist& relative, const Water& water,
-                         Shade shade);
+/// @param neighbours  world frame.
+SurfaceDrag surface_drag(const Prism& prism, const Pose& pose, const Twist& relative, const Water& water,
+                         std::span<const Solid> neighbours);
 
 }  // namespace brash::hydrodynamics

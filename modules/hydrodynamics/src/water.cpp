@@ -27,10 +27,10 @@ void add_cone(WettedBody& body, const WettedFace& face, Vec3 reference) {
   body.volume_moment += signed_volume * (0.75 / face.area * face.area_moment + 0.25 * reference);
 }
 
-WettedBody wetted_body(const WettedFaces& faces, const Waterplane& water) {
+WettedBody wetted_body(const Prism& prism, const Waterplane& water) {
   const Vec3 reference = -water.offset * water.up;
   WettedBody body;
-  for (std::size_t i = 0; i < faces.size(); ++i) add_cone(body, faces[i], reference);
+  for_each_wetted_face(prism, water, [&](const WettedFace& face) { add_cone(body, face, reference); });
   return body;
 }
 
@@ -46,41 +46,27 @@ double average_length(const Prism& prism) {
 }
 
 /// Eqs. 13 and 14 at one velocity for the whole floe, as dampers at that velocity: only faces that look along it count.
-Damping paper_drag(const Prism& prism, const WettedFaces& faces, Vec3 centre, const Twist& relative,
-                   const Water& water) {
+/// Skin friction on each wetted face by the velocity along it at its centroid.
+SurfaceDrag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const Twist& relative,
+                      const Water& water) {
+  SurfaceDrag drag;
   const Vec3 velocity = velocity_at(relative, centre);
   double area = 0.0;
   double area_times_speed = 0.0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    area += faces[i].area;
-    area_times_speed += faces[i].area * std::max(0.0, dot(faces[i].normal, velocity));
-  }
-  const double l_avg = average_length(prism);
-  Damping damping;
-  damping.add(0.5 * water.form_drag * water.density * area_times_speed, centre);
-  damping.add_rotation(0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * area *
-                       norm(relative.angular));
-  return damping;
-}
-
-/// Skin friction on each wetted face by the velocity along it at its centroid; body frame, moment about the origin.
-Wrench skin_friction(const WettedFaces& faces, const Twist& relative, const Water& water) {
-  Wrench total;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const WettedFace& face = faces[i];
+  for_each_wetted_face(prism, plane, [&](const WettedFace& face) {
+    area += face.area;
+    area_times_speed += face.area * std::max(0.0, dot(face.normal, velocity));
     const Vec3 centroid = face.area_moment / face.area;
-    const Vec3 velocity = velocity_at(relative, centroid);
-    const Vec3 along = velocity - dot(velocity, face.normal) * face.normal;
+    const Vec3 there = velocity_at(relative, centroid);
+    const Vec3 along = there - dot(there, face.normal) * face.normal;
     const Vec3 force = -0.5 * water.density * water.skin_friction * face.area * norm(along) * along;
-    total += {force, cross(centroid, force)};
-  }
-  return total;
-}
-
-SurfaceDrag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const Twist& relative,
-                      const Water& water) {
-  const WettedFaces faces(prism, plane);
-  return {paper_drag(prism, faces, centre, relative, water), skin_friction(faces, relative, water)};
+    drag.skin_friction += {force, cross(centroid, force)};
+  });
+  const double l_avg = average_length(prism);
+  drag.form.add(0.5 * water.form_drag * water.density * area_times_speed, centre);
+  drag.form.add_rotation(0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * area *
+                         norm(relative.angular));
+  return drag;
 }
 
 Wrench rotated(const Quaternion& q, const Wrench& w) { return {rotate(q, w.force), rotate(q, w.moment)}; }
@@ -95,7 +81,7 @@ void check(const Prism& prism) {
 Displacement displacement(const Prism& prism, const Pose& pose) {
   check(prism);
   const Waterplane plane = waterplane_in_body_frame(pose);
-  const WettedBody body = wetted_body(WettedFaces(prism, plane), plane);
+  const WettedBody body = wetted_body(prism, plane);
   if (body.volume <= 0.0) return {};
   const Vec3 centre = body.volume_moment / body.volume;
   return {body.volume, to_world(pose, centre), centre};
@@ -115,10 +101,9 @@ WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, c
 
   const Quaternion to_body_axes = conjugate(pose.rotation);
   const Twist relative{rotate(to_body_axes, twist.linear - water.current), rotate(to_body_axes, twist.angular)};
-  const SurfaceDrag drag =
-      water.drag_law == DragLaw::kSurface
-          ? surface_drag(prism, plane, relative, water, Shade(prism, pose, neighbours, water.shading_gap))
-          : paper_law(prism, plane, wet.centre_in_body, relative, water);
+  const SurfaceDrag drag = water.drag_law == DragLaw::kSurface
+                               ? surface_drag(prism, pose, relative, water, neighbours)
+                               : paper_law(prism, plane, wet.centre_in_body, relative, water);
   load.skin_friction = rotated(pose.rotation, drag.skin_friction);
 
   // The coefficient of the start of the step times the velocity at its end, as loads and drag alone give it.

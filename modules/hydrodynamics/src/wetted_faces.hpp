@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
@@ -83,7 +83,7 @@ inline WettedFace wetted_plan_face(const Prism& prism, const Waterplane& water, 
 /// The wetted part of the side face that stands on the ring's edge from `from` to `to`.
 inline WettedFace wetted_side_face(Vec2 from, Vec2 to, double half_thickness, const Waterplane& water) {
   const Vec2 edge = to - from;
-  const double length = norm(edge);
+  const double length = std::sqrt(dot(edge, edge));
   WettedFace face{};
   if (length == 0.0) return face;
   face.normal = {edge.y / length, -edge.x / length, 0.0};
@@ -117,42 +117,23 @@ inline WettedFace wetted_side_face(Vec2 from, Vec2 to, double half_thickness, co
   return face;
 }
 
-/// The outer faces of a prism with a part below the waterplane: bottom, top, then the sides in the order of the rings.
-/// Up to kInline of them take no memory from the heap.
-class WettedFaces {
- public:
-  WettedFaces(const Prism& prism, const Waterplane& water) {
-    const double half_thickness = 0.5 * prism.thickness;
-    for (const double side : {-1.0, 1.0}) add(wetted_plan_face(prism, water, side * half_thickness, side));
-    for (const auto& ring : prism.rings) {
-      if (ring.empty()) continue;
-      Vec2 from = ring.back();
-      for (const Vec2 to : ring) {
-        add(wetted_side_face(from, to, half_thickness, water));
-        from = to;
-      }
+/// Calls `visit` with each outer face of a prism that has a part below the waterplane: bottom, top, then the sides in
+/// the order of the rings.
+template <typename Visit>
+void for_each_wetted_face(const Prism& prism, const Waterplane& water, Visit visit) {
+  const auto pass = [&](const WettedFace& face) {
+    if (face.area > 0.0) visit(face);
+  };
+  const double half_thickness = 0.5 * prism.thickness;
+  for (const double side : {-1.0, 1.0}) pass(wetted_plan_face(prism, water, side * half_thickness, side));
+  for (const auto& ring : prism.rings) {
+    if (ring.empty()) continue;
+    Vec2 from = ring.back();
+    for (const Vec2 to : ring) {
+      pass(wetted_side_face(from, to, half_thickness, water));
+      from = to;
     }
   }
-
-  std::size_t size() const { return n_; }
-  const WettedFace& operator[](std::size_t i) const { return i < kInline ? inline_[i] : more_[i - kInline]; }
-
- private:
-  static constexpr std::size_t kInline = 34;  // bottom, top and 32 sides: about twice the corners of a typical floe
-
-  void add(const WettedFace& face) {
-    if (face.area <= 0.0) return;
-    if (n_ < kInline) {
-      inline_[n_] = face;
-    } else {
-      more_.push_back(face);
-    }
-    ++n_;
-  }
-
-  std::array<WettedFace, kInline> inline_;
-  std::vector<WettedFace> more_;
-  std::size_t n_ = 0;
-};
+}
 
 }  // namespace brash::hydrodynamics

@@ -151,6 +151,23 @@ BOOST_AUTO_TEST_CASE(how_a_plan_is_divided_into_parts_does_not_change_its_drag) 
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_box_has_the_same_drag_whichever_of_its_faces_are_taken_for_top_and_bottom) {
+  // Sides are integrated on trapezoids between waterline and lee, top and bottom on triangles: both exactly.
+  const Prism flat = box(3.0, 2.0, 0.9), upright = box(3.0, 0.9, 2.0);
+  const double c = std::sqrt(0.5);
+  for (int k = 0; k < 200; ++k) {
+    const Quaternion q = turn({1.0, 0.3 * k - 3.0, 0.5}, 0.2 * k);
+    const Quaternion turned{c * (q.w - q.x), c * (q.w + q.x), c * (q.y + q.z), c * (q.z - q.y)};  // a quarter about x
+    const Vec3 position{0.0, 0.0, 1.0 - 0.01 * k};
+    const Twist twist{{std::cos(0.9 * k), std::sin(1.7 * k), std::cos(2.3 * k)}, {std::sin(k), std::cos(3.0 * k), 0.3}};
+    const WaterLoad a = water_load(flat, {position, q}, twist, without_skin_friction());
+    const WaterLoad b = water_load(upright, {position, turned}, twist, without_skin_friction());
+    const double scale = norm(a.drag.force) + norm(a.drag.moment);
+    BOOST_CHECK_SMALL(norm(a.drag.force - b.drag.force), 1e-12 * scale);  // rounding
+    BOOST_CHECK_SMALL(norm(a.drag.moment - b.drag.moment), 1e-12 * scale);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(skin_friction_of_a_sliding_box_acts_on_the_faces_along_the_motion) {
   Water water;
   water.skin_friction = 0.01;
