@@ -134,7 +134,7 @@ class Samples {
   /// A trapezoid whose sides ab and dc are parallel to an axis.
   void add_parallel(const Face& face, Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const double ab = std::abs(b.x - a.x + b.y - a.y), dc = std::abs(c.x - d.x + c.y - d.y);
-    add_trapezoid(face, a, b, c, d, LinearGauss((dc - ab) / (dc + ab)));
+    if (ab + dc > 0.0) add_trapezoid(face, a, b, c, d, LinearGauss((dc - ab) / (dc + ab)));
   }
 
   /// The product of Gauss rules on a trapezoid whose sides ab and dc are parallel.
@@ -165,6 +165,7 @@ class Samples {
 void add_faces(const Prism& prism, Samples& samples) {
   const double half = 0.5 * prism.thickness;
   Polygon corners;
+  corners.reserve(16);
   for (const auto& part : prism.parts) {
     Vec2 low = part.front(), high = low;
     for (const Vec2 p : part) {
