@@ -28,7 +28,7 @@ const std::map<std::string, Room> kRooms{
     {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "plate", "meta_model"}, {}}},
     {"structure", {"modules/structure", {"core"}, {}}},
-    {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {"Eigen"}}},
+    {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "damping.hpp"
 
-#include <Eigen/Cholesky>
-
 namespace brash::hydrodynamics {
 
 Wrench Damping::load(const Twist& twist) const {
@@ -15,30 +13,28 @@ Wrench Damping::load(const Twist& twist) const {
 }
 
 Twist Damping::velocity_after(const Twist& twist, const Wrench& load, const StepInertia& step) const {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  const Vec3 linear = step.mass * twist.linear + step.dt * load.force;
+  const double dt = step.dt;
+  const Vec3 linear = step.mass * twist.linear + dt * load.force;
   const Vec3 l = twist.angular;
   const Vec3 i = step.inertia;
-  const Vec3 angular = Vec3{i.x * l.x, i.y * l.y, i.z * l.z} + step.dt * load.moment;
+  const Vec3 angular = Vec3{i.x * l.x, i.y * l.y, i.z * l.z} + dt * load.moment;
 
-  // M + dt D; only the lower triangle is read.
-  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-  matrix(0, 0) = matrix(1, 1) = matrix(2, 2) = step.mass + step.dt * sum_;
-  const Vec3 f = step.dt * first_;
-  matrix(4, 0) = f.z, matrix(5, 0) = -f.y;
-  matrix(3, 1) = -f.z, matrix(5, 1) = f.x;
-  matrix(3, 2) = f.y, matrix(4, 2) = -f.x;
-  matrix(3, 3) = i.x + step.dt * (squares_.y + squares_.z + rotation_);
-  matrix(4, 4) = i.y + step.dt * (squares_.z + squares_.x + rotation_);
-  matrix(5, 5) = i.z + step.dt * (squares_.x + squares_.y + rotation_);
-  matrix(4, 3) = -step.dt * products_.z;
-  matrix(5, 3) = -step.dt * products_.y;
-  matrix(5, 4) = -step.dt * products_.x;
+  // (M + dt D) V' = (linear, angular), with m v + w x f = linear put into f x v + T w = angular.
+  const double m = step.mass + dt * sum_;
+  const Vec3 f = dt * first_;
+  const double xx = i.x + dt * (squares_.y + squares_.z + rotation_) - (f.y * f.y + f.z * f.z) / m;
+  const double yy = i.y + dt * (squares_.z + squares_.x + rotation_) - (f.z * f.z + f.x * f.x) / m;
+  const double zz = i.z + dt * (squares_.x + squares_.y + rotation_) - (f.x * f.x + f.y * f.y) / m;
+  const double yz = f.y * f.z / m - dt * products_.x;
+  const double zx = f.z * f.x / m - dt * products_.y;
+  const double xy = f.x * f.y / m - dt * products_.z;
 
-  Vector6 momentum;
-  momentum << linear.x, linear.y, linear.z, angular.x, angular.y, angular.z;
-  const Vector6 v = matrix.llt().solve(momentum);
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  // By Cramer's rule; the rows are the columns too.
+  const Vec3 a{xx, xy, zx}, b{xy, yy, yz}, c{zx, yz, zz};
+  const Vec3 right = angular - cross(f, linear) / m;
+  const Vec3 bc = cross(b, c);
+  const Vec3 w = Vec3{dot(right, bc), dot(right, cross(c, a)), dot(right, cross(a, b))} / dot(a, bc);
+  return {(linear - cross(w, f)) / m, w};
 }
 
 }  // namespace brash::hydrodynamics

@@ -79,6 +79,7 @@ class Samples {
     list_.reserve(48);
     wet_.reserve(16);
     side_.reserve(16);
+    half_.reserve(16);
   }
 
   /// Adds the wetted part of a face.
@@ -95,12 +96,14 @@ class Samples {
     const Vec3 n = face.normal;
     const Linear outwards{dot(n, velocity_at(relative_, face.centre)), dot(n, cross(relative_.angular, face.u)),
                           dot(n, cross(relative_.angular, face.v))};
-    if (std::abs(outwards.middle) >= outwards.reach()) {
+    if (outwards.middle >= outwards.reach()) {
+      add_leading(face, corners);
+    } else if (outwards.middle <= -outwards.reach()) {
       add_piece(face, corners);
     } else {
-      where_negative(corners, outwards, side_);
-      add_piece(face, side_);
       where_negative(corners, -outwards, side_);
+      add_leading(face, side_);
+      where_negative(corners, outwards, side_);
       add_piece(face, side_);
     }
   }
@@ -108,6 +111,14 @@ class Samples {
   const std::pmr::vector<Sample>& list() const { return list_; }
 
  private:
+  void add_leading(const Face& face, std::span<const Vec2> corners) {
+    if (!face.narrow || corners.size() < 3) return add_piece(face, corners);
+    for (const double side : {-1.0, 1.0}) {
+      where_negative(corners, {0.0, 0.0, side}, half_);
+      add_piece(face, half_);
+    }
+  }
+
   void add_piece(const Face& face, std::span<const Vec2> corners) {
     if (corners.size() < 3) return;
     const Vec2 a = corners[0];
@@ -123,7 +134,7 @@ class Samples {
   /// A trapezoid whose sides ab and dc are parallel to an axis.
   void add_parallel(const Face& face, Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const double ab = std::abs(b.x - a.x + b.y - a.y), dc = std::abs(c.x - d.x + c.y - d.y);
-    add_trapezoid(face, a, b, c, d, LinearGauss((dc - ab) / (dc + ab)));
+    if (ab + dc > 0.0) add_trapezoid(face, a, b, c, d, LinearGauss((dc - ab) / (dc + ab)));
   }
 
   /// The product of Gauss rules on a trapezoid whose sides ab and dc are parallel.
@@ -147,13 +158,14 @@ class Samples {
   std::array<std::byte, 12288> room_;  ///< enough for most floes; the rest is from the heap
   std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
   std::pmr::vector<Sample> list_{&memory_};
-  Polygon wet_{&memory_}, side_{&memory_};
+  Polygon wet_{&memory_}, side_{&memory_}, half_{&memory_};
 };
 
 /// Top and bottom by the convex parts of the plan, and the sides.
 void add_faces(const Prism& prism, Samples& samples) {
   const double half = 0.5 * prism.thickness;
   Polygon corners;
+  corners.reserve(16);
   for (const auto& part : prism.parts) {
     Vec2 low = part.front(), high = low;
     for (const Vec2 p : part) {
@@ -177,8 +189,7 @@ void add_faces(const Prism& prism, Samples& samples) {
       const double length = std::sqrt(dot(u, u));
       if (length == 0.0) continue;
       const Vec3 out{u.y / length, -u.x / length, 0.0};
-      for (const double z : {-0.5 * half, 0.5 * half})  // shade differs from top to bottom
-        samples.add({{middle.x, middle.y, z}, {u.x, u.y, 0.0}, {0.0, 0.0, 0.5 * half}, out, true}, kWhole);
+      samples.add({{middle.x, middle.y, 0.0}, {u.x, u.y, 0.0}, {0.0, 0.0, half}, out, true}, kWhole);
     }
   }
 }
@@ -225,10 +236,18 @@ class Integral {
   Vectors force_, moment_;  ///< of the skin friction
 };
 
+/// Sends for the planes: among many floes they are far from the processor, and are here when the samples are made.
+void fetch(std::span<const Solid> neighbours) {
+  constexpr std::size_t kLine = 64 / sizeof(Plane), kMost = 8;
+  for (const Solid solid : neighbours)
+    for (std::size_t i = 0; i < std::min(solid.size(), kMost); i += kLine) __builtin_prefetch(&solid[i]);
+}
+
 }  // namespace
 
 SurfaceDrag surface_drag(const Prism& prism, const Pose& pose, const Twist& relative, const Water& water,
                          std::span<const Solid> neighbours) {
+  fetch(neighbours);
   const Waterplane plane = waterplane_in_body_frame(pose);
   Samples samples(plane, relative);
   add_faces(prism, samples);
