@@ -36,6 +36,25 @@ class Watchdog(FaultTest):
                 self.assertEqual([p.name for p in folder.iterdir()], ["checkpoint.nc"])
                 self.assertEqual((folder / "checkpoint.nc").read_bytes(), spoilt)
 
+    def test_a_fault_that_takes_some_steps_leaves_the_state_just_before_it(self):
+        folder = self.path / "later"
+        process = start(run_command(folder, "--set", "time.duration=100"))
+        self.assertTrue(wait_for((folder / "checkpoint.nc").exists, process))
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        spoil(folder / "checkpoint.nc", "later")
+        resume = run_command(folder, "--set", "time.duration=100", "--resume")
+        spoilt = (folder / "checkpoint.nc").read_bytes()
+        errors, states = [], []
+        for _ in range(2):
+            done = call(resume)
+            self.fails_clearly(done, {1}, "floe 2 is at (", "brash: step ", str(folder / "checkpoint.nc"))
+            errors.append(done.stderr)
+            states.append((folder / "checkpoint.nc").read_bytes())
+        self.assertNotEqual(states[0], spoilt)
+        self.assertEqual(states[0], states[1])
+        self.assertEqual(errors[0], errors[1])
+
     def test_a_case_of_a_campaign_with_a_fault_is_recorded_with_its_state(self):
         folder = self.path / "campaign"
         process = start(campaign_command(folder))
