@@ -35,6 +35,8 @@ def main(folder, picture):
     bottom.set_ylabel("by cause, 1 s mean [kN]")
     bottom.set_xlabel("time [s]")
     bottom.legend(loc="upper left", fontsize=8, ncols=3)
+    for axes in (top, bottom):
+        axes.set_ylim(top=1.15 * axes.get_ylim()[1])  # room for the legends
     figure.savefig(picture, dpi=110)
 
 

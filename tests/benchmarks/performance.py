@@ -225,7 +225,7 @@ def plate():
 # Yade: step [s], stiffness and damping as in yade.py. Each at the cheapest that was found to leave no floe PACK_PLACE from
 # its place and the forces PACK_FORCE wrong. The small pack is one that Siconos and Yade are done with in seconds.
 PACK_PLACE, PACK_FORCE = 0.005, 0.01
-PACK = {"program": ("bench_rigid_bodies", "6x5x5", 0.005, 60),
+PACK = {"program": ("bench_rigid_bodies", "6x5x5", 0.006, 60),
         "program, ice that does not crush": ("bench_rigid_bodies", "6x5x5", 0.0125, 20, "inf"),
         "ODE": ("bench_rigid_bodies_ode", "6x5x5", 0.02, 20)}
 SMALL = {"program": ("bench_rigid_bodies", "2x2x2", 0.0115, 15),
