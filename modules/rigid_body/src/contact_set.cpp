@@ -115,8 +115,8 @@ void ContactSet::report(double dt, const std::vector<double>& bounds, std::vecto
       listed_.push_back({(turn ? contact.second : contact.first)->id, (turn ? contact.first : contact.second)->id,
                          from_bullet(contact.manifold.getContactPoint(i).m_positionWorldOnB), &contact, i});
   }
-  // Points in one place, of two parts of a floe, keep the order of the step: how many contacts there are besides, which a
-  // resumed run may divide otherwise, must not change it.
+  // Points in one place, of two parts of a floe, keep the order of the step: how many contacts there are besides, which
+  // a resumed run may divide otherwise, must not change it.
   const auto key = [](const Listed& l) { return std::tie(l.body, l.other, l.place.x, l.place.y, l.place.z); };
   std::ranges::stable_sort(listed_, [&](const Listed& a, const Listed& b) { return key(a) < key(b); });
   loads.clear();

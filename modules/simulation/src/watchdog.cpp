@@ -93,8 +93,7 @@ void Watchdog::look_at_losses(const Watched& now) const {
   const io::EnergyLosses& l = row.losses;
   const double rounding = kRounding * (1.0 + row.kinetic_energy);
   const double contacts = contact_loss(l) - contact_loss(before_);
-  const double given =
-      case_->contact.restitution > 0.0 ? allowance(now.floes) : rounding + kLeft * impulses(now.world);
+  const double given = case_->contact.restitution > 0.0 ? allowance(now.floes) : rounding + kLeft * impulses(now.world);
   if (!(contacts >= -given)) throw RunError(fmt::format("contacts gave the floes {:.6g} J in this step", -contacts));
   const double water = l.drag + l.skin_friction - before_.drag - before_.skin_friction;
   const bool still = case_->water.current == Vec2{} && !case_->hydrodynamics.structure_flow;
