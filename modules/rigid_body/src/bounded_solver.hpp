@@ -49,12 +49,11 @@ class BoundedSolver : public btSequentialImpulseConstraintSolver {
     double rhs = 0.0;                ///< impulse that would do so alone [N s]
     double inverse_jacobian = 0.0;   ///< impulse per relative velocity [kg]
   };
-  /// What a change of the row's impulse does, besides the bodies' inverse masses: change of angular velocity per
-  /// impulse.
+  /// What a change of the row's impulse does, besides what direction and inverse masses tell.
   struct Response {
-    std::array<double, 3> turn_a{};
-    std::array<double, 3> turn_b{};
-    double jacobian = 0.0;  ///< relative velocity per impulse [1/kg]
+    std::array<double, 3> turn_a{};  ///< change of the first body's angular velocity per impulse
+    std::array<double, 3> turn_b{};  ///< and of the second's
+    double jacobian = 0.0;           ///< relative velocity per impulse [1/kg]
   };
   struct Tangential {
     Row row;

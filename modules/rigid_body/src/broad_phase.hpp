@@ -4,7 +4,6 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "body.hpp"

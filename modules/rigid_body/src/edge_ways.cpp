@@ -2,7 +2,6 @@
 #include "edge_ways.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace brash::rigid_body {
 namespace {

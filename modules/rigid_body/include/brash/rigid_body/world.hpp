@@ -27,7 +27,7 @@ struct WorldSettings {
   ContactLaw ice_structure;
   ContactLaw ice_ice;
   int iterations = 50;              ///< sequential impulses a step, at most
-  double collision_margin = 0.005;  ///< [m], > 0; Bullet's hulls are inset by it, so that surfaces meet where they are
+  double collision_margin = 0.005;  ///< [m], > 0; convex parts thinner than twice this have no contact
   /// A settled floe is let go, before the contact acts, by a floe that comes nearer faster than this [m/s].
   double release_speed = std::numeric_limits<double>::infinity();
 };
@@ -114,8 +114,8 @@ class World {
   void remove(BodyId id);
 
   /// Fixes a floe where it is, without velocity, or lets it go again. A settled floe takes no loads and costs next to
-  /// nothing; to those that move it is what the sheet is, and contacts with them are reported. WorldSettings::release_speed
-  /// ends it too.
+  /// nothing; to those that move it is what the sheet is, and contacts with them are reported.
+  /// WorldSettings::release_speed ends it too.
   void set_settled(BodyId id, bool settled);
   bool is_settled(BodyId id) const;
 
