@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct Body {
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
   int rank = 0;                   ///< in the order of the step
+  std::uint32_t in_solver = 0;    ///< number there, in this step
   std::vector<const Part*> near;  ///< of a moving floe: parts of other bodies within the world's reach
   std::vector<std::unique_ptr<Part>> parts;
   std::unique_ptr<btRigidBody> bullet;

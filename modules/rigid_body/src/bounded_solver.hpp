@@ -1,94 +1,156 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
-
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
+
+#include "brash/core/vec.hpp"
+#include "overlap.hpp"
 
 namespace brash::rigid_body {
 
-/// Bullet's sequential impulses with an upper bound on each normal impulse (Eq. 16) and Coulomb's disc for friction.
+/// A body on its way through the solver.
+struct SolverBody {
+  Vec3 position{};                        ///< of the centre of mass [m]
+  Twist twist{};                          ///< with the loads of the step, before contacts
+  double inverse_mass = 0.0;              ///< [1/kg]; 0: contacts do not move it
+  std::array<Vec3, 3> inverse_inertia{};  ///< rows; about the centre of mass, world frame [1/(kg m2)]
+};
+
+/// Where two bodies touch along one normal.
+struct SolverContact {
+  std::uint32_t first = 0;        ///< in the order of BoundedSolver::add
+  std::uint32_t second = 0;       ///< likewise
+  Vec3 normal{};                  ///< unit, from the second body into the first
+  double friction = 0.0;          ///< [-]
+  double restitution = 0.0;       ///< [-]
+  double crushing_impulse = 0.0;  ///< dt sigma_c R [N s/m2]: what a point bears at most per area, Eq. 16; infinite: any
+  double parting_speed = 0.0;     ///< at which the positions part [m/s], to take an overlap back; 0: not at all
+};
+
+/// What a contact point bears.
+struct PointImpulse {
+  double normal = 0.0;    ///< [N s], >= 0
+  Vec3 friction{};        ///< on the first body [N s]
+  bool at_bound = false;  ///< the crushing bound was reached
+};
+
+/// Sequential impulses (projected Gauss-Seidel) with an upper bound on each normal impulse (Eq. 16) and Coulomb's disc
+/// for friction.
 ///
-/// Bullet's own iteration resolves contact rows with a kernel that knows the lower limit only, and bounds the two
-/// tangential rows one by one, which allows sqrt(2) mu N. Here normal rows have both limits, and the second tangential
-/// row gets what the first has left of the disc.
-///
-/// Bullet sets up the rows and takes the result back. The iterations run on compact copies of rows and velocities, with
-/// Bullet's arithmetic: the same sums in the same order, so the same bits.
-class BoundedSolver : public btSequentialImpulseConstraintSolver {
+/// An iteration goes through the normal rows of all points, then through their tangential rows, in the order in which
+/// they were added. The first tangential direction of a point is that of slip; the second row gets what the first has
+/// left of the disc. There is no warm start: the result is a function of what was added.
+class BoundedSolver {
  public:
-  /// Bound of a contact point's normal impulse [N s], found by the point's `m_index0`.
-  std::vector<double> bounds;
+  /// A body that never moves, known from the start.
+  static constexpr std::uint32_t kFixed = 0;
 
-  /// Iterations of the last solve.
-  int iterations_used() const { return m_analyticsData.m_numIterationsUsed; }
+  /// Forgets bodies and contacts.
+  void clear();
+  /// @return the number of the body.
+  std::uint32_t add(const SolverBody& body);
+  /// Points are numbered as they come.
+  void add(const SolverContact& contact, std::span<const PatchPoint> points);
+  /// Iterates until no row changes a relative velocity by more than `still` [m/s], or `iterations` times.
+  void solve(int iterations, double still);
 
- protected:
-  void convertContacts(btPersistentManifold** manifolds, int n_manifolds, const btContactSolverInfo& info) override;
-  btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int n_bodies,
-                                btPersistentManifold** manifolds, int n_manifolds, btTypedConstraint** constraints,
-                                int n_constraints, const btContactSolverInfo& info, btIDebugDraw* draw) override;
-  btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int n_bodies,
-                                         const btContactSolverInfo& info) override;
+  Twist twist(std::uint32_t body) const;
+  /// Velocity of the position alone, in this step, that takes overlaps back (split impulse).
+  Twist parting(std::uint32_t body) const;
+  PointImpulse impulse(std::size_t point) const;
 
  private:
   /// A linear and an angular number side by side.
   using Pair = double __attribute__((vector_size(16)));
   /// A linear and an angular vector: x, y, z.
   using Spatial = std::array<Pair, 3>;
+  using Triple = std::array<double, 3>;
 
   /// One constraint, an impulse that makes a relative velocity vanish: what tells how far the impulse is from that. The
-  /// relative velocity is that of both bodies along the row's direction, of the second against it.
+  /// relative velocity is that of the first body along the row's direction less that of the second.
   struct Row {
-    Spatial jacobian_a{};            ///< direction, and turn of the first body
-    std::array<double, 3> turn_b{};  ///< relative velocity per angular velocity of the second
-    std::uint32_t body_a = 0;        ///< in bodies_
-    std::uint32_t body_b = 0;        ///< likewise
-    double rhs = 0.0;                ///< impulse that would do so alone [N s]
-    double inverse_jacobian = 0.0;   ///< impulse per relative velocity [kg]
+    Triple turn_a{};                ///< relative velocity per angular velocity of the first body [m]
+    Triple turn_b{};                ///< and of the second
+    double rhs = 0.0;               ///< impulse that would do so alone [N s]
+    double inverse_jacobian = 0.0;  ///< impulse per relative velocity [kg]
   };
   /// What a change of the row's impulse does, besides what direction and inverse masses tell.
   struct Response {
-    std::array<double, 3> turn_a{};  ///< change of the first body's angular velocity per impulse
-    std::array<double, 3> turn_b{};  ///< and of the second's
-    double jacobian = 0.0;           ///< relative velocity per impulse [1/kg]
+    Triple turn_a{};  ///< change of the first body's angular velocity per impulse
+    Triple turn_b{};  ///< and of the second's
   };
   struct Tangential {
+    Vec3 direction{};
     Row row;
     Response response;
   };
-  struct BodyState {
+  /// The points of one contact follow those of the one before.
+  struct Contact {
+    Vec3 normal{};
+    double friction = 0.0;
+    std::uint32_t first = kFixed;
+    std::uint32_t second = kFixed;
+    std::uint32_t n_points = 0;
+  };
+  /// What a point bears so far, and may bear [N s].
+  struct Bearing {
+    double normal = 0.0;
+    double bound = std::numeric_limits<double>::infinity();  ///< of the normal impulse
+    std::array<double, 2> tangential{};
+  };
+  /// What an iteration changes of a body.
+  struct Moved {
     Spatial velocity{};         ///< change so far
     double inverse_mass = 0.0;  ///< [1/kg]
+
+    Twist twist() const;
+  };
+  /// A point whose bodies' positions are to part.
+  struct Parting {
+    Vec3 direction{};
+    Row row;
+    Response response;
+    double impulse = 0.0;  ///< so far [N s]
+    std::uint32_t first = kFixed;
+    std::uint32_t second = kFixed;
   };
   struct Limits {
     double lower = 0.0;  ///< [N s]
     double upper = 0.0;  ///< [N s]
   };
-  /// A contact point.
-  struct Contact {
-    double normal = 0.0;  ///< impulse [N s]
-    double first = 0.0;   ///< and of the first tangential row
-    double second = 0.0;  ///< and of the second
-    double friction = 0.0;
-    double bound = 0.0;  ///< of the normal impulse [N s]
+  /// A point's bodies and its place from their centres of mass.
+  struct Arms {
+    const SolverBody& first;
+    const SolverBody& second;
+    Vec3 first_arm;
+    Vec3 second_arm;
   };
 
-  void copy_in(const btSolverConstraint& from, Row& row, Response& response) const;
-  void copy_in();
-  void copy_out();
-  double resolve(const Row& row, const Response& response, Limits limits, double& impulse);
-  double resolve_friction(Contact& contact, const std::array<Tangential, 2>& rows);
+  static double set_up(const Arms& arms, Vec3 direction, Row& row, Response& response);
+  void add_point(const SolverContact& contact, Vec3 position);
+  static double resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
+                        double& impulse);
+  static double resolve_friction(Moved& a, Moved& b, double friction, const std::array<Tangential, 2>& rows,
+                                 Bearing& bearing);
+  double sweep_normals();
+  double sweep_tangentials();
+  double sweep_partings();
 
-  // Most contact points bear nothing, and of those an iteration reads contact and normal row alone. Each kind lies
-  // apart from the others, for what an iteration costs is the memory that it goes through.
+  std::vector<SolverBody> bodies_{1};
+  std::vector<Moved> moved_;
   std::vector<Contact> contacts_;
+  // Most points bear nothing, and of those an iteration reads bearing and normal row alone. Each kind lies apart from
+  // the others, for what an iteration costs is the memory that it goes through.
+  std::vector<Bearing> bearings_;
   std::vector<Row> normals_;
   std::vector<Response> normal_responses_;
   std::vector<std::array<Tangential, 2>> tangentials_;
-  std::vector<BodyState> bodies_;
+  std::vector<Parting> partings_;
+  std::vector<Moved> parted_;  ///< the bodies, as far as their positions part
 };
 
 }  // namespace brash::rigid_body

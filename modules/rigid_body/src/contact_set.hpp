@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-
+#include <span>
 #include <vector>
 
+#include "bounded_solver.hpp"
 #include "broad_phase.hpp"
 #include "narrow_phase.hpp"
 
@@ -16,40 +16,34 @@ class ContactSet {
   explicit ContactSet(const WorldSettings& settings)
       : ice_structure_(settings.ice_structure), ice_ice_(settings.ice_ice) {}
 
-  /// Replaces the contacts by those of the pairs, and `bounds` by the limits of their points' normal impulses [N s].
-  void find(const std::vector<PartPair>& pairs, double dt, std::vector<double>& bounds);
+  /// Replaces the contacts by those of the pairs.
+  void find(const std::vector<PartPair>& pairs);
   /// The settled floes that another body runs into faster than `speed` [m/s].
   std::vector<Body*> settled_and_hit(double speed) const;
-  /// For the solver; they hold until the next find().
-  std::vector<btPersistentManifold*> manifolds();
-  /// Fills `loads` with each point's load after the solver, sorted by (body, other, point).
-  void report(double dt, const std::vector<double>& bounds, std::vector<ContactLoad>& loads);
+  /// Adds all of them to a solver that knows the bodies by their Body::in_solver.
+  void add_to(BoundedSolver& solver, double dt) const;
+  /// Fills `loads` with each point's load after that solver, sorted by (body, other, point).
+  void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads);
 
  private:
-  /// A contact of two parts on its way through the solver.
+  /// A contact of two parts.
   struct Contact {
-    Contact(Body& one, Body& other, Vec3 direction, const Patch& overlap)
-        : first(&one),
-          second(&other),
-          normal(direction),
-          patch(overlap),
-          manifold(one.bullet.get(), other.bullet.get(), 0, BT_LARGE_FLOAT, BT_LARGE_FLOAT) {}
-
     /// A pair of floes is reported from the lower id.
     bool reported_turned() const { return second->is_floe() && second->id < first->id; }
+    std::span<const PatchPoint> points() const {
+      return std::span(patch.points).first(static_cast<std::size_t>(patch.n_points));
+    }
 
     Body* first;
     Body* second;
     Vec3 normal;
     Patch patch;
-    btPersistentManifold manifold;
   };
 
   const ContactLaw& law(const Body& second) const {
     return second.kind == BodyKind::kStructure ? ice_structure_ : ice_ice_;
   }
-  void add(const PartPair& pair, double dt, std::vector<double>& bounds);
-  ContactLoad load(const Contact& contact, int point, double dt, const std::vector<double>& bounds) const;
+  static ContactLoad load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt);
 
   /// A contact point on its way into the order of the report.
   struct Listed {
@@ -57,7 +51,8 @@ class ContactSet {
     BodyId other;
     Vec3 place;
     const Contact* contact;
-    int point;
+    const PatchPoint* point;
+    std::size_t number;  ///< of the point in the solver
   };
 
   ContactLaw ice_structure_;

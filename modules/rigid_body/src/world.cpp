@@ -16,21 +16,17 @@ namespace {
 
 /// Iterations stop when no row changes a relative velocity by more than this [m/s]: 0.1 N on 10 t of ice at 0.01 s.
 constexpr double kStill = 1e-8;
-/// Share of the overlap that one step takes back by split impulse, where the ice is not breakable [-].
-constexpr double kPositionCorrection = 0.2;
+/// Share of the turn that a split impulse gives which a step takes [-]: floes that part shall not tumble.
+constexpr double kPartingTurn = 0.1;
 
-btContactSolverInfo solver_info(const WorldSettings& settings, double dt) {
-  btContactSolverInfo info;
-  info.m_timeStep = dt;
-  info.m_numIterations = settings.iterations;
-  info.m_solverMode = SOLVER_USE_2_FRICTION_DIRECTIONS;  // no warm start: a step is a function of the state
-  info.m_leastSquaresResidualThreshold = kStill * kStill;
-  info.m_restitutionVelocityThreshold = 0.0;
-  info.m_linearSlop = 0.0;
-  info.m_erp2 = kPositionCorrection;
-  info.m_splitImpulse = true;
-  info.m_splitImpulsePenetrationThreshold = 0.0;
-  return info;
+SolverBody to_solver(const Body& body) {
+  if (!body.is_floe()) return {.position = body.pose.position, .twist = body.twist};
+  const btRigidBody& b = *body.bullet;
+  const btMatrix3x3& inertia = b.getInvInertiaTensorWorld();
+  return {.position = body.pose.position,
+          .twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())},
+          .inverse_mass = b.getInvMass(),
+          .inverse_inertia = {from_bullet(inertia[0]), from_bullet(inertia[1]), from_bullet(inertia[2])}};
 }
 
 }  // namespace
@@ -56,7 +52,7 @@ struct World::Impl {
   void find_neighbours(double reach);
   void place(Body& body);
   void predict(const std::vector<Body*>& order, double dt);
-  void find_contacts(double dt);
+  void find_contacts();
   void set_settled(Body& body, bool settled);
   void solve(const std::vector<Body*>& order, double dt);
   void average_velocities(const std::vector<Body*>& order);
@@ -148,34 +144,30 @@ void World::Impl::predict(const std::vector<Body*>& order, double dt) {
 }
 
 /// Settled floes that are run into are let go first, so that they take the blow as what they are.
-void World::Impl::find_contacts(double dt) {
-  contacts.find(broad_phase.pairs(), dt, solver.bounds);
+void World::Impl::find_contacts() {
+  contacts.find(broad_phase.pairs());
   const std::vector<Body*> hit = contacts.settled_and_hit(settings.release_speed);
   for (Body* body : hit) set_settled(*body, false);
-  if (!hit.empty()) contacts.find(broad_phase.pairs(), dt, solver.bounds);
+  if (!hit.empty()) contacts.find(broad_phase.pairs());
 }
 
 void World::Impl::solve(const std::vector<Body*>& order, double dt) {
-  std::vector<btCollisionObject*> objects;
+  solver.clear();
   for (Body* body : order) {
-    if (body->kind == BodyKind::kSheet || body->settled) continue;
-    body->bullet->setWorldArrayIndex(static_cast<int>(objects.size()));
-    objects.push_back(body->bullet.get());
+    const bool fixed = body->kind == BodyKind::kSheet || body->settled;
+    body->in_solver = fixed ? BoundedSolver::kFixed : solver.add(to_solver(*body));
   }
-  std::vector<btPersistentManifold*> manifolds = contacts.manifolds();
-  if (objects.empty()) return;
-  solver.solveGroup(objects.data(), static_cast<int>(objects.size()), manifolds.data(),
-                    static_cast<int>(manifolds.size()), nullptr, 0, solver_info(settings, dt), nullptr, nullptr);
+  contacts.add_to(solver, dt);
+  solver.solve(settings.iterations, kStill);
 }
 
-/// Twists still hold the velocities from before the step; Bullet's bodies have those after it.
+/// Twists still hold the velocities from before the step.
 void World::Impl::average_velocities(const std::vector<Body*>& order) {
   for (Body* body : order) {
     body->mean_twist = body->twist;
     if (!body->is_free()) continue;
-    const btRigidBody& b = *body->bullet;
-    body->mean_twist = {0.5 * (body->twist.linear + from_bullet(b.getLinearVelocity())),
-                        0.5 * (body->twist.angular + from_bullet(b.getAngularVelocity()))};
+    const Twist after = solver.twist(body->in_solver);
+    body->mean_twist = {0.5 * (body->twist.linear + after.linear), 0.5 * (body->twist.angular + after.angular)};
   }
 }
 
@@ -188,14 +180,9 @@ void World::Impl::advance(const std::vector<Body*>& order, double dt) {
       body->moved = false;
     }
     if (!body->is_free()) continue;
-    const btRigidBody& b = *body->bullet;
-    body->twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
-    // Only a split impulse (ice that does not break) moves Bullet's own transform.
-    const btTransform before = to_bullet(body->pose);
-    if (!(b.getWorldTransform() == before)) {
-      const btQuaternion q = b.getWorldTransform().getRotation();
-      body->pose = {from_bullet(b.getWorldTransform().getOrigin()), {q.w(), q.x(), q.y(), q.z()}};
-    }
+    body->twist = solver.twist(body->in_solver);
+    const Twist parting = solver.parting(body->in_solver);
+    if (parting != Twist{}) body->pose = advanced(body->pose, {parting.linear, kPartingTurn * parting.angular}, dt);
     body->pose = advanced(body->pose, body->twist, dt);
     body->load = {};
     BRASH_EXPECTS(is_finite(body->pose, body->twist), "state of body", body->id.index, "is not finite");
@@ -281,10 +268,10 @@ void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
   const std::vector<Body*> order = impl_->canonical_order();
   impl_->predict(order, dt);
-  impl_->find_contacts(dt);
+  impl_->find_contacts();
   impl_->solve(order, dt);
   impl_->average_velocities(order);
-  impl_->contacts.report(dt, impl_->solver.bounds, impl_->loads);
+  impl_->contacts.report(impl_->solver, dt, impl_->loads);
   impl_->advance(order, dt);
 }
 
