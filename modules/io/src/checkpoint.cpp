@@ -201,8 +201,9 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   for (const CheckpointFloe& floe : checkpoint.floes) outlines.push_back(floe.rings);
   write_polygons(file, "present_outline", "present", kGrid, outlines);
   write_tables(file, checkpoint.results);
-  const std::string bytes = file.finish();
-  write_file(path, bytes + seal_of(bytes));
+  std::string bytes = file.finish();
+  bytes += seal_of(bytes);
+  write_file(path, bytes);
 }
 
 Checkpoint read_checkpoint(const std::string& path) {

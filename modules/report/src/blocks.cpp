@@ -73,10 +73,11 @@ void Blocks::add_rounded(const std::string& name, const std::vector<double>& val
 }
 
 std::string Blocks::packed() const {
+  // The best level makes a page 2 % smaller and takes six times as long.
   uLongf size = compressBound(bytes_.size());
   std::string deflated(size, '\0');
   const int status = compress2(reinterpret_cast<Bytef*>(deflated.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes_.data()), bytes_.size(), Z_BEST_COMPRESSION);
+                               reinterpret_cast<const Bytef*>(bytes_.data()), bytes_.size(), Z_BEST_SPEED);
   BRASH_EXPECTS(status == Z_OK, status);
   deflated.resize(size);
   return base64(deflated);

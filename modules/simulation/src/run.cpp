@@ -72,13 +72,19 @@ class Recorder {
   io::RunResults results_;
 };
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
 /// A simulation with what has been recorded and counted of it: all that a checkpoint holds.
 struct Progress {
   Simulation simulation;
   Recorder recorder;
   RunSummary counts;
   double recording_seconds = 0.0;
+  double checkpoint_seconds = 0.0;  ///< of the recording
   StageTimer timer{};
+  Clock::time_point begun = Clock::now();
   io::Checkpoint known{};  ///< a state of some steps ago, without results
 };
 
@@ -114,6 +120,14 @@ Progress begin(const io::Case& resolved, const RunOptions& options) {
                                "a checkpoint that this version of the program wrote",
                                "use an older checkpoint, or start the run again"});
   }
+}
+
+/// A checkpoint holds all results so far, and would take a growing part of a long run's time: a new one waits until
+/// those before have taken no more than this share of it.
+constexpr double kCheckpointShare = 0.005;
+
+bool may_take_checkpoint(const Progress& progress) {
+  return progress.checkpoint_seconds <= kCheckpointShare * seconds_since(progress.begun);
 }
 
 void keep_checkpoint(const std::string& file, io::Checkpoint saved, const Progress& progress) {
@@ -176,9 +190,12 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
     count(progress.counts, report);
     if (options.observer) options.observer(progress.simulation, report);
     const bool interrupted = options.interrupted && options.interrupted();
-    const bool due = checkpoint_every > 0 && done % checkpoint_every == 0;
-    if (!options.checkpoint_file.empty() && (due || interrupted))
+    const bool due = checkpoint_every > 0 && done % checkpoint_every == 0 && may_take_checkpoint(progress);
+    if (!options.checkpoint_file.empty() && (due || interrupted)) {
+      const Clock::time_point start = Clock::now();
       keep_checkpoint(options.checkpoint_file, progress.simulation.checkpoint(), progress);
+      progress.checkpoint_seconds += seconds_since(start);
+    }
     if (interrupted) return false;
   }
   return true;
@@ -189,7 +206,7 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
 Run run(const io::Case& resolved, const RunOptions& options) {
   Run finished;
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
-  const auto start = std::chrono::steady_clock::now();
+  const Clock::time_point start = Clock::now();
   Progress progress = begin(resolved, options);
   if (options.begun) options.begun();
   finished.complete = advance(resolved, options, progress);
@@ -198,7 +215,7 @@ Run run(const io::Case& resolved, const RunOptions& options) {
   if (finished.complete) finished.summary = summarise(resolved, finished.results, progress.counts);
   finished.stage_times = progress.simulation.stage_times();
   finished.stage_times.recording = progress.recording_seconds;
-  finished.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  finished.wall_seconds = seconds_since(start);
   return finished;
 }
 

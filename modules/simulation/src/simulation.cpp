@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
@@ -321,16 +321,19 @@ const StageTimes& Simulation::stage_times() const { return impl_->times; }
 
 io::Frame Simulation::frame() const {
   io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
-  std::map<BodyId, std::vector<double>> forces;
+  std::vector<std::pair<BodyId, double>> forces;
   for (const rigid_body::ContactLoad& contact : impl_->world.contacts()) {
-    forces[contact.body].push_back(contact.normal_force);
-    forces[contact.other].push_back(contact.normal_force);
+    if (contact.normal_force == 0.0) continue;
+    forces.emplace_back(contact.body, contact.normal_force);
+    forces.emplace_back(contact.other, contact.normal_force);
   }
+  // Summed in the order of their sizes: that of the contacts names tiles of the sheet, which a resumed run lays anew.
+  std::ranges::sort(forces);
   for (const auto& [body, floe] : impl_->floes.floes()) {
-    // Summed in the order of their sizes: that of the contacts names tiles of the sheet, which a resumed run lays anew.
-    std::vector<double>& on_floe = forces[body];
-    std::ranges::sort(on_floe);
-    frame.floes.push_back({floe.id, impl_->world.pose(body), std::accumulate(on_floe.begin(), on_floe.end(), 0.0)});
+    double sum = 0.0;
+    for (const auto& [pushed, force] : std::ranges::equal_range(forces, body, {}, &std::pair<BodyId, double>::first))
+      sum += force;
+    frame.floes.push_back({floe.id, impl_->world.pose(body), sum});
   }
   return frame;
 }
