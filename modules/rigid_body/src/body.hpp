@@ -26,6 +26,7 @@ struct Part {
   ConvexPart solid;
   PlacedPart now;
   btBroadphaseProxy* proxy = nullptr;
+  std::vector<Body*> near_floes;  ///< scratch of the search for neighbours
 };
 
 struct Body {

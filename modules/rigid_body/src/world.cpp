@@ -101,27 +101,36 @@ void World::Impl::set_settled(Body& body, bool settled) {
   for (const auto& part : body.parts) broad_phase.add(*part);
 }
 
-/// Each moving floe's parts of other bodies within reach, sorted by their boxes and so by state alone.
+/// Each moving floe's parts of other bodies within reach, in the order of their boxes and so by state alone. The parts
+/// are sorted once, and each then joins the lists of the floes near it.
 void World::Impl::find_neighbours(double reach) {
   if (reach != broad_phase.reach) {
     broad_phase.reach = reach;
     for (const auto& body : bodies)
       for (const auto& part : body->parts) broad_phase.move(*part);
   }
-  for (const auto& body : bodies) body->near.clear();
+  std::vector<Part*> parts;
+  const auto join = [&](Part& part, Body& floe) {
+    if (!floe.is_free()) return;
+    if (part.near_floes.empty()) parts.push_back(&part);
+    part.near_floes.push_back(&floe);
+  };
   for (const auto& [first, second] : broad_phase.near_pairs()) {
-    if (first->body->is_free()) first->body->near.push_back(second);
-    if (second->body->is_free()) second->body->near.push_back(first);
+    join(*second, *first->body);
+    join(*first, *second->body);
   }
   const auto key = [](const Part* part) {
     const auto& [lower, upper] = std::tie(part->now.lower, part->now.upper);
     return std::tuple(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, part->body->id, part->number);
   };
-  for (const auto& body : bodies) {
-    std::sort(body->near.begin(), body->near.end(), [&](const Part* a, const Part* b) {
-      return a->now.lower.x != b->now.lower.x ? a->now.lower.x < b->now.lower.x : key(a) < key(b);
-    });
-    body->near.erase(std::unique(body->near.begin(), body->near.end()), body->near.end());
+  std::sort(parts.begin(), parts.end(), [&](const Part* a, const Part* b) {
+    return a->now.lower.x != b->now.lower.x ? a->now.lower.x < b->now.lower.x : key(a) < key(b);
+  });
+  for (const auto& body : bodies) body->near.clear();
+  for (Part* part : parts) {
+    for (Body* floe : part->near_floes)  // more than once where several of its parts are near
+      if (floe->near.empty() || floe->near.back() != part) floe->near.push_back(part);
+    part->near_floes.clear();
   }
   neighbours_known = true;
 }
