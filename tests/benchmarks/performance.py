@@ -328,6 +328,17 @@ def workers():
                  [0.5 * r for r in ratios(times[1], times[2])], ">= 0.95")]
 
 
+def recording():
+    """7. What a run's record of itself takes of its wall time."""
+    shares = []
+    with tempfile.TemporaryDirectory() as folder:
+        for _ in range(REPETITIONS):
+            run_seconds(folder, "time.duration=20")
+            seconds = json.loads((pathlib.Path(folder) / "run/manifest.json").read_text())["volatile"]["stage_seconds"]
+            shares.append(seconds["recording"] / sum(seconds.values()))
+    return [line("frames, checkpoints and results written, share of the wall time of 20 s of the validation case", shares, "<= 0.02")]
+
+
 def build():
     """8. One changed source file, rebuilt and linked without the compiler's cache."""
     lines = []
@@ -343,7 +354,7 @@ def build():
 
 LINES = {function.__name__: function
          for function in (coupled, real_time, growth, length, channel, water, geometry, failure, plate, rigid_bodies,
-                          rigid_body_peers, campaign, workers, build)}
+                          rigid_body_peers, campaign, workers, recording, build)}
 TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "channel": ["brash_python"], "water": ["bench_growth"],
            "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
            "rigid_bodies": ["bench_rigid_bodies"], "rigid_body_peers": ["bench_rigid_bodies"]}
