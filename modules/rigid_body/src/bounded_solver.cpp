@@ -174,16 +174,18 @@ double BoundedSolver::sweep_partings() {
   return largest;
 }
 
-void BoundedSolver::solve(int iterations, double still) {
+double BoundedSolver::solve(int iterations, double still) {
   moved_.clear();
   for (const SolverBody& body : bodies_) moved_.push_back({.velocity = {}, .inverse_mass = body.inverse_mass});
   parted_ = moved_;
   for (int i = 0; i < iterations && !partings_.empty(); ++i)
     if (sweep_partings() <= still) break;
-  for (int i = 0; i < iterations; ++i) {
-    const double largest = sweep_normals();
-    if (std::max(largest, sweep_tangentials()) <= still) break;
+  double largest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < iterations && largest > still; ++i) {
+    largest = sweep_normals();
+    largest = std::max(largest, sweep_tangentials());
   }
+  return largest;
 }
 
 Twist BoundedSolver::Moved::twist() const {

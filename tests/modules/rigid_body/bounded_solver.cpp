@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../../modules/rigid_body/src/bounded_solver.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace brash;
+using namespace brash::rigid_body;
+
+namespace {
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kFixed = BoundedSolver::kFixed;
+
+/// A ball of 25 kg m2 about each axis.
+SolverBody ball(Vec3 position, Twist twist, double mass) {
+  return {.position = position,
+          .twist = twist,
+          .inverse_mass = 1.0 / mass,
+          .inverse_inertia = {Vec3{0.04, 0.0, 0.0}, Vec3{0.0, 0.04, 0.0}, Vec3{0.0, 0.0, 0.04}}};
+}
+
+double kinetic_energy(const SolverBody& ball, const Twist& twist) {
+  return 0.5 * dot(twist.linear, twist.linear) / ball.inverse_mass + 12.5 * dot(twist.angular, twist.angular);
+}
+
+/// One point with its contact, as it was added.
+struct Point {
+  SolverContact contact;
+  PatchPoint patch;
+};
+
+/// Balls that press on each other and on fixed ground at random points.
+struct Pile {
+  std::vector<SolverBody> balls{{}};  ///< the first is the ground
+  std::vector<Point> points;
+  BoundedSolver solver;
+
+  explicit Pile(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };
+    for (int i = 0; i < 12; ++i) {
+      balls.push_back(ball(5.0 * vector(), {vector(), vector()}, std::exp(2.0 * unit(random))));
+      BOOST_REQUIRE(solver.add(balls.back()) == balls.size() - 1);
+    }
+    const auto any = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
+    for (int i = 0; i < 20; ++i) {
+      const std::uint32_t first = 1 + any(12), second = any(first);
+      const SolverContact contact{.first = first,
+                                  .second = second,
+                                  .normal = normalized(vector()),
+                                  .friction = i % 2 == 0 ? 0.3 : 0.8,
+                                  .crushing_impulse = i % 4 == 0 ? kAny : 0.5};
+      std::vector<PatchPoint> patch(1 + any(4));
+      const Vec3 middle = 0.5 * (balls[first].position + balls[second].position);
+      for (PatchPoint& point : patch) point = {middle + 0.5 * vector(), std::abs(unit(random))};
+      solver.add(contact, patch);
+      for (const PatchPoint& point : patch) points.push_back({contact, point});
+    }
+  }
+
+  /// Velocity of the first body against the second at a point, after the solver [m/s].
+  Vec3 velocity(const Point& p) const {
+    const auto of = [&](std::uint32_t i) { return velocity_at(solver.twist(i), p.patch.position - balls[i].position); };
+    return of(p.contact.first) - of(p.contact.second);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(bounded_solver)
+
+BOOST_AUTO_TEST_CASE(two_balls_that_meet_head_on_part_as_newton_says) {
+  for (const double restitution : {0.0, 0.3, 1.0}) {
+    BoundedSolver solver;
+    const std::uint32_t a = solver.add(ball({0, 0, 0}, {{1.0, 0, 0}, {}}, 3.0));
+    const std::uint32_t b = solver.add(ball({2, 0, 0}, {{-0.5, 0, 0}, {}}, 1.0));
+    solver.add({.first = a,
+                .second = b,
+                .normal = {-1, 0, 0},
+                .friction = 0.3,
+                .restitution = restitution,
+                .crushing_impulse = kAny},
+               std::vector<PatchPoint>{{{1, 0, 0}, 1.0}});
+    solver.solve(50, 0.0);
+    const double impulse = 0.75 * 1.5 * (1.0 + restitution);
+    BOOST_TEST(solver.impulse(0).normal == impulse, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(!solver.impulse(0).at_bound);
+    BOOST_TEST(solver.twist(a).linear.x == 1.0 - impulse / 3.0, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(solver.twist(b).linear.x == -0.5 + impulse, boost::test_tools::tolerance(1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_point_bears_its_area_times_the_crushing_impulse_at_most) {
+  BoundedSolver solver;
+  const std::uint32_t a = solver.add(ball({0, 0, 0}, {{1.0, 0, 0}, {}}, 3.0));
+  solver.add({.first = a, .second = kFixed, .normal = {-1, 0, 0}, .crushing_impulse = 10.0},
+             std::vector<PatchPoint>{{{1, 0, 0}, 0.2}});
+  solver.solve(50, 0.0);
+  BOOST_TEST(solver.impulse(0).normal == 2.0);
+  BOOST_TEST(solver.impulse(0).at_bound);
+  BOOST_TEST(solver.twist(a).linear.x == 1.0 / 3.0, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(friction_stops_a_slow_slide_and_brakes_a_fast_one_against_its_direction) {
+  for (const double speed : {0.1, 5.0}) {
+    BoundedSolver solver;
+    const Vec3 along = speed * normalized(Vec3{3, 4, 0});
+    SolverBody block = ball({0, 0, 0}, {along + Vec3{0, 0, -1}, {}}, 2.0);
+    block.inverse_inertia = {};  // it does not turn
+    const std::uint32_t a = solver.add(block);
+    solver.add({.first = a, .second = kFixed, .normal = {0, 0, 1}, .friction = 0.5, .crushing_impulse = kAny},
+               std::vector<PatchPoint>{{{0, 0, -1}, 1.0}});
+    solver.solve(50, 0.0);
+    const Vec3 left = solver.twist(a).linear;
+    const Vec3 wanted = std::max(0.0, speed - 0.5) / speed * along;
+    BOOST_TEST(norm(left - wanted) < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(positions_part_at_their_speed_and_velocities_know_nothing_of_it) {
+  BoundedSolver solver;
+  const std::uint32_t a = solver.add(ball({0, 0, 0}, {}, 3.0));
+  const std::uint32_t b = solver.add(ball({2, 0, 0}, {}, 1.0));
+  solver.add({.first = a, .second = b, .normal = {-1, 0, 0}, .crushing_impulse = kAny, .parting_speed = 0.4},
+             std::vector<PatchPoint>{{{1, 0, 0}, 1.0}});
+  solver.solve(50, 0.0);
+  BOOST_TEST(solver.parting(a).linear.x == -0.1, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(solver.parting(b).linear.x == 0.3, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST((solver.twist(a) == Twist{}));
+  BOOST_TEST((solver.twist(b) == Twist{}));
+  BOOST_TEST(solver.impulse(0).normal == 0.0);
+}
+
+/// Signorini's condition, Coulomb's disc and the bound, at every point at once. Not every pile of points and normals at
+/// random lets the iteration come to rest.
+BOOST_AUTO_TEST_CASE(at_every_point_of_a_pile_the_laws_of_contact_hold) {
+  constexpr double kSlow = 1e-9;  // [m/s]
+  int n_solved = 0, n_free = 0, n_bearing = 0, n_crushed = 0, n_sticking = 0, n_sliding = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    Pile pile(seed);
+    if (pile.solver.solve(2000, 1e-12) > 1e-12) continue;
+    ++n_solved;
+    for (std::size_t i = 0; i < pile.points.size(); ++i) {
+      const auto& [contact, patch] = pile.points[i];
+      const PointImpulse impulse = pile.solver.impulse(i);
+      const double bound = contact.crushing_impulse * patch.area;
+      const Vec3 velocity = pile.velocity(pile.points[i]);
+      const double parts_at = dot(contact.normal, velocity);
+      BOOST_TEST(impulse.normal >= 0.0);
+      BOOST_TEST(impulse.normal <= bound);
+      BOOST_TEST(impulse.at_bound == (impulse.normal == bound));
+      if (impulse.normal < bound) BOOST_TEST(parts_at > -kSlow);
+      if (impulse.normal > 0.0) BOOST_TEST(parts_at < kSlow);
+      (impulse.normal == 0.0 ? n_free : impulse.at_bound ? n_crushed : n_bearing) += 1;
+
+      const Vec3 slip = velocity - parts_at * contact.normal;
+      const double disc = contact.friction * impulse.normal;
+      BOOST_TEST(std::abs(dot(impulse.friction, contact.normal)) < 1e-12);
+      BOOST_TEST(norm(impulse.friction) <= disc * (1.0 + 1e-12));
+      BOOST_TEST(dot(impulse.friction, slip) <= kSlow);
+      if (norm(impulse.friction) < 0.999 * disc) BOOST_TEST(norm(slip) < kSlow);
+      if (disc > 0.0) (norm(slip) < kSlow ? n_sticking : n_sliding) += 1;
+    }
+  }
+  // Otherwise the test says little.
+  BOOST_TEST(n_solved >= 75);
+  for (const int n : {n_free, n_bearing, n_crushed, n_sticking, n_sliding}) BOOST_TEST(n > 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_pile_keeps_its_momentum_but_for_what_the_ground_takes_and_gains_no_energy) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Pile pile(seed);
+    pile.solver.solve(10, 0.0);  // holds for any number of iterations
+    Vec3 gained{}, from_ground{};
+    double before = 0.0, after = 0.0;
+    for (std::uint32_t i = 1; i < pile.balls.size(); ++i) {
+      const SolverBody& ball = pile.balls[i];
+      const Twist twist = pile.solver.twist(i);
+      gained += (twist.linear - ball.twist.linear) / ball.inverse_mass;
+      before += kinetic_energy(ball, ball.twist);
+      after += kinetic_energy(ball, twist);
+    }
+    for (std::size_t i = 0; i < pile.points.size(); ++i) {
+      const SolverContact& contact = pile.points[i].contact;
+      const PointImpulse impulse = pile.solver.impulse(i);
+      if (contact.second == kFixed) from_ground += impulse.normal * contact.normal + impulse.friction;
+    }
+    BOOST_TEST(norm(gained - from_ground) < 1e-12);
+    BOOST_TEST(after <= before);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
