@@ -37,6 +37,7 @@ struct World::Impl {
   WorldSettings settings;
   std::vector<std::unique_ptr<Body>> bodies;  ///< in the order of their ids
   std::vector<Body*> by_index;                ///< of every body there has been; null where it is gone
+  std::vector<Body*> order;                   ///< that of the last step; empty when bodies came or went since
   bool neighbours_known = false;              ///< of the bodies' present places
   BroadPhase broad_phase;
   ContactSet contacts;
@@ -48,15 +49,15 @@ struct World::Impl {
   }
   Body& get(BodyId id);
   BodyId insert(std::unique_ptr<Body> body);
-  std::vector<Body*> canonical_order();
+  void bring_into_order();
   void find_neighbours(double reach);
   void place(Body& body);
-  void predict(const std::vector<Body*>& order, double dt);
+  void predict(double dt);
   void find_contacts();
   void set_settled(Body& body, bool settled);
-  void solve(const std::vector<Body*>& order, double dt);
-  void average_velocities(const std::vector<Body*>& order);
-  void advance(const std::vector<Body*>& order, double dt);
+  void solve(double dt);
+  void average_velocities();
+  void advance(double dt);
 };
 
 Body& World::Impl::get(BodyId id) {
@@ -66,6 +67,7 @@ Body& World::Impl::get(BodyId id) {
 
 BodyId World::Impl::insert(std::unique_ptr<Body> body) {
   neighbours_known = false;
+  order.clear();
   const BodyId id{static_cast<std::uint32_t>(by_index.size()), 0};
   body->id = id;
   body->next_pose = body->pose;
@@ -76,14 +78,16 @@ BodyId World::Impl::insert(std::unique_ptr<Body> body) {
   return id;
 }
 
-/// All bodies in an order that depends on their states only; ranks are set.
-std::vector<Body*> World::Impl::canonical_order() {
-  std::vector<Body*> order;
-  order.reserve(bodies.size());
-  for (const auto& body : bodies) order.push_back(body.get());
-  std::sort(order.begin(), order.end(), [](const Body* a, const Body* b) { return comes_before(*a, *b); });
+/// All bodies in an order that depends on their states only; ranks are set. Few change places from step to step, so
+/// that each is let sink to its own from the order of the step before.
+void World::Impl::bring_into_order() {
+  if (order.empty()) {
+    for (const auto& body : bodies) order.push_back(body.get());
+    std::sort(order.begin(), order.end(), [](const Body* a, const Body* b) { return comes_before(*a, *b); });
+  }
+  for (std::size_t i = 1; i < order.size(); ++i)
+    for (std::size_t j = i; j > 0 && comes_before(*order[j], *order[j - 1]); --j) std::swap(order[j], order[j - 1]);
   for (std::size_t i = 0; i < order.size(); ++i) order[i]->rank = static_cast<int>(i);
-  return order;
 }
 
 /// Parts and their boxes follow a new pose.
@@ -136,7 +140,7 @@ void World::Impl::find_neighbours(double reach) {
 }
 
 /// Velocities with the applied loads and the gyroscopic moment, before contacts.
-void World::Impl::predict(const std::vector<Body*>& order, double dt) {
+void World::Impl::predict(double dt) {
   for (Body* body : order) {
     if (body->kind == BodyKind::kSheet || body->settled) continue;
     if (body->kind == BodyKind::kStructure && !body->moved) body->twist = {};
@@ -160,7 +164,7 @@ void World::Impl::find_contacts() {
   if (!hit.empty()) contacts.find(broad_phase.pairs());
 }
 
-void World::Impl::solve(const std::vector<Body*>& order, double dt) {
+void World::Impl::solve(double dt) {
   solver.clear();
   for (Body* body : order) {
     const bool fixed = body->kind == BodyKind::kSheet || body->settled;
@@ -171,7 +175,7 @@ void World::Impl::solve(const std::vector<Body*>& order, double dt) {
 }
 
 /// Twists still hold the velocities from before the step.
-void World::Impl::average_velocities(const std::vector<Body*>& order) {
+void World::Impl::average_velocities() {
   for (Body* body : order) {
     body->mean_twist = body->twist;
     if (!body->is_free()) continue;
@@ -181,7 +185,7 @@ void World::Impl::average_velocities(const std::vector<Body*>& order) {
 }
 
 /// New velocities from the solver, then Eqs. 9 and 10.
-void World::Impl::advance(const std::vector<Body*>& order, double dt) {
+void World::Impl::advance(double dt) {
   for (Body* body : order) {
     if (body->kind == BodyKind::kStructure) {
       body->pose = body->next_pose;
@@ -245,6 +249,7 @@ BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose
 
 void World::remove(BodyId id) {
   impl_->neighbours_known = false;
+  impl_->order.clear();
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
   impl_->by_index[id.index] = nullptr;
   impl_->bodies.erase(std::ranges::lower_bound(impl_->bodies, id, {}, [](const auto& body) { return body->id; }));
@@ -275,13 +280,13 @@ void World::apply(BodyId id, const Wrench& wrench) {
 
 void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
-  const std::vector<Body*> order = impl_->canonical_order();
-  impl_->predict(order, dt);
+  impl_->bring_into_order();
+  impl_->predict(dt);
   impl_->find_contacts();
-  impl_->solve(order, dt);
-  impl_->average_velocities(order);
+  impl_->solve(dt);
+  impl_->average_velocities();
   impl_->contacts.report(impl_->solver, dt, impl_->loads);
-  impl_->advance(order, dt);
+  impl_->advance(dt);
 }
 
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
