@@ -47,13 +47,13 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     losses_.drag -= drag;
     losses_.skin_friction -= skin_friction;
     received_[body] += drag + skin_friction;
-    if (floe.id >= first_newborn) birth_ += floes.energy(world, body) - received_[body];
+    if (floe.id >= first_newborn) birth_ += floes.energy(world, body, floe) - received_[body];
   }
 }
 
 void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {
   received_.erase(body);
-  removed_ += floes.energy(world, body);
+  removed_ += floes.energy(world, body, floes.floes().at(body));
 }
 
 void EnergyLedger::report(const World& world, const FloePopulation& floes, io::LoadRow& row) const {

@@ -260,8 +260,7 @@ double FloePopulation::potential_energy(const rigid_body::World& world) const {
   return sum;
 }
 
-double FloePopulation::energy(const rigid_body::World& world, BodyId body) const {
-  const Floe& floe = floes_.at(body);
+double FloePopulation::energy(const rigid_body::World& world, BodyId body, const Floe& floe) const {
   return world.kinetic_energy(body) + raised(world, body, floe);
 }
 

@@ -92,8 +92,8 @@ class FloePopulation {
 
   /// Potential energy of weight and buoyancy against floating at rest [J].
   double potential_energy(const rigid_body::World& world) const;
-  /// Kinetic and potential energy of one floe [J].
-  double energy(const rigid_body::World& world, BodyId body) const;
+  /// Kinetic and potential energy of `floe`, whose body is `body` [J].
+  double energy(const rigid_body::World& world, BodyId body, const Floe& floe) const;
 
   /// How far around a floe other ice matters to the water on it [m].
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }

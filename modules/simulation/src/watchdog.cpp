@@ -33,11 +33,12 @@ Watchdog::Watchdog(const io::Case& resolved)
 void Watchdog::begin(const Watched& start) {
   before_ = start.row.losses;
   booked_error_ = start.row.energy_error;
-  for (const auto& [body, floe] : start.floes.floes()) explained_[body] = start.floes.energy(start.world, body);
+  for (const auto& [body, floe] : start.floes.floes()) explained_[body] = start.floes.energy(start.world, body, floe);
 }
 
 void Watchdog::look(const Watched& now) {
-  std::erase_if(explained_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
+  if (explained_.size() > now.floes.floes().size())
+    std::erase_if(explained_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
   for (const auto& [body, floe] : now.floes.floes()) {
     look_at_place(floe, now.world.pose(body).position, now.row.time);
     look_at_energy(now, body, floe);
@@ -62,7 +63,7 @@ void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
 
 /// No floe has more energy than contacts, water and its height gave it.
 void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe) {
-  const double energy = now.floes.energy(now.world, body);
+  const double energy = now.floes.energy(now.world, body, floe);
   const double received = now.energy.received().at(body);
   double& explained = explained_[body];  // nothing of a floe that is new
   explained += received;
