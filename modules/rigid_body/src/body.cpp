@@ -21,9 +21,6 @@ void Body::make_bullet_body() {
   const btRigidBody::btRigidBodyConstructionInfo info(mass.mass, nullptr, nullptr, to_bullet(mass.inertia));
   bullet = std::make_unique<btRigidBody>(info);
   bullet->setFlags(0);  // the gyroscopic term is added before the solve, so that friction sees it too
-  if (kind == BodyKind::kStructure)
-    bullet->setCollisionFlags(bullet->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
-  update_bullet();
 }
 
 void Body::set_settled(bool value) {
@@ -31,8 +28,7 @@ void Body::set_settled(bool value) {
   twist = {};
   mean_twist = {};
   load = {};
-  bullet->setMassProps(settled ? 0.0 : mass.mass, settled ? btVector3(0, 0, 0) : to_bullet(mass.inertia));
-  update_bullet();
+  update_bullet();  // the step that lets it go has made its velocities already
 }
 
 void Body::place_parts() {

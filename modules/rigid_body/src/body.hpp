@@ -44,7 +44,7 @@ struct Body {
   std::uint32_t in_solver = 0;    ///< number there, in this step
   std::vector<const Part*> near;  ///< of a moving floe: parts of other bodies within the world's reach
   std::vector<std::unique_ptr<Part>> parts;
-  std::unique_ptr<btRigidBody> bullet;
+  std::unique_ptr<btRigidBody> bullet;  ///< of a floe: its inertia, and its velocities on the way through a step
 
   bool is_floe() const { return kind == BodyKind::kFloe; }
   /// Whether the step moves it.
@@ -52,7 +52,7 @@ struct Body {
   /// Adds a collision part, unless it is too thin for the margin.
   bool add_part(ConvexPart solid, double margin);
   void make_bullet_body();
-  /// A settled floe has no inertia of its own, as the sheet has none.
+  /// Either way it is at rest.
   void set_settled(bool value);
   /// Brings the parts to the present pose.
   void place_parts();

@@ -22,7 +22,7 @@ struct SolverBody {
 
 /// Where two bodies touch along one normal.
 struct SolverContact {
-  std::uint32_t first = 0;        ///< in the order of BoundedSolver::add
+  std::uint32_t first = 0;        ///< number that BoundedSolver::add gave it
   std::uint32_t second = 0;       ///< likewise
   Vec3 normal{};                  ///< unit, from the second body into the first
   double friction = 0.0;          ///< [-]

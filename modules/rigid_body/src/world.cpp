@@ -71,7 +71,7 @@ BodyId World::Impl::insert(std::unique_ptr<Body> body) {
   const BodyId id{static_cast<std::uint32_t>(by_index.size()), 0};
   body->id = id;
   body->next_pose = body->pose;
-  body->make_bullet_body();
+  if (body->is_floe()) body->make_bullet_body();
   for (const auto& part : body->parts) broad_phase.add(*part);
   by_index.push_back(body.get());
   bodies.push_back(std::move(body));
@@ -142,10 +142,9 @@ void World::Impl::find_neighbours(double reach) {
 /// Velocities with the applied loads and the gyroscopic moment, before contacts.
 void World::Impl::predict(double dt) {
   for (Body* body : order) {
-    if (body->kind == BodyKind::kSheet || body->settled) continue;
     if (body->kind == BodyKind::kStructure && !body->moved) body->twist = {};
+    if (!body->is_free()) continue;
     body->update_bullet();
-    if (!body->is_floe()) continue;
     btRigidBody& b = *body->bullet;
     b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
     b.clearForces();
