@@ -37,6 +37,7 @@ struct World::Impl {
   WorldSettings settings;
   std::vector<std::unique_ptr<Body>> bodies;  ///< in the order of their ids
   std::vector<Body*> by_index;                ///< of every body there has been; null where it is gone
+  std::vector<BodyId> moving;                 ///< floes that are not settled, sorted
   std::vector<Body*> order;                   ///< that of the last step; empty when bodies came or went since
   bool neighbours_known = false;              ///< of the bodies' present places
   BroadPhase broad_phase;
@@ -51,6 +52,7 @@ struct World::Impl {
   BodyId insert(std::unique_ptr<Body> body);
   void bring_into_order();
   void find_neighbours(double reach);
+  void note_whether_it_moves(const Body& body);
   void place(Body& body);
   void predict(double dt);
   void find_contacts();
@@ -75,7 +77,15 @@ BodyId World::Impl::insert(std::unique_ptr<Body> body) {
   for (const auto& part : body->parts) broad_phase.add(*part);
   by_index.push_back(body.get());
   bodies.push_back(std::move(body));
+  note_whether_it_moves(*bodies.back());
   return id;
+}
+
+void World::Impl::note_whether_it_moves(const Body& body) {
+  const auto place = std::ranges::lower_bound(moving, body.id);
+  const bool known = place != moving.end() && *place == body.id;
+  if (known && !body.is_free()) moving.erase(place);
+  if (!known && body.is_free()) moving.insert(place, body.id);
 }
 
 /// All bodies in an order that depends on their states only; ranks are set. Few change places from step to step, so
@@ -103,6 +113,7 @@ void World::Impl::set_settled(Body& body, bool settled) {
   for (const auto& part : body.parts) broad_phase.remove(*part);
   body.set_settled(settled);
   for (const auto& part : body.parts) broad_phase.add(*part);
+  note_whether_it_moves(body);
 }
 
 /// Each moving floe's parts of other bodies within reach, in the order of their boxes and so by state alone. The parts
@@ -250,6 +261,8 @@ void World::remove(BodyId id) {
   impl_->neighbours_known = false;
   impl_->order.clear();
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
+  if (const auto place = std::ranges::lower_bound(impl_->moving, id); place != impl_->moving.end() && *place == id)
+    impl_->moving.erase(place);
   impl_->by_index[id.index] = nullptr;
   impl_->bodies.erase(std::ranges::lower_bound(impl_->bodies, id, {}, [](const auto& body) { return body->id; }));
 }
@@ -261,6 +274,7 @@ void World::set_settled(BodyId id, bool settled) {
 }
 
 bool World::is_settled(BodyId id) const { return impl_->get(id).settled; }
+const std::vector<BodyId>& World::moving() const { return impl_->moving; }
 
 void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);
@@ -335,8 +349,7 @@ void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
 
 double World::kinetic_energy() const {
   double sum = 0.0;
-  for (const auto& body : impl_->bodies)
-    if (body->is_floe()) sum += body->kinetic_energy();
+  for (const BodyId id : impl_->moving) sum += kinetic_energy(id);
   return sum;
 }
 

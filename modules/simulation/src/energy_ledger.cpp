@@ -40,7 +40,8 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     received_[contact.body] += dt * dot(force, contact.body_velocity);
     if (contact.other_kind == BodyKind::kFloe) received_[contact.other] -= dt * dot(force, contact.other_velocity);
   }
-  for (const auto& [body, floe] : floes.floes()) {
+  for (const BodyId body : world.moving()) {
+    const Floe& floe = floes.at(body);
     const Twist twist = world.mean_twist(body);
     const double drag = dt * power(floe.drag, twist);
     const double skin_friction = dt * power(floe.skin_friction, twist);
@@ -53,7 +54,7 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
 
 void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {
   received_.erase(body);
-  removed_ += floes.energy(world, body, floes.floes().at(body));
+  removed_ += floes.energy(world, body, floes.at(body));
 }
 
 void EnergyLedger::report(const World& world, const FloePopulation& floes, io::LoadRow& row) const {

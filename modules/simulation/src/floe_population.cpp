@@ -106,8 +106,16 @@ std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, cons
   io::FloeRecord record{
       .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
   const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
-  floes_.emplace(body, std::move(floe));
+  insert(body, std::move(floe));
   return record;
+}
+
+void FloePopulation::insert(BodyId body, Floe floe) {
+  Floe& kept = floes_.emplace(body, std::move(floe)).first->second;
+  if (by_body_.size() <= body.index) by_body_.resize(body.index + 1, nullptr);
+  by_body_[body.index] = &kept;
+  area_ += kept.area;
+  weight_ += kept.weight;
 }
 
 void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state) {
@@ -123,8 +131,9 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   if (floe.rest.settled != 0) {
     floe.settled_height = raised(world, body, floe);
     world.set_settled(body, true);
+    pushed_.push_back(body);  // after the last look, perhaps
   }
-  floes_.emplace(body, std::move(floe));
+  insert(body, std::move(floe));
 }
 
 void FloePopulation::restore_push(std::int64_t id, std::int64_t other, Vec3 force) {
@@ -137,8 +146,8 @@ void FloePopulation::restore_push(std::int64_t id, std::int64_t other, Vec3 forc
 }
 
 void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
-  for (auto& [body, floe] : floes_) {
-    if (world.is_settled(body)) continue;
+  for (const BodyId body : world.moving()) {
+    Floe& floe = at(body);
     if (water_.shading_gap > 0.0) world.neighbours(body, reach(), neighbours_);
     const hydrodynamics::StepInertia step{
         .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
@@ -175,8 +184,8 @@ void FloePopulation::average_contacts(const rigid_body::World& world, double dt)
       add_dipole(dipoles[contact->other], contact->point - world.pose(contact->other).position, -force);
     if (contact->other_kind == rigid_body::BodyKind::kSheet) add_contact(bearings[contact->body], *contact);
   }
-  for (auto& [body, floe] : floes_) {
-    if (world.is_settled(body)) continue;
+  for (const BodyId body : world.moving()) {
+    Floe& floe = at(body);
     const double volume = floe.area.square_metres() * case_->ice.thickness;
     const double share = 1.0 - std::exp(-dt / floe.collision_time);
     const std::array<double, 6>& dipole = dipoles[body];
@@ -207,20 +216,33 @@ void FloePopulation::let_go(rigid_body::World& world, BodyId body, Floe& floe) c
   world.set_settled(body, false);
 }
 
+void FloePopulation::push(BodyId body, Vec3 change) {
+  at(body).rest.push += change;
+  pushed_.push_back(body);
+}
+
+void FloePopulation::let_go_pushed(rigid_body::World& world) {
+  for (const BodyId body : pushed_) {
+    Floe* const floe = by_body_[body.index];
+    if (floe == nullptr || !world.is_settled(body)) continue;
+    if (norm(floe->rest.push) > slow_push(floe->inertia.mass)) let_go(world, body, *floe);
+  }
+  pushed_.clear();
+}
+
 double FloePopulation::settle(rigid_body::World& world, double astern) {
   if (case_->time.settle_speed == 0.0) return 0.0;
   const double dt = case_->time.step;
   const double cube = case_->ice.density * std::pow(case_->ice.thickness, 3);
   pushes_.average(world, 1.0 - std::exp(-dt / kSettleTime), kNoPush * slow_push(cube),
-                  [&](BodyId body, Vec3 change) { floes_.at(body).rest.push += change; });
+                  [&](BodyId body, Vec3 change) { push(body, change); });
+  const std::vector<BodyId> moving = world.moving();
+  let_go_pushed(world);
   double taken = 0.0;
-  for (auto& [body, floe] : floes_) {
+  for (const BodyId body : moving) {
+    Floe& floe = at(body);
     io::Rest& rest = floe.rest;
-    if (!world.is_settled(body)) rest.settled = 0;  // it may have been run into
-    if (rest.settled != 0) {
-      if (norm(rest.push) > slow_push(floe.inertia.mass)) let_go(world, body, floe);
-      continue;
-    }
+    rest.settled = 0;  // it may have been run into
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
     if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;
@@ -234,17 +256,23 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
   return taken;
 }
 
-std::vector<BodyId> FloePopulation::overstressed(double strength) const {
+std::vector<BodyId> FloePopulation::overstressed(const rigid_body::World& world, double strength) const {
   std::vector<BodyId> bodies;
-  for (const auto& [body, floe] : floes_)
+  for (const BodyId body : world.moving()) {
+    const Floe& floe = at(body);
     if (floe.peak_compression > strength && largest_compression(floe.stress) > strength) bodies.push_back(body);
+  }
   return bodies;
 }
 
 Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
   auto node = floes_.extract(body);
   BRASH_EXPECTS(!node.empty(), body.index, body.generation);
-  pushes_.forget(body, [&](BodyId other, Vec3 change) { floes_.at(other).rest.push += change; });
+  by_body_[body.index] = nullptr;
+  area_ -= node.mapped().area;
+  weight_ = 0.0;  // added up anew, or rounding would stay behind
+  for (const auto& [other, floe] : floes_) weight_ += floe.weight;
+  pushes_.forget(body, [&](BodyId other, Vec3 change) { push(other, change); });
   world.remove(body);
   return std::move(node.mapped());
 }

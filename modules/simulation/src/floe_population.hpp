@@ -85,8 +85,8 @@ class FloePopulation {
   /// @return the kinetic energy that this took [J].
   double settle(rigid_body::World& world, double astern);
 
-  /// Floes whose mean compressive stress exceeds `strength` [Pa], sorted by body.
-  std::vector<BodyId> overstressed(double strength) const;
+  /// Moving floes whose mean compressive stress exceeds `strength` [Pa], sorted by body.
+  std::vector<BodyId> overstressed(const rigid_body::World& world, double strength) const;
 
   Floe remove(rigid_body::World& world, BodyId body);
 
@@ -98,6 +98,10 @@ class FloePopulation {
   /// How far around a floe other ice matters to the water on it [m].
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
   const std::map<BodyId, Floe>& floes() const { return floes_; }
+  const Floe& at(BodyId body) const { return *by_body_[body.index]; }
+  /// Of all floes together.
+  const geometry::ExactArea& area() const { return area_; }
+  double weight() const { return weight_; }  ///< [N]
   const MeanPushes& pushes() const { return pushes_; }
   std::int64_t next_id() const { return next_id_; }
   void set_next_id(std::int64_t id) { next_id_ = id; }
@@ -111,6 +115,12 @@ class FloePopulation {
   /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
   double slow_push(double mass) const;
   void let_go(rigid_body::World& world, BodyId body, Floe& floe) const;
+  /// Changes the mean force on a floe since it was settled [N].
+  void push(BodyId body, Vec3 change);
+  /// Of the settled floes on which the push has changed, those that it may move.
+  void let_go_pushed(rigid_body::World& world);
+  Floe& at(BodyId body) { return *by_body_[body.index]; }
+  void insert(BodyId body, Floe floe);
   /// Potential energy against floating at rest [J].
   double raised(const rigid_body::World& world, BodyId body, const Floe& floe) const;
 
@@ -119,7 +129,11 @@ class FloePopulation {
   std::optional<hydrodynamics::StructureFlow> flow_;
   std::vector<Solid> neighbours_;  ///< scratch of apply_water
   std::map<BodyId, Floe> floes_;
-  MeanPushes pushes_;  ///< where floes settle
+  std::vector<Floe*> by_body_;  ///< by the index of the body
+  geometry::ExactArea area_;    ///< of all
+  double weight_ = 0.0;         ///< of all [N]
+  MeanPushes pushes_;           ///< where floes settle
+  std::vector<BodyId> pushed_;  ///< floes whose push has changed since it was looked at
   std::int64_t next_id_ = 0;
 };
 

@@ -147,7 +147,8 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, Step
 std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report) const {
   std::vector<EdgeContact> contacts;
   if (!resolved.failure.under_floes) return contacts;
-  for (const auto& [body, floe] : floes.floes()) {
+  for (const BodyId body : world.moving()) {
+    const Floe& floe = floes.at(body);
     auto contact = bearing_contact(edge_model(), field.sheet(), floe.id, floe.bearing);
     if (!contact) continue;
     count_range(contact->assessment, report);
@@ -228,7 +229,7 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
 void Simulation::Impl::remove_crushed_floes(StepReport& report) {
   floes.average_contacts(world, resolved.time.step);
   if (!resolved.contact.delete_crushed) return;
-  for (const BodyId body : floes.overstressed(resolved.ice.compressive_strength)) {
+  for (const BodyId body : floes.overstressed(world, resolved.ice.compressive_strength)) {
     energy.remove(world, floes, body);
     const Floe floe = floes.remove(world, body);
     field.floe_to_deleted(floe.area);
@@ -273,8 +274,7 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& rep
 /// The sheet's collision shapes wherever a floe could meet them, or be in the lee of them, in this step.
 void Simulation::Impl::lay_sheet_near_floes() {
   const Vec2 reach{floes.reach(), floes.reach()};
-  for (const auto& [body, floe] : floes.floes()) {
-    if (world.is_settled(body)) continue;
+  for (const BodyId body : world.moving()) {
     const auto [lower, upper] = world.bounds(body);
     tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
   }

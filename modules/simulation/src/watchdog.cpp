@@ -39,7 +39,8 @@ void Watchdog::begin(const Watched& start) {
 void Watchdog::look(const Watched& now) {
   if (explained_.size() > now.floes.floes().size())
     std::erase_if(explained_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
-  for (const auto& [body, floe] : now.floes.floes()) {
+  for (const BodyId body : now.world.moving()) {
+    const Floe& floe = now.floes.at(body);
     look_at_place(floe, now.world.pose(body).position, now.row.time);
     look_at_energy(now, body, floe);
   }
@@ -67,17 +68,11 @@ void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe)
   const double received = now.energy.received().at(body);
   double& explained = explained_[body];  // nothing of a floe that is new
   explained += received;
-  if (energy - explained <= allowance(floe)) return;
+  if (energy - explained <= allowance(floe.weight)) return;
   throw RunError(
       fmt::format("floe {} of {:.4g} kg has an energy of {:.6g} J, of which its work explains {:.6g} J and "
                   "the time step {:.3g} J",
-                  floe.id, floe.inertia.mass, energy, explained, allowance(floe)));
-}
-
-double Watchdog::allowance(const FloePopulation& floes) const {
-  double sum = 0.0;
-  for (const auto& [body, floe] : floes.floes()) sum += allowance(floe);
-  return sum;
+                  floe.id, floe.inertia.mass, energy, explained, allowance(floe.weight)));
 }
 
 /// Sum of the contacts' normal impulses of the last step [N s].
@@ -94,7 +89,8 @@ void Watchdog::look_at_losses(const Watched& now) const {
   const io::EnergyLosses& l = row.losses;
   const double rounding = kRounding * (1.0 + row.kinetic_energy);
   const double contacts = contact_loss(l) - contact_loss(before_);
-  const double given = case_->contact.restitution > 0.0 ? allowance(now.floes) : rounding + kLeft * impulses(now.world);
+  const double given =
+      case_->contact.restitution > 0.0 ? allowance(now.floes.weight()) : rounding + kLeft * impulses(now.world);
   if (!(contacts >= -given)) throw RunError(fmt::format("contacts gave the floes {:.6g} J in this step", -contacts));
   const double water = l.drag + l.skin_friction - before_.drag - before_.skin_friction;
   const bool still = case_->water.current == Vec2{} && !case_->hydrodynamics.structure_flow;
@@ -103,14 +99,13 @@ void Watchdog::look_at_losses(const Watched& now) const {
 
 /// Both ledgers close: of area to the last unit, of energy to what the time step leaves open.
 void Watchdog::look_at_balance(const Watched& now) const {
-  geometry::ExactArea floes;
-  for (const auto& [body, floe] : now.floes.floes()) floes += floe.area;
   if (!now.area.closes())
     throw RunError("the ledger does not close: " + now.area.missing().to_string() + " m2 are missing");
-  if (floes != now.area.floes)
-    throw RunError("the ledger does not fit the floes: they lack " + (now.area.floes - floes).to_string() + " m2");
+  if (now.floes.area() != now.area.floes)
+    throw RunError("the ledger does not fit the floes: they lack " + (now.area.floes - now.floes.area()).to_string() +
+                   " m2");
   const double error = now.row.energy_error - booked_error_;
-  const double allowed = allowance(now.floes);
+  const double allowed = allowance(now.floes.weight());
   if (!(std::abs(error) <= allowed))
     throw RunError(
         fmt::format("the energies do not close: {:.6g} J of {:.6g} J of work are missing, the time step "

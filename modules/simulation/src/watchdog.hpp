@@ -33,10 +33,10 @@ class Watchdog {
   void look(const Watched& now);
 
  private:
-  /// What the integration in time may leave open of a floe's energy [J]: dt F (u' - u) / 2 of what is constant in F
-  /// adds up to no more than half its weight along one step's travel (docs/theory/dynamics.md, Energy).
-  double allowance(const Floe& floe) const { return 0.5 * floe.weight * travel_; }
-  double allowance(const FloePopulation& floes) const;
+  /// What the integration in time may leave open of the energy of floes of this weight [N], in J: dt F (u' - u) / 2 of
+  /// what is constant in F adds up to no more than half the weight along one step's travel (docs/theory/dynamics.md,
+  /// Energy).
+  double allowance(double weight) const { return 0.5 * weight * travel_; }
   double impulses(const rigid_body::World& world) const;
 
   void look_at_place(const Floe& floe, Vec3 place, double time) const;

@@ -67,6 +67,29 @@ BOOST_AUTO_TEST_CASE(A_settled_floe_is_to_the_others_what_the_sheet_is_until_it_
   BOOST_TEST(settled.twist(rests).linear.x == 0.01, boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(The_floes_that_move_are_those_not_settled_in_the_order_of_their_ids) {
+  WorldSettings settings = breakable();
+  settings.release_speed = 0.1;
+  World world(settings);
+  const BodyId first = add_floe(world, rectangle({-1, -1}, {1, 1}), 0.5);
+  world.add_sheet_part(rectangle({-9, -9}, {-8, -8}), -0.25, 0.25);
+  const BodyId second = add_floe(world, rectangle({5, -1}, {7, 1}), 0.5);
+  const BodyId third = add_floe(world, rectangle({1.001, -1}, {3, 1}), 0.5, {{-0.5, 0, 0}, {}});
+  const auto moving = [&](std::vector<BodyId> ids) { return world.moving() == ids; };
+  BOOST_TEST(moving({first, second, third}));
+  world.set_settled(first, true);
+  BOOST_TEST(moving({second, third}));
+  world.set_settled(second, true);
+  world.set_settled(second, true);
+  BOOST_TEST(moving({third}));
+  world.step(0.01);  // the third comes to overlap the first
+  world.step(0.01);  // and runs into it
+  BOOST_TEST(moving({first, third}));
+  world.remove(third);
+  world.remove(second);
+  BOOST_TEST(moving({first}));
+}
+
 BOOST_AUTO_TEST_CASE(Floes_born_with_a_common_edge_stay_where_they_are) {
   // Wedges of a fan, turned each into its own principal axes, and the sheet behind them, as a crack leaves them.
   World world(breakable());

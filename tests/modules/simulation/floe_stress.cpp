@@ -35,8 +35,8 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
   // Half a second is ten collision times (47 ms); of the depth's growth the average sees the last tenth late.
   BOOST_TEST(pool.floes.floes().at(floe).peak_compression == bound * (1.0 - depth / 2.0),
              boost::test_tools::tolerance(2e-3));
-  BOOST_TEST(pool.floes.overstressed(1.0e6).empty());
-  BOOST_TEST(pool.floes.overstressed(0.98 * bound).size() == 1u);
+  BOOST_TEST(pool.floes.overstressed(pool.world, 1.0e6).empty());
+  BOOST_TEST(pool.floes.overstressed(pool.world, 0.98 * bound).size() == 1u);
 }
 
 }  // namespace

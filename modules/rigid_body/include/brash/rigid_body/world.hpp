@@ -118,6 +118,8 @@ class World {
   /// WorldSettings::release_speed ends it too.
   void set_settled(BodyId id, bool settled);
   bool is_settled(BodyId id) const;
+  /// The floes that are not settled, sorted; holds until the world changes.
+  const std::vector<BodyId>& moving() const;
 
   /// Sets where the structure is at the end of the next step and its velocity during it (of its frame's origin, and
   /// angular). Without a call it stands still.
