@@ -336,7 +336,8 @@ def recording():
             run_seconds(folder, "time.duration=20")
             seconds = json.loads((pathlib.Path(folder) / "run/manifest.json").read_text())["volatile"]["stage_seconds"]
             shares.append(seconds["recording"] / sum(seconds.values()))
-    return [line("frames, checkpoints and results written, share of the wall time of 20 s of the validation case", shares, "<= 0.02")]
+    return [line("frames, checkpoints and results written, share of the wall time of 20 s of the validation case", shares,
+                 "<= 0.02")]
 
 
 def build():
@@ -361,8 +362,10 @@ TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "channel": 
 
 NOT_MEASURED = """- Siconos and Yade on the pack of 174 floes that ODE steps above: judged by single steps, they take a minute and
   more for each simulated second of it;
-- what two workers lose: two runs started by hand, without a campaign, side by side take 1.1 times the processor time of one alone on
-  this machine, whose two cores are virtual (medians 3.15 and 2.88 s; the program of before, at 4.9 s, lost nothing that noise would not hide);
+- why floes of large packs cost more: profiles put half of the difference on the solver's iterations, which go 50 times through
+  416 bytes for each contact point and, beyond some 300 floes, find them no longer in a core's own 2 MB of cache; the rest lies in
+  what all the other passes fetch from memory. From 1000 to 10 000 floes the time of a step grows by 13 to 14 times. Keeping less
+  for each point and making it anew would, by an estimate, cost small packs more than it saves large ones;
 - the build from clean to tested, once by hand: `CCACHE_DISABLE=1 ./dev test` in a fresh clone took 14 min 17 s on 2 idle cores
   of 2.1 GHz (27 min of processor time; limit 15 min), the last 3 min 18 s of it for 115 tests."""
 
