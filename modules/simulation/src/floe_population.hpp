@@ -98,6 +98,7 @@ class FloePopulation {
   /// How far around a floe other ice matters to the water on it [m].
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
   const std::map<BodyId, Floe>& floes() const { return floes_; }
+  /// The floe whose body is `body`, one that is there.
   const Floe& at(BodyId body) const { return *by_body_[body.index]; }
   /// Of all floes together.
   const geometry::ExactArea& area() const { return area_; }

@@ -118,7 +118,7 @@ class World {
   /// WorldSettings::release_speed ends it too.
   void set_settled(BodyId id, bool settled);
   bool is_settled(BodyId id) const;
-  /// The floes that are not settled, sorted; holds until the world changes.
+  /// The floes that are not settled, sorted; holds until one comes, goes, settles or is let go.
   const std::vector<BodyId>& moving() const;
 
   /// Sets where the structure is at the end of the next step and its velocity during it (of its frame's origin, and
