@@ -19,7 +19,7 @@ Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
 /// Two directions normal to `normal` and to each other, the first that of `slip` [m/s] where there is any.
 std::array<Vec3, 2> tangents(Vec3 normal, Vec3 slip) {
   const double speed = norm(slip);
-  if (!(speed > kNoSlip)) {
+  if (!(speed > kNoSlip)) {  // any two would do; these, and not plane_axes(), are those of the recorded results
     btVector3 first, second;
     btPlaneSpace1(to_bullet(normal), first, second);
     return {from_bullet(first), from_bullet(second)};

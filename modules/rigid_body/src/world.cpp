@@ -52,7 +52,7 @@ struct World::Impl {
   BodyId insert(std::unique_ptr<Body> body);
   void bring_into_order();
   void find_neighbours(double reach);
-  void note_whether_it_moves(const Body& body);
+  void list_as_moving(BodyId id, bool moves);
   void place(Body& body);
   void predict(double dt);
   void find_contacts();
@@ -77,15 +77,15 @@ BodyId World::Impl::insert(std::unique_ptr<Body> body) {
   for (const auto& part : body->parts) broad_phase.add(*part);
   by_index.push_back(body.get());
   bodies.push_back(std::move(body));
-  note_whether_it_moves(*bodies.back());
+  list_as_moving(id, bodies.back()->is_free());
   return id;
 }
 
-void World::Impl::note_whether_it_moves(const Body& body) {
-  const auto place = std::ranges::lower_bound(moving, body.id);
-  const bool known = place != moving.end() && *place == body.id;
-  if (known && !body.is_free()) moving.erase(place);
-  if (!known && body.is_free()) moving.insert(place, body.id);
+void World::Impl::list_as_moving(BodyId id, bool moves) {
+  const auto place = std::ranges::lower_bound(moving, id);
+  const bool listed = place != moving.end() && *place == id;
+  if (listed && !moves) moving.erase(place);
+  if (!listed && moves) moving.insert(place, id);
 }
 
 /// All bodies in an order that depends on their states only; ranks are set. Few change places from step to step, so
@@ -113,7 +113,7 @@ void World::Impl::set_settled(Body& body, bool settled) {
   for (const auto& part : body.parts) broad_phase.remove(*part);
   body.set_settled(settled);
   for (const auto& part : body.parts) broad_phase.add(*part);
-  note_whether_it_moves(body);
+  list_as_moving(body.id, body.is_free());
 }
 
 /// Each moving floe's parts of other bodies within reach, in the order of their boxes and so by state alone. The parts
@@ -261,8 +261,7 @@ void World::remove(BodyId id) {
   impl_->neighbours_known = false;
   impl_->order.clear();
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
-  if (const auto place = std::ranges::lower_bound(impl_->moving, id); place != impl_->moving.end() && *place == id)
-    impl_->moving.erase(place);
+  impl_->list_as_moving(id, false);
   impl_->by_index[id.index] = nullptr;
   impl_->bodies.erase(std::ranges::lower_bound(impl_->bodies, id, {}, [](const auto& body) { return body->id; }));
 }
