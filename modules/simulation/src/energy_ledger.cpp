@@ -32,7 +32,7 @@ void EnergyLedger::book_structure(double edge_force, double floe_force, double a
 }
 
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
-  for (auto& [body, sum] : received_) sum = 0.0;
+  for (const BodyId body : world.moving()) received_[body] = 0.0;
   for (const ContactLoad& contact : world.contacts()) {
     if (!bears(contact)) continue;
     book(losses_, contact, dt);

@@ -19,7 +19,7 @@ class EnergyLedger {
   void book_structure(double edge_force, double floe_force, double advance);
 
   /// Contacts and water in the world's last step, `dt` [s] long. Floes from id `first_newborn` on were born before it.
-  /// Afterwards received() is what the step gave each floe.
+  /// Afterwards received() is what the step gave each moving floe.
   void book_step(const rigid_body::World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt);
 
   /// The floe `body` is about to be deleted.
@@ -28,7 +28,7 @@ class EnergyLedger {
   /// Floes have lost `kinetic` [J] by being fixed where they are.
   void book_settled(double kinetic) { removed_ += kinetic; }
 
-  /// Work of contacts and drag on each floe in the last step [J]; weight and buoyancy are its potential energy.
+  /// Work of contacts and drag on each moving floe in the last step [J]; weight and buoyancy are its potential energy.
   const std::map<BodyId, double>& received() const { return received_; }
 
   /// Fills the energies of a row.

@@ -116,6 +116,7 @@ void FloePopulation::insert(BodyId body, Floe floe) {
   by_body_[body.index] = &kept;
   area_ += kept.area;
   weight_ += kept.weight;
+  if (kept.rest.settled != 0) add_up_settled();
 }
 
 void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state) {
@@ -211,9 +212,27 @@ double FloePopulation::slow_energy(const Floe& floe) const {
 
 double FloePopulation::slow_push(double mass) const { return mass * case_->time.settle_speed / kSettleTime; }
 
-void FloePopulation::let_go(rigid_body::World& world, BodyId body, Floe& floe) const {
-  floe.rest = {};
+void FloePopulation::let_go(rigid_body::World& world, BodyId body, Floe& floe) {
   world.set_settled(body, false);
+  woken(body, floe);
+}
+
+void FloePopulation::woken(BodyId body, Floe& floe) {
+  floe.rest = {};
+  pushes_.wake(body);
+  add_up_settled();
+}
+
+void FloePopulation::notice_let_go(const rigid_body::World& world) {
+  for (const BodyId body : world.moving())
+    if (Floe& floe = at(body); floe.rest.settled != 0) woken(body, floe);
+}
+
+/// In the order of the bodies, so that the sum does not depend on what came to rest when.
+void FloePopulation::add_up_settled() {
+  settled_height_ = 0.0;
+  for (const auto& [body, floe] : floes_)
+    if (floe.rest.settled != 0) settled_height_ += floe.settled_height;
 }
 
 void FloePopulation::push(BodyId body, Vec3 change) {
@@ -242,7 +261,6 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
   for (const BodyId body : moving) {
     Floe& floe = at(body);
     io::Rest& rest = floe.rest;
-    rest.settled = 0;  // it may have been run into
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
     if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;
@@ -251,6 +269,7 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
     floe.drag = floe.skin_friction = {};
     floe.settled_height = raised(world, body, floe);
     world.set_settled(body, true);
+    add_up_settled();
     taken += kinetic;
   }
   return taken;
@@ -272,6 +291,7 @@ Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
   area_ -= node.mapped().area;
   weight_ = 0.0;  // added up anew, or rounding would stay behind
   for (const auto& [other, floe] : floes_) weight_ += floe.weight;
+  add_up_settled();
   pushes_.forget(body, [&](BodyId other, Vec3 change) { push(other, change); });
   world.remove(body);
   return std::move(node.mapped());
@@ -283,8 +303,8 @@ double FloePopulation::raised(const rigid_body::World& world, BodyId body, const
 }
 
 double FloePopulation::potential_energy(const rigid_body::World& world) const {
-  double sum = 0.0;
-  for (const auto& [body, floe] : floes_) sum += raised(world, body, floe);
+  double sum = settled_height_;
+  for (const BodyId body : world.moving()) sum += raised(world, body, at(body));
   return sum;
 }
 

@@ -79,6 +79,9 @@ class FloePopulation {
   /// floes that it may have held.
   void sheet_broke(rigid_body::World& world, Vec2 at, double radius);
 
+  /// After a step of the world, which may have let settled floes go.
+  void notice_let_go(const rigid_body::World& world);
+
   /// Lets go the settled floes that others push on more, or less, than when they came to rest, and fixes those that
   /// have been slow for long; for time.settle_speed > 0. docs/theory/simulation.md, (S2).
   /// @param astern  only floes wholly below this x are fixed [m].
@@ -115,7 +118,10 @@ class FloePopulation {
   double slow_energy(const Floe& floe) const;
   /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
   double slow_push(double mass) const;
-  void let_go(rigid_body::World& world, BodyId body, Floe& floe) const;
+  void let_go(rigid_body::World& world, BodyId body, Floe& floe);
+  /// The floe is no longer settled.
+  void woken(BodyId body, Floe& floe);
+  void add_up_settled();
   /// Changes the mean force on a floe since it was settled [N].
   void push(BodyId body, Vec3 change);
   /// Of the settled floes on which the push has changed, those that it may move.
@@ -133,6 +139,7 @@ class FloePopulation {
   std::vector<Floe*> by_body_;  ///< by the index of the body
   geometry::ExactArea area_;    ///< of all
   double weight_ = 0.0;         ///< of all [N]
+  double settled_height_ = 0.0;  ///< potential energy of all that are settled, against floating at rest [J]
   MeanPushes pushes_;           ///< where floes settle
   std::vector<BodyId> pushed_;  ///< floes whose push has changed since it was looked at
   std::int64_t next_id_ = 0;

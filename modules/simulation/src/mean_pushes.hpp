@@ -12,7 +12,7 @@
 namespace brash::simulation {
 
 /// Mean forces between floes that touch, for what fixes floes and lets them go (docs/theory/simulation.md, (S2)).
-/// Nothing is known of a pair while both are settled: it keeps the mean that it had.
+/// Nothing is known of a pair while both are settled: it keeps the mean that it had, and costs a step nothing.
 class MeanPushes {
  public:
   using Pair = std::pair<BodyId, BodyId>;  ///< the lower id first
@@ -20,20 +20,25 @@ class MeanPushes {
   /// Tells by how much the mean push on a floe has changed [N].
   using Tell = std::function<void(BodyId floe, Vec3 change)>;
 
-  /// Takes in the contacts of the last step, and tells the changes for settled floes.
+  /// Takes in the contacts of the last step, and tells the changes for settled floes. Those that have been let go since
+  /// the last call are known to wake().
   /// @param share  weight of the step, dt over the time of averaging [-].
   /// @param least  a mean smaller than this is forgotten [N].
   void average(const rigid_body::World& world, double share, double least, const Tell& tell);
+
+  /// A settled floe has been let go.
+  void wake(BodyId floe);
 
   /// Takes a floe out, and tells the changes for those that it pushed.
   void forget(BodyId floe, const Tell& tell);
 
   /// The mean force of the second floe of each pair on the first [N].
-  const std::map<Pair, Vec3>& pairs() const { return pairs_; }
-  void restore(BodyId floe, BodyId other, Vec3 force) { pairs_[{floe, other}] = force; }
+  std::map<Pair, Vec3> pairs() const;
+  void restore(BodyId floe, BodyId other, Vec3 force) { moving_[{floe, other}] = force; }
 
  private:
-  std::map<Pair, Vec3> pairs_;
+  std::map<Pair, Vec3> moving_;  ///< pairs of which a floe moves, or did in the last step
+  std::map<Pair, Vec3> resting_;
 };
 
 }  // namespace brash::simulation

@@ -292,6 +292,7 @@ StepReport Simulation::Impl::step() {
   {
     const StageTimer::Scope clock(timer, times.world);
     world.step(resolved.time.step);  // contacts with bounded impulses: Eqs. 1 to 10, 16
+    floes.notice_let_go(world);
   }
   ++n_steps;
   collect_loads(first_newborn, report);  // impulse / dt, by cause; energies

@@ -33,6 +33,7 @@ struct Pool {
   io::LoadRow step(double dt) {
     floes.apply_water(world, dt, {});
     world.step(dt);
+    floes.notice_let_go(world);
     ledger.book_step(world, floes, floes.next_id(), dt);
     io::LoadRow row;
     ledger.report(world, floes, row);
