@@ -4,29 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bullet_types.hpp"
+#include "convex_part.hpp"
 
 namespace brash::rigid_body {
 namespace {
 
-/// Slower than this slip has no direction [m/s].
-constexpr double kNoSlip = 0x1p-26;
-
 Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
   return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)};
-}
-
-/// Two directions normal to `normal` and to each other, the first that of `slip` [m/s] where there is any.
-std::array<Vec3, 2> tangents(Vec3 normal, Vec3 slip) {
-  const double speed = norm(slip);
-  if (!(speed > kNoSlip)) {  // any two would do; these, and not plane_axes(), are those of the recorded results
-    btVector3 first, second;
-    btPlaneSpace1(to_bullet(normal), first, second);
-    return {from_bullet(first), from_bullet(second)};
-  }
-  const Vec3 first = (1.0 / speed) * slip;
-  const Vec3 second = cross(first, normal);
-  return {first, (1.0 / norm(second)) * second};
 }
 
 }  // namespace
@@ -38,6 +22,7 @@ void BoundedSolver::clear() {
   normals_.clear();
   normal_responses_.clear();
   tangentials_.clear();
+  contact_of_point_.clear();
   partings_.clear();
 }
 
@@ -48,6 +33,7 @@ std::uint32_t BoundedSolver::add(const SolverBody& body) {
 
 void BoundedSolver::add(const SolverContact& contact, std::span<const PatchPoint> points) {
   contacts_.push_back({.normal = contact.normal,
+                       .tangents = plane_axes(contact.normal),
                        .friction = contact.friction,
                        .first = contact.first,
                        .second = contact.second,
@@ -55,12 +41,13 @@ void BoundedSolver::add(const SolverContact& contact, std::span<const PatchPoint
   for (const PatchPoint& point : points) {
     Bearing& bearing = bearings_.emplace_back();
     if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
+    contact_of_point_.push_back(static_cast<std::uint32_t>(contacts_.size() - 1));
     add_point(contact, point.position);
   }
 }
 
-/// All of a row but its rhs. @return the relative velocity along it [m/s].
-double BoundedSolver::set_up(const Arms& arms, Vec3 direction, Row& row, Response& response) {
+/// The velocity is that of the bodies.
+void BoundedSolver::set_up(const Arms& arms, Vec3 direction, Row& row, Response& response) {
   const auto& [first, second, first_arm, second_arm] = arms;
   const Vec3 turn_a = cross(first_arm, direction);
   const Vec3 turn_b = cross(second_arm, -direction);
@@ -70,51 +57,67 @@ double BoundedSolver::set_up(const Arms& arms, Vec3 direction, Row& row, Respons
   const double mobility_b = second.inverse_mass + dot(direction, cross(-response_b, second_arm));
   row = {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
          .turn_b = {turn_b.x, turn_b.y, turn_b.z},
-         .inverse_jacobian = 1.0 / (mobility_a + mobility_b)};
+         .velocity = (dot(direction, first.twist.linear) + dot(turn_a, first.twist.angular)) +
+                     (dot(-direction, second.twist.linear) + dot(turn_b, second.twist.angular)),
+         .mass = 1.0 / (mobility_a + mobility_b)};
   response = {{response_a.x, response_a.y, response_a.z}, {response_b.x, response_b.y, response_b.z}};
-  return (dot(direction, first.twist.linear) + dot(turn_a, first.twist.angular)) +
-         (dot(-direction, second.twist.linear) + dot(turn_b, second.twist.angular));
+}
+
+BoundedSolver::Tangential BoundedSolver::friction_of(const Arms& arms, const std::array<Vec3, 2>& tangents) {
+  Tangential friction;
+  for (std::size_t k = 0; k < 2; ++k) set_up(arms, tangents[k], friction.rows[k], friction.responses[k]);
+  auto& [first, second] = friction.rows;
+  // Slip per impulse in the first direction, in the second, and in one per impulse in the other.
+  const double give_first = 1.0 / first.mass, give_second = 1.0 / second.mass;
+  double across = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    across += first.turn_a[i] * friction.responses[1].turn_a[i] + first.turn_b[i] * friction.responses[1].turn_b[i];
+  const double determinant = give_first * give_second - across * across;
+  first.mass = give_second / determinant;
+  second.mass = give_first / determinant;
+  friction.coupling = -across / determinant;
+  friction.most_slip = 0.5 * (give_first + give_second + std::hypot(give_first - give_second, 2.0 * across));
+  return friction;
 }
 
 void BoundedSolver::add_point(const SolverContact& contact, Vec3 position) {
   const SolverBody& first = bodies_[contact.first];
   const SolverBody& second = bodies_[contact.second];
   const Arms arms{first, second, position - first.position, position - second.position};
-  const Vec3 velocity = velocity_at(first.twist, arms.first_arm) - velocity_at(second.twist, arms.second_arm);
-  const double approach = dot(contact.normal, velocity);
 
   Row& normal = normals_.emplace_back();
   Response& response = normal_responses_.emplace_back();
-  const double speed = set_up(arms, contact.normal, normal, response);
-  normal.rhs = (std::max(0.0, -contact.restitution * approach) - speed) * normal.inverse_jacobian;
+  set_up(arms, contact.normal, normal, response);
   if (contact.parting_speed > 0.0) {
     Parting& parting = partings_.emplace_back(contact.normal, normal, response, 0.0, contact.first, contact.second);
-    parting.row.rhs = contact.parting_speed * normal.inverse_jacobian;
+    parting.row.velocity = -contact.parting_speed;
   }
+  normal.velocity -= std::max(0.0, -contact.restitution * normal.velocity);
+  tangentials_.push_back(friction_of(arms, contacts_.back().tangents));
+}
 
-  const auto directions = tangents(contact.normal, velocity - approach * contact.normal);
-  std::array<Tangential, 2>& rows = tangentials_.emplace_back();
-  for (std::size_t i = 0; i < 2; ++i) {
-    rows[i].direction = directions[i];
-    const double slip = set_up(arms, directions[i], rows[i].row, rows[i].response);
-    rows[i].row.rhs = -slip * rows[i].row.inverse_jacobian;
+BoundedSolver::Jacobian::Jacobian(Vec3 direction, const Row& row)
+    : a{Pair{direction.x, row.turn_a[0]}, Pair{direction.y, row.turn_a[1]}, Pair{direction.z, row.turn_a[2]}},
+      b{Pair{-direction.x, row.turn_b[0]}, Pair{-direction.y, row.turn_b[1]}, Pair{-direction.z, row.turn_b[2]}} {}
+
+double BoundedSolver::Jacobian::velocity(const Moved& first, const Moved& second) const {
+  const Spatial &u = first.velocity, &v = second.velocity;
+  const Pair sum = (a[0] * u[0] + a[1] * u[1] + a[2] * u[2]) + (b[0] * v[0] + b[1] * v[1] + b[2] * v[2]);
+  return sum[0] + sum[1];
+}
+
+void BoundedSolver::Jacobian::push(Moved& first, Moved& second, const Response& response, double impulse) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    first.velocity[k] += Pair{a[k][0] * first.inverse_mass, response.turn_a[k]} * impulse;
+    second.velocity[k] += Pair{b[k][0] * second.inverse_mass, response.turn_b[k]} * impulse;
   }
 }
 
 /// Changes a row's impulse within its limits. @return the change of relative velocity [m/s].
 double BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response,
                               Limits limits, double& impulse) {
-  const auto relative = [](const Spatial& jacobian, const Spatial& velocity) {
-    const Pair sum = jacobian[0] * velocity[0] + jacobian[1] * velocity[1] + jacobian[2] * velocity[2];
-    return sum[0] + sum[1];
-  };
-  const Spatial jacobian_a{Pair{direction.x, row.turn_a[0]}, Pair{direction.y, row.turn_a[1]},
-                           Pair{direction.z, row.turn_a[2]}};
-  const Spatial jacobian_b{Pair{-direction.x, row.turn_b[0]}, Pair{-direction.y, row.turn_b[1]},
-                           Pair{-direction.z, row.turn_b[2]}};
-  double change = row.rhs;
-  change -= relative(jacobian_a, a.velocity) * row.inverse_jacobian;
-  change -= relative(jacobian_b, b.velocity) * row.inverse_jacobian;
+  const Jacobian jacobian(direction, row);
+  double change = -row.mass * (row.velocity + jacobian.velocity(a, b));
   double wanted = impulse + change;
   if (wanted < limits.lower || wanted > limits.upper) {
     wanted = wanted < limits.lower ? limits.lower : limits.upper;
@@ -122,26 +125,35 @@ double BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row
   }
   if (change == 0.0) return 0.0;
   impulse = wanted;
-  const auto push = [&](Moved& body, const Spatial& jacobian, const Triple& turn) {
-    for (std::size_t k = 0; k < 3; ++k) body.velocity[k] += Pair{jacobian[k][0] * body.inverse_mass, turn[k]} * change;
-  };
-  push(a, jacobian_a, response.turn_a);
-  push(b, jacobian_b, response.turn_b);
-  return std::abs(change / row.inverse_jacobian);
+  jacobian.push(a, b, response, change);
+  return std::abs(change / row.mass);
 }
 
-/// Eq. 6 for both tangential rows of a point, as a disc.
-double BoundedSolver::resolve_friction(Moved& a, Moved& b, double friction, const std::array<Tangential, 2>& rows,
+/// Eq. 6 as a disc (docs/theory/dynamics.md, (C2)): the impulse that stops the slip where the disc holds it, else a
+/// step against the slip and back to the disc. @return no less than the change of relative velocity [m/s].
+double BoundedSolver::resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction,
                                        Bearing& bearing) {
   auto& [first, second] = bearing.tangential;
-  const double radius = friction * bearing.normal;
+  const double radius = contact.friction * bearing.normal;
   if (radius == 0.0 && first == 0.0 && second == 0.0) return 0.0;
-  const auto along = [&](const Tangential& t, double limit, double& impulse) {
-    return resolve(a, b, t.direction, t.row, t.response, {-limit, limit}, impulse);
-  };
-  const double change = along(rows[0], radius, first);
-  const double left = std::sqrt(std::max(0.0, (radius - first) * (radius + first)));
-  return std::max(change, along(rows[1], left, second));
+  const auto& [along_first, along_second] = friction.rows;
+  const Jacobian jacobian_first(contact.tangents[0], along_first);
+  const Jacobian jacobian_second(contact.tangents[1], along_second);
+  const Vec2 slip{along_first.velocity + jacobian_first.velocity(a, b),
+                  along_second.velocity + jacobian_second.velocity(a, b)};
+  const Vec2 before{first, second};
+  Vec2 wanted = before - Vec2{along_first.mass * slip.x + friction.coupling * slip.y,
+                              friction.coupling * slip.x + along_second.mass * slip.y};
+  if (dot(wanted, wanted) > radius * radius) {
+    const Vec2 towards = friction.most_slip * before - slip;
+    wanted = std::min(1.0 / friction.most_slip, radius / std::sqrt(dot(towards, towards))) * towards;
+  }
+  const Vec2 change = wanted - before;
+  first = wanted.x;
+  second = wanted.y;
+  jacobian_first.push(a, b, friction.responses[0], change.x);
+  jacobian_second.push(a, b, friction.responses[1], change.y);
+  return friction.most_slip * (std::abs(change.x) + std::abs(change.y));
 }
 
 /// The sweeps return the largest change of a relative velocity [m/s].
@@ -160,7 +172,7 @@ double BoundedSolver::sweep_tangentials() {
   std::size_t i = 0;
   for (const Contact& contact : contacts_)
     for (const std::size_t end = i + contact.n_points; i < end; ++i)
-      largest = std::max(largest, resolve_friction(moved_[contact.first], moved_[contact.second], contact.friction,
+      largest = std::max(largest, resolve_friction(moved_[contact.first], moved_[contact.second], contact,
                                                    tangentials_[i], bearings_[i]));
   return largest;
 }
@@ -203,9 +215,9 @@ Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].tw
 
 PointImpulse BoundedSolver::impulse(std::size_t point) const {
   const Bearing& bearing = bearings_[point];
-  const auto& rows = tangentials_[point];
+  const auto& [first, second] = contacts_[contact_of_point_[point]].tangents;
   return {.normal = bearing.normal,
-          .friction = bearing.tangential[0] * rows[0].direction + bearing.tangential[1] * rows[1].direction,
+          .friction = bearing.tangential[0] * first + bearing.tangential[1] * second,
           .at_bound = bearing.normal >= bearing.bound};
 }
 

@@ -41,9 +41,8 @@ struct PointImpulse {
 /// Sequential impulses (projected Gauss-Seidel) with an upper bound on each normal impulse (Eq. 16) and Coulomb's disc
 /// for friction.
 ///
-/// An iteration goes through the normal rows of all points, then through their tangential rows, in the order in which
-/// they were added. The first tangential direction of a point is that of slip; the second row gets what the first has
-/// left of the disc. There is no warm start: the result is a function of what was added.
+/// An iteration goes through the normal rows of all points, then through their friction, in the order in which they
+/// were added. There is no warm start: the result is a function of what was added.
 class BoundedSolver {
  public:
   /// A body that never moves, known from the start.
@@ -59,6 +58,8 @@ class BoundedSolver {
   /// @return by how much the last iteration changed one at most [m/s].
   double solve(int iterations, double still);
 
+  /// As it was added.
+  Twist twist_before(std::uint32_t body) const { return bodies_[body].twist; }
   Twist twist(std::uint32_t body) const;
   /// Velocity of the position alone, in this step, that takes overlaps back (split impulse).
   Twist parting(std::uint32_t body) const;
@@ -71,27 +72,31 @@ class BoundedSolver {
   using Spatial = std::array<Pair, 3>;
   using Triple = std::array<double, 3>;
 
-  /// One constraint, an impulse that makes a relative velocity vanish: what tells how far the impulse is from that. The
-  /// relative velocity is that of the first body along the row's direction less that of the second.
+  /// One constraint, an impulse that makes a relative velocity vanish. The relative velocity is that of the first body
+  /// along the row's direction less that of the second.
   struct Row {
-    Triple turn_a{};                ///< relative velocity per angular velocity of the first body [m]
-    Triple turn_b{};                ///< and of the second
-    double rhs = 0.0;               ///< impulse that would do so alone [N s]
-    double inverse_jacobian = 0.0;  ///< impulse per relative velocity [kg]
+    Triple turn_a{};        ///< relative velocity per angular velocity of the first body [m]
+    Triple turn_b{};        ///< and of the second
+    double velocity = 0.0;  ///< what is to vanish, before contacts [m/s]
+    double mass = 0.0;      ///< impulse per relative velocity [kg]
   };
   /// What a change of the row's impulse does, besides what direction and inverse masses tell.
   struct Response {
     Triple turn_a{};  ///< change of the first body's angular velocity per impulse
     Triple turn_b{};  ///< and of the second's
   };
+  /// The two rows of a point's friction, whose masses are the diagonal of the matrix [kg] that tells the impulse from
+  /// the slip.
   struct Tangential {
-    Vec3 direction{};
-    Row row;
-    Response response;
+    std::array<Row, 2> rows;
+    std::array<Response, 2> responses;
+    double coupling = 0.0;   ///< off the diagonal [kg]
+    double most_slip = 0.0;  ///< per impulse, in the direction in which the bodies give way most [1/kg]
   };
   /// The points of one contact follow those of the one before.
   struct Contact {
     Vec3 normal{};
+    std::array<Vec3, 2> tangents{};  ///< unit, at right angles to the normal and to each other
     double friction = 0.0;
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
@@ -130,12 +135,22 @@ class BoundedSolver {
     Vec3 first_arm;
     Vec3 second_arm;
   };
+  /// A row's direction and turns side by side.
+  struct Jacobian {
+    Jacobian(Vec3 direction, const Row& row);
+    double velocity(const Moved& first, const Moved& second) const;
+    void push(Moved& first, Moved& second, const Response& response, double impulse) const;
 
-  static double set_up(const Arms& arms, Vec3 direction, Row& row, Response& response);
+    Spatial a;
+    Spatial b;
+  };
+
+  static void set_up(const Arms& arms, Vec3 direction, Row& row, Response& response);
+  static Tangential friction_of(const Arms& arms, const std::array<Vec3, 2>& tangents);
   void add_point(const SolverContact& contact, Vec3 position);
   static double resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
                         double& impulse);
-  static double resolve_friction(Moved& a, Moved& b, double friction, const std::array<Tangential, 2>& rows,
+  static double resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction,
                                  Bearing& bearing);
   double sweep_normals();
   double sweep_tangentials();
@@ -149,9 +164,10 @@ class BoundedSolver {
   std::vector<Bearing> bearings_;
   std::vector<Row> normals_;
   std::vector<Response> normal_responses_;
-  std::vector<std::array<Tangential, 2>> tangentials_;
+  std::vector<Tangential> tangentials_;
   std::vector<Parting> partings_;
-  std::vector<Moved> parted_;  ///< the bodies, as far as their positions part
+  std::vector<Moved> parted_;                    ///< the bodies, as far as their positions part
+  std::vector<std::uint32_t> contact_of_point_;  ///< for impulse()
 };
 
 }  // namespace brash::rigid_body

@@ -139,7 +139,8 @@ BOOST_AUTO_TEST_CASE(positions_part_at_their_speed_and_velocities_know_nothing_o
 /// Signorini's condition, Coulomb's disc and the bound, at every point at once. Not every pile of points and normals at
 /// random lets the iteration come to rest.
 BOOST_AUTO_TEST_CASE(at_every_point_of_a_pile_the_laws_of_contact_hold) {
-  constexpr double kSlow = 1e-9;  // [m/s]
+  constexpr double kSlow = 1e-9;   // [m/s]
+  constexpr double kClear = 1e-3;  // has a direction [m/s]
   int n_solved = 0, n_free = 0, n_bearing = 0, n_crushed = 0, n_sticking = 0, n_sliding = 0;
   for (unsigned seed = 1; seed <= 100; ++seed) {
     Pile pile(seed);
@@ -162,13 +163,14 @@ BOOST_AUTO_TEST_CASE(at_every_point_of_a_pile_the_laws_of_contact_hold) {
       const double disc = contact.friction * impulse.normal;
       BOOST_TEST(std::abs(dot(impulse.friction, contact.normal)) < 1e-12);
       BOOST_TEST(norm(impulse.friction) <= disc * (1.0 + 1e-12));
-      BOOST_TEST(dot(impulse.friction, slip) <= kSlow);
       if (norm(impulse.friction) < 0.999 * disc) BOOST_TEST(norm(slip) < kSlow);
+      if (norm(slip) > kClear) BOOST_TEST(norm(impulse.friction + disc * normalized(slip)) <= 1e-6 * disc);
       if (disc > 0.0) (norm(slip) < kSlow ? n_sticking : n_sliding) += 1;
     }
   }
   // Otherwise the test says little.
-  BOOST_TEST(n_solved >= 75);
+  BOOST_TEST_MESSAGE(n_solved << " solved");
+  BOOST_TEST(n_solved >= 90);
   for (const int n : {n_free, n_bearing, n_crushed, n_sticking, n_sliding}) BOOST_TEST(n > 20);
 }
 
