@@ -27,6 +27,7 @@ void Body::set_settled(bool value) {
   settled = value;
   twist = {};
   mean_twist = {};
+  loaded_twist = {};
   load = {};
   update_bullet();  // the step that lets it go has made its velocities already
 }

@@ -34,7 +34,8 @@ struct Body {
   BodyKind kind = BodyKind::kFloe;
   Pose pose;
   Twist twist;
-  Twist mean_twist;  ///< over the last step
+  Twist mean_twist;    ///< over the last step
+  Twist loaded_twist;  ///< after the loads of the last step, before its contacts
   MassProperties mass;
   Wrench load;     ///< for the next step
   Pose next_pose;  ///< of a structure

@@ -80,6 +80,13 @@ ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, co
   const double sign = turn ? -1.0 : 1.0;
   const Body& body = turn ? *contact.second : *contact.first;
   const Body& other = turn ? *contact.first : *contact.second;
+  // Twists are still those of the start of the step.
+  const auto velocity = [&](const Body& b, Twist twist) {
+    return velocity_at(twist, point.position - b.pose.position);
+  };
+  const auto gained = [&](const Body& b) { return velocity(b, b.loaded_twist) - velocity(b, b.twist); };
+  const Vec3 of_body = velocity(body, body.mean_twist), of_other = velocity(other, other.mean_twist);
+  const Vec3 force = (1.0 / dt) * (impulse.normal * contact.normal + impulse.friction);
   return {.body = body.id,
           .other = other.id,
           .other_kind = other.kind,
@@ -90,8 +97,9 @@ ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, co
           .area = point.area,
           .depth = contact.patch.depth,
           .at_bound = impulse.at_bound,
-          .body_velocity = velocity_at(body.mean_twist, point.position - body.pose.position),
-          .other_velocity = velocity_at(other.mean_twist, point.position - other.pose.position)};
+          .body_velocity = of_body,
+          .other_velocity = of_other,
+          .loss = -sign * dt * dot(force, of_body - of_other + 0.5 * (gained(body) - gained(other)))};
 }
 
 void ContactSet::report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads) {

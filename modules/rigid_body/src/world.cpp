@@ -44,6 +44,7 @@ struct World::Impl {
   ContactSet contacts;
   BoundedSolver solver;
   std::vector<ContactLoad> loads;
+  double last_change = 0.0;
 
   bool contains(BodyId id) const {
     return id.index < by_index.size() && by_index[id.index] != nullptr && by_index[id.index]->id == id;
@@ -181,14 +182,15 @@ void World::Impl::solve(double dt) {
     body->in_solver = fixed ? BoundedSolver::kFixed : solver.add(to_solver(*body));
   }
   contacts.add_to(solver, dt);
-  solver.solve(settings.iterations, kStill);
+  last_change = solver.solve(settings.iterations, kStill);
 }
 
 /// Twists still hold the velocities from before the step.
 void World::Impl::average_velocities() {
   for (Body* body : order) {
-    body->mean_twist = body->twist;
+    body->mean_twist = body->loaded_twist = body->twist;
     if (!body->is_free()) continue;
+    body->loaded_twist = solver.twist_before(body->in_solver);
     const Twist after = solver.twist(body->in_solver);
     body->mean_twist = {0.5 * (body->twist.linear + after.linear), 0.5 * (body->twist.angular + after.angular)};
   }
@@ -302,6 +304,7 @@ void World::step(double dt) {
 }
 
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
+double World::last_change() const { return impl_->last_change; }
 void World::neighbours(BodyId id, double reach, std::vector<Solid>& solids) {
   const Body& body = impl_->get(id);
   BRASH_EXPECTS(body.is_free() && reach >= 0.0, id.index, reach);
@@ -336,6 +339,7 @@ std::pair<Vec3, Vec3> World::bounds(BodyId id) const {
 
 Twist World::twist(BodyId id) const { return impl_->get(id).twist; }
 Twist World::mean_twist(BodyId id) const { return impl_->get(id).mean_twist; }
+Twist World::loaded_twist(BodyId id) const { return impl_->get(id).loaded_twist; }
 
 void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = impl_->get(id);

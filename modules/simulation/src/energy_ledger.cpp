@@ -32,10 +32,12 @@ void EnergyLedger::book_structure(double edge_force, double floe_force, double a
 }
 
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
+  taken_ = {};
   for (const BodyId body : world.moving()) received_[body] = 0.0;
   for (const ContactLoad& contact : world.contacts()) {
     if (!bears(contact)) continue;
     book(losses_, contact, dt);
+    taken_.contacts += contact.loss;
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
     received_[contact.body] += dt * dot(force, contact.body_velocity);
     if (contact.other_kind == BodyKind::kFloe) received_[contact.other] -= dt * dot(force, contact.other_velocity);
@@ -45,6 +47,9 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     const Twist twist = world.mean_twist(body);
     const double drag = dt * power(floe.drag, twist);
     const double skin_friction = dt * power(floe.skin_friction, twist);
+    const Twist end = world.twist(body);
+    const Twist start{2.0 * twist.linear - end.linear, 2.0 * twist.angular - end.angular};
+    taken_.water -= dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, start));
     losses_.drag -= drag;
     losses_.skin_friction -= skin_friction;
     received_[body] += drag + skin_friction;

@@ -11,6 +11,12 @@
 
 namespace brash::simulation {
 
+/// What cannot be negative in a step [J] (docs/theory/dynamics.md, (E4)).
+struct Taken {
+  double contacts = 0.0;  ///< by all contacts, from what the loads left
+  double water = 0.0;     ///< by drag and skin friction at the velocities that they were made for; in water at rest
+};
+
 /// Where the structure's work goes: sums since the start of the run, each from loads and the mean velocities of the
 /// step (docs/theory/dynamics.md, (E1), (E3)). It only looks; nothing in a run depends on it.
 class EnergyLedger {
@@ -30,6 +36,9 @@ class EnergyLedger {
 
   /// Work of contacts and drag on each moving floe in the last step [J]; weight and buoyancy are its potential energy.
   const std::map<BodyId, double>& received() const { return received_; }
+
+  /// By contacts and water in the last step.
+  const Taken& taken() const { return taken_; }
 
   /// Fills the energies of a row.
   void report(const rigid_body::World& world, const FloePopulation& floes, io::LoadRow& row) const;
@@ -51,6 +60,7 @@ class EnergyLedger {
   double removed_ = 0.0;
   io::EnergyLosses losses_;
   std::map<BodyId, double> received_;
+  Taken taken_;
 };
 
 }  // namespace brash::simulation

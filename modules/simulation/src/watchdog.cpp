@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
@@ -17,21 +18,16 @@ constexpr double kRounding = 1e-6;
 /// more, and come that slowly to their end in a pack at rest.
 constexpr double kLeft = 1e-6;
 
-double contact_loss(const io::EnergyLosses& l) {
-  return l.structure_contact + l.structure_friction + l.sheet_contact + l.sheet_friction + l.floe_contact +
-         l.floe_friction;
-}
-
 }  // namespace
 
 // A floe's own speeds are those of the structure, of its rise in the water and of the current.
 Watchdog::Watchdog(const io::Case& resolved)
     : case_(&resolved),
-      travel_(resolved.time.step * (resolved.structure.speed + std::sqrt(kGravity * resolved.ice.thickness) +
-                                    norm(resolved.water.current))) {}
+      travel_(resolved.time.step *
+              (resolved.structure.speed + std::sqrt(kGravity * resolved.ice.thickness) + norm(resolved.water.current))),
+      most_lift_(std::max(1.0, resolved.water.density / resolved.ice.density - 1.0)) {}
 
 void Watchdog::begin(const Watched& start) {
-  before_ = start.row.losses;
   booked_error_ = start.row.energy_error;
   for (const auto& [body, floe] : start.floes.floes()) explained_[body] = start.floes.energy(start.world, body, floe);
 }
@@ -46,7 +42,6 @@ void Watchdog::look(const Watched& now) {
   }
   look_at_losses(now);
   look_at_balance(now);
-  before_ = now.row.losses;
 }
 
 /// No floe is farther from the field than the field is large, or farther below or above the structure than the
@@ -85,14 +80,11 @@ double Watchdog::impulses(const rigid_body::World& world) const {
 /// Contacts take energy, and so does water at rest. With restitution they are seen to give some back, why is not
 /// known; the bound is then that of the balance, far wider than what was seen (docs/theory/simulation.md).
 void Watchdog::look_at_losses(const Watched& now) const {
-  const io::LoadRow& row = now.row;
-  const io::EnergyLosses& l = row.losses;
-  const double rounding = kRounding * (1.0 + row.kinetic_energy);
-  const double contacts = contact_loss(l) - contact_loss(before_);
+  const double rounding = kRounding * (1.0 + now.row.kinetic_energy);
   const double given =
       case_->contact.restitution > 0.0 ? allowance(now.floes.weight()) : rounding + kLeft * impulses(now.world);
+  const auto& [contacts, water] = now.taken;
   if (!(contacts >= -given)) throw RunError(fmt::format("contacts gave the floes {:.6g} J in this step", -contacts));
-  const double water = l.drag + l.skin_friction - before_.drag - before_.skin_friction;
   const bool still = case_->water.current == Vec2{} && !case_->hydrodynamics.structure_flow;
   if (still && !(water >= -rounding)) throw RunError(fmt::format("drag gave the floes {:.6g} J in this step", -water));
 }

@@ -19,6 +19,7 @@ struct Watched {
   const EnergyLedger& energy;
   const geometry::Ledger& area;
   const io::LoadRow& row;  ///< what the step reports
+  Taken taken;
 };
 
 /// Ends a run whose numbers cannot be physics before anyone takes them for a result (docs/theory/simulation.md). It
@@ -34,9 +35,9 @@ class Watchdog {
 
  private:
   /// What the integration in time may leave open of the energy of floes of this weight [N], in J: dt F (u' - u) / 2 of
-  /// what is constant in F adds up to no more than half the weight along one step's travel (docs/theory/dynamics.md,
-  /// Energy).
-  double allowance(double weight) const { return 0.5 * weight * travel_; }
+  /// what is constant in F adds up to no more than half of it along one step's travel (docs/theory/dynamics.md,
+  /// Energy); F is the weight, or the lift under water where that is more.
+  double allowance(double weight) const { return 0.5 * most_lift_ * weight * travel_; }
   double impulses(const rigid_body::World& world) const;
 
   void look_at_place(const Floe& floe, Vec3 place, double time) const;
@@ -46,8 +47,8 @@ class Watchdog {
 
   const io::Case* case_;
   double travel_;                       ///< [m]
+  double most_lift_;                    ///< F over the weight
   double booked_error_ = 0.0;           ///< of the energies at the start [J]
-  io::EnergyLosses before_;             ///< at the last look, or the start
   std::map<BodyId, double> explained_;  ///< energy of each floe that its work explains [J]
 };
 

@@ -28,9 +28,10 @@ struct Guarded : Pool {
     area.initial = area.floes;
     io::LoadRow row;
     ledger.report(world, floes, row);
-    watchdog.begin({world, floes, ledger, area, row});
+    watchdog.begin({world, floes, ledger, area, row, {}});
   }
-  void look(const io::LoadRow& row) { watchdog.look({world, floes, ledger, area, row}); }
+  void look(const io::LoadRow& row) { look(row, ledger.taken()); }
+  void look(const io::LoadRow& row, const Taken& taken) { watchdog.look({world, floes, ledger, area, row, taken}); }
   void steps(int n) {
     for (int i = 0; i < n; ++i) look(step(kStep));
   }
@@ -96,19 +97,17 @@ BOOST_AUTO_TEST_CASE(a_floe_outside_ends_the_run) {
 BOOST_AUTO_TEST_CASE(contacts_or_still_water_that_give_energy_end_the_run) {
   Guarded pool;
   pool.steps(50);
-  io::LoadRow row = pool.step(kStep);
-  row.losses.floe_contact -= 1.0;
-  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("contacts gave the floes"));
-  row.losses.floe_contact += 1.0;
-  row.losses.drag -= 20.0;
-  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("drag gave the floes"));
+  const io::LoadRow row = pool.step(kStep);
+  const auto [contacts, water] = pool.ledger.taken();
+  BOOST_CHECK_NO_THROW(pool.look(row, {contacts, water}));
+  BOOST_CHECK_EXCEPTION(pool.look(row, {contacts - 1.0, water}), RunError, says("contacts gave the floes"));
+  BOOST_CHECK_EXCEPTION(pool.look(row, {contacts, water - 20.0}), RunError, says("drag gave the floes"));
 }
 
 BOOST_AUTO_TEST_CASE(the_first_step_is_watched_like_any_other) {
   Guarded pool;
-  io::LoadRow row = pool.step(kStep);
-  row.losses.floe_contact -= 1.0;
-  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("contacts gave the floes"));
+  const io::LoadRow row = pool.step(kStep);
+  BOOST_CHECK_EXCEPTION(pool.look(row, {-1.0, 0.0}), RunError, says("contacts gave the floes"));
   Guarded kicked;
   kicked.kick({{0.0, 0.0, 0.7}, {}});
   BOOST_CHECK_EXCEPTION(kicked.steps(1), RunError, says("floe 1 of 445.5 kg has an energy of"));

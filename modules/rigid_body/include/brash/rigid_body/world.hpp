@@ -72,6 +72,9 @@ struct ContactLoad {
   /// force of the step times such a mean is its share of the change of kinetic energy, exactly (dynamics.md, E2).
   Vec3 body_velocity{};
   Vec3 other_velocity{};
+  /// Kinetic energy that the point takes from what loads alone would have left, P . (u* + u') / 2 with the relative
+  /// velocities before and after the contacts' impulses [J]. All points together give none (dynamics.md, E4).
+  double loss = 0.0;
 };
 
 /// Whether it bears anything; most contacts of floes that drift apart do not.
@@ -132,6 +135,9 @@ class World {
 
   /// Contacts of the last step, sorted by (body, other, point).
   const std::vector<ContactLoad>& contacts() const;
+  /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
+  /// how far the contacts are from solved is more than that.
+  double last_change() const;
 
   /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`,
   /// which is not settled,
@@ -149,6 +155,8 @@ class World {
   /// Mean of the velocities at the start and the end of the last step; at rest before the first.
   Twist mean_twist(BodyId id) const;
   void set_state(BodyId id, const Pose& pose, const Twist& twist);
+  /// What the loads of the last step alone made of a floe's velocity, before contacts; at rest before the first.
+  Twist loaded_twist(BodyId id) const;
   /// Kinetic energy of all floes, added mass included [J].
   double kinetic_energy() const;
   /// Kinetic energy of one floe, added mass included [J].
