@@ -121,6 +121,12 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
   const SheetChange sheet = change_of(*arrangement, boundary);
   BRASH_EXPECTS(sheet.twice_area + twice_pieces == arrangement->twice_moved(), ExactArea(sheet.twice_area).to_string(),
                 ExactArea(twice_pieces).to_string(), cut.snap.to_string());
+  const auto changes = [&](Point from, Point to) {
+    cut.changed.add(metres(from));
+    cut.changed.add(metres(to));
+  };
+  for (const int id : sheet.change.removed) changes(boundary.edge(id).from, boundary.edge(id).to);
+  for (const FreeEdges::Directed& edge : sheet.change.added) changes(edge.from, edge.to);
   boundary.apply(sheet.change);
   return cut;
 }

@@ -33,6 +33,23 @@ struct Moments {
 
 }  // namespace
 
+void Extent::add(Vec2 p) {
+  lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
+  upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
+}
+
+void Extent::add(const Extent& other) {
+  if (other.is_empty()) return;
+  add(other.lower);
+  add(other.upper);
+}
+
+Extent extent(const Polygon& polygon) {
+  Extent extent;
+  for (const Point point : polygon.outline) extent.add(metres(point));
+  return extent;
+}
+
 ExactArea signed_area(std::span<const Point> ring) {
   Int128 twice = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += turn(ring[0], ring[i], ring[i + 1]);

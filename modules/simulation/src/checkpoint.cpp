@@ -107,6 +107,7 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .rest = floe.rest});
   for (const io::FloePush& push : checkpoint.pushes) floes.restore_push(push.floe, push.other, push.force);
   floes.set_next_id(checkpoint.counters.at("next_floe"));
+  for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // a settled one may be run into at once
   begin_watch();
 }
 

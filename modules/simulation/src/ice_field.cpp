@@ -45,11 +45,11 @@ void IceField::book_cut(const geometry::Cut& cut) {
   ledger_.n_rounded += cut.n_rounded;
 }
 
-std::vector<geometry::Polygon> IceField::crush(std::span<const geometry::Point> section) {
-  geometry::Cut cut = sheet_.cut(section);
+geometry::Extent IceField::crush(std::span<const geometry::Point> section) {
+  const geometry::Cut cut = sheet_.cut(section);
   ledger_.crushed += total(cut.pieces);
   book_cut(cut);
-  return std::move(cut.pieces);
+  return cut.changed;
 }
 
 std::vector<geometry::Polygon> IceField::carve(const geometry::Polygon& piece,
@@ -66,10 +66,13 @@ Broken IceField::break_free(Vec2 centre, double radius, int n_wedges, int sides,
                             std::span<const geometry::Point> section, double smallest_floe) {
   geometry::Cut cut = geometry::cut_circumferential(sheet_, centre, radius, n_wedges, sides);
   std::vector<geometry::Polygon> broken = std::move(cut.pieces);
-  std::ranges::move(sheet_.release_detached(), std::back_inserter(broken));
+  Broken result{.floes = {}, .changed = cut.changed};
+  for (geometry::Polygon& detached : sheet_.release_detached()) {
+    result.changed.add(geometry::extent(detached));
+    broken.push_back(std::move(detached));
+  }
   book_cut(cut);
 
-  Broken result{.floes = {}, .changed = bounding_box(broken)};
   for (const geometry::Polygon& piece : broken) {
     for (geometry::Polygon& floe : carve(piece, section)) {
       const geometry::ExactArea area = geometry::area(floe);

@@ -12,7 +12,7 @@ namespace brash::simulation {
 /// What a break made.
 struct Broken {
   std::vector<geometry::Polygon> floes;
-  Box changed;  ///< around all ice that left the sheet [m]
+  geometry::Extent changed;  ///< around all of the sheet that is not as before
 };
 
 /// The sheet with its ledger: every operation moves area from one account to another, exactly.
@@ -26,8 +26,8 @@ class IceField {
   const geometry::IceSheet& sheet() const { return sheet_; }
   const geometry::Ledger& ledger() const { return ledger_; }
 
-  /// Ice inside `section` is crushed and leaves. @return what was there.
-  std::vector<geometry::Polygon> crush(std::span<const geometry::Point> section);
+  /// Ice inside `section` is crushed and leaves. @return around all of the sheet that is not as before.
+  geometry::Extent crush(std::span<const geometry::Point> section);
 
   /// Breaks a disc free and splits it into wedges; what `section` covers of them is crushed and leaves.
   ///

@@ -34,10 +34,10 @@ void SheetTiles::lay(const geometry::IceSheet& sheet, rigid_body::World& world, 
       if (const Cell cell{i, j}; !parts_.contains(cell)) parts_.emplace(cell, prisms(sheet, world, cell));
 }
 
-void SheetTiles::renew(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper) {
-  if (lower.x > upper.x) return;  // an empty box
-  for (int i = index(lower.x); i <= index(upper.x); ++i) {
-    for (int j = index(lower.y); j <= index(upper.y); ++j) {
+void SheetTiles::renew(const geometry::IceSheet& sheet, rigid_body::World& world, const geometry::Extent& changed) {
+  if (changed.is_empty()) return;
+  for (int i = index(changed.lower.x); i <= index(changed.upper.x); ++i) {
+    for (int j = index(changed.lower.y); j <= index(changed.upper.y); ++j) {
       const auto laid = parts_.find({i, j});
       if (laid == parts_.end()) continue;
       for (const BodyId part : laid->second) world.remove(part);

@@ -19,8 +19,8 @@ class SheetTiles {
 
   /// Lays the tiles that meet the box from `lower` to `upper` [m], where they are missing.
   void lay(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper);
-  /// Renews the tiles that are laid and meet the box from `lower` to `upper` [m].
-  void renew(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper);
+  /// Renews the tiles that are laid and meet the part of the sheet that has changed.
+  void renew(const geometry::IceSheet& sheet, rigid_body::World& world, const geometry::Extent& changed);
 
  private:
   using Cell = std::pair<int, int>;

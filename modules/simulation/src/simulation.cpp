@@ -80,7 +80,7 @@ Simulation::Impl::Impl(const io::Case& c) : Impl(c, IceField(c.field.length, c.f
 void Simulation::Impl::begin_watch() {
   io::LoadRow row;
   energy.report(world, floes, row);
-  watchdog.begin({world, floes, energy, field.ledger(), row});
+  watchdog.begin({world, floes, energy, field.ledger(), row, {}});
 }
 
 /// The paper takes 3 to 5 wedges at random (after Nevel); one stream a break, so that a resumed run draws the same.
@@ -112,7 +112,7 @@ std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, 
     if (collision_time(resolved, mass) < resolved.time.step) ++report.n_steps_too_long;
     births.push_back(std::move(*record));
   }
-  tiles.renew(field.sheet(), world, broken.changed.lower, broken.changed.upper);
+  tiles.renew(field.sheet(), world, broken.changed);
   return births;
 }
 
@@ -161,12 +161,9 @@ std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report)
 /// sheet. @return whether there was any.
 bool Simulation::Impl::crush_passed_ice() {
   const StageTimer::Scope clock(timer, times.cutting);
-  const std::vector<geometry::Polygon> passed = field.crush(trailing_section(edge_model(), centre));
-  for (const geometry::Polygon& crushed : passed) {
-    const Box box = bounding_box(std::span(&crushed, 1));
-    tiles.renew(field.sheet(), world, box.lower, box.upper);
-  }
-  return !passed.empty();
+  const geometry::Extent changed = field.crush(trailing_section(edge_model(), centre));
+  tiles.renew(field.sheet(), world, changed);
+  return !changed.is_empty();
 }
 
 /// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact whose
@@ -191,7 +188,6 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                          .breaking_length = contact.assessment.breaking_length,
                          .wedges = n_wedges,
                          .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
-                         .substeps = report.n_substeps,
                          .area_before = field.ledger().sheet.square_metres(),
                          .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
                          .towards = contact.region.normal,
@@ -222,6 +218,7 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
   }
   --report.n_substeps;
   break_ice(contacts_of_floes(report), report);
+  for (io::CrackEvent& event : report.events) event.substeps = report.n_substeps;
   world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
 }
 
@@ -238,11 +235,11 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
 }
 
 /// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.
-void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& report) {
+/// @param origin  where the structure was when the contacts were found, about which they have their moments [m].
+void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report) {
   const StageTimer::Scope clock(timer, times.loads);
   io::LoadRow& row = report.loads;
   row.time = time();
-  const Vec3 origin = structure_pose().position;
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
     if (contact.other != structure_body) continue;
     const Vec3 arm = contact.point - origin;
@@ -271,34 +268,34 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, StepReport& rep
   row.n_floes = static_cast<int>(floes.floes().size());
 }
 
-/// The sheet's collision shapes wherever a floe could meet them, or be in the lee of them, in this step.
-void Simulation::Impl::lay_sheet_near_floes() {
+/// The sheet's collision shapes wherever the floe could meet them, or be in the lee of them, in this step.
+void Simulation::Impl::lay_sheet_near(BodyId body) {
   const Vec2 reach{floes.reach(), floes.reach()};
-  for (const BodyId body : world.moving()) {
-    const auto [lower, upper] = world.bounds(body);
-    tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
-  }
+  const auto [lower, upper] = world.bounds(body);
+  tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
 }
 
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
+  const Vec3 origin = structure_pose().position;
+  ++n_steps;                    // what happens in a step happens at its end
   advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
   {
     const StageTimer::Scope clock(timer, times.water);
-    lay_sheet_near_floes();
+    for (const BodyId body : world.moving()) lay_sheet_near(body);
     floes.apply_water(world, resolved.time.step, centre);  // weight, buoyancy, drag: Eqs. 13, 14
   }
   {
     const StageTimer::Scope clock(timer, times.world);
     world.step(resolved.time.step);  // contacts with bounded impulses: Eqs. 1 to 10, 16
     floes.notice_let_go(world);
+    report.last_change = world.last_change();
   }
-  ++n_steps;
-  collect_loads(first_newborn, report);  // impulse / dt, by cause; energies
+  collect_loads(first_newborn, origin, report);  // impulse / dt, by cause; energies
   {
     const StageTimer::Scope clock(timer, times.loads);
-    watchdog.look({world, floes, energy, field.ledger(), report.loads});
+    watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken()});
     energy.book_settled(floes.settle(world, centre.x - cone.waterline_width));
     remove_crushed_floes(report);  // sigma > sigma_c
   }
@@ -319,6 +316,12 @@ const std::vector<io::FloeRecord>& Simulation::initial_births() const { return i
 std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.sheet().polygons(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
+
+std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
+  std::vector<std::pair<std::int64_t, double>> stresses;
+  for (const auto& [body, floe] : impl_->floes.floes()) stresses.emplace_back(floe.id, floe.peak_compression);
+  return stresses;
+}
 
 io::Frame Simulation::frame() const {
   io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};

@@ -56,9 +56,9 @@ struct Simulation::Impl {
   bool crush_passed_ice();
   std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
-  void lay_sheet_near_floes();
+  void lay_sheet_near(BodyId body);
   void remove_crushed_floes(StepReport& report);
-  void collect_loads(std::int64_t first_newborn, StepReport& report);
+  void collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report);
   StepReport step();
   io::Checkpoint checkpoint() const;
 

@@ -28,6 +28,9 @@ struct Cut {
   ExactArea snap;
   /// How many crossings became new vertices, each rounded to the grid.
   std::int64_t n_rounded = 0;
+  /// Around all free edges that went or came: more than the pieces, for an edge that is cut is moved as a whole by the
+  /// rounding of the crossing.
+  Extent changed{};
 };
 
 /// Why a sheet could not be made or cut.

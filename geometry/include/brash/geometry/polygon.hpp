@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,19 @@ struct Polygon {
 
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
+
+/// Axis-parallel [m]; with nothing in it `lower` exceeds `upper`.
+struct Extent {
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+
+  Vec2 lower{kFar, kFar};
+  Vec2 upper{-kFar, -kFar};
+
+  bool is_empty() const { return lower.x > upper.x; }
+  void add(Vec2 p);
+  void add(const Extent& other);
+};
+Extent extent(const Polygon& polygon);
 
 /// Signed area: positive when `ring` runs counter-clockwise. Exact.
 ExactArea signed_area(std::span<const Point> ring);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "brash/geometry/ledger.hpp"
@@ -31,6 +32,7 @@ struct StepReport {
   int n_below_range = 0;       ///< assessments with an input clamped up to the failure model's range
   int n_above_range = 0;       ///< assessments that stayed above the range at the shortest substep
   int n_steps_too_long = 0;    ///< births with T_col (Eqs. 11, 12) below the time step
+  double last_change = 0.0;    ///< rigid_body::World::last_change() [m/s]
 };
 
 /// Where the wall time went, by stage [s]; no part of it is counted twice.
@@ -83,6 +85,8 @@ class Simulation {
   const geometry::Ledger& ledger() const;
   /// Poses of structure and floes, now.
   io::Frame frame() const;
+  /// Largest mean compression so far of each floe present, by its id [Pa].
+  std::vector<std::pair<std::int64_t, double>> peak_stresses() const;
   const StageTimes& stage_times() const;
 
  private:
