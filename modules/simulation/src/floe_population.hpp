@@ -136,12 +136,12 @@ class FloePopulation {
   std::optional<hydrodynamics::StructureFlow> flow_;
   std::vector<Solid> neighbours_;  ///< scratch of apply_water
   std::map<BodyId, Floe> floes_;
-  std::vector<Floe*> by_body_;  ///< by the index of the body
-  geometry::ExactArea area_;    ///< of all
-  double weight_ = 0.0;         ///< of all [N]
+  std::vector<Floe*> by_body_;   ///< by the index of the body
+  geometry::ExactArea area_;     ///< of all
+  double weight_ = 0.0;          ///< of all [N]
   double settled_height_ = 0.0;  ///< potential energy of all that are settled, against floating at rest [J]
-  MeanPushes pushes_;           ///< where floes settle
-  std::vector<BodyId> pushed_;  ///< floes whose push has changed since it was looked at
+  MeanPushes pushes_;            ///< where floes settle
+  std::vector<BodyId> pushed_;   ///< floes whose push has changed since it was looked at
   std::int64_t next_id_ = 0;
 };
 

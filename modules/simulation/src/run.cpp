@@ -59,6 +59,8 @@ class Recorder {
   io::RunResults finish(const Simulation& simulation) {
     for (io::FloeRecord& floe : results_.floes)
       if (floe.end == io::FloeEnd::kAlive) floe.death = simulation.time();
+    for (const auto& [floe, stress] : simulation.peak_stresses())
+      results_.floes[static_cast<std::size_t>(floe)].peak_stress = stress;
     results_.final_sheet = rings_of(simulation.sheet());
     return std::move(results_);
   }
@@ -91,7 +93,7 @@ struct Progress {
 /// So many steps at most are made again to find the state before one that failed.
 constexpr std::int64_t kStepsAgain = 100;
 
-/// The counters of a run that its results do not hold, by their names in a checkpoint.
+/// What a run counts that its results do not hold, by the names in a checkpoint.
 template <typename Counts, typename Visitor>
 void visit_counters(Counts& counts, Visitor&& visit) {
   visit("n_substepped", counts.n_substepped);
@@ -99,6 +101,11 @@ void visit_counters(Counts& counts, Visitor&& visit) {
   visit("n_outlines_refused", counts.n_outlines_refused);
   visit("n_above_range", counts.n_above_range);
   visit("n_steps_too_long", counts.n_steps_too_long);
+}
+template <typename Counts, typename Visitor>
+void visit_numbers(Counts& counts, Visitor&& visit) {
+  visit("sum_of_last_changes", counts.sum_of_last_changes);
+  visit("largest_last_change", counts.largest_last_change);
 }
 
 Progress begin(const io::Case& resolved, const RunOptions& options) {
@@ -112,6 +119,7 @@ Progress begin(const io::Case& resolved, const RunOptions& options) {
     Progress progress{Simulation(resolved, saved), Recorder(resolved, std::move(saved.results)), {}};
     visit_counters(progress.counts,
                    [&](const char* name, int& count) { count = static_cast<int>(saved.counters.at(name)); });
+    visit_numbers(progress.counts, [&](const char* name, double& number) { number = saved.numbers.at(name); });
     return progress;
   } catch (const InputError& error) {
     throw InputError(options.checkpoint_file + ": " + error.what());
@@ -133,6 +141,7 @@ bool may_take_checkpoint(const Progress& progress) {
 void keep_checkpoint(const std::string& file, io::Checkpoint saved, const Progress& progress) {
   saved.results = progress.recorder.so_far();
   visit_counters(progress.counts, [&](const char* name, int count) { saved.counters[name] = count; });
+  visit_numbers(progress.counts, [&](const char* name, double number) { saved.numbers[name] = number; });
   io::write_checkpoint(file, saved);
 }
 
@@ -142,6 +151,8 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.n_outlines_refused += report.n_outlines_refused;
   counts.n_above_range += report.n_above_range;
   counts.n_steps_too_long += report.n_steps_too_long;
+  counts.sum_of_last_changes += report.last_change;
+  counts.largest_last_change = std::max(counts.largest_last_change, report.last_change);
 }
 
 std::int64_t steps_of(const io::Checkpoint& state) { return state.counters.at("n_steps"); }
@@ -208,6 +219,7 @@ Run run(const io::Case& resolved, const RunOptions& options) {
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   const Clock::time_point start = Clock::now();
   Progress progress = begin(resolved, options);
+  finished.resumed_from = progress.simulation.time();
   if (options.begun) options.begun();
   finished.complete = advance(resolved, options, progress);
   finished.results = progress.recorder.finish(progress.simulation);

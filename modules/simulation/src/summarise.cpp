@@ -156,7 +156,7 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
   int n_in_window = 0;
   for (const io::CrackEvent& event : results.events) {
     lengths.push_back(event.breaking_length);
-    n_in_window += event.time >= s.statistics_from ? 1 : 0;
+    n_in_window += event.time > s.statistics_from ? 1 : 0;
   }
   const double window_length = resolved.time.duration - s.statistics_from;
   s.breaking_frequency = window_length > 0.0 ? n_in_window / window_length : kUnknown;
@@ -169,6 +169,8 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
     s.n_floes_present += floe.end == io::FloeEnd::kAlive ? 1 : 0;
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
+  s.mean_last_change =
+      results.loads.empty() ? kUnknown : s.sum_of_last_changes / static_cast<double>(results.loads.size());
   s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);
   s.fastest_floe = fastest(results.frames);
   s.energy = energy_balance(results.loads);
@@ -199,6 +201,8 @@ std::string to_json(const RunSummary& s) {
        {{"n_substepped", s.n_substepped}, {"n_below", s.n_below_range}, {"n_above", s.n_above_range}}},
       {"n_outlines_refused", s.n_outlines_refused},
       {"n_steps_too_long", s.n_steps_too_long},
+      {"contact_iterations",
+       {{"mean_last_change", s.mean_last_change}, {"largest_last_change", s.largest_last_change}}},
       {"fastest_floe", s.fastest_floe ? nlohmann::ordered_json(*s.fastest_floe) : nlohmann::ordered_json()},
       {"ledger", json_of(s.ledger)},
       {"energy", json_of(s.energy)}};

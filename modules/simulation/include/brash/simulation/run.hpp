@@ -51,6 +51,9 @@ struct RunSummary {
   int n_outlines_refused = 0;
   int n_above_range = 0;
   int n_steps_too_long = 0;
+  double sum_of_last_changes = 0.0;    ///< StepReport::last_change over all steps [m/s]
+  double mean_last_change = 0.0;       ///< [m/s]
+  double largest_last_change = 0.0;    ///< likewise [m/s]
   std::optional<double> fastest_floe;  ///< largest speed of any floe between two frames [m/s]; absent without frames
   geometry::Ledger ledger;
   EnergyBalance energy;
@@ -62,8 +65,9 @@ struct Run {
   RunSummary summary;
   StageTimes stage_times;
   double wall_seconds = 0.0;
-  std::string started_at;  ///< ISO 8601, UTC
-  bool complete = false;   ///< false: interrupted; there are results so far, and no summary
+  double resumed_from = 0.0;  ///< simulated time that an earlier run had reached [s]; the times above are without it
+  std::string started_at;     ///< ISO 8601, UTC
+  bool complete = false;      ///< false: interrupted; there are results so far, and no summary
 };
 
 /// What surrounds the loop of a run.
