@@ -36,6 +36,8 @@ class NetworkCriterion final : public BendingCriterion {
             .above_range = range.above};
   }
 
+  std::optional<double> trained_thickness_over_lc() const override { return network_->thickness_over_lc(); }
+
  private:
   std::unique_ptr<meta_model::ResponseNetwork> network_;
   double l_c_;

@@ -103,6 +103,25 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_with_floes_at_rest_is_the_uninterrupted_one_t
   std::filesystem::remove(file);
 }
 
+/// What a crack leaves of the sheet's edge far from it is rounded anew; the collision shapes there must follow, or a
+/// resumed run, which lays them all, has others.
+BOOST_AUTO_TEST_CASE(a_state_goes_on_to_the_bit_wherever_in_a_run_it_is_taken) {
+  const io::Case resolved = short_case({"failure.under_floes=true"}, 11.0);
+  simulation::Simulation whole(resolved);
+  std::vector<std::pair<simulation::Simulation, int>> twins;  // with the steps that are left to compare
+  while (whole.time() < 11.0 - 1e-9) {
+    if (std::lround(whole.time() / resolved.time.step) % 25 == 0)
+      twins.emplace_back(simulation::Simulation(resolved, whole.checkpoint()), 10);
+    const io::LoadRow loads = whole.step().loads;
+    for (auto& [twin, left] : twins) {
+      --left;
+      BOOST_REQUIRE((twin.step().loads == loads));
+      BOOST_REQUIRE((twin.frame() == whole.frame()));
+    }
+    std::erase_if(twins, [](const auto& twin) { return twin.second == 0; });
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
   const std::string file = (std::filesystem::temp_directory_path() / "brash-test-checkpoint.nc").string();
   const auto [whole, resumed] = whole_and_resumed(short_case(), file);
@@ -158,12 +177,21 @@ BOOST_AUTO_TEST_CASE(scales_of_the_validation_case_are_those_of_the_paper) {
   BOOST_TEST(scales.draft == 0.33 * 900.0 / 1025.0, boost::test_tools::tolerance(1e-14));
 }
 
+/// Of the validation case with one other value.
+std::vector<std::string> warnings(const char* override_text) {
+  return simulation::derived_scales(
+             io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {override_text}))
+      .warnings;
+}
+
+BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
+  BOOST_TEST(warnings("ice.thickness=0.5 m").empty());  // h/l_c = 0.112
+  const std::vector<std::string> thick = warnings("ice.youngs_modulus=90 GPa");
+  BOOST_REQUIRE(thick.size() == 1u);
+  BOOST_TEST(thick[0].find("failure.model = network was trained with h/l_c = 0.1, and this ice has 0.0252") == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_is_over_too_early_is_warned_of) {
-  const auto warnings = [](const char* override_text) {
-    return simulation::derived_scales(
-               io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {override_text}))
-        .warnings;
-  };
   const auto says = [&](const char* override_text, const char* words) {
     const auto all = warnings(override_text);
     return all.size() == 1 && all[0].find(words) != std::string::npos;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,8 @@ class BendingCriterion {
   virtual Assessment assess(const LoadCase& load) const = 0;
   /// Whether `assess` wants the outline of the load case besides its trapezoid.
   virtual bool needs_outline() const { return false; }
+  /// The one h / l_c that its model was trained with; nothing where the model knows h / l_c or needs none.
+  virtual std::optional<double> trained_thickness_over_lc() const { return std::nullopt; }
 };
 
 /// What goes beyond the paper's criterion. docs/theory/failure.md, (4)
