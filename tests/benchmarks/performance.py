@@ -8,6 +8,7 @@ replaces the same lines of docs/performance.json, from which docs/performance.md
 """
 import datetime
 import json
+import operator
 import os
 import pathlib
 import platform
@@ -363,11 +364,22 @@ TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "channel": 
 NOT_MEASURED = """- Siconos and Yade on the pack of 174 floes that ODE steps above: judged by single steps, they take a minute and
   more for each simulated second of it;
 - why floes of large packs cost more: profiles put half of the difference on the solver's iterations, which go 50 times through
-  416 bytes for each contact point and, beyond some 300 floes, find them no longer in a core's own 2 MB of cache; the rest lies in
+  388 bytes for each contact point and, beyond some 300 floes, find them no longer in a core's own 2 MB of cache; the rest lies in
   what all the other passes fetch from memory. From 1000 to 10 000 floes the time of a step grows by 13 to 14 times. Keeping less
   for each point and making it anew would, by an estimate, cost small packs more than it saves large ones;
 - the build from clean to tested, once by hand: `CCACHE_DISABLE=1 ./dev test` in a fresh clone took 14 min 17 s on 2 idle cores
   of 2.1 GHz (27 min of processor time; limit 15 min), the last 3 min 18 s of it for 115 tests."""
+
+
+LIMITS = {"<": operator.lt, "<=": operator.le, ">=": operator.ge}
+
+
+def met(row):
+    """Whether the median keeps its limit, in words; empty without one."""
+    if not row["limit"]:
+        return ""
+    sign, number = row["limit"].split()
+    return "yes" if LIMITS[sign](row["median"], float(number)) else "**no**"
 
 
 def table(results):
@@ -375,14 +387,14 @@ def table(results):
     text = ["# Performance", "",
             "Written by `./dev bench` from `performance.json`; a line alone: `./dev bench NAME`. Each figure is the",
             f"median of at least {REPETITIONS} samples, both sides of a ratio taken in one run on one machine. Times are "
-            "user CPU", "times of the processes where nothing else is said.", ""]
+            "user CPU", "times of the processes where nothing else is said. The numbers of the headings are those of the aims.", ""]
     for name, entry in results.items():
         text += [f"## {LINES[name].__doc__.splitlines()[0]}", "",
                  f"`./dev bench {name}`, {entry['date']}, {entry['machine']}, load {entry['load']:.1f}.", "",
-                 "| figure | median | range | limit |", "|---|---|---|---|"]
+                 "| figure | median | range | limit | met |", "|---|---|---|---|---|"]
         for row in entry["lines"]:
             spread = f"{row['lowest']:.3g} to {row['highest']:.3g} ({row['n']})" if row["n"] > 1 else ""
-            text.append(f"| {row['what']} | {row['median']:.3g} | {spread} | {row['limit']} |")
+            text.append(f"| {row['what']} | {row['median']:.3g} | {spread} | {row['limit']} | {met(row)} |")
         text.append("")
     waiting = [f"- `./dev bench {name}`: {function.__doc__.splitlines()[0]}" for name, function in LINES.items()
                if name not in results]
