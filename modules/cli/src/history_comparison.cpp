@@ -66,6 +66,7 @@ ordered_json side_json(const LoadHistory& history, const Side& side) {
           {"maximum", s.maximum},
           {"autocorrelation_time", s.autocorrelation_time},
           {"effective_sample_size", s.effective_sample_size},
+          {"long_enough", s.long_enough},
           {"peaks", side.peaks.size()},
           {"peaks_per_second", side.peaks_per_second(history)}};
 }
@@ -153,6 +154,10 @@ std::string ratio_row(const char* name, const ordered_json& out, const char* key
                      c["ratio_95"][0].get<double>(), c["ratio_95"][1].get<double>(), c["p_adjusted"].get<double>());
 }
 
+std::string short_note(const char* name, const ordered_json& side) {
+  return side["long_enough"].get<bool>() ? "" : fmt::format("  note: {} is {}\n", name, kTooShort);
+}
+
 }  // namespace
 
 ordered_json compare_histories(const LoadHistory& run_history, const LoadHistory& measured_history) {
@@ -184,7 +189,8 @@ std::string comparison_text(const ordered_json& c) {
   row("peaks a second", "peaks_per_second");
   row("duration [s]", "duration");
   row("independent", "effective_sample_size");
-  text += "run over measured, 95 % interval, p that they are equal (after Holm)\n";
+  text += short_note("the run", c["run"]) + short_note("the measurement", c["measured"]);
+  text += "run over measured, 95 % interval, p-value of the test of equality (after Holm)\n";
   text += ratio_row("mean", c, "mean") + ratio_row("deviation", c, "deviation") +
           ratio_row("mean peak", c, "mean_peak") + ratio_row("peaks a second", c, "peak_rate");
   const ordered_json& d = c["distribution"];

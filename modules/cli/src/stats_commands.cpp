@@ -247,8 +247,7 @@ std::string statistics_text(const ordered_json& s) {
     text += fmt::format("  highest spectrum at  {:.4g} Hz (lines every {:.4g} Hz)\n", line["frequency"].get<double>(),
                         line["resolution"].get<double>());
   text += extremes_text(s);
-  if (!s["long_enough"].get<bool>())
-    text += "  note: shorter than 50 autocorrelation times; the intervals are themselves uncertain\n";
+  if (!s["long_enough"].get<bool>()) text += fmt::format("  note: {}\n", kTooShort);
   return text;
 }
 

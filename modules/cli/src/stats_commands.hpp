@@ -20,6 +20,10 @@ struct StatisticsSettings {
   std::optional<double> threshold;  ///< of peaks over a threshold; absent: the 90 % quantile
 };
 
+/// What `run`, `stats` and `compare` say of a history whose `long_enough` is false.
+inline constexpr const char* kTooShort =
+    "shorter than 50 autocorrelation times; the intervals are themselves uncertain";
+
 /// Statistics of a load history, in the unit of the file; keys as in summary.json where both have them.
 nlohmann::ordered_json statistics_of(const LoadHistory& history, const StatisticsSettings& settings = {});
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "closed_forms.hpp"
+#include "stats_commands.hpp"
 
 namespace brash::cli {
 namespace {
@@ -32,8 +33,7 @@ std::string loads(const simulation::RunSummary& s) {
   text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
   text += load_row("horizontal", s.horizontal, s.horizontal_split);
   text += load_row("vertical", s.vertical, s.vertical_split);
-  if (!s.horizontal.long_enough)
-    text += "  the history is shorter than 50 autocorrelation times: the intervals are themselves uncertain\n";
+  if (!s.horizontal.long_enough) text += fmt::format("  note: the history is {}\n", kTooShort);
   return text + whole;
 }
 

@@ -50,6 +50,15 @@ BOOST_AUTO_TEST_CASE(a_history_does_not_differ_from_itself) {
   BOOST_TEST(contains(comparison_text(c), "no difference at 5 %"));
 }
 
+BOOST_AUTO_TEST_CASE(a_short_history_is_named) {
+  // A memory of five steps: the autocorrelation time is 4.5 of them.
+  const LoadHistory lasting = noise(1, 2000, 100.0, 20.0), brief = noise(2, 100, 100.0, 20.0);
+  BOOST_TEST(!contains(comparison_text(compare_histories(lasting, lasting)), "note:"));
+  const std::string text = comparison_text(compare_histories(brief, lasting));
+  BOOST_TEST(contains(text, "note: the run is shorter than 50 autocorrelation times"));
+  BOOST_TEST(!contains(text, "the measurement is"));
+}
+
 BOOST_AUTO_TEST_CASE(replicates_of_one_process_differ_in_few_cases) {
   int different = 0;
   for (std::uint64_t r = 0; r < 100; ++r)
