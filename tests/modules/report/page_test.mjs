@@ -227,6 +227,21 @@ test("a run that is over before its statistics begin shows none", async () => {
   await shown.close();
 });
 
+test("a run without frames offers no replay, but its loads and cracks", async () => {
+  const still = join(folder, "still");
+  brash("run", join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml"), "-o", still, "--set", "time.duration=3", "--set", "output.frames_per_second=0");
+  const shown = await browser.open(join(still, "report.html"));
+  assert.equal(await shown.locator("canvas[aria-label^=Replay], input[type=range], .keys").count(), 0);
+  assert.match(await shown.locator("#report").innerText(), /No frames recorded after the start \(output\.frames_per_second = 0\)/);
+  const cracks = readCsv(join(still, "events.csv")).filter((row) => row.event === "break").length;
+  assert.ok(cracks > 0);
+  assert.equal(await shown.locator(".breaks circle").count(), cracks);
+  assert.match(await shown.locator(".event-card").innerText(), new RegExp(`of ${cracks}`));
+  // 1.202 m/s for 3 s from 7 m before the edge.
+  assert.ok(Math.abs(Number(await shown.locator(".plan .structure").first().getAttribute("cx")) - (3 * 1.202 - 7)) < 1e-9);
+  await shown.close();
+});
+
 test("nothing hangs over the edge of a narrow page", async () => {
   await page.setViewportSize({ width: 400, height: 800 });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 400);

@@ -63,6 +63,11 @@ export async function readBlocks(directory: BlockEntry[]): Promise<Blocks> {
   return blocks;
 }
 
+/** Whether there are poses to replay: a single frame is the start. */
+export function hasReplay(data: RunData): boolean {
+  return (data.blocks.find(({ name }) => name === "frame.time")?.count ?? 0) >= 2;
+}
+
 export type Ring = [number, number][];
 
 /** Polygons stored by their rings: `name`.rings, .nodes, .x, .y. */
@@ -117,6 +122,11 @@ export class Run {
   input(section: string, key: string): number {
     const value = this.inputs[section]?.[key]?.value;
     return typeof value === "number" ? value : NaN;
+  }
+
+  /** Where the structure's axis is at the end [m]: its speed is constant, and the last frame may be older. */
+  structureAtEnd(): number {
+    return this.input("structure", "speed") * this.duration - this.input("structure", "start_distance");
   }
 
   /** The event whose crack made a floe, or -1: the initial crack. */

@@ -45,7 +45,7 @@ export class LoadHistory {
       "div",
       { class: "loads" },
       el("div", { class: "bar" }, el("strong", {}, "Load on the structure"), choose,
-        el("button", { type: "button", click: () => this.zoom(0.5), title: "Zoom in on the replay's time" }, "+"),
+        el("button", { type: "button", click: () => this.zoom(0.5), title: "Zoom in on the upright line" }, "+"),
         el("button", { type: "button", click: () => this.zoom(2), title: "Zoom out" }, "−"),
         el("button", { type: "button", click: () => this.showAll(), title: "The whole history" }, "all")),
       this.chart.element,

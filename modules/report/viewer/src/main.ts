@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { showCampaign } from "./campaign";
 import { redrawCharts } from "./charts";
-import { readBlocks, readData, Run } from "./data";
+import { hasReplay, readBlocks, readData, Run } from "./data";
 import { el } from "./dom";
 import { type RunReport, showRun } from "./run";
 import type { CampaignData, RunData } from "./types";
@@ -33,7 +33,7 @@ function header(data: RunData | CampaignData, title: string, onTheme: () => void
       onTheme();
     },
   }, ...kThemes.map((name) => el("option", { value: name }, name)));
-  const keys = data.kind === "run" && el("details", { class: "keys" }, el("summary", {}, "keys"),
+  const keys = data.kind === "run" && hasReplay(data) && el("details", { class: "keys" }, el("summary", {}, "keys"),
     el("p", {}, "space: play · ← →: one frame, with shift one second · [ ]: slower, faster · , .: start, end · 1 to 5: views · mouse: orbit, wheel, right button"));
   return el("header", {},
     el("div", { class: "title" }, el("h1", {}, title), el("p", {}, subtitle(data))),
@@ -69,7 +69,7 @@ async function main(): Promise<void> {
   window.brashReport = handle;
   const retheme = () => {
     redrawCharts();
-    handle.report?.replay.scene?.setTheme();
+    handle.report?.replay?.scene?.setTheme();
     handle.report?.player.seek(handle.report.player.time);
   };
   const head = header(data, title, retheme);

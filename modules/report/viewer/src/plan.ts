@@ -80,9 +80,8 @@ export class PlanView {
   ) {
     const pieces = Array.from({ length: run.nFloes }, (_, i) => run.bornAt(i));
     const last = run.sheets.at(-1)!;
-    const frameX = run.column("frame.structure_x");
     const radius = 0.5 * run.input("structure", "waterline_width");
-    const end = frameX[frameX.length - 1] ?? 0;
+    const end = run.structureAtEnd();
     const nodes = [...pieces.flat(2), [end + radius, -radius], [end + radius, radius]] as [number, number][];
     const box = around(nodes, 2.5);
     const latest = Math.max(1e-9, run.duration);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report of one run.
 import { citeSection } from "./cite";
-import type { Run } from "./data";
+import { hasReplay, type Run } from "./data";
 import { el, section } from "./dom";
 import { EventCard } from "./events";
 import { deviation, kN, number } from "./format";
@@ -32,9 +32,26 @@ function keyFigures(run: Run): HTMLElement {
 
 export interface RunReport {
   player: Player;
-  replay: Replay;
+  /** Null where no frames were recorded. */
+  replay: Replay | null;
   loads: LoadHistory;
   choose: (event: number) => void;
+}
+
+function makeReplay(run: Run, player: Player): Replay {
+  const replay = new Replay(run, player);
+  bindKeys(player, replay, run.column("frame.time"));
+  const still = el("img", { class: "still", alt: "Replay at the time of printing" });
+  replay.element.prepend(still);
+  addEventListener("beforeprint", () => (still.src = replay.still()));
+  return replay;
+}
+
+/** Says why there is no replay. Poses made up from the start alone would look like the run. */
+function noReplay(run: Run): HTMLElement {
+  const rate = number(run.input("output", "frames_per_second"));
+  return el("p", { class: "note" }, `No frames recorded after the start (output.frames_per_second = ${rate}), so there is no replay. ` +
+    "Loads, cracks and the places where floes broke off are complete.");
 }
 
 export function showRun(run: Run, parent: HTMLElement): RunReport {
@@ -46,17 +63,14 @@ export function showRun(run: Run, parent: HTMLElement): RunReport {
   };
   const card = new EventCard(run, choose);
   const plan = new PlanView(run, choose);
-  const replay = new Replay(run, player);
+  const replay = hasReplay(run.data) ? makeReplay(run, player) : null;
   const loads = new LoadHistory(run, player, (peak) => choose(peak.event, peak));
-  bindKeys(player, replay, run.column("frame.time"));
-
-  const still = el("img", { class: "still", alt: "Replay at the time of printing" });
-  replay.element.prepend(still);
-  addEventListener("beforeprint", () => (still.src = replay.still()));
 
   parent.append(
     keyFigures(run),
-    el("div", { class: "stage-row" }, replay.element, el("div", { class: "side" }, loads.element, card.element)),
+    ...(replay
+      ? [el("div", { class: "stage-row" }, replay.element, el("div", { class: "side" }, loads.element, card.element))]
+      : [noReplay(run), el("div", { class: "stage-row" }, loads.element, card.element)]),
     section("channel", "Channel and cracks",
       plan.element,
       el("p", { class: "note" }, "Every floe where it broke off (darker: later), the sheet at the end, the structure's waterline at the end, " +
