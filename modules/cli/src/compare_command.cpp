@@ -54,6 +54,7 @@ void check_units(const LoadHistory& run, const LoadHistory& measured, const std:
 
 void compare(CompareOptions& options) {
   const std::string file = run_history(options.run, options.of_run);
+  refuse_overwriting(options.picture, {file, options.measured});
   const LoadHistory run = read_history(file, options.of_run);
   const LoadHistory measured = read_history(options.measured, options.of_measured);
   check_units(run, measured, options.measured);

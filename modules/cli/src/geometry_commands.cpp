@@ -169,6 +169,7 @@ void crack(const CrackOptions& options) {
     throw InputError(Complaint{"crack", options.events.empty() ? "nothing to cut with" : "two things to cut with",
                                "one of --events FILE.csv and --cutters FILE.wkt", "give one of the two"});
   }
+  refuse_overwriting(options.output, {options.sheet, options.events, options.cutters});
   const std::vector<Feature> features = read_features(options.sheet);
   CrackRun run(sheet_of(options.sheet, features), features);
   if (!options.events.empty()) {

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/results.hpp"
 #include "brash/statistics/extremes.hpp"
@@ -281,6 +282,7 @@ void add_stats_command(CLI::App& app) {
   command->callback([options, from, threshold] {
     options->choice.has_from = from->count() > 0;
     if (threshold->count() > 0) options->settings.threshold = options->threshold;
+    refuse_overwriting(options->spectrum, {options->file});
     const LoadHistory load = read_history(options->file, options->choice);
     if (!options->spectrum.empty()) write_spectrum(options->spectrum, load, options->settings.segment);
     const ordered_json out = statistics_of(load, options->settings);

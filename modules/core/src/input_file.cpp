@@ -65,6 +65,17 @@ std::string read_json_text(const std::string& path, const std::string& kind) {
   return text;
 }
 
+void refuse_overwriting(const std::string& output, std::initializer_list<std::string> inputs) {
+  for (const std::string& input : inputs) {
+    // Not equivalent where one of them is not there.
+    std::error_code ignored;
+    if (std::filesystem::equivalent(output, input, ignored)) {
+      throw InputError(Complaint{output, "would be written over " + input + ", which is an input",
+                                 "a file that the command does not read", "give another name for what is written"});
+    }
+  }
+}
+
 std::size_t most_values_in(std::uintmax_t n_bytes) {
   constexpr std::uintmax_t kBestDeflation = 1032;
   constexpr std::uintmax_t kMost = std::uintmax_t{1} << 27;

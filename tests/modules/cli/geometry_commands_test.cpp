@@ -149,6 +149,21 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_with_its_place) {
   refused({"fit", "--sheet", sheet, "--at", "0,5", "--towards", "0,0"}, "--towards");
 }
 
+BOOST_AUTO_TEST_CASE(an_input_is_not_written_over) {
+  const std::string sheet = write("sheet.wkt", kSheet), events = write("events.csv", "0,5,2,3\n");
+  const std::string cutters = write("cutters.wkt", "POLYGON ((4 -1, 6 -1, 6 11, 4 11, 4 -1))");
+  const std::string other_name = (path / "link.wkt").string();
+  fs::create_symlink(sheet, other_name);
+  const auto refused = [&](const std::vector<std::string>& arguments) {
+    BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& e) { return names(e, "is an input"); });
+  };
+  refused({"crack", "--sheet", sheet, "--events", events, "-o", sheet});
+  refused({"crack", "--sheet", sheet, "--events", events, "-o", other_name});
+  refused({"crack", "--sheet", sheet, "--events", events, "-o", events});
+  refused({"crack", "--sheet", sheet, "--cutters", cutters, "-o", cutters});
+  BOOST_TEST(read("sheet.wkt") == kSheet);
+}
+
 BOOST_AUTO_TEST_CASE(events_are_refused_with_line_and_column) {
   const auto refused = [](const std::string& text, const std::string& what) {
     BOOST_CHECK_EXCEPTION(read_crack_events("e.csv", text), InputError,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 
 namespace brash {
@@ -16,6 +17,12 @@ std::string read_text_file(const std::string& path, const std::string& kind, std
 /// The text of a JSON file of at most 64 MiB, not nested deeper than 64: what walks through it may recur.
 /// @throws InputError as above, or naming the byte.
 std::string read_json_text(const std::string& path, const std::string& kind);
+
+/// Refuses an output that would take the place of a file that the same command reads, under whatever name.
+/// @param output  path to write; empty: nothing is written.
+/// @param inputs  paths to read; those that are not there, and empty ones, are passed over.
+/// @throws InputError naming both.
+void refuse_overwriting(const std::string& output, std::initializer_list<std::string> inputs);
 
 /// How many numbers a variable of a netCDF file of `n_bytes` has at most: deflate packs 1032 bytes into one, and 2^27
 /// doubles are 1 GiB. Nobody makes room for more, whatever a file states.
