@@ -172,10 +172,12 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
 }
 
 void write_campaign_manifest(const Folder& folder, const std::string& plan_file, const std::vector<Row>& rows) {
-  Json manifest{
-      {"format", "brash-campaign-manifest-1"}, {"program", {{"name", "brash"}, {"version", kVersion}}},
-      {"glibc", gnu_get_libc_version()},       {"plan", {{"path", plan_file}, {"sha256", sha256_of_file(plan_file)}}},
-      {"cases_made_by", makers(folder, rows)}, {"outputs", Json::array()}};
+  Json manifest{{"format", kManifestFormat},
+                {"program", {{"name", "brash"}, {"version", kVersion}}},
+                {"glibc", gnu_get_libc_version()},
+                {"plan", {{"path", plan_file}, {"sha256", sha256_of_file(plan_file)}}},
+                {"cases_made_by", makers(folder, rows)},
+                {"outputs", Json::array()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   for (const char* const name : {"campaign.csv", "campaign.nc", "summary.json"})
     manifest["outputs"].push_back({{"path", name}, {"sha256", sha256_of_file(folder.directory() + "/" + name)}});

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
@@ -19,6 +20,20 @@ std::string read_text(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
+
+namespace {
+
+/// The folder of a run has files of the same names, which would be lost.
+void refuse_other_results(const std::string& directory) {
+  const std::string path = directory + "/manifest.json";
+  if (!fs::exists(path)) return;
+  const auto manifest = nlohmann::json::parse(read_text(path), nullptr, /*allow_exceptions=*/false);
+  if (manifest.is_object() && manifest.contains("format") && manifest["format"] == kManifestFormat) return;
+  throw InputError(Complaint{directory, "holds results that are not a campaign's, as its manifest.json says",
+                             "a folder that is new, empty or of this campaign", "give another folder"});
+}
+
+}  // namespace
 
 std::string Folder::id(const CaseKey& key) const {
   return fmt::format("{}-r{:04}", plan_.settings[key.setting].name, key.replicate);
@@ -38,6 +53,7 @@ std::optional<double> Folder::value(const CaseKey& key, const std::string& colum
 }
 
 void Folder::prepare(bool resume) const {
+  refuse_other_results(directory_);
   std::error_code reason;
   const fs::path cases = fs::path(directory_) / "cases";
   fs::create_directories(cases, reason);

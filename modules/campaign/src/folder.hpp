@@ -10,6 +10,9 @@
 
 namespace brash::campaign {
 
+/// What the manifest of a campaign says that it is.
+constexpr const char* kManifestFormat = "brash-campaign-manifest-1";
+
 /// Where a case stands in its campaign.
 struct CaseKey {
   std::size_t setting = 0;
@@ -36,8 +39,8 @@ class Folder {
   std::optional<double> value(const CaseKey& key, const std::string& column) const;
 
   /// Makes the folder and its settings.
-  /// @throws InputError when a setting of that name is there already and differs, or when cases are there and `resume`
-  ///         is false.
+  /// @throws InputError when a setting of that name is there already and differs, when cases are there and `resume`
+  ///         is false, or when there are results of something else.
   void prepare(bool resume) const;
   /// The process that runs a case.
   Job job_of(const CaseKey& key, const std::string& program) const;

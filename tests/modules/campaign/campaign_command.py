@@ -100,6 +100,15 @@ class Command(unittest.TestCase):
         self.refuses(quick(self.whole, "--resume", "--set", "ice.thickness=0.4"), "settings/plan_speed-1.0.toml", "remedy:")
         self.assertEqual(quick(self.whole, "--resume").returncode, 0)
 
+    def test_the_folder_of_a_run_is_refused(self):
+        folder = FOLDER / "run"
+        subprocess.run([BRASH, "run", self.whole / "settings" / "plan_speed-1.0.toml", "-o", folder], check=True,
+                       capture_output=True)
+        before = {p: p.read_bytes() for p in folder.iterdir()}
+        for options in ((), ("--resume",)):
+            self.refuses(quick(folder, *options), "holds results that are not a campaign's", "allowed:", "remedy:")
+            self.assertEqual({p: p.read_bytes() for p in folder.iterdir()}, before)
+
     def test_a_broken_plan_leaves_nothing_behind(self):
         plan = FOLDER / "broken.toml"
         plan.write_text("[campaign]\ncase = \"none.toml\"\n", encoding="utf-8")
