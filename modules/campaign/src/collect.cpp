@@ -133,6 +133,7 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
   out["n_done"] = n_done;
   out["n_failed"] = n_failed;
   out["stopped_by"] = !plan.stop ? "replicates" : schedule.is_narrow_enough(setting) ? "half_width" : "most_replicates";
+  out["statistics"] = Json::object();
   for (std::size_t c = 0; c < plan.columns.size(); ++c) out["statistics"][plan.columns[c]] = statistic(by_column[c]);
   return out;
 }

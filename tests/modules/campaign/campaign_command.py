@@ -109,6 +109,16 @@ class Command(unittest.TestCase):
             self.refuses(quick(folder, *options), "holds results that are not a campaign's", "allowed:", "remedy:")
             self.assertEqual({p: p.read_bytes() for p in folder.iterdir()}, before)
 
+    def test_a_campaign_may_collect_no_columns(self):
+        plan = FOLDER / "without_columns.toml"
+        text = PLAN.read_text(encoding="utf-8").replace("[output]", "[output]\ncolumns = []")
+        plan.write_text(text.replace("replicates = 3", "replicates = 1"), encoding="utf-8")
+        folder = FOLDER / "without_columns"
+        done = campaign("-o", folder, "--quick", plan=plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        self.assertEqual([setting["statistics"] for setting in summary["settings"]], [{}] * 4)
+
     def test_a_broken_plan_leaves_nothing_behind(self):
         plan = FOLDER / "broken.toml"
         plan.write_text("[campaign]\ncase = \"none.toml\"\n", encoding="utf-8")
