@@ -48,6 +48,7 @@ class PlanReader {
 
   CampaignPlan read() {
     const Json document = validated(source_, schema_of_plans());
+    check_quick();
     read_own(document);
     set_ = read_assignments(path_, "set", source_.tree.get("set"), problems_);
     axes_ = read_axes(path_, source_.tree.get("grid"), problems_);
@@ -69,6 +70,12 @@ class PlanReader {
               std::string nearest, std::string remedy) {
     problems_.push_back({place, std::move(key), std::move(value), std::move(what), std::move(allowed),
                          std::move(nearest), std::move(remedy)});
+  }
+
+  void check_quick() const {
+    if (!options_.quick || source_.tree.contains("quick")) return;
+    refuse({{place_of(source_, "quick"), "[quick]", "", "is missing, and --quick asks for it",
+             "a section [quick] in the plan", "", "add it, or leave --quick out"}});
   }
 
   /// [campaign], [stop], [output] and what [quick] replaces of them.

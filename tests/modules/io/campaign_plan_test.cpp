@@ -123,6 +123,13 @@ BOOST_AUTO_TEST_CASE(the_quick_variant_takes_fewer_points_and_replicates_and_no_
   BOOST_CHECK(*whole.stop == (StopRule{"horizontal.mean", 0.05, 0.95, 20, 1}));
 }
 
+BOOST_AUTO_TEST_CASE(a_plan_without_a_quick_variant_has_none) {
+  BOOST_CHECK_EXCEPTION(read(kGrid, true), InputError, [](const InputError& error) {
+    return std::string(error.what()).find("[quick]: is missing, and --quick asks for it") != std::string::npos;
+  });
+  BOOST_TEST(names(read(kGrid + "[quick]\n", true)).size() == 6u);
+}
+
 BOOST_AUTO_TEST_CASE(a_setting_does_not_depend_on_what_else_the_grid_has) {
   const CampaignPlan many = read(kGrid);
   const CampaignPlan few = read(kBase + "[set]\ntime.duration = 30\n[[grid]]\nstructure.angle = [\"65 deg\"]\n" +
