@@ -67,6 +67,11 @@ void check_cone(const Case& c, Checks& checks) {
                  fmt::format("more than {:.6g} m at this angle and height", 2.0 * to_narrow_end / std::tan(s.angle)),
                  "widen the waterline, steepen the angle, or shorten that end");
 
+  checks.require(std::tan(s.angle) * c.ice.friction_structure < 1.0, {"ice", "friction_structure"},
+                 {"structure", "angle"}, "the ice locks: friction holds it on the slope",
+                 fmt::format("less than 1 / tan(structure.angle) = {:.6g}", 1.0 / std::tan(s.angle)),
+                 "lower ice.friction_structure or structure.angle");
+
   // The ice must meet the sloping surface over its whole thickness.
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   const double freeboard = c.ice.thickness - draught;
