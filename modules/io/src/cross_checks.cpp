@@ -12,6 +12,9 @@
 namespace brash::io {
 namespace {
 
+/// How far from the origin the geometry's grid reaches, geometry::kMaxCoordinate [m].
+constexpr double kFarthest = 8192.0;
+
 struct Key {
   const char* section;
   const char* name;
@@ -88,6 +91,15 @@ void check_cone(const Case& c, Checks& checks) {
                  "the structure starts inside the ice",
                  fmt::format("more than its largest radius in the ice, {:.6g} m", radius),
                  "start the structure further from the ice edge");
+  const double farthest = kFarthest - radius;
+  checks.require(s.start_distance <= farthest, {"structure", "start_distance"}, {"structure", "waterline_width"},
+                 "the structure starts outside the plane of the ice",
+                 fmt::format("at most {} m less its largest radius in the ice, {:.6g} m", kFarthest, farthest),
+                 "start the structure nearer to the ice edge");
+  checks.require(s.speed * c.time.duration - s.start_distance <= farthest, {"time", "duration"}, {"structure", "speed"},
+                 "the structure leaves the plane of the ice before the end",
+                 fmt::format("at most {:.6g} s at this speed", (farthest + s.start_distance) / s.speed),
+                 "shorten the run or slow the structure down");
 }
 
 void check_field(const Case& c, Checks& checks) {
