@@ -22,7 +22,7 @@ function keyFigures(run: Run): HTMLElement {
   return el("div", { class: "figures" },
     figure(kN(s.horizontal.mean), "kN", "mean horizontal", `95 %: ${kN(s.horizontal.mean_95[0])} to ${kN(s.horizontal.mean_95[1])}`),
     figure(kN(s.vertical.mean), "kN", "mean vertical", `95 %: ${kN(s.vertical.mean_95[0])} to ${kN(s.vertical.mean_95[1])}`),
-    figure(kN(s.horizontal.maximum), "kN", `largest horizontal from ${seconds(s.statistics_from)} s on`, `deviation ${kN(s.horizontal.standard_deviation)}`),
+    figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${seconds(s.statistics_from)} s on; deviation ${kN(s.horizontal.standard_deviation)}`),
     Number.isFinite(measured)
       ? figure(kN(measured), "kN", "reference mean", `this run: ${deviation(s.horizontal.mean, measured)}`)
       : figure(number(s.fastest_floe, 3), "m/s", "fastest floe"),
