@@ -82,6 +82,19 @@ class CampaignProgress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// How many cases of a setting are done without a mean load, and why; nothing where all have one.
+std::string without_mean(const std::string& name, const nlohmann::ordered_json& setting) {
+  const auto& statistics = setting.at("statistics");
+  const int n_done = setting.at("n_done").get<int>();
+  for (const char* const column : {"horizontal.mean", "vertical.mean"}) {
+    if (!statistics.contains(column)) continue;
+    const int n = n_done - statistics.at(column).at("n").get<int>();
+    if (n == 0) return "";
+    return fmt::format("{:<36} {:>4}  of {} cases without a mean: over before output.statistics_from\n", name, n, n_done);
+  }
+  return "";
+}
+
 /// The means of each setting, of the two columns that people look at first.
 std::string means_table(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(std::ifstream(summary_file));
@@ -100,6 +113,7 @@ std::string means_table(const std::string& summary_file) {
       text += '\n';
       shown.clear();
     }
+    text += without_mean(shown, setting);
   }
   return text;
 }

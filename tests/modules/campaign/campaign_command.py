@@ -47,6 +47,16 @@ class Command(unittest.TestCase):
         self.assertEqual(quick(folder, "--jobs", "3").returncode, 0)
         self.assertEqual(different(self.whole, folder), [])
 
+    def test_cases_that_end_before_their_statistics_are_counted(self):
+        # Without a time of their own they begin when the cone's axis passes the edge, 6.9 m away.
+        plan = FOLDER / "early.toml"
+        plan.write_text(Path(PLAN).read_text().replace("output = { statistics_from = 0.2 }", ""))
+        done = campaign("-o", FOLDER / "early", "--quick", plan=plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.count("3  of 3 cases without a mean: over before output.statistics_from"), 4)
+        self.assertNotIn("horizontal.mean ", done.stdout)
+        self.assertNotIn("without a mean", quick(FOLDER / "complete").stdout)
+
     def test_a_case_alone_gives_the_bytes_that_it_has_in_the_campaign(self):
         folder = FOLDER / "alone"
         subprocess.run([BRASH, "run", self.whole / "settings" / "plan_speed-1.4.toml", "--set", "random.replicate=2",

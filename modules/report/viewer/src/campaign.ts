@@ -172,6 +172,16 @@ function runsTable(data: CampaignData, rows: string[][], columns: string[]): HTM
   return table(["run", ...shown.map((i) => titleOf(head[i]))], body.map((row) => [link(row), ...shown.map((i) => cell(row, i))]), { id: "runs" });
 }
 
+/** Says which settings have cases without a mean load, and why. */
+function withoutMean(settings: CampaignSetting[]): HTMLElement | false {
+  const lacking = settings
+    .map((s) => ({ s, n: s.n_done - (s.statistics["horizontal.mean"] ?? s.statistics["vertical.mean"] ?? { n: s.n_done }).n }))
+    .filter(({ n }) => n > 0);
+  if (lacking.length === 0) return false;
+  const names = lacking.map(({ s, n }) => `${s.setting} (${n} of ${s.n_done})`).join(", ");
+  return el("p", { class: "note" }, `Cases that were over before their statistics begin (output.statistics_from) have no mean load: ${names}.`);
+}
+
 export function showCampaign(data: CampaignData, parent: HTMLElement): void {
   const { settings, n_cases, n_done, n_failed } = data.summary;
   const known = Object.keys(settings[0]?.statistics ?? {});
@@ -189,12 +199,14 @@ export function showCampaign(data: CampaignData, parent: HTMLElement): void {
   );
   const rows = parseCsv(data.table);
   const runs = runsOf(rows);
-  const drawn = shown.slice(0, axes.length > 3 ? 1 : 4);
+  const hasMeans = (column: string) => settings.some((s) => typeof s.statistics[column]?.mean === "number");
+  const drawn = shown.filter(hasMeans).slice(0, axes.length > 3 ? 1 : 4);
   const charts = axes.flatMap((key) => drawn.map((column) => trend(data, runs, column, key, keys.filter((other) => other !== key && !together(other, key))).element));
   if (charts.length > 0)
     parent.append(section("trends", "Trends", el("p", {}, "Means over the replicates with Student's 95 % intervals; pale dots are single runs."), el("div", { class: "charts wide" }, ...charts)));
   parent.append(
     section("settings", "Settings",
+      withoutMean(settings),
       table(["setting", "done", "failed", ...shown.map(titleOf)], settings.map((s) => settingRow(s, shown)), { id: "settings-table" })),
     section("all-runs", "Every run", runsTable(data, rows, shown)),
     section("inputs", "Origin", manifestTables(data.manifest)),
