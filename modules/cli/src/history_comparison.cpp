@@ -90,11 +90,13 @@ ordered_json mean_json(const Side& run, const Side& measured) {
 Summary peak_summary(const Samples& peaks, const Summary& of) {
   const statistics::Moments m = statistics::moments(peaks);
   const double error = of.standard_deviation * of.standard_deviation / of.effective_sample_size;
+  const double of_mean = m.variance / static_cast<double>(m.n) + error;
   Summary s;
   s.n = m.n;
   s.mean = m.mean;
-  s.standard_deviation = std::sqrt(m.variance);
-  s.effective_sample_size = m.variance / (m.variance / static_cast<double>(m.n) + error);
+  // Peaks of one height count as one: their mean is as uncertain as the mean that they stand on.
+  s.effective_sample_size = std::max(1.0, m.variance / of_mean);
+  s.standard_deviation = std::sqrt(s.effective_sample_size * of_mean);
   return s;
 }
 

@@ -83,6 +83,22 @@ BOOST_AUTO_TEST_CASE(what_is_changed_is_what_differs) {
   BOOST_TEST(!has(faster, "deviation"));
 }
 
+BOOST_AUTO_TEST_CASE(peaks_of_one_height_are_as_uncertain_as_the_mean_below_them) {
+  LoadHistory teeth;
+  for (int i = 0; i < 400; ++i) {
+    teeth.history.times.push_back(0.1 * i);
+    teeth.history.values.push_back(i % 4 == 0 ? 110.0 : 100.0);
+  }
+  teeth.even = statistics::make_even(teeth.history);
+  const auto other = compare_histories(teeth, noise(1, 2000, 100.0, 10.0))["mean_peak"];
+  BOOST_TEST(std::isfinite(other["ratio_95"][0].get<double>()));
+  BOOST_TEST(std::isfinite(other["ratio_95"][1].get<double>()));
+  const auto itself = compare_histories(teeth, teeth)["mean_peak"];
+  BOOST_TEST(itself["ratio_95"][0].get<double>() < 1.0);
+  BOOST_TEST(itself["ratio_95"][1].get<double>() > 1.0);
+  BOOST_TEST(itself["p"].get<double>() == 1.0);
+}
+
 BOOST_AUTO_TEST_CASE(the_picture_holds_both_histories_and_closes_its_elements) {
   LoadHistory measured = noise(1, 3000, 100.0, 10.0);
   measured.history.times.erase(measured.history.times.begin() + 500, measured.history.times.begin() + 900);
