@@ -130,6 +130,9 @@ ordered_json ralston_json(const io::Case& c, standards::Yield yield) {
 
 /// One break: the half disc in front of a contact, divided into wedges, each loaded over one thickness from its tip.
 ordered_json nevel_json(const io::Case& c, int wedges) {
+  const std::string method = fmt::format("one break of {} wedges, loaded over one thickness", wedges);
+  constexpr const char* kSource = "Nevel 1972, narrow wedges";
+  if (wedges < 2) return refused(method.c_str(), kSource, {"the whole half disc is no wedge: two at least"});
   standards::NevelInput input;
   input.wedge_angle = kPi / wedges;
   input.loaded_length = c.ice.thickness;
@@ -140,20 +143,16 @@ ordered_json nevel_json(const io::Case& c, int wedges) {
   const standards::NevelLoad load = standards::nevel(input);
   // Friction on the slope inclines the force by atan(mu) from its normal.
   const double inclination = c.structure.angle + std::atan(c.ice.friction_structure);
-  ordered_json out{{"method", fmt::format("one break of {} wedges, loaded over one thickness", wedges)},
-                   {"source", "Nevel 1972, narrow wedges"},
-                   {"kind", kPeak}};
-  if (inclination >= 0.5 * kPi) {
-    out["not_applicable"] = "the ice locks: tan(slope) >= 1/friction";
-    return out;
-  }
-  out["applies_to"] = kNevelApplies;
+  if (inclination >= 0.5 * kPi) return refused(method.c_str(), kSource, {"the ice locks: tan(slope) >= 1/friction"});
   const double vertical = wedges * load.vertical;
-  out["horizontal"] = vertical * std::tan(inclination);
-  out["vertical"] = vertical;
-  out["components"] = {{"P of one wedge", load.vertical}};
-  out["in_range"] = load.in_range;
-  return out;
+  return {{"method", method},
+          {"source", kSource},
+          {"kind", kPeak},
+          {"applies_to", kNevelApplies},
+          {"horizontal", vertical * std::tan(inclination)},
+          {"vertical", vertical},
+          {"components", {{"P of one wedge", load.vertical}}},
+          {"in_range", load.in_range}};
 }
 
 ordered_json lindqvist_json(const standards::LindqvistLoad& load) {

@@ -278,4 +278,13 @@ BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {
   BOOST_TEST(contains(loads_text(loads), "not applicable: the ice locks"));
 }
 
+BOOST_AUTO_TEST_CASE(a_half_disc_in_one_piece_is_no_narrow_wedge) {
+  io::Case c = validation_cone();
+  c.failure.wedges = {1, 2};
+  const auto loads = closed_form_loads(c)["loads"];
+  BOOST_TEST_REQUIRE(loads.size() == 5U);
+  BOOST_TEST(loads[3].contains("not_applicable"));
+  BOOST_TEST(loads[4]["horizontal"].get<double>() > 0.0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
