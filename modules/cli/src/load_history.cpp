@@ -39,6 +39,8 @@ void require_rising(const io::Series& series, const std::vector<double>& times) 
 }  // namespace
 
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
+  if (std::isnan(choice.from))
+    throw InputError(Complaint{path, fmt::format("--from {} is no time", choice.from), "seconds", "give a number"});
   io::Series series = io::read_series(path);
   if (choice.dt > 0.0) series.time.reset();
   if (choice.dt <= 0.0 && !series.time)

@@ -281,6 +281,9 @@ void add_stats_command(CLI::App& app) {
   command->footer("Example: brash stats results/cone/history.csv --column Fx --from 8");
   command->callback([options, from, threshold] {
     options->choice.has_from = from->count() > 0;
+    if (!std::isfinite(options->threshold))
+      throw InputError(Complaint{options->file, fmt::format("--threshold {} is no load", options->threshold),
+                                 "a finite number in the unit of the column", "give a number"});
     if (threshold->count() > 0) options->settings.threshold = options->threshold;
     refuse_overwriting(options->spectrum, {options->file});
     const LoadHistory load = read_history(options->file, options->choice);

@@ -242,6 +242,18 @@ BOOST_AUTO_TEST_CASE(a_short_history_says_what_it_cannot_tell) {
   BOOST_TEST(contains(statistics_text(s), "shorter than 50 autocorrelation times"));
 }
 
+BOOST_AUTO_TEST_CASE(what_is_no_number_is_no_limit) {
+  HistoryChoice choice;
+  choice.has_from = true;
+  choice.from = std::nan("");
+  BOOST_TEST(contains(complaint("0,1\n1,2\n2,3\n", choice), "--from nan is no time"));
+  const TemporaryFile file("0,1\n1,2\n2,3\n");
+  CLI::App app;
+  add_stats_command(app);
+  BOOST_CHECK_EXCEPTION(app.parse("stats " + file.path() + " --threshold nan"), InputError,
+                        [](const InputError& e) { return contains(e.what(), "--threshold nan is no load"); });
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(loads_command)
