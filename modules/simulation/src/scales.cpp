@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "brash/core/constants.hpp"
+#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/run.hpp"
 #include "edge_contact.hpp"
 #include "initial_crack.hpp"
@@ -32,7 +33,11 @@ namespace {
 /// What is to be asked about a run that is over before there is anything to tell.
 std::vector<std::string> duration_warnings(const io::Case& c) {
   const double way = c.structure.speed * c.time.duration;
-  const double gap = c.structure.start_distance - 0.5 * c.structure.waterline_width;
+  const structure::Cone cone = cone_of(c);
+  const Freeboard heights = freeboard(c);
+  // The end of the ice's thickness at which the cone is wider meets it first.
+  const double radius = std::max(structure::radius_at(cone, heights.top), structure::radius_at(cone, heights.bottom));
+  const double gap = c.structure.start_distance - radius;
   if (way <= gap)
     return {
         fmt::format("the structure does not reach the ice: it is {:.3g} m away and moves {:.3g} m in time.duration = "

@@ -177,10 +177,10 @@ BOOST_AUTO_TEST_CASE(scales_of_the_validation_case_are_those_of_the_paper) {
   BOOST_TEST(scales.draft == 0.33 * 900.0 / 1025.0, boost::test_tools::tolerance(1e-14));
 }
 
-/// Of the validation case with one other value.
-std::vector<std::string> warnings(const char* override_text) {
-  return simulation::derived_scales(
-             io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {override_text}))
+/// Of the validation case with another value.
+std::vector<std::string> warnings(const char* override_text, const char* breaking = "downward") {
+  return simulation::derived_scales(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                                                  {override_text, std::string("structure.breaking=") + breaking}))
       .warnings;
 }
 
@@ -196,11 +196,13 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_over_too_early_is_warned_of) {
     const auto all = warnings(override_text);
     return all.size() == 1 && all[0].find(words) != std::string::npos;
   };
-  // The cone is 0.2 m from the ice, its axis 7 m, and moves 1.202 m in a second.
-  BOOST_TEST(says("time.duration=0.15", "does not reach the ice"));
+  // The cone is 0.18 m from the ice, its axis 7 m, and moves 1.202 m in a second.
+  BOOST_TEST(says("time.duration=0.14", "does not reach the ice"));
   BOOST_TEST(says("time.duration=0.2", "over before its statistics begin"));
   BOOST_TEST(says("time.duration=5.8", "over before its statistics begin"));
   BOOST_TEST(warnings("time.duration=5.9").empty());
+  // Breaking upward it is widest at the ice's bottom, 0.29 m down, and 0.04 m away.
+  BOOST_TEST(warnings("time.duration=0.14", "upward").at(0).find("statistics begin") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(without_a_steady_part_there_are_no_statistics_of_it) {
