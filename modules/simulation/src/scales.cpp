@@ -64,6 +64,18 @@ std::vector<std::string> thickness_warnings(const io::Case& c, double thickness_
                   c.failure.model, *trained, thickness_over_lc)};
 }
 
+/// A run is a whole number of steps long, the one nearest to its duration.
+std::vector<std::string> step_warnings(const io::Case& c) {
+  const double steps = c.time.duration / c.time.step;
+  constexpr double kRounding = 1e-6;  // of a duration and a step as they are written
+  if (std::abs(steps - std::round(steps)) <= kRounding * steps) return {};
+  return {
+      fmt::format("the run ends at {:.9g} s: time.duration = {} s is no whole number of steps of {} s, as {:.9g} and "
+                  "{:.9g} s are",
+                  std::round(steps) * c.time.step, c.time.duration, c.time.step, std::floor(steps) * c.time.step,
+                  std::ceil(steps) * c.time.step)};
+}
+
 }  // namespace
 
 DerivedScales derived_scales(const io::Case& resolved) {
@@ -71,6 +83,7 @@ DerivedScales derived_scales(const io::Case& resolved) {
   const auto criterion = make_criterion(resolved, ice);
   DerivedScales scales;
   scales.warnings = duration_warnings(resolved);
+  std::ranges::move(step_warnings(resolved), std::back_inserter(scales.warnings));
   scales.characteristic_length = failure::characteristic_length(ice);
   scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
   std::ranges::move(thickness_warnings(resolved, scales.thickness_over_lc, *criterion),

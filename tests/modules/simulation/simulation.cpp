@@ -205,6 +205,20 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_over_too_early_is_warned_of) {
   BOOST_TEST(warnings("time.duration=0.14", "upward").at(0).find("statistics begin") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_duration_that_is_no_whole_number_of_steps_is_warned_of) {
+  const auto warnings = [](const char* duration, const char* step) {
+    return simulation::derived_scales(
+               io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {duration, step}))
+        .warnings;
+  };
+  const auto all = warnings("time.duration=10", "time.step=0.03");
+  BOOST_TEST_REQUIRE(all.size() == 1u);
+  BOOST_TEST(all[0].find("the run ends at 9.99 s") != std::string::npos);
+  BOOST_TEST(all[0].find("9.99 and 10.02 s") != std::string::npos);
+  // A quotient that is not whole only by round-off.
+  BOOST_TEST(warnings("time.duration=8.7", "time.step=0.003").empty());
+}
+
 BOOST_AUTO_TEST_CASE(without_a_steady_part_there_are_no_statistics_of_it) {
   const simulation::RunSummary summary = simulation::run(short_case()).summary;
   BOOST_TEST(std::isnan(summary.horizontal.mean));
