@@ -20,6 +20,8 @@ constexpr std::array<std::string_view, 5> kColumns{"x", "y", "radius", "wedges",
 constexpr const char* kRemedy = "correct the line; a line that begins with # is passed over";
 /// More radial cracks than anyone breaks ice into, and few enough to draw.
 constexpr int kMostWedges = 1000;
+/// The vertices of a 16-gon in a smaller circle fall together on the geometry's grid [m].
+constexpr double kLeastRadius = 8.0 * geometry::kGridUnit;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r";
@@ -68,8 +70,9 @@ class Row {
     CrackEvent event;
     event.centre = {number<double>(0, fields_[0], "a number of metres"),
                     number<double>(1, fields_[1], "a number of metres")};
-    event.radius = number<double>(2, fields_[2], "a number of metres above 0");
-    if (!(event.radius > 0.0)) refuse(2, "a number of metres above 0");
+    const auto metres = fmt::format("a number of metres, at least {:.3g}", kLeastRadius);
+    event.radius = number<double>(2, fields_[2], metres);
+    if (!(event.radius >= kLeastRadius)) refuse(2, metres);
     for (const std::size_t axis : {0, 1}) {
       const double at = axis == 0 ? event.centre.x : event.centre.y;
       // A NaN fails the comparison.

@@ -172,6 +172,7 @@ BOOST_AUTO_TEST_CASE(events_are_refused_with_line_and_column) {
   refused("x,y,radius,wedges\n1,2,3\n", "e.csv, line 2: '1,2,3': 3 fields");
   refused("1,2,-3,4", "e.csv, line 1: radius = '-3'");
   refused("1,2,nan,4", "radius = 'nan'");
+  refused("1,2,1e-12,4", "radius = '1e-12' is not allowed\n  allowed: a number of metres, at least 7.45e-09");
   refused("1,inf,1,4", "y = 'inf' is not allowed\n  allowed: the circle must stay within");
   refused("1,2,3,0", "wedges = '0'");
   refused("1,2,3,2.5", "wedges = '2.5'");
