@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "brash/core/error.hpp"
 #include "brash/report/plan_view.hpp"
 #include "brash/report/report.hpp"
 #include "closed_forms.hpp"
@@ -10,6 +11,9 @@
 namespace brash::cli {
 
 FolderLock open_run_folder(const std::string& directory) {
+  if (report::is_campaign(directory))
+    throw InputError(Complaint{directory, "holds a campaign, of whose files some have the names of a run's",
+                               "a folder that is new, empty or of a run", "give another folder"});
   FolderLock lock = FolderLock::take_or_refuse(directory, "run.lock");
   remove_parts(directory);
   return lock;

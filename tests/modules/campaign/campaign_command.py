@@ -119,6 +119,12 @@ class Command(unittest.TestCase):
             self.refuses(quick(folder, *options), "holds results that are not a campaign's", "allowed:", "remedy:")
             self.assertEqual({p: p.read_bytes() for p in folder.iterdir()}, before)
 
+    def test_a_run_is_kept_out_of_the_folder_of_a_campaign(self):
+        before = {p: p.read_bytes() for p in self.whole.iterdir() if p.is_file()}
+        self.refuses(subprocess.run([BRASH, "run", self.whole / "settings" / "plan_speed-1.0.toml", "-o", self.whole],
+                                    capture_output=True, text=True), "holds a campaign", "allowed:", "remedy:")
+        self.assertEqual({p: p.read_bytes() for p in self.whole.iterdir() if p.is_file()}, before)
+
     def test_a_campaign_may_collect_no_columns(self):
         plan = FOLDER / "without_columns.toml"
         text = PLAN.read_text(encoding="utf-8").replace("[output]", "[output]\ncolumns = []")
