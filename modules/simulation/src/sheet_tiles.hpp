@@ -11,7 +11,7 @@
 namespace brash::simulation {
 
 /// The fixed sheet's collision shapes, in square tiles: only those that a floe has come near are laid, and a cut renews
-/// those of them that it touches. So neither the length of the sheet nor that of its edge is in the cost of a step.
+/// those whose edge it moves. So neither the length of the sheet nor that of its edge is in the cost of a step.
 class SheetTiles {
  public:
   /// Tiles are convex prisms between the heights `bottom` and `top` [m].

@@ -32,7 +32,7 @@ struct Extent {
   void add(Vec2 p);
   void add(const Extent& other);
 };
-Extent extent(const Polygon& polygon);
+Extent extent(const Polygon& polygon);  ///< of its outline
 
 /// Signed area: positive when `ring` runs counter-clockwise. Exact.
 ExactArea signed_area(std::span<const Point> ring);
