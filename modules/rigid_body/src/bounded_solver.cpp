@@ -9,6 +9,10 @@
 namespace brash::rigid_body {
 namespace {
 
+/// Of the sweeps of a step, as long as they change less and less: it lasts for a tenth of them
+/// (docs/theory/dynamics.md, (C3)).
+double most_momentum(int iterations) { return std::max(0.0, 1.0 - 10.0 / iterations); }
+
 Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
   return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)};
 }
@@ -89,7 +93,8 @@ void BoundedSolver::add_point(const SolverContact& contact, Vec3 position) {
   Response& response = normal_responses_.emplace_back();
   set_up(arms, contact.normal, normal, response);
   if (contact.parting_speed > 0.0) {
-    Parting& parting = partings_.emplace_back(contact.normal, normal, response, 0.0, contact.first, contact.second);
+    Parting& parting =
+        partings_.emplace_back(contact.normal, normal, response, Impulse{}, contact.first, contact.second);
     parting.row.velocity = -contact.parting_speed;
   }
   normal.velocity -= std::max(0.0, -contact.restitution * normal.velocity);
@@ -113,35 +118,41 @@ void BoundedSolver::Jacobian::push(Moved& first, Moved& second, const Response& 
   }
 }
 
-/// Changes a row's impulse within its limits. @return the change of relative velocity [m/s].
-double BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response,
-                              Limits limits, double& impulse) {
+void BoundedSolver::Sweep::add(double velocity, double impulse) {
+  largest = std::max(largest, std::abs(velocity));
+  change += velocity * impulse;
+}
+
+/// Changes a row's impulse within its limits.
+void BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
+                            Impulse& impulse, Sweep& sweep) {
   const Jacobian jacobian(direction, row);
+  const double start = impulse.go_on(sweep.momentum);
   double change = -row.mass * (row.velocity + jacobian.velocity(a, b));
-  double wanted = impulse + change;
+  double wanted = start + change;
   if (wanted < limits.lower || wanted > limits.upper) {
     wanted = wanted < limits.lower ? limits.lower : limits.upper;
-    change = wanted - impulse;
+    change = wanted - start;
   }
-  if (change == 0.0) return 0.0;
-  impulse = wanted;
+  if (change == 0.0) return;
+  impulse.now = wanted;
   jacobian.push(a, b, response, change);
-  return std::abs(change / row.mass);
+  sweep.add(change / row.mass, change);
 }
 
 /// Eq. 6 as a disc (docs/theory/dynamics.md, (C2)): the impulse that stops the slip where the disc holds it, else a
-/// step against the slip and back to the disc. @return no less than the change of relative velocity [m/s].
-double BoundedSolver::resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction,
-                                       Bearing& bearing) {
+/// step against the slip and back to the disc. Counts no less than the change of relative velocity.
+void BoundedSolver::resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction,
+                                     Bearing& bearing, Sweep& sweep) {
   auto& [first, second] = bearing.tangential;
-  const double radius = contact.friction * bearing.normal;
-  if (radius == 0.0 && first == 0.0 && second == 0.0) return 0.0;
+  const double radius = contact.friction * bearing.normal.now;
+  const Vec2 before{first.go_on(sweep.momentum), second.go_on(sweep.momentum)};
+  if (radius == 0.0 && before == Vec2{}) return;
   const auto& [along_first, along_second] = friction.rows;
   const Jacobian jacobian_first(contact.tangents[0], along_first);
   const Jacobian jacobian_second(contact.tangents[1], along_second);
   const Vec2 slip{along_first.velocity + jacobian_first.velocity(a, b),
                   along_second.velocity + jacobian_second.velocity(a, b)};
-  const Vec2 before{first, second};
   Vec2 wanted = before - Vec2{along_first.mass * slip.x + friction.coupling * slip.y,
                               friction.coupling * slip.x + along_second.mass * slip.y};
   if (dot(wanted, wanted) > radius * radius) {
@@ -149,55 +160,69 @@ double BoundedSolver::resolve_friction(Moved& a, Moved& b, const Contact& contac
     wanted = std::min(1.0 / friction.most_slip, radius / std::sqrt(dot(towards, towards))) * towards;
   }
   const Vec2 change = wanted - before;
-  first = wanted.x;
-  second = wanted.y;
+  first.now = wanted.x;
+  second.now = wanted.y;
   jacobian_first.push(a, b, friction.responses[0], change.x);
   jacobian_second.push(a, b, friction.responses[1], change.y);
-  return friction.most_slip * (std::abs(change.x) + std::abs(change.y));
+  const double most = std::abs(change.x) + std::abs(change.y);
+  sweep.add(friction.most_slip * most, most);
 }
 
-/// The sweeps return the largest change of a relative velocity [m/s].
-double BoundedSolver::sweep_normals() {
-  double largest = 0.0;
+void BoundedSolver::sweep_normals(Sweep& sweep) {
   std::size_t i = 0;
   for (const Contact& contact : contacts_)
     for (const std::size_t end = i + contact.n_points; i < end; ++i)
-      largest = std::max(largest, resolve(moved_[contact.first], moved_[contact.second], contact.normal, normals_[i],
-                                          normal_responses_[i], {0.0, bearings_[i].bound}, bearings_[i].normal));
-  return largest;
+      resolve(moved_[contact.first], moved_[contact.second], contact.normal, normals_[i], normal_responses_[i],
+              {0.0, bearings_[i].bound}, bearings_[i].normal, sweep);
 }
 
-double BoundedSolver::sweep_tangentials() {
-  double largest = 0.0;
+void BoundedSolver::sweep_tangentials(Sweep& sweep) {
   std::size_t i = 0;
   for (const Contact& contact : contacts_)
     for (const std::size_t end = i + contact.n_points; i < end; ++i)
-      largest = std::max(largest, resolve_friction(moved_[contact.first], moved_[contact.second], contact,
-                                                   tangentials_[i], bearings_[i]));
-  return largest;
+      resolve_friction(moved_[contact.first], moved_[contact.second], contact, tangentials_[i], bearings_[i], sweep);
 }
 
-double BoundedSolver::sweep_partings() {
+void BoundedSolver::sweep_partings(Sweep& sweep) {
   constexpr Limits kPush{0.0, std::numeric_limits<double>::infinity()};
-  double largest = 0.0;
   for (Parting& p : partings_)
-    largest = std::max(largest,
-                       resolve(parted_[p.first], parted_[p.second], p.direction, p.row, p.response, kPush, p.impulse));
-  return largest;
+    resolve(parted_[p.first], parted_[p.second], p.direction, p.row, p.response, kPush, p.impulse, sweep);
+}
+
+/// Sweeps with `rows` over impulses that move `bodies`. @return the largest change of a relative velocity in the last
+/// sweep [m/s].
+template <typename Rows>
+double BoundedSolver::iterate(std::vector<Moved>& bodies, int iterations, double still, Rows&& rows) {
+  velocities_before_.assign(bodies.size(), {});
+  Sweep last{.largest = std::numeric_limits<double>::infinity(), .change = 0.0};
+  double momentum = 0.0;
+  for (int i = 0; i < iterations && last.largest > still; ++i) {
+    Sweep sweep{.momentum = momentum};
+    for (std::size_t body = 0; body < bodies.size(); ++body) bodies[body].go_on(momentum, velocities_before_[body]);
+    rows(sweep);
+    momentum = sweep.change < last.change ? most_momentum(iterations) : 0.0;
+    last = sweep;
+  }
+  return last.largest;
 }
 
 double BoundedSolver::solve(int iterations, double still) {
   moved_.clear();
   for (const SolverBody& body : bodies_) moved_.push_back({.velocity = {}, .inverse_mass = body.inverse_mass});
   parted_ = moved_;
-  for (int i = 0; i < iterations && !partings_.empty(); ++i)
-    if (sweep_partings() <= still) break;
-  double largest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < iterations && largest > still; ++i) {
-    largest = sweep_normals();
-    largest = std::max(largest, sweep_tangentials());
+  if (!partings_.empty()) iterate(parted_, iterations, still, [this](Sweep& sweep) { sweep_partings(sweep); });
+  return iterate(moved_, iterations, still, [this](Sweep& sweep) {
+    sweep_normals(sweep);
+    sweep_tangentials(sweep);
+  });
+}
+
+void BoundedSolver::Moved::go_on(double share, Spatial& before) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Pair now = velocity[k];
+    velocity[k] += share * (now - before[k]);
+    before[k] = now;
   }
-  return largest;
 }
 
 Twist BoundedSolver::Moved::twist() const {
@@ -216,9 +241,9 @@ Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].tw
 PointImpulse BoundedSolver::impulse(std::size_t point) const {
   const Bearing& bearing = bearings_[point];
   const auto& [first, second] = contacts_[contact_of_point_[point]].tangents;
-  return {.normal = bearing.normal,
-          .friction = bearing.tangential[0] * first + bearing.tangential[1] * second,
-          .at_bound = bearing.normal >= bearing.bound};
+  return {.normal = bearing.normal.now,
+          .friction = bearing.tangential[0].now * first + bearing.tangential[1].now * second,
+          .at_bound = bearing.normal.now >= bearing.bound};
 }
 
 }  // namespace brash::rigid_body

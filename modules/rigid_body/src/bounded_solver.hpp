@@ -42,7 +42,8 @@ struct PointImpulse {
 /// for friction.
 ///
 /// An iteration goes through the normal rows of all points, then through their friction, in the order in which they
-/// were added. There is no warm start: the result is a function of what was added.
+/// were added, and starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)). There is no warm start:
+/// the result is a function of what was added.
 class BoundedSolver {
  public:
   /// A body that never moves, known from the start.
@@ -102,17 +103,33 @@ class BoundedSolver {
     std::uint32_t second = kFixed;
     std::uint32_t n_points = 0;
   };
-  /// What a point bears so far, and may bear [N s].
+  /// Of one row [N s].
+  struct Impulse {
+    double now = 0.0;
+    double before = 0.0;  ///< at the end of the last sweep but one
+
+    /// On from the end of a sweep to where the next begins. @return the impulse there.
+    double go_on(double momentum) {
+      if (now == before) return now;
+      const double start = now + momentum * (now - before);
+      before = now;
+      now = start;
+      return start;
+    }
+  };
+  /// What a point bears so far, and may bear.
   struct Bearing {
-    double normal = 0.0;
-    double bound = std::numeric_limits<double>::infinity();  ///< of the normal impulse
-    std::array<double, 2> tangential{};
+    Impulse normal;
+    double bound = std::numeric_limits<double>::infinity();  ///< of the normal impulse [N s]
+    std::array<Impulse, 2> tangential{};
   };
   /// What an iteration changes of a body.
   struct Moved {
     Spatial velocity{};         ///< change so far
     double inverse_mass = 0.0;  ///< [1/kg]
 
+    /// Likewise; `before` is the velocity at the end of the last sweep but one, then of the last.
+    void go_on(double momentum, Spatial& before);
     Twist twist() const;
   };
   /// A point whose bodies' positions are to part.
@@ -120,9 +137,17 @@ class BoundedSolver {
     Vec3 direction{};
     Row row;
     Response response;
-    double impulse = 0.0;  ///< so far [N s]
+    Impulse impulse;
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
+  };
+  /// What a sweep changes.
+  struct Sweep {
+    double momentum = 0.0;  ///< share of the way from the last sweep but one to the last by which it starts beyond it
+    double largest = 0.0;   ///< change of a relative velocity [m/s]
+    double change = 0.0;    ///< sum of changes of impulse, each times that of its relative velocity [J]
+
+    void add(double velocity, double impulse);
   };
   struct Limits {
     double lower = 0.0;  ///< [N s]
@@ -148,16 +173,19 @@ class BoundedSolver {
   static void set_up(const Arms& arms, Vec3 direction, Row& row, Response& response);
   static Tangential friction_of(const Arms& arms, const std::array<Vec3, 2>& tangents);
   void add_point(const SolverContact& contact, Vec3 position);
-  static double resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
-                        double& impulse);
-  static double resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction,
-                                 Bearing& bearing);
-  double sweep_normals();
-  double sweep_tangentials();
-  double sweep_partings();
+  static void resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
+                      Impulse& impulse, Sweep& sweep);
+  static void resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction, Bearing& bearing,
+                               Sweep& sweep);
+  void sweep_normals(Sweep& sweep);
+  void sweep_tangentials(Sweep& sweep);
+  void sweep_partings(Sweep& sweep);
+  template <typename Rows>
+  double iterate(std::vector<Moved>& bodies, int iterations, double still, Rows&& rows);
 
   std::vector<SolverBody> bodies_{1};
   std::vector<Moved> moved_;
+  std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one
   std::vector<Contact> contacts_;
   // Most points bear nothing, and of those an iteration reads bearing and normal row alone. Each kind lies apart from
   // the others, for what an iteration costs is the memory that it goes through.

@@ -136,8 +136,24 @@ BOOST_AUTO_TEST_CASE(positions_part_at_their_speed_and_velocities_know_nothing_o
   BOOST_TEST(solver.impulse(0).normal == 0.0);
 }
 
-/// Signorini's condition, Coulomb's disc and the bound, at every point at once. Not every pile of points and normals at
-/// random lets the iteration come to rest.
+/// Sweeps that each begin where the last one ended leave 24 % and 44 % of the weight here.
+BOOST_AUTO_TEST_CASE(the_weight_of_a_column_reaches_the_ground_in_few_sweeps) {
+  for (const auto& [n, iterations] : {std::pair{10, 50}, {20, 100}}) {
+    BoundedSolver solver;
+    std::uint32_t below = kFixed;
+    for (int i = 0; i < n; ++i) {
+      const std::uint32_t one = solver.add(ball({0, 0, i + 0.5}, {{0, 0, -1}, {}}, 1.0));
+      solver.add({.first = one, .second = below, .normal = {0, 0, 1}, .friction = 0.3, .crushing_impulse = kAny},
+                 std::vector<PatchPoint>{{{0, 0, static_cast<double>(i)}, 1.0}});
+      below = one;
+    }
+    solver.solve(iterations, 0.0);
+    for (int i = 0; i < n; ++i) BOOST_TEST(std::abs(solver.impulse(i).normal - (n - i)) < 1e-3 * n);
+  }
+}
+
+/// Signorini's condition, Coulomb's disc and the bound, at every point at once. A pile of points and normals at random
+/// need not let the iteration come to rest.
 BOOST_AUTO_TEST_CASE(at_every_point_of_a_pile_the_laws_of_contact_hold) {
   constexpr double kSlow = 1e-9;   // [m/s]
   constexpr double kClear = 1e-3;  // has a direction [m/s]
@@ -170,14 +186,14 @@ BOOST_AUTO_TEST_CASE(at_every_point_of_a_pile_the_laws_of_contact_hold) {
   }
   // Otherwise the test says little.
   BOOST_TEST_MESSAGE(n_solved << " solved");
-  BOOST_TEST(n_solved >= 90);
+  BOOST_TEST(n_solved >= 98);
   for (const int n : {n_free, n_bearing, n_crushed, n_sticking, n_sliding}) BOOST_TEST(n > 20);
 }
 
 BOOST_AUTO_TEST_CASE(a_pile_keeps_its_momentum_but_for_what_the_ground_takes_and_gains_no_energy) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
     Pile pile(seed);
-    pile.solver.solve(10, 0.0);  // holds for any number of iterations
+    pile.solver.solve(1 + static_cast<int>(seed) % 50, 0.0);  // was seen with any number of iterations
     Vec3 gained{}, from_ground{};
     double before = 0.0, after = 0.0;
     for (std::uint32_t i = 1; i < pile.balls.size(); ++i) {

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(A_corner_that_is_crushed_stops_the_floe_as_a_spring_would) 
       world.step(dt);
       peak = std::max(peak, total_normal_force(world));
     }
-    BOOST_TEST(std::abs(world.twist(floe).linear.x) < 1e-4 * v);  // what fifty iterations leave of the last approach
+    BOOST_TEST(std::abs(world.twist(floe).linear.x) < 1e-4 * v);  // what the iterations leave of the last approach
     errors.push_back(std::abs(peak - exact) / exact);
   }
   BOOST_TEST_MESSAGE("relative errors of the peak: " << errors[0] << ' ' << errors[1] << ' ' << errors[2] << ' '

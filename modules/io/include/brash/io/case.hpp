@@ -82,7 +82,7 @@ struct ContactSection {
   double restitution = 0.0;
   std::string area = "surface";  ///< surface | projected (physics: contact area A)
   double margin = 0.005;
-  int iterations = 50;
+  int iterations = 30;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
   bool delete_crushed = true;
 
