@@ -8,8 +8,11 @@
 namespace brash::rigid_body {
 namespace {
 
-/// Share of the overlap that one step takes back by split impulse, where the ice is not breakable [-].
+/// Share of the overlap beyond kKeptOverlap that one step takes back by split impulse, where the ice is not breakable
+/// [-].
 constexpr double kPositionCorrection = 0.2;
+/// Without an overlap there is no contact, and what lies still would begin to fall [m].
+constexpr double kKeptOverlap = 5e-4;
 
 /// The other parts of the part's body.
 void collect_others(const Part& part, std::vector<const Part*>& others) {
@@ -69,7 +72,8 @@ void ContactSet::add_to(BoundedSolver& solver, double dt) const {
                 .friction = how.friction,
                 .restitution = how.restitution,
                 .crushing_impulse = dt * how.crushing_pressure,
-                .parting_speed = breakable ? 0.0 : kPositionCorrection * contact.patch.depth / dt},
+                .parting_speed =
+                    breakable ? 0.0 : kPositionCorrection * std::max(0.0, contact.patch.depth - kKeptOverlap) / dt},
                contact.points());
   }
 }
