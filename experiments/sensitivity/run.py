@@ -90,7 +90,7 @@ def draw(table, folder):
                   label="noise alone, 95 %")
         axis.set_title(f"{title} force [kN]")
         axis.tick_params(axis="y", labelsize=8)
-    axes[0].legend(fontsize=7, loc="lower right", frameon=True)
+    axes[0].legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.05), ncol=3)
     figures.save(figure, folder, "effects")
 
 
