@@ -226,11 +226,11 @@ def plate():
 # Yade: step [s], stiffness and damping as in yade.py. Each at the cheapest that was found to leave no floe PACK_PLACE from
 # its place and the forces PACK_FORCE wrong. The small pack is one that Siconos and Yade are done with in seconds.
 PACK_PLACE, PACK_FORCE = 0.005, 0.01
-PACK = {"program": ("bench_rigid_bodies", "6x5x5", 0.006, 60),
-        "program, ice that does not crush": ("bench_rigid_bodies", "6x5x5", 0.0125, 20, "inf"),
-        "ODE": ("bench_rigid_bodies_ode", "6x5x5", 0.02, 20)}
-SMALL = {"program": ("bench_rigid_bodies", "2x2x2", 0.0115, 15),
-         "ODE": ("bench_rigid_bodies_ode", "2x2x2", 0.0085, 20),
+PACK = {"program": ("bench_rigid_bodies", "6x5x5", 0.006, 24),
+        "program, ice that does not crush": ("bench_rigid_bodies", "6x5x5", 0.04, 20, "inf"),
+        "ODE": ("bench_rigid_bodies_ode", "6x5x5", 0.0225, 20)}
+SMALL = {"program": ("bench_rigid_bodies", "2x2x2", 0.015, 12),
+         "ODE": ("bench_rigid_bodies_ode", "2x2x2", 0.0125, 20),
          "Siconos": ("bench_rigid_bodies_siconos", "2x2x2", 0.01, 100),
          "Yade": ("yade", "2x2x2", 0.004, 6.5e6, 0.8)}
 
@@ -286,7 +286,7 @@ def pack_figures(runs):
 def rigid_bodies():
     """6. Rigid bodies beside ODE: a pack of floes that comes to rest, at equal accuracy of place and force."""
     runs = pack_runs(PACK)
-    own_step = {"program at its own step": [pack_once("bench_rigid_bodies", "6x5x5", 0.01, 50)]}
+    own_step = {"program at its own step": [pack_once("bench_rigid_bodies", "6x5x5", 0.01, 30)]}
     return pack_ratios(runs) + pack_figures({**runs, **own_step})
 
 
@@ -363,10 +363,10 @@ TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "channel": 
 
 NOT_MEASURED = """- Siconos and Yade on the pack of 174 floes that ODE steps above: judged by single steps, they take a minute and
   more for each simulated second of it;
-- why floes of large packs cost more: profiles put half of the difference on the solver's iterations, which go 50 times through
-  388 bytes for each contact point and, beyond some 300 floes, find them no longer in a core's own 2 MB of cache; the rest lies in
-  what all the other passes fetch from memory. From 1000 to 10 000 floes the time of a step grows by 13 to 14 times. Keeping less
-  for each point and making it anew would, by an estimate, cost small packs more than it saves large ones;
+- why floes of large packs cost more: with 50 iterations, profiles put half of the difference on the solver, which in each goes through
+  412 bytes for each contact point that bears and, beyond some 300 floes, finds them no longer in a core's own 2 MB of cache; the rest lies
+  in what all the other passes fetch from memory. Keeping less for each point and making it anew would, by an estimate, cost small
+  packs more than it saves large ones;
 - the build from clean to tested, once by hand: `CCACHE_DISABLE=1 ./dev test` in a fresh clone took 14 min 17 s on 2 idle cores
   of 2.1 GHz (27 min of processor time; limit 15 min), the last 3 min 18 s of it for 115 tests."""
 
