@@ -217,10 +217,10 @@ double BoundedSolver::solve(int iterations, double still) {
   });
 }
 
-void BoundedSolver::Moved::go_on(double share, Spatial& before) {
+void BoundedSolver::Moved::go_on(double momentum, Spatial& before) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Pair now = velocity[k];
-    velocity[k] += share * (now - before[k]);
+    velocity[k] += momentum * (now - before[k]);
     before[k] = now;
   }
 }

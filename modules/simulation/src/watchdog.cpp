@@ -77,8 +77,8 @@ double Watchdog::impulses(const rigid_body::World& world) const {
   return sum * case_->time.step;
 }
 
-/// Contacts take energy, and so does water at rest. With restitution they are seen to give some back, why is not
-/// known; the bound is then that of the balance, far wider than what was seen (docs/theory/simulation.md).
+/// Contacts take energy, and so does water at rest. With restitution the impacts of several points at once may give
+/// some (docs/theory/dynamics.md, (E4)); the bound is then that of the balance, far wider than what was seen.
 void Watchdog::look_at_losses(const Watched& now) const {
   const double rounding = kRounding * (1.0 + now.row.kinetic_energy);
   const double given =

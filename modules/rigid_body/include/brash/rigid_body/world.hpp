@@ -26,7 +26,7 @@ struct ContactLaw {
 struct WorldSettings {
   ContactLaw ice_structure;
   ContactLaw ice_ice;
-  int iterations = 30;              ///< sequential impulses a step, at most
+  int iterations = 30;              ///< sweeps of sequential impulses a step, at most
   double collision_margin = 0.005;  ///< [m], > 0; convex parts thinner than twice this have no contact
   /// A settled floe is let go, before the contact acts, by a floe that comes nearer faster than this [m/s].
   double release_speed = std::numeric_limits<double>::infinity();
