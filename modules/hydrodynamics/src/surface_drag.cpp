@@ -224,7 +224,7 @@ class Integral {
     moment_ += {p.y * f.z - p.z * f.y, p.z * f.x - p.x * f.z, p.x * f.y - p.y * f.x};
   }
 
-  SurfaceDrag result() const {
+  Drag result() const {
     return {{sum(dampers_), sum(first_), sum(squares_), sum(products_)}, {sum(force_), sum(moment_)}};
   }
 
@@ -246,8 +246,8 @@ void fetch(std::span<const Solid> neighbours) {
 
 }  // namespace
 
-SurfaceDrag surface_drag(const Prism& prism, const Pose& pose, const Twist& relative, const Water& water,
-                         std::span<const Solid> neighbours) {
+Drag surface_drag(const Prism& prism, const Pose& pose, const Twist& relative, const Water& water,
+                  std::span<const Solid> neighbours) {
   fetch(neighbours);
   const Waterplane plane = waterplane_in_body_frame(pose);
   Samples samples(plane, relative);

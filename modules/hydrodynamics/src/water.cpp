@@ -6,33 +6,11 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
-#include "damping.hpp"
 #include "surface_drag.hpp"
 #include "wetted_faces.hpp"
 
 namespace brash::hydrodynamics {
 namespace {
-
-/// What the wetted surface says about the floe, body frame.
-struct WettedBody {
-  double volume = 0.0;
-  Vec3 volume_moment{};
-};
-
-/// Adds the cone from the reference point on the waterplane to a wetted face. The waterplane's own cap has no cone.
-void add_cone(WettedBody& body, const WettedFace& face, Vec3 reference) {
-  const double signed_volume = (dot(face.normal, face.area_moment) - face.area * dot(face.normal, reference)) / 3.0;
-  body.volume += signed_volume;
-  // The centroid of a cone lies a quarter of the way from the base's centroid to the apex.
-  body.volume_moment += signed_volume * (0.75 / face.area * face.area_moment + 0.25 * reference);
-}
-
-WettedBody wetted_body(const Prism& prism, const Waterplane& water) {
-  const Vec3 reference = -water.offset * water.up;
-  WettedBody body;
-  for_each_wetted_face(prism, water, [&](const WettedFace& face) { add_cone(body, face, reference); });
-  return body;
-}
 
 /// Mean of length, breadth (extents along the principal axes of the plan) and thickness [m].
 double average_length(const Prism& prism) {
@@ -47,9 +25,9 @@ double average_length(const Prism& prism) {
 
 /// Eqs. 13 and 14 at one velocity for the whole floe, as dampers at that velocity: only faces that look along it count.
 /// Skin friction on each wetted face by the velocity along it at its centroid.
-SurfaceDrag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const Twist& relative,
+Drag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const Twist& relative,
                       const Water& water) {
-  SurfaceDrag drag;
+  Drag drag;
   const Vec3 velocity = velocity_at(relative, centre);
   double area = 0.0;
   double area_times_speed = 0.0;
@@ -64,53 +42,62 @@ SurfaceDrag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, 
   });
   const double l_avg = average_length(prism);
   drag.form.add(0.5 * water.form_drag * water.density * area_times_speed, centre);
-  drag.form.add_rotation(0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * area *
-                         norm(relative.angular));
+  drag.form.rotation = 0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * area *
+                         norm(relative.angular);
   return drag;
+}
+
+Twist relative_in_body_axes(const Pose& pose, const Twist& twist, const Water& water) {
+  const Quaternion to_body_axes = conjugate(pose.rotation);
+  return {rotate(to_body_axes, twist.linear - water.current), rotate(to_body_axes, twist.angular)};
 }
 
 Wrench rotated(const Quaternion& q, const Wrench& w) { return {rotate(q, w.force), rotate(q, w.moment)}; }
 
-void check(const Prism& prism) {
-  BRASH_EXPECTS(!prism.rings.empty() && prism.rings.front().size() >= 3, prism.rings.size());
-  BRASH_EXPECTS(prism.thickness > 0.0, prism.thickness);
+double power(const Wrench& load, const Twist& twist) {
+  return dot(load.force, twist.linear) + dot(load.moment, twist.angular);
 }
 
 }  // namespace
 
-Displacement displacement(const Prism& prism, const Pose& pose) {
-  check(prism);
-  const Waterplane plane = waterplane_in_body_frame(pose);
-  const WettedBody body = wetted_body(prism, plane);
-  if (body.volume <= 0.0) return {};
-  const Vec3 centre = body.volume_moment / body.volume;
-  return {body.volume, to_world(pose, centre), centre};
+Drag Drag::scaled(double ratio) const {
+  if (ratio == 0.0) return {};
+  return {form.scaled(ratio), skin_friction, skin_power / ratio};
 }
 
-WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
-                     const StepInertia& step, std::span<const Solid> neighbours, const Displacement& wet) {
-  check(prism);
+Drag drag(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
+          std::span<const Solid> neighbours, const Displacement& wet) {
+  expect_solid(prism);
+  if (wet.volume <= 0.0) return {};
+  const Twist relative = relative_in_body_axes(pose, twist, water);
+  Drag drag = water.drag_law == DragLaw::kSurface
+                  ? surface_drag(prism, pose, relative, water, neighbours)
+                  : paper_law(prism, waterplane_in_body_frame(pose), wet.centre_in_body, relative, water);
+  const double skin_power = power(drag.skin_friction, relative);
+  if (skin_power < 0.0)
+    drag.skin_power = skin_power;
+  else
+    drag.skin_friction = {};
+  return drag;
+}
+
+WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, const StepInertia& step,
+                     const Displacement& wet, const Drag& drag) {
   BRASH_EXPECTS(step.dt >= 0.0 && step.mass > 0.0, step.dt, step.mass);
   BRASH_EXPECTS(step.inertia.x > 0.0 && step.inertia.y > 0.0 && step.inertia.z > 0.0);
   if (wet.volume <= 0.0) return {};
-  const Waterplane plane = waterplane_in_body_frame(pose);
-
   WaterLoad load;
   load.buoyancy.force = {0.0, 0.0, water.density * kGravity * wet.volume};
   load.buoyancy.moment = cross(rotate(pose.rotation, wet.centre_in_body), load.buoyancy.force);
-
-  const Quaternion to_body_axes = conjugate(pose.rotation);
-  const Twist relative{rotate(to_body_axes, twist.linear - water.current), rotate(to_body_axes, twist.angular)};
-  const SurfaceDrag drag = water.drag_law == DragLaw::kSurface
-                               ? surface_drag(prism, pose, relative, water, neighbours)
-                               : paper_law(prism, plane, wet.centre_in_body, relative, water);
-  load.skin_friction = rotated(pose.rotation, drag.skin_friction);
+  const Twist relative = relative_in_body_axes(pose, twist, water);
+  const double skin_share = power(drag.skin_friction, relative) / drag.skin_power;
+  load.skin_friction = rotated(pose.rotation, {skin_share * drag.skin_friction.force, skin_share * drag.skin_friction.moment});
 
   // The coefficient of the start of the step times the velocity at its end, as loads and drag alone give it.
   Wrench others{{0.0, 0.0, -step.weight}, {}};
   others += load.buoyancy;
   others += load.skin_friction;
-  const Twist after = drag.form.velocity_after(relative, rotated(to_body_axes, others), step);
+  const Twist after = drag.form.velocity_after(relative, rotated(conjugate(pose.rotation), others), step);
   load.drag = rotated(pose.rotation, drag.form.load(after));
   return load;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "brash/core/contract.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
 
@@ -115,6 +116,11 @@ inline WettedFace wetted_side_face(Vec2 from, Vec2 to, double half_thickness, co
     face.area_moment += (area / 3.0) * (polygon[0] + polygon[i - 1] + polygon[i]);
   }
   return face;
+}
+
+inline void expect_solid(const Prism& prism) {
+  BRASH_EXPECTS(!prism.rings.empty() && prism.rings.front().size() >= 3, prism.rings.size());
+  BRASH_EXPECTS(prism.thickness > 0.0, prism.thickness);
 }
 
 /// Calls `visit` with each outer face of a prism that has a part below the waterplane: bottom, top, then the sides in

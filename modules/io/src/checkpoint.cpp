@@ -80,6 +80,7 @@ struct Columns<CheckpointFloe> {
     visit_vector(
         "push_", "N", "change of the mean force of other floes since it was settled",
         [](auto& row) -> auto& { return row.rest.push; }, visit);
+    visit_drag(visit);
   }
 
  private:
@@ -105,13 +106,41 @@ struct Columns<CheckpointFloe> {
           std::string("bearing_second_") + kNames[i], "N m2",
           "their second moment", [i](auto& row) -> auto& { return row.bearing.second[i]; });
   }
+
+  template <typename Visit>
+  static void visit_drag(Visit&& visit) {
+    visit(
+        "drag_due", "1", "steps after which its drag is taken anew", [](auto& row) -> auto& { return row.drag.due; });
+    visit(
+        "drag_sum", "kg s-1", "sum of its dampers", [](auto& row) -> auto& { return row.drag.sum; });
+    visit_vector(
+        "drag_first_", "kg m s-1", "their first moment", [](auto& row) -> auto& { return row.drag.first; }, visit);
+    visit_vector(
+        "drag_squares_", "kg m2 s-1", "their second moment xx, yy, zz",
+        [](auto& row) -> auto& { return row.drag.squares; }, visit);
+    visit_vector(
+        "drag_products_", "kg m2 s-1", "their second moment yz, zx, xy",
+        [](auto& row) -> auto& { return row.drag.products; }, visit);
+    visit(
+        "drag_rotation", "kg m2 s-1", "damper of its rotation", [](auto& row) -> auto& { return row.drag.rotation; });
+    visit_vector(
+        "drag_skin_force_", "N", "skin friction, body frame", [](auto& row) -> auto& { return row.drag.skin_force; },
+        visit);
+    visit_vector(
+        "drag_skin_moment_", "N m", "its moment", [](auto& row) -> auto& { return row.drag.skin_moment; }, visit);
+    visit(
+        "drag_skin_power", "W", "its power", [](auto& row) -> auto& { return row.drag.skin_power; });
+    visit(
+        "drag_energy", "J", "twice the kinetic energy against the water at which it was taken",
+        [](auto& row) -> auto& { return row.drag.energy; });
+  }
 };
 
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-4";
+constexpr const char* kFormat = "brash-checkpoint-5";
 
 /// The side of the grid, 2^-30 m, as a unit.
 const NodeFrame kGrid{"9.313225746154785e-10 m", "sheet frame, exact"};

@@ -75,6 +75,32 @@ geometry::Ledger ledger_of(const io::Checkpoint& checkpoint) {
           .n_rounded = checkpoint.counters.at("n_rounded")};
 }
 
+io::KeptDrag kept_drag(const KeptDrag& kept) {
+  const auto& [form, skin, skin_power] = kept.drag;
+  return {.due = kept.due,
+          .sum = form.sum,
+          .first = form.first,
+          .squares = form.squares,
+          .products = form.products,
+          .rotation = form.rotation,
+          .skin_force = skin.force,
+          .skin_moment = skin.moment,
+          .skin_power = skin_power,
+          .energy = kept.energy};
+}
+
+KeptDrag kept_drag(const io::KeptDrag& saved) {
+  return {{{.sum = saved.sum,
+            .first = saved.first,
+            .squares = saved.squares,
+            .products = saved.products,
+            .rotation = saved.rotation},
+           {saved.skin_force, saved.skin_moment},
+           saved.skin_power},
+          saved.energy,
+          saved.due};
+}
+
 /// The ice of `checkpoint`, once it is known to be of this case.
 IceField field_of(const io::Case& resolved, const io::Checkpoint& checkpoint) {
   if (checkpoint.case_name != resolved.name || checkpoint.case_toml != io::to_toml(resolved))
@@ -104,7 +130,8 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .stress = floe.stress,
                    .peak_compression = floe.peak_stress,
                    .bearing = floe.bearing,
-                   .rest = floe.rest});
+                   .rest = floe.rest,
+                   .kept_drag = kept_drag(floe.drag)});
   for (const io::FloePush& push : checkpoint.pushes) floes.restore_push(push.floe, push.other, push.force);
   floes.set_next_id(checkpoint.counters.at("next_floe"));
   for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // a settled one may be run into at once
@@ -143,7 +170,8 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
                            .stress = floe.stress,
                            .peak_stress = floe.peak_compression,
                            .bearing = floe.bearing,
-                           .rest = floe.rest});
+                           .rest = floe.rest,
+                           .drag = kept_drag(floe.kept_drag)});
   for (const auto& [pair, force] : floes.pushes().pairs())
     saved.pushes.push_back({floes.floes().at(pair.first).id, floes.floes().at(pair.second).id, force});
   return saved;

@@ -20,6 +20,8 @@ using hydrodynamics::DragLaw;
 
 /// A floe is fixed after it has been slow for so long [s]: longer than it heaves once.
 constexpr double kSettleTime = 2.0;
+/// The drag of a floe is taken anew when its kinetic energy against the water has grown so many times [-].
+constexpr double kMostGrowth = 2.0;
 /// A mean push is forgotten when it is this share of what would let a cube of the ice go [-].
 constexpr double kNoPush = 1e-3;
 
@@ -32,6 +34,13 @@ double shading_gap(const io::Case& resolved) {
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose) {
   if (!floe.wet || floe.wet->first != pose) floe.wet.emplace(pose, hydrodynamics::displacement(floe.prism, pose));
   return floe.wet->second;
+}
+
+/// Relative to the water [J].
+double twice_kinetic_energy(const rigid_body::MassProperties& inertia, const Pose& pose, const Twist& twist,
+                            Vec3 current) {
+  const Vec3 v = twist.linear - current, w = rotate(conjugate(pose.rotation), twist.angular), i = inertia.inertia;
+  return inertia.mass * dot(v, v) + i.x * w.x * w.x + i.y * w.y * w.y + i.z * w.z * w.z;
 }
 
 /// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0
@@ -128,6 +137,7 @@ void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& 
   floe.peak_compression = state.peak_compression;
   floe.bearing = state.bearing;
   floe.rest = state.rest;
+  floe.kept_drag = state.kept_drag;
   const BodyId body = world.add_floe(floe.prism, floe.inertia, state.pose, state.twist);
   if (floe.rest.settled != 0) {
     floe.settled_height = raised(world, body, floe);
@@ -146,18 +156,34 @@ void FloePopulation::restore_push(std::int64_t id, std::int64_t other, Vec3 forc
   pushes_.restore(body_of(id), body_of(other), force);
 }
 
+hydrodynamics::Drag FloePopulation::drag(rigid_body::World& world, BodyId body, const Floe& floe,
+                                         const hydrodynamics::Water& water) {
+  const Pose pose = world.pose(body);
+  if (water.shading_gap > 0.0) world.neighbours(body, reach(), neighbours_);
+  return hydrodynamics::drag(floe.prism, pose, world.twist(body), water, neighbours_, displaced(floe, pose));
+}
+
 void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
+  const std::int64_t every = std::max(1L, std::lround(case_->hydrodynamics.drag_interval / dt));
   for (const BodyId body : world.moving()) {
     Floe& floe = at(body);
-    if (water_.shading_gap > 0.0) world.neighbours(body, reach(), neighbours_);
-    const hydrodynamics::StepInertia step{
-        .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
     const Pose pose = world.pose(body);
     hydrodynamics::Water water = water_;
     if (flow_)
       water.current += flow_->at(pose.position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
+    const double energy = twice_kinetic_energy(floe.inertia, pose, world.twist(body), water.current);
+    KeptDrag& kept = floe.kept_drag;
+    if (kept.due <= 0 || energy > kMostGrowth * kept.energy) {
+      kept.drag = drag(world, body, floe, water);
+      kept.energy = energy;
+      if (kept.due <= 0) kept.due = kept.due < 0 ? 1 + floe.id % every : every;  // in turn, whenever they were born
+    }
+    --kept.due;
+    const double speed_ratio = kept.energy > 0.0 ? std::sqrt(energy / kept.energy) : 0.0;
+    const hydrodynamics::StepInertia step{
+        .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
     const hydrodynamics::WaterLoad load =
-        hydrodynamics::water_load(floe.prism, pose, world.twist(body), water, step, neighbours_, displaced(floe, pose));
+        hydrodynamics::water_load(pose, world.twist(body), water, step, displaced(floe, pose), kept.drag.scaled(speed_ratio));
     Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
     wrench += load.buoyancy;
     wrench += load.drag;
@@ -219,6 +245,7 @@ void FloePopulation::let_go(rigid_body::World& world, BodyId body, Floe& floe) {
 
 void FloePopulation::woken(BodyId body, Floe& floe) {
   floe.rest = {};
+  floe.kept_drag = {};
   pushes_.wake(body);
   add_up_settled();
 }

@@ -20,6 +20,13 @@
 
 namespace brash::simulation {
 
+/// The drag on a floe, kept for hydrodynamics.drag_interval.
+struct KeptDrag {
+  hydrodynamics::Drag drag;
+  double energy = 0.0;    ///< twice the kinetic energy against the water at which it was taken [J]
+  std::int64_t due = -1;  ///< it is taken anew in so many steps; -1: there is none yet
+};
+
 /// A free piece of ice.
 struct Floe {
   std::int64_t id = 0;
@@ -36,6 +43,7 @@ struct Floe {
   io::Bearing bearing{};          ///< on the sheet's edge, averaged over T_col
   io::Rest rest{};
   double settled_height = 0.0;  ///< potential energy against floating at rest while it is settled [J]
+  KeptDrag kept_drag{};
   Wrench drag{};                ///< of the last step, form and rotational, about the centre of mass
   Wrench skin_friction{};       ///< likewise
   /// Where it was last asked what the floe displaces, and that.
@@ -51,6 +59,7 @@ struct FloeState {
   double peak_compression = 0.0;
   io::Bearing bearing{};
   io::Rest rest{};
+  KeptDrag kept_drag{};
 };
 
 /// All floes present: births, water, the stress that decides about crushing, deaths.
@@ -116,6 +125,9 @@ class FloePopulation {
 
   /// The kinetic energy of a floe at time.settle_speed [J].
   double slow_energy(const Floe& floe) const;
+  /// Its drag as it moves now.
+  hydrodynamics::Drag drag(rigid_body::World& world, BodyId body, const Floe& floe,
+                           const hydrodynamics::Water& water);
   /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
   double slow_push(double mass) const;
   void let_go(rigid_body::World& world, BodyId body, Floe& floe);

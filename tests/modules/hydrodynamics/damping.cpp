@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "damping.hpp"
+#include "brash/hydrodynamics/damping.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_CASE(the_velocity_after_a_step_is_that_at_which_the_dampers_act)
     // From none to many times what stops the floe in one step.
     const double most = k % 10 == 0 ? 0.0 : std::pow(10.0, 6.0 * unit(engine));
     for (int i = 0; i < k % 7; ++i) damping.add(most * (1.0 + unit(engine)), 2.0 * vector());
-    if (k % 3 == 0) damping.add_rotation(most);
+    if (k % 3 == 0) damping.rotation = most;
     const StepInertia step{.dt = 0.01, .mass = 1200.0, .inertia = {300.0, 500.0, 700.0}};
     const Twist before{vector(), vector()};
     const Wrench load{1e4 * vector(), 1e3 * vector()};

@@ -2,6 +2,7 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <random>
 
 #include "brash/core/constants.hpp"
 #include "brash/hydrodynamics/water.hpp"
@@ -11,6 +12,8 @@ namespace {
 
 using namespace brash;
 using namespace brash::test;
+using hydrodynamics::Displacement;
+using hydrodynamics::Drag;
 using hydrodynamics::DragLaw;
 using hydrodynamics::StepInertia;
 using hydrodynamics::Water;
@@ -354,6 +357,35 @@ BOOST_AUTO_TEST_CASE(a_step_s_drag_tends_to_the_instant_s_drag_as_the_step_vanis
     if (last > 0.0) BOOST_TEST(error < 0.11 * last);  // first order: a tenth, and a little for the second order
     last = error;
     BOOST_CHECK(step.buoyancy == instant.buoyancy);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(drag_scales_with_the_speed_and_takes_energy_from_every_motion) {
+  const Prism floe = notched_plate(0.6);
+  const Pose pose{{0.0, 0.0, -0.1}, turn({1.0, 0.4, 0.5}, 0.6)};
+  const Displacement wet = hydrodynamics::displacement(floe, pose);
+  std::mt19937_64 engine(12);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto motion = [&] {
+    const auto vector = [&] { return Vec3{unit(engine), unit(engine), unit(engine)}; };
+    return Twist{vector(), vector()};
+  };
+  const auto power = [](const Wrench& w, const Twist& t) { return dot(w.force, t.linear) + dot(w.moment, t.angular); };
+  for (const DragLaw law : {DragLaw::kSurface, DragLaw::kPaper}) {
+    Water water;
+    water.drag_law = law;
+    for (int k = 0; k < 50; ++k) {
+      const Twist slow = motion(), fast{4.0 * slow.linear, 4.0 * slow.angular}, other = motion();
+      const Drag drag = hydrodynamics::drag(floe, pose, slow, water, {}, wet);
+      const WaterLoad exact = water_load(floe, pose, fast, water);
+      const WaterLoad scaled = water_load(pose, fast, water, {}, wet, drag.scaled(4.0));
+      BOOST_CHECK_SMALL(norm(scaled.drag.force - exact.drag.force), 1e-12 * norm(exact.drag.force));
+      BOOST_CHECK_SMALL(norm(scaled.drag.moment - exact.drag.moment), 1e-12 * norm(exact.drag.moment));
+      BOOST_CHECK_SMALL(norm(scaled.skin_friction.force - exact.skin_friction.force), 1e-12 * norm(exact.drag.force));
+      const WaterLoad kept = water_load(pose, other, water, {}, wet, drag);
+      BOOST_TEST(power(kept.drag, other) <= 0.0);
+      BOOST_TEST(power(kept.skin_friction, other) <= 0.0);
+    }
   }
 }
 

@@ -289,3 +289,32 @@ BOOST_AUTO_TEST_CASE(drag_only_takes_energy_from_a_floe) {
   // The wobble of semi-implicit Euler in one step, (w dt)^2 of the energy.
   BOOST_TEST(gained < 1e-4 * start);
 }
+
+BOOST_AUTO_TEST_CASE(drag_that_is_kept_leads_a_floe_where_drag_of_every_step_does) {
+  // On edge and out of the water by a third, adrift in a current and turning: it falls, dives and rights itself.
+  const auto path = [&](const char* interval, double dt) {
+    FloatingFloe floe(kLength, kBreadth,
+                      ice_and_water({std::string("hydrodynamics.drag_interval=") + interval, "water.current=[0.5, 0]"}));
+    floe.place(0.5, radians(70.0), {{0.5, -0.3, 0.0}, {0.2, 0.3, 0.1}});
+    std::vector<Vec3> corners;  // every 10 ms for 5 s
+    for (int i = 0; i < 500; ++i) {
+      for (double t = 0.0; t < 0.01 - 0.5 * dt; t += dt) floe.step(dt);
+      for (const Vec3 corner : {Vec3{2.0, 1.5, 0.0}, {-2.0, 1.5, 0.0}, {2.0, -1.5, 0.0}})
+        corners.push_back(to_world(floe.world.pose(floe.body), corner));
+    }
+    return corners;
+  };
+  const auto farthest = [](const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
+    return largest;
+  };
+  const std::vector<Vec3> each = path("0", 0.01);
+  const double by_step = farthest(each, path("0", 0.001));
+  const double kept = farthest(each, path("0.05", 0.01)), longer = farthest(each, path("0.2", 0.01));
+  BOOST_TEST_MESSAGE("corners within " << kept << " m at 0.05 s, " << longer << " m at 0.2 s; the step has an error of "
+                                       << by_step << " m");
+  BOOST_TEST(farthest(each, path("0.01", 0.01)) == 0.0);  // a step is the least
+  BOOST_TEST(kept > 0.0);
+  BOOST_TEST(kept < 0.01 * kLength);  // asked for
+}

@@ -137,7 +137,8 @@ BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_restored_goes_on_to_the_last_bit) {
                             .stress = floe.stress,
                             .peak_compression = floe.peak_compression,
                             .bearing = floe.bearing,
-                            .rest = floe.rest});
+                            .rest = floe.rest,
+                            .kept_drag = floe.kept_drag});
   for (const auto& [pair, force] : pool.floes.pushes().pairs())
     restored.floes.restore_push(pool.floes.floes().at(pair.first).id, pool.floes.floes().at(pair.second).id, force);
   for (Pool* each : {&pool, &restored}) (void)advance(*each, 8.0);

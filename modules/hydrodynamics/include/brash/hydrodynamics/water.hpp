@@ -6,6 +6,7 @@
 #include "brash/core/plane.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
+#include "brash/hydrodynamics/damping.hpp"
 
 namespace brash::hydrodynamics {
 
@@ -37,28 +38,28 @@ struct Displacement {
   Vec3 centre_in_body{};  ///< likewise, body frame
 };
 
-/// Volume below the waterplane and its centroid, exact to rounding (docs/theory/hydrodynamics.md, (H1), (H2), (H3)).
+/// Volume below the waterplane and its centroid, exact to rounding (docs/theory/hydrodynamics.md, (H1), (H2), (H3), (H12)).
 ///
-/// The wetted faces are clipped by the waterplane and joined to a point on it by signed cones (after Catto, 2006). Only
-/// `rings` and `thickness` are used, so outlines that are not convex and holes need no division into parts.
+/// A floe that the waterplane cuts in its sides alone has it in closed form, (H12); of others the wetted faces are clipped
+/// and joined to a point on the waterplane by signed cones (after Catto, 2006). Only `rings` and `thickness` are used, so outlines that are not convex and holes need no division into parts.
 Displacement displacement(const Prism& prism, const Pose& pose);
 
-/// Water's load on a floe, world axes, moments about its centre of mass.
-struct WaterLoad {
-  Wrench buoyancy;
-  Wrench drag;           ///< form drag and rotational drag, Eqs. 13, 14
-  Wrench skin_friction;  ///< tangential, on wetted faces
+/// What the water does against a floe's motion; body frame.
+///
+/// Both parts are dampers at the velocity V0 relative to the water at which they were taken, and in proportion to it: at
+/// r V0 they are r times as strong.
+struct Drag {
+  Damping form;              ///< of the whole velocity
+  Wrench skin_friction;      ///< w0 at V0 about the centre of mass; at V it is w0 (w0 . V) / (w0 . V0)
+  double skin_power = -1.0;  ///< w0 . V0 [W], < 0
+
+  /// The drag of a floe that moves alike, `ratio` times as fast.
+  Drag scaled(double ratio) const;
+
+  friend bool operator==(const Drag&, const Drag&) = default;
 };
 
-/// What moves and holds the floe in a step besides the water.
-struct StepInertia {
-  double dt = 0.0;              ///< [s]; 0: the drag of this instant
-  double mass = 1.0;            ///< with added mass [kg], > 0
-  Vec3 inertia{1.0, 1.0, 1.0};  ///< principal moments in the body frame, with added mass [kg m2], > 0
-  double weight = 0.0;          ///< [N]
-};
-
-/// Buoyancy, form drag and skin friction of a floe that moves with `twist`.
+/// Form drag and skin friction of a floe that moves with `twist`.
 ///
 /// DragLaw::kSurface: on each element dA of the wetted surface, with the velocity u relative to the water there,
 ///   df_drag = -0.5 C_d rho_w (1 - s) max(0, n . u) u dA     Eq. 13 for the element
@@ -76,19 +77,33 @@ struct StepInertia {
 /// l_avg   mean of length, breadth and thickness [m]
 /// A_sub   wetted area, without the waterplane [m2]
 ///
-/// Either drag is linear in the velocity at a given coefficient. The coefficient is that of the start of the step, the
-/// velocity that at its end, as weight, water and drag alone give it: exact for the decay v' = -c |v| v and for a
-/// steady velocity, and it never reverses a motion.
-///
 /// @param neighbours  convex bodies near the floe that may shade it, world frame.
 /// @param wet  displacement(prism, pose).
-/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8), (H9).
-WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
-                     const StepInertia& step, std::span<const Solid> neighbours, const Displacement& wet);
+/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8).
+Drag drag(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
+          std::span<const Solid> neighbours, const Displacement& wet);
 
+/// Water's load on a floe, world axes, moments about its centre of mass.
+struct WaterLoad {
+  Wrench buoyancy;
+  Wrench drag;           ///< form drag and rotational drag, Eqs. 13, 14
+  Wrench skin_friction;  ///< tangential, on wetted faces
+};
+
+/// Buoyancy, and what `drag` makes of the velocity at the end of the step as weight, water and drag alone give it. That
+/// is exact for the decay v' = -c |v| v and for a steady velocity, and it never reverses a motion.
+///
+/// @param wet  displacement of the floe in `pose`.
+/// @param drag  at the velocity of the start of the step.
+/// @see docs/theory/hydrodynamics.md, (H9).
+WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, const StepInertia& step,
+                     const Displacement& wet, const Drag& drag);
+
+/// Likewise with the drag of the start of the step.
 inline WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
                             const StepInertia& step = {}, std::span<const Solid> neighbours = {}) {
-  return water_load(prism, pose, twist, water, step, neighbours, displacement(prism, pose));
+  const Displacement wet = displacement(prism, pose);
+  return water_load(pose, twist, water, step, wet, drag(prism, pose, twist, water, neighbours, wet));
 }
 
 }  // namespace brash::hydrodynamics

@@ -45,6 +45,22 @@ struct Rest {
   friend bool operator==(const Rest&, const Rest&) = default;
 };
 
+/// What the water does against a floe's motion, kept for some steps: hydrodynamics::Drag, body frame.
+struct KeptDrag {
+  std::int64_t due = -1;  ///< it is taken anew in so many steps; -1: in the next, after which its turn depends on its id
+  double sum = 0.0;       ///< of the dampers [kg/s]
+  Vec3 first{};           ///< moments [kg m/s]
+  Vec3 squares{};         ///< [kg m2/s]
+  Vec3 products{};        ///< [kg m2/s]
+  double rotation = 0.0;  ///< [kg m2/s]
+  Vec3 skin_force{};      ///< [N]
+  Vec3 skin_moment{};     ///< [N m]
+  double skin_power = -1.0;  ///< of these at the velocity at which they were taken [W]
+  double energy = 0.0;       ///< twice the kinetic energy against the water, then [J]
+
+  friend bool operator==(const KeptDrag&, const KeptDrag&) = default;
+};
+
 /// A floe that is in the world when a checkpoint is taken.
 struct CheckpointFloe {
   std::int64_t id = 0;  ///< FloeRecord::id
@@ -57,6 +73,7 @@ struct CheckpointFloe {
   double peak_stress = 0.0;        ///< [Pa]
   Bearing bearing{};
   Rest rest{};
+  KeptDrag drag{};
 
   friend bool operator==(const CheckpointFloe&, const CheckpointFloe&) = default;
 };

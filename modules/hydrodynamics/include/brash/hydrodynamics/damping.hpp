@@ -2,32 +2,39 @@
 #pragma once
 
 #include "brash/core/vec.hpp"
-#include "brash/hydrodynamics/water.hpp"
 
 namespace brash::hydrodynamics {
+
+/// What moves and holds the floe in a step besides the water.
+struct StepInertia {
+  double dt = 0.0;              ///< [s]; 0: the drag of this instant
+  double mass = 1.0;            ///< with added mass [kg], > 0
+  Vec3 inertia{1.0, 1.0, 1.0};  ///< principal moments in the body frame, with added mass [kg m2], > 0
+  double weight = 0.0;          ///< [N]
+};
 
 /// Linear dampers in points of a body and against its rotation, by their moments: the damping matrix
 ///
 ///   f = -sum c_i (v + Omega x x_i),   tau = -sum c_i x_i x (v + Omega x x_i) - b Omega
 ///
 /// is symmetric and takes energy from every motion. Body frame, about its origin.
-class Damping {
- public:
-  Damping() = default;
-  /// Dampers by the sums of c; c x; c xx, yy, zz; c yz, zx, xy.
-  Damping(double sum, Vec3 first, Vec3 squares, Vec3 products)
-      : sum_(sum), first_(first), squares_(squares), products_(products) {}
+struct Damping {
+  double sum = 0.0;       ///< sum c [kg/s]
+  Vec3 first{};           ///< sum c x [kg m/s]
+  Vec3 squares{};         ///< sum c xx, yy, zz [kg m2/s]
+  Vec3 products{};        ///< sum c yz, zx, xy [kg m2/s]
+  double rotation = 0.0;  ///< b [kg m2/s]
 
   /// A damper of `coefficient` [kg/s], >= 0, in the point `at`.
   void add(double coefficient, Vec3 at) {
-    sum_ += coefficient;
+    sum += coefficient;
     const Vec3 moment = coefficient * at;
-    first_ += moment;
-    squares_ += {moment.x * at.x, moment.y * at.y, moment.z * at.z};
-    products_ += {moment.y * at.z, moment.z * at.x, moment.x * at.y};
+    first += moment;
+    squares += {moment.x * at.x, moment.y * at.y, moment.z * at.z};
+    products += {moment.y * at.z, moment.z * at.x, moment.x * at.y};
   }
-  /// A damper of `coefficient` [kg m2/s], >= 0, against rotation about any axis.
-  void add_rotation(double coefficient) { rotation_ += coefficient; }
+
+  Damping scaled(double factor) const;
 
   /// The load on a body that moves with `twist`.
   Wrench load(const Twist& twist) const;
@@ -36,12 +43,7 @@ class Damping {
   /// velocity sought (implicit Euler).
   Twist velocity_after(const Twist& twist, const Wrench& load, const StepInertia& step) const;
 
- private:
-  double sum_ = 0.0;
-  Vec3 first_{};     ///< sum c x
-  Vec3 squares_{};   ///< sum c xx, yy, zz
-  Vec3 products_{};  ///< sum c yz, zx, xy
-  double rotation_ = 0.0;
+  friend bool operator==(const Damping&, const Damping&) = default;
 };
 
 }  // namespace brash::hydrodynamics
