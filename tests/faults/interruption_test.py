@@ -120,6 +120,11 @@ class Interruption(FaultTest):
         self.assertEqual(process.returncode, 3)
         self.assertEqual([p.name for p in folder.iterdir()], ["checkpoint.nc"])
 
+    def test_a_resume_without_a_checkpoint_says_so_and_runs_from_the_start(self):
+        done = self.succeeds(run_command(self.path / "new", "--resume"))
+        self.assertIn(f"warning: there is no {self.path / 'new' / 'checkpoint.nc'} to resume from", done.stderr)
+        self.assertEqual(self.bytes_of(self.path / "new"), self.whole())
+
     def test_bad_input_leaves_an_earlier_run_as_it_was_and_makes_no_folder(self):
         whole = self.whole()
         for options in (["--set", "ice.thickness=-1"], ["--set", "failure.model=network", "--set", "failure.file=none.json"],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "brash/report/report.hpp"
@@ -17,7 +18,7 @@ struct RunOptions {
   std::string case_file;
   std::string directory;
   std::vector<std::string> overrides;
-  std::uint64_t seed = 0;
+  std::int64_t seed = 0;
   bool has_seed = false;
   bool resume = false;
 };
@@ -30,11 +31,14 @@ void run_case(const RunOptions& options) {
     fmt::print(stderr, "warning: {}\n", warning);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = open_run_folder(directory);
+  const std::string checkpoint = directory + "/checkpoint.nc";
+  if (options.resume && !std::filesystem::exists(checkpoint))
+    fmt::print(stderr, "warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   const simulation::Run run = run_with_progress(resolved, {.begun = [&] { remove_run(directory); },
-                                                           .checkpoint_file = directory + "/checkpoint.nc",
+                                                           .checkpoint_file = checkpoint,
                                                            .resume = options.resume});
   if (!run.complete)
-    throw Interrupted(fmt::format("{}: interrupted at t = {} s; the same command with `--resume` goes on from there",
+    throw Interrupted(fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there",
                                   directory, run.results.loads.back().time));
   write_run_folder(directory, options.case_file, resolved, run);
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);

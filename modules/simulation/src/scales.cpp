@@ -76,6 +76,21 @@ std::vector<std::string> step_warnings(const io::Case& c) {
                   std::ceil(steps) * c.time.step)};
 }
 
+/// A floe between the structure and what holds it comes nearer to its crushing bound by about m v a sweep
+/// (docs/theory/dynamics.md, "What this leaves out").
+std::vector<std::string> sweep_warnings(const io::Case& c, double piece) {
+  const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * piece;
+  const double face = c.ice.thickness * std::sqrt(piece);
+  const double bound = c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * face;
+  const double sweeps = std::ceil(bound / (mass * c.structure.speed));
+  if (sweeps <= c.contact.iterations) return {};
+  return {
+      fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at structure.speed = "
+                  "{} m/s to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
+                  c.contact.iterations, piece, c.structure.speed, sweeps,
+                  c.time.step * c.contact.iterations / sweeps)};
+}
+
 }  // namespace
 
 DerivedScales derived_scales(const io::Case& resolved) {
@@ -98,6 +113,7 @@ DerivedScales derived_scales(const io::Case& resolved) {
     scales.warnings.push_back(fmt::format(
         "time.step = {} s is longer than the collision time {:.3g} s of a piece of {:.2g} m2 (Eq. 11): shorten it",
         resolved.time.step, scales.collision_time, piece));
+  std::ranges::move(sweep_warnings(resolved, piece), std::back_inserter(scales.warnings));
   const failure::Assessment straight =
       criterion->assess({.contact_length = ice.thickness, .mu1 = scales.mu1, .mu2 = 0.0});
   if (straight.above_range)

@@ -191,6 +191,21 @@ BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
   BOOST_TEST(thick[0].find("failure.model = network was trained with h/l_c = 0.1, and this ice has 0.0252") == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(a_structure_too_slow_for_the_sweeps_of_a_step_is_warned_of) {
+  const auto warnings = [](const char* speed, const char* iterations) {
+    return simulation::derived_scales(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                                                    {speed, iterations, "time.duration=10000"}))
+        .warnings;
+  };
+  // A piece of 2.7 m2 has 1.2 t and yields at 2.7 kN s in 10 ms: 114 sweeps at 2 cm/s.
+  const auto slow = warnings("structure.speed=0.02", "contact.iterations=30");
+  BOOST_TEST_REQUIRE(slow.size() == 1u);
+  BOOST_TEST(slow[0].find("contact.iterations = 30 are too few for a piece of 2.7 m2") == 0u);
+  BOOST_TEST(slow[0].find("it needs about 114, or steps of 0.0026 s") != std::string::npos);
+  BOOST_TEST(warnings("structure.speed=0.02", "contact.iterations=114").empty());
+  BOOST_TEST(warnings("structure.speed=0.08", "contact.iterations=30").empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_is_over_too_early_is_warned_of) {
   const auto says = [&](const char* override_text, const char* words) {
     const auto all = warnings(override_text);
