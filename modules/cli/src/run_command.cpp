@@ -34,12 +34,12 @@ void run_case(const RunOptions& options) {
   const std::string checkpoint = directory + "/checkpoint.nc";
   if (options.resume && !std::filesystem::exists(checkpoint))
     fmt::print(stderr, "warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
-  const simulation::Run run = run_with_progress(resolved, {.begun = [&] { remove_run(directory); },
-                                                           .checkpoint_file = checkpoint,
-                                                           .resume = options.resume});
+  const simulation::Run run = run_with_progress(
+      resolved, {.begun = [&] { remove_run(directory); }, .checkpoint_file = checkpoint, .resume = options.resume});
   if (!run.complete)
-    throw Interrupted(fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there",
-                                  directory, run.results.loads.back().time));
+    throw Interrupted(
+        fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,
+                    run.results.loads.back().time));
   write_run_folder(directory, options.case_file, resolved, run);
   fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
   if (report::has_page()) fmt::print("report in  {}/report.html\n", directory);

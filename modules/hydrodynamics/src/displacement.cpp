@@ -20,6 +20,7 @@ struct WettedBody {
 struct PlanMoments {
   explicit PlanMoments(const Prism& prism) {
     for (const auto& ring : prism.rings) {
+      if (ring.empty()) continue;
       Vec2 a = ring.back();
       for (const Vec2 b : ring) {
         // Over the triangle from the origin.

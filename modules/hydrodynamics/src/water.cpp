@@ -25,8 +25,7 @@ double average_length(const Prism& prism) {
 
 /// Eqs. 13 and 14 at one velocity for the whole floe, as dampers at that velocity: only faces that look along it count.
 /// Skin friction on each wetted face by the velocity along it at its centroid.
-Drag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const Twist& relative,
-                      const Water& water) {
+Drag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const Twist& relative, const Water& water) {
   Drag drag;
   const Vec3 velocity = velocity_at(relative, centre);
   double area = 0.0;
@@ -42,8 +41,8 @@ Drag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const T
   });
   const double l_avg = average_length(prism);
   drag.form.add(0.5 * water.form_drag * water.density * area_times_speed, centre);
-  drag.form.rotation = 0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * area *
-                         norm(relative.angular);
+  drag.form.rotation =
+      0.5 * water.rotational_drag * water.density * l_avg * l_avg * l_avg * area * norm(relative.angular);
   return drag;
 }
 
@@ -91,7 +90,8 @@ WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, c
   load.buoyancy.moment = cross(rotate(pose.rotation, wet.centre_in_body), load.buoyancy.force);
   const Twist relative = relative_in_body_axes(pose, twist, water);
   const double skin_share = power(drag.skin_friction, relative) / drag.skin_power;
-  load.skin_friction = rotated(pose.rotation, {skin_share * drag.skin_friction.force, skin_share * drag.skin_friction.moment});
+  load.skin_friction =
+      rotated(pose.rotation, {skin_share * drag.skin_friction.force, skin_share * drag.skin_friction.moment});
 
   // The coefficient of the start of the step times the velocity at its end, as loads and drag alone give it.
   Wrench others{{0.0, 0.0, -step.weight}, {}};

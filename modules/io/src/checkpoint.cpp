@@ -110,29 +110,31 @@ struct Columns<CheckpointFloe> {
   template <typename Visit>
   static void visit_drag(Visit&& visit) {
     visit(
-        "drag_due", "1", "steps after which its drag is taken anew", [](auto& row) -> auto& { return row.drag.due; });
+        "drag_due", "1", "steps after which its drag is taken anew",
+        [](auto& row) -> auto& { return row.kept_drag.due; });
     visit(
-        "drag_sum", "kg s-1", "sum of its dampers", [](auto& row) -> auto& { return row.drag.sum; });
+        "drag_sum", "kg s-1", "sum of its dampers", [](auto& row) -> auto& { return row.kept_drag.sum; });
     visit_vector(
-        "drag_first_", "kg m s-1", "their first moment", [](auto& row) -> auto& { return row.drag.first; }, visit);
+        "drag_first_", "kg m s-1", "their first moment", [](auto& row) -> auto& { return row.kept_drag.first; }, visit);
     visit_vector(
         "drag_squares_", "kg m2 s-1", "their second moment xx, yy, zz",
-        [](auto& row) -> auto& { return row.drag.squares; }, visit);
+        [](auto& row) -> auto& { return row.kept_drag.squares; }, visit);
     visit_vector(
         "drag_products_", "kg m2 s-1", "their second moment yz, zx, xy",
-        [](auto& row) -> auto& { return row.drag.products; }, visit);
+        [](auto& row) -> auto& { return row.kept_drag.products; }, visit);
     visit(
-        "drag_rotation", "kg m2 s-1", "damper of its rotation", [](auto& row) -> auto& { return row.drag.rotation; });
+        "drag_rotation", "kg m2 s-1", "damper of its rotation",
+        [](auto& row) -> auto& { return row.kept_drag.rotation; });
     visit_vector(
-        "drag_skin_force_", "N", "skin friction, body frame", [](auto& row) -> auto& { return row.drag.skin_force; },
-        visit);
+        "drag_skin_force_", "N", "skin friction, body frame",
+        [](auto& row) -> auto& { return row.kept_drag.skin_force; }, visit);
     visit_vector(
-        "drag_skin_moment_", "N m", "its moment", [](auto& row) -> auto& { return row.drag.skin_moment; }, visit);
+        "drag_skin_moment_", "N m", "its moment", [](auto& row) -> auto& { return row.kept_drag.skin_moment; }, visit);
     visit(
-        "drag_skin_power", "W", "its power", [](auto& row) -> auto& { return row.drag.skin_power; });
+        "drag_skin_power", "W", "its power", [](auto& row) -> auto& { return row.kept_drag.skin_power; });
     visit(
         "drag_energy", "J", "twice the kinetic energy against the water at which it was taken",
-        [](auto& row) -> auto& { return row.drag.energy; });
+        [](auto& row) -> auto& { return row.kept_drag.energy; });
   }
 };
 

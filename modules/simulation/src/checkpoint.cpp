@@ -131,7 +131,7 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .peak_compression = floe.peak_stress,
                    .bearing = floe.bearing,
                    .rest = floe.rest,
-                   .kept_drag = kept_drag(floe.drag)});
+                   .kept_drag = kept_drag(floe.kept_drag)});
   for (const io::FloePush& push : checkpoint.pushes) floes.restore_push(push.floe, push.other, push.force);
   floes.set_next_id(checkpoint.counters.at("next_floe"));
   for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // a settled one may be run into at once
@@ -171,7 +171,7 @@ io::Checkpoint Simulation::Impl::checkpoint() const {
                            .peak_stress = floe.peak_compression,
                            .bearing = floe.bearing,
                            .rest = floe.rest,
-                           .drag = kept_drag(floe.kept_drag)});
+                           .kept_drag = kept_drag(floe.kept_drag)});
   for (const auto& [pair, force] : floes.pushes().pairs())
     saved.pushes.push_back({floes.floes().at(pair.first).id, floes.floes().at(pair.second).id, force});
   return saved;

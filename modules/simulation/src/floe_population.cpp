@@ -163,6 +163,7 @@ hydrodynamics::Drag FloePopulation::drag(rigid_body::World& world, BodyId body, 
   return hydrodynamics::drag(floe.prism, pose, world.twist(body), water, neighbours_, displaced(floe, pose));
 }
 
+/// The drag is kept and scaled as (H13) of docs/theory/hydrodynamics.md says.
 void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
   const std::int64_t every = std::max(1L, std::lround(case_->hydrodynamics.drag_interval / dt));
   for (const BodyId body : world.moving()) {
@@ -173,17 +174,18 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 struc
       water.current += flow_->at(pose.position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
     const double energy = twice_kinetic_energy(floe.inertia, pose, world.twist(body), water.current);
     KeptDrag& kept = floe.kept_drag;
+    if (displaced(floe, pose).volume <= 0.0) kept = {};  // what comes back into the water has its drag at once
     if (kept.due <= 0 || energy > kMostGrowth * kept.energy) {
       kept.drag = drag(world, body, floe, water);
       kept.energy = energy;
-      if (kept.due <= 0) kept.due = kept.due < 0 ? 1 + floe.id % every : every;  // in turn, whenever they were born
+      if (kept.due <= 0) kept.due = kept.due < 0 ? 1 + floe.id % every : every;  // those of one break in turn
     }
     --kept.due;
     const double speed_ratio = kept.energy > 0.0 ? std::sqrt(energy / kept.energy) : 0.0;
     const hydrodynamics::StepInertia step{
         .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
-    const hydrodynamics::WaterLoad load =
-        hydrodynamics::water_load(pose, world.twist(body), water, step, displaced(floe, pose), kept.drag.scaled(speed_ratio));
+    const hydrodynamics::WaterLoad load = hydrodynamics::water_load(
+        pose, world.twist(body), water, step, displaced(floe, pose), kept.drag.scaled(speed_ratio));
     Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
     wrench += load.buoyancy;
     wrench += load.drag;

@@ -44,8 +44,8 @@ struct Floe {
   io::Rest rest{};
   double settled_height = 0.0;  ///< potential energy against floating at rest while it is settled [J]
   KeptDrag kept_drag{};
-  Wrench drag{};                ///< of the last step, form and rotational, about the centre of mass
-  Wrench skin_friction{};       ///< likewise
+  Wrench drag{};           ///< of the last step, form and rotational, about the centre of mass
+  Wrench skin_friction{};  ///< likewise
   /// Where it was last asked what the floe displaces, and that.
   mutable std::optional<std::pair<Pose, hydrodynamics::Displacement>> wet{};
 };
@@ -126,8 +126,7 @@ class FloePopulation {
   /// The kinetic energy of a floe at time.settle_speed [J].
   double slow_energy(const Floe& floe) const;
   /// Its drag as it moves now.
-  hydrodynamics::Drag drag(rigid_body::World& world, BodyId body, const Floe& floe,
-                           const hydrodynamics::Water& water);
+  hydrodynamics::Drag drag(rigid_body::World& world, BodyId body, const Floe& floe, const hydrodynamics::Water& water);
   /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
   double slow_push(double mass) const;
   void let_go(rigid_body::World& world, BodyId body, Floe& floe);

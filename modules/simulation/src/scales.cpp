@@ -87,8 +87,7 @@ std::vector<std::string> sweep_warnings(const io::Case& c, double piece) {
   return {
       fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at structure.speed = "
                   "{} m/s to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
-                  c.contact.iterations, piece, c.structure.speed, sweeps,
-                  c.time.step * c.contact.iterations / sweeps)};
+                  c.contact.iterations, piece, c.structure.speed, sweeps, c.time.step * c.contact.iterations / sweeps)};
 }
 
 }  // namespace

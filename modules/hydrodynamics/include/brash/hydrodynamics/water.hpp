@@ -38,20 +38,22 @@ struct Displacement {
   Vec3 centre_in_body{};  ///< likewise, body frame
 };
 
-/// Volume below the waterplane and its centroid, exact to rounding (docs/theory/hydrodynamics.md, (H1), (H2), (H3), (H12)).
+/// Volume below the waterplane and its centroid, exact to rounding (docs/theory/hydrodynamics.md, (H1), (H2), (H3),
+/// (H12)).
 ///
-/// A floe that the waterplane cuts in its sides alone has it in closed form, (H12); of others the wetted faces are clipped
-/// and joined to a point on the waterplane by signed cones (after Catto, 2006). Only `rings` and `thickness` are used, so outlines that are not convex and holes need no division into parts.
+/// A floe that the waterplane cuts in its sides alone has it in closed form, (H12); of others the wetted faces are
+/// clipped and joined to a point on the waterplane by signed cones (after Catto, 2006). Only `rings` and `thickness`
+/// are used, so outlines that are not convex and holes need no division into parts.
 Displacement displacement(const Prism& prism, const Pose& pose);
 
 /// What the water does against a floe's motion; body frame.
 ///
-/// Both parts are dampers at the velocity V0 relative to the water at which they were taken, and in proportion to it: at
-/// r V0 they are r times as strong.
+/// Both parts are dampers at the velocity V0 relative to the water at which they were taken, and in proportion to it:
+/// at r V0 they are r times as strong (docs/theory/hydrodynamics.md, (H13)).
 struct Drag {
   Damping form;              ///< of the whole velocity
   Wrench skin_friction;      ///< w0 at V0 about the centre of mass; at V it is w0 (w0 . V) / (w0 . V0)
-  double skin_power = -1.0;  ///< w0 . V0 [W], < 0
+  double skin_power = -1.0;  ///< w0 . V0 [W], < 0; of a scaled drag divided by the ratio
 
   /// The drag of a floe that moves alike, `ratio` times as fast.
   Drag scaled(double ratio) const;

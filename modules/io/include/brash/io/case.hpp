@@ -93,7 +93,7 @@ struct ContactSection {
 struct HydrodynamicsSection {
   std::string drag = "surface";  ///< surface | paper
   bool shading = true;
-  double shading_gap = 0.5;      ///< in ice thicknesses
+  double shading_gap = 0.5;     ///< in ice thicknesses
   double drag_interval = 0.05;  ///< a floe's drag coefficients are kept for so long [s]
   double form_drag = 1.0;
   double rotational_drag = 1.0;

@@ -47,14 +47,15 @@ struct Rest {
 
 /// What the water does against a floe's motion, kept for some steps: hydrodynamics::Drag, body frame.
 struct KeptDrag {
-  std::int64_t due = -1;  ///< it is taken anew in so many steps; -1: in the next, after which its turn depends on its id
-  double sum = 0.0;       ///< of the dampers [kg/s]
-  Vec3 first{};           ///< moments [kg m/s]
-  Vec3 squares{};         ///< [kg m2/s]
-  Vec3 products{};        ///< [kg m2/s]
-  double rotation = 0.0;  ///< [kg m2/s]
-  Vec3 skin_force{};      ///< [N]
-  Vec3 skin_moment{};     ///< [N m]
+  std::int64_t due =
+      -1;            ///< it is taken anew in so many steps; -1: in the next, after which its turn depends on its id
+  double sum = 0.0;  ///< of the dampers [kg/s]
+  Vec3 first{};      ///< moments [kg m/s]
+  Vec3 squares{};    ///< [kg m2/s]
+  Vec3 products{};   ///< [kg m2/s]
+  double rotation = 0.0;     ///< [kg m2/s]
+  Vec3 skin_force{};         ///< [N]
+  Vec3 skin_moment{};        ///< [N m]
   double skin_power = -1.0;  ///< of these at the velocity at which they were taken [W]
   double energy = 0.0;       ///< twice the kinetic energy against the water, then [J]
 
@@ -73,7 +74,7 @@ struct CheckpointFloe {
   double peak_stress = 0.0;        ///< [Pa]
   Bearing bearing{};
   Rest rest{};
-  KeptDrag drag{};
+  KeptDrag kept_drag{};
 
   friend bool operator==(const CheckpointFloe&, const CheckpointFloe&) = default;
 };
@@ -93,7 +94,7 @@ struct Checkpoint {
   std::string case_toml;  ///< the resolved case as to_toml wrote it: a run resumes its own case only
   std::vector<GridRings> sheet;
   std::vector<CheckpointFloe> floes;
-  std::vector<FloePush> pushes;  ///< where floes settle (time.settle_speed)
+  std::vector<FloePush> pushes;               ///< where floes settle (time.settle_speed)
   std::map<std::string, std::string> ledger;  ///< whole numbers of any size as decimal text, e.g. twice an exact area
   std::map<std::string, std::int64_t> counters;  ///< steps done, random streams used, next id, ...
   std::map<std::string, double> numbers;         ///< finite: place of the structure, work done, ...
