@@ -22,7 +22,8 @@ const page = await browser.open(join(run, "report.html"));
 await page.addStyleTag({
   content: `.stage { position: fixed !important; inset: 0 auto auto 0; z-index: 9; width: ${kWidth}px; height: ${kHeight}px !important; max-height: none; border: 0; border-radius: 0; } .legend { display: none !important; }`,
 });
-await page.waitForTimeout(300);
+// It would follow that size once the page is drawn anew.
+await page.evaluate(([width, height]) => window.brashReport.report.replay.scene.resize(width, height), [kWidth, kHeight]);
 for (const [i, [part, view]] of kStills.entries()) {
   const { time, still } = await page.evaluate(([share, name]) => {
     const { player, replay } = window.brashReport.report;
