@@ -103,7 +103,7 @@ def growth():
             for run in runs]
     rubble = runs[0]
     lines = [line("CPU microseconds per floe and step, 100 floes of rubble", [1e6 * times[0] for times in each])]
-    lines += [line(f"CPU time per floe and step, {n} floes / 100 floes ({row['contacts'] / row['floes']:.1f} contact "
+    lines += [line(f"CPU time per floe and step, {n} floes / 100 floes ({row['contacts'] / row['floes']:.1f} bearing "
                    f"points per floe / {rubble[0]['contacts'] / rubble[0]['floes']:.1f})",
                    [times[i] / times[0] for times in each], "<= 1")
               for i, (n, row) in enumerate(zip(sizes, rubble)) if i > 0]

@@ -103,10 +103,10 @@ int main(int argc, char** argv) {
       if (c.other == structure) impulse -= dt * (c.normal_force * c.normal.x + c.friction_force.x);
     if ((i + 1) % (steps / 5) == 0)
       std::printf(
-          "t %5.2f s  %6.0f steps/s so far, %zu contact points, kinetic energy %.0f J, mean resistance %.1f kN\n",
+          "t %5.2f s  %6.0f steps/s so far, %zu bearing points, kinetic energy %.0f J, mean resistance %.1f kN\n",
           (i + 1) * dt, (i + 1) / spent, world.contacts().size(), world.kinetic_energy(),
           -1e-3 * impulse / ((i + 1) * dt));
   }
-  std::printf("%zu floes, dt %g s, %d iterations: %.0f steps/s, %.0f contact points a step\n", floes.size(), dt,
+  std::printf("%zu floes, dt %g s, %d iterations: %.0f steps/s, %.0f bearing points a step\n", floes.size(), dt,
               settings.iterations, steps / spent, static_cast<double>(points) / steps);
 }

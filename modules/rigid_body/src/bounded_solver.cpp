@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "convex_part.hpp"
 
@@ -23,10 +24,9 @@ void BoundedSolver::clear() {
   bodies_.resize(1);
   contacts_.clear();
   bearings_.clear();
-  normals_.clear();
-  normal_responses_.clear();
-  tangentials_.clear();
-  contact_of_point_.clear();
+  responses_.clear();
+  positions_.clear();
+  frictions_.clear();
   partings_.clear();
 }
 
@@ -37,17 +37,16 @@ std::uint32_t BoundedSolver::add(const SolverBody& body) {
 
 void BoundedSolver::add(const SolverContact& contact, std::span<const PatchPoint> points) {
   contacts_.push_back({.normal = contact.normal,
-                       .tangents = plane_axes(contact.normal),
                        .friction = contact.friction,
                        .first = contact.first,
                        .second = contact.second,
                        .n_points = static_cast<std::uint32_t>(points.size())});
-  for (const PatchPoint& point : points) {
-    Bearing& bearing = bearings_.emplace_back();
-    if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
-    contact_of_point_.push_back(static_cast<std::uint32_t>(contacts_.size() - 1));
-    add_point(contact, point.position);
-  }
+  for (const PatchPoint& point : points) add_point(contact, point);
+}
+
+BoundedSolver::Arms BoundedSolver::arms(std::uint32_t first, std::uint32_t second, Vec3 position) const {
+  const SolverBody &a = bodies_[first], &b = bodies_[second];
+  return {a, b, position - a.position, position - b.position};
 }
 
 /// The velocity is that of the bodies.
@@ -67,9 +66,29 @@ void BoundedSolver::set_up(const Arms& arms, Vec3 direction, Row& row, Response&
   response = {{response_a.x, response_a.y, response_a.z}, {response_b.x, response_b.y, response_b.z}};
 }
 
-BoundedSolver::Tangential BoundedSolver::friction_of(const Arms& arms, const std::array<Vec3, 2>& tangents) {
-  Tangential friction;
-  for (std::size_t k = 0; k < 2; ++k) set_up(arms, tangents[k], friction.rows[k], friction.responses[k]);
+void BoundedSolver::add_point(const SolverContact& contact, const PatchPoint& point) {
+  Bearing& bearing = bearings_.emplace_back();
+  Response& response = responses_.emplace_back();
+  positions_.push_back(point.position);
+  if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
+  Row& row = bearing.row;
+  set_up(arms(contact.first, contact.second, point.position), contact.normal, row, response);
+  if (contact.parting_speed > 0.0) {
+    Parting& parting = partings_.emplace_back(contact.normal, row, response, Impulse{}, contact.first, contact.second);
+    parting.row.velocity = -contact.parting_speed;
+  }
+  row.velocity -= std::max(0.0, -contact.restitution * row.velocity);
+}
+
+/// @return its number.
+std::uint32_t BoundedSolver::add_friction(const Contact& contact, Vec3 position) {
+  Friction& friction = frictions_.emplace_back();
+  friction.first = contact.first;
+  friction.second = contact.second;
+  friction.tangents = plane_axes(contact.normal);
+  const Arms from_centres = arms(contact.first, contact.second, position);
+  for (std::size_t k = 0; k < 2; ++k)
+    set_up(from_centres, friction.tangents[k], friction.rows[k], friction.responses[k]);
   auto& [first, second] = friction.rows;
   // Slip per impulse in the first direction, in the second, and in one per impulse in the other.
   const double give_first = 1.0 / first.mass, give_second = 1.0 / second.mass;
@@ -81,24 +100,7 @@ BoundedSolver::Tangential BoundedSolver::friction_of(const Arms& arms, const std
   second.mass = give_first / determinant;
   friction.coupling = -across / determinant;
   friction.most_slip = 0.5 * (give_first + give_second + std::hypot(give_first - give_second, 2.0 * across));
-  return friction;
-}
-
-void BoundedSolver::add_point(const SolverContact& contact, Vec3 position) {
-  const SolverBody& first = bodies_[contact.first];
-  const SolverBody& second = bodies_[contact.second];
-  const Arms arms{first, second, position - first.position, position - second.position};
-
-  Row& normal = normals_.emplace_back();
-  Response& response = normal_responses_.emplace_back();
-  set_up(arms, contact.normal, normal, response);
-  if (contact.parting_speed > 0.0) {
-    Parting& parting =
-        partings_.emplace_back(contact.normal, normal, response, Impulse{}, contact.first, contact.second);
-    parting.row.velocity = -contact.parting_speed;
-  }
-  normal.velocity -= std::max(0.0, -contact.restitution * normal.velocity);
-  tangentials_.push_back(friction_of(arms, contacts_.back().tangents));
+  return static_cast<std::uint32_t>(frictions_.size() - 1);
 }
 
 BoundedSolver::Jacobian::Jacobian(Vec3 direction, const Row& row)
@@ -142,15 +144,13 @@ void BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, 
 
 /// Eq. 6 as a disc (docs/theory/dynamics.md, (C2)): the impulse that stops the slip where the disc holds it, else a
 /// step against the slip and back to the disc. Counts no less than the change of relative velocity.
-void BoundedSolver::resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction,
-                                     Bearing& bearing, Sweep& sweep) {
-  auto& [first, second] = bearing.tangential;
-  const double radius = contact.friction * bearing.normal.now;
+void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, Friction& friction, Sweep& sweep) {
+  auto& [first, second] = friction.impulses;
   const Vec2 before{first.go_on(sweep.momentum), second.go_on(sweep.momentum)};
   if (radius == 0.0 && before == Vec2{}) return;
   const auto& [along_first, along_second] = friction.rows;
-  const Jacobian jacobian_first(contact.tangents[0], along_first);
-  const Jacobian jacobian_second(contact.tangents[1], along_second);
+  const Jacobian jacobian_first(friction.tangents[0], along_first);
+  const Jacobian jacobian_second(friction.tangents[1], along_second);
   const Vec2 slip{along_first.velocity + jacobian_first.velocity(a, b),
                   along_second.velocity + jacobian_second.velocity(a, b)};
   Vec2 wanted = before - Vec2{along_first.mass * slip.x + friction.coupling * slip.y,
@@ -169,18 +169,24 @@ void BoundedSolver::resolve_friction(Moved& a, Moved& b, const Contact& contact,
 }
 
 void BoundedSolver::sweep_normals(Sweep& sweep) {
+  rubbing_.clear();
   std::size_t i = 0;
   for (const Contact& contact : contacts_)
-    for (const std::size_t end = i + contact.n_points; i < end; ++i)
-      resolve(moved_[contact.first], moved_[contact.second], contact.normal, normals_[i], normal_responses_[i],
-              {0.0, bearings_[i].bound}, bearings_[i].normal, sweep);
+    for (const std::size_t end = i + contact.n_points; i < end; ++i) {
+      Bearing& bearing = bearings_[i];
+      resolve(moved_[contact.first], moved_[contact.second], contact.normal, bearing.row, responses_[i],
+              {0.0, bearing.bound}, bearing.impulse, sweep);
+      const double radius = contact.friction * bearing.impulse.now;
+      if (bearing.friction == kNone && radius > 0.0) bearing.friction = add_friction(contact, positions_[i]);
+      if (bearing.friction != kNone) rubbing_.push_back({bearing.friction, radius});
+    }
 }
 
-void BoundedSolver::sweep_tangentials(Sweep& sweep) {
-  std::size_t i = 0;
-  for (const Contact& contact : contacts_)
-    for (const std::size_t end = i + contact.n_points; i < end; ++i)
-      resolve_friction(moved_[contact.first], moved_[contact.second], contact, tangentials_[i], bearings_[i], sweep);
+void BoundedSolver::sweep_frictions(Sweep& sweep) {
+  for (const auto& [number, radius] : rubbing_) {
+    Friction& friction = frictions_[number];
+    resolve_friction(moved_[friction.first], moved_[friction.second], radius, friction, sweep);
+  }
 }
 
 void BoundedSolver::sweep_partings(Sweep& sweep) {
@@ -213,7 +219,7 @@ double BoundedSolver::solve(int iterations, double still) {
   if (!partings_.empty()) iterate(parted_, iterations, still, [this](Sweep& sweep) { sweep_partings(sweep); });
   return iterate(moved_, iterations, still, [this](Sweep& sweep) {
     sweep_normals(sweep);
-    sweep_tangentials(sweep);
+    sweep_frictions(sweep);
   });
 }
 
@@ -240,10 +246,12 @@ Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].tw
 
 PointImpulse BoundedSolver::impulse(std::size_t point) const {
   const Bearing& bearing = bearings_[point];
-  const auto& [first, second] = contacts_[contact_of_point_[point]].tangents;
-  return {.normal = bearing.normal.now,
-          .friction = bearing.tangential[0].now * first + bearing.tangential[1].now * second,
-          .at_bound = bearing.normal.now >= bearing.bound};
+  PointImpulse result{.normal = bearing.impulse.now, .at_bound = bearing.impulse.now >= bearing.bound};
+  if (bearing.friction == kNone) return result;
+  const auto& [tangents, impulses] =
+      std::tie(frictions_[bearing.friction].tangents, frictions_[bearing.friction].impulses);
+  result.friction = impulses[0].now * tangents[0] + impulses[1].now * tangents[1];
+  return result;
 }
 
 }  // namespace brash::rigid_body

@@ -86,18 +86,9 @@ class BoundedSolver {
     Triple turn_a{};  ///< change of the first body's angular velocity per impulse
     Triple turn_b{};  ///< and of the second's
   };
-  /// The two rows of a point's friction, whose masses are the diagonal of the matrix [kg] that tells the impulse from
-  /// the slip.
-  struct Tangential {
-    std::array<Row, 2> rows;
-    std::array<Response, 2> responses;
-    double coupling = 0.0;   ///< off the diagonal [kg]
-    double most_slip = 0.0;  ///< per impulse, in the direction in which the bodies give way most [1/kg]
-  };
   /// The points of one contact follow those of the one before.
   struct Contact {
     Vec3 normal{};
-    std::array<Vec3, 2> tangents{};  ///< unit, at right angles to the normal and to each other
     double friction = 0.0;
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
@@ -117,11 +108,30 @@ class BoundedSolver {
       return start;
     }
   };
-  /// What a point bears so far, and may bear.
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  /// A point's normal row, and what it bears so far and may bear.
   struct Bearing {
-    Impulse normal;
-    double bound = std::numeric_limits<double>::infinity();  ///< of the normal impulse [N s]
-    std::array<Impulse, 2> tangential{};
+    Row row;
+    Impulse impulse;
+    double bound = std::numeric_limits<double>::infinity();  ///< of the impulse [N s]
+    std::uint32_t friction = kNone;                          ///< its number in `frictions_`
+  };
+  /// The friction of a point that bears, or did in this step: two rows whose masses are the diagonal of the matrix [kg]
+  /// that tells the impulse from the slip.
+  struct Friction {
+    std::array<Vec3, 2> tangents{};  ///< unit, at right angles to the normal and to each other
+    std::array<Row, 2> rows;
+    std::array<Response, 2> responses;
+    double coupling = 0.0;   ///< off the diagonal [kg]
+    double most_slip = 0.0;  ///< per impulse, in the direction in which the bodies give way most [1/kg]
+    std::array<Impulse, 2> impulses;
+    std::uint32_t first = kFixed;
+    std::uint32_t second = kFixed;
+  };
+  /// Friction on its way from the normals' half of a sweep to its own.
+  struct Rubbing {
+    std::uint32_t friction = kNone;
+    double radius = 0.0;  ///< of the disc [N s]
   };
   /// What an iteration changes of a body.
   struct Moved {
@@ -171,14 +181,14 @@ class BoundedSolver {
   };
 
   static void set_up(const Arms& arms, Vec3 direction, Row& row, Response& response);
-  static Tangential friction_of(const Arms& arms, const std::array<Vec3, 2>& tangents);
-  void add_point(const SolverContact& contact, Vec3 position);
+  Arms arms(std::uint32_t first, std::uint32_t second, Vec3 position) const;
+  void add_point(const SolverContact& contact, const PatchPoint& point);
+  std::uint32_t add_friction(const Contact& contact, Vec3 position);
   static void resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
                       Impulse& impulse, Sweep& sweep);
-  static void resolve_friction(Moved& a, Moved& b, const Contact& contact, const Tangential& friction, Bearing& bearing,
-                               Sweep& sweep);
+  static void resolve_friction(Moved& a, Moved& b, double radius, Friction& friction, Sweep& sweep);
   void sweep_normals(Sweep& sweep);
-  void sweep_tangentials(Sweep& sweep);
+  void sweep_frictions(Sweep& sweep);
   void sweep_partings(Sweep& sweep);
   template <typename Rows>
   double iterate(std::vector<Moved>& bodies, int iterations, double still, Rows&& rows);
@@ -187,15 +197,15 @@ class BoundedSolver {
   std::vector<Moved> moved_;
   std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one
   std::vector<Contact> contacts_;
-  // Most points bear nothing, and of those an iteration reads bearing and normal row alone. Each kind lies apart from
-  // the others, for what an iteration costs is the memory that it goes through.
+  // What an iteration costs is the memory that it goes through. Most points bear nothing: what only those need that do
+  // lies apart, and their friction is made when they first bear something, one beside the other.
   std::vector<Bearing> bearings_;
-  std::vector<Row> normals_;
-  std::vector<Response> normal_responses_;
-  std::vector<Tangential> tangentials_;
+  std::vector<Response> responses_;  ///< of the normal rows
+  std::vector<Vec3> positions_;      ///< of the points
+  std::vector<Friction> frictions_;
+  std::vector<Rubbing> rubbing_;  ///< in the order of the points
   std::vector<Parting> partings_;
-  std::vector<Moved> parted_;                    ///< the bodies, as far as their positions part
-  std::vector<std::uint32_t> contact_of_point_;  ///< for impulse()
+  std::vector<Moved> parted_;  ///< the bodies, as far as their positions part
 };
 
 }  // namespace brash::rigid_body

@@ -108,18 +108,34 @@ ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, co
 
 void ContactSet::report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads) {
   listed_.clear();
+  std::size_t number = 0;
   for (const Contact& contact : contacts_) {
     const bool turn = contact.reported_turned();
-    for (const PatchPoint& point : contact.points())
-      listed_.push_back({(turn ? contact.second : contact.first)->id, (turn ? contact.first : contact.second)->id,
-                         point.position, &contact, &point, listed_.size()});
+    listed_.push_back(
+        {(turn ? contact.second : contact.first)->id, (turn ? contact.first : contact.second)->id, number, &contact});
+    number += contact.points().size();
   }
-  // Points in one place, of two parts of a floe, keep the order of the step: how many contacts there are besides, which
-  // a resumed run may divide otherwise, must not change it.
-  const auto key = [](const Listed& l) { return std::tie(l.body, l.other, l.place.x, l.place.y, l.place.z); };
-  std::ranges::stable_sort(listed_, [&](const Listed& a, const Listed& b) { return key(a) < key(b); });
+  const auto pair = [](const Listed& l) { return std::tie(l.body, l.other); };
+  std::ranges::sort(listed_, [&](const Listed& a, const Listed& b) {
+    return pair(a) != pair(b) ? pair(a) < pair(b) : a.number < b.number;
+  });
   loads.clear();
-  for (const Listed& l : listed_) loads.push_back(load(*l.contact, *l.point, solver.impulse(l.number), dt));
+  for (auto next = listed_.begin(); next != listed_.end();) {
+    points_.clear();
+    for (const Listed& first = *next; next != listed_.end() && pair(*next) == pair(first); ++next)
+      for (std::size_t k = 0; k < next->contact->points().size(); ++k) {
+        const PointImpulse impulse = solver.impulse(next->number + k);
+        if (impulse.normal != 0.0 || impulse.friction != Vec3{})
+          points_.push_back({next->number + k, impulse, next->contact, &next->contact->points()[k]});
+      }
+    // Points in one place, of two parts of a floe, keep the order of the step: how many contacts there are besides,
+    // which a resumed run may divide otherwise, must not change it.
+    std::ranges::sort(points_, [](const ListedPoint& a, const ListedPoint& b) {
+      const Vec3 &p = a.point->position, &q = b.point->position;
+      return std::tie(p.x, p.y, p.z, a.number) < std::tie(q.x, q.y, q.z, b.number);
+    });
+    for (const ListedPoint& p : points_) loads.push_back(load(*p.contact, *p.point, p.impulse, dt));
+  }
 }
 
 }  // namespace brash::rigid_body

@@ -22,7 +22,7 @@ class ContactSet {
   std::vector<Body*> settled_and_hit(double speed) const;
   /// Adds all of them to a solver that knows the bodies by their Body::in_solver.
   void add_to(BoundedSolver& solver, double dt) const;
-  /// Fills `loads` with each point's load after that solver, sorted by (body, other, point).
+  /// Fills `loads` with the load of each point that bears any after that solver, sorted by (body, other, point).
   void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads);
 
  private:
@@ -45,14 +45,19 @@ class ContactSet {
   }
   static ContactLoad load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt);
 
-  /// A contact point on its way into the order of the report.
+  /// A contact on its way into the order of the report.
   struct Listed {
     BodyId body;
     BodyId other;
-    Vec3 place;
+    std::size_t number;  ///< of its first point in the solver
+    const Contact* contact;
+  };
+  /// A point of two bodies, likewise.
+  struct ListedPoint {
+    std::size_t number;  ///< in the solver
+    PointImpulse impulse;
     const Contact* contact;
     const PatchPoint* point;
-    std::size_t number;  ///< of the point in the solver
   };
 
   ContactLaw ice_structure_;
@@ -60,6 +65,7 @@ class ContactSet {
   NarrowPhase narrow_phase_;
   std::vector<Contact> contacts_;
   std::vector<Listed> listed_;              ///< scratch of report
+  std::vector<ListedPoint> points_;         ///< scratch of report: of one pair of bodies
   std::vector<const Part*> near_sheet_;     ///< scratch of find
   std::vector<const Part*> beside_first_;   ///< scratch of find
   std::vector<const Part*> beside_second_;  ///< scratch of find

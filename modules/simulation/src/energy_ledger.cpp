@@ -35,7 +35,6 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
   taken_ = {};
   for (const BodyId body : world.moving()) received_[body] = 0.0;
   for (const ContactLoad& contact : world.contacts()) {
-    if (!bears(contact)) continue;
     book(losses_, contact, dt);
     taken_.contacts += contact.loss;
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;

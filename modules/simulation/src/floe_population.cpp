@@ -197,30 +197,29 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 struc
 }
 
 void FloePopulation::average_contacts(const rigid_body::World& world, double dt) {
-  std::map<BodyId, std::array<double, 6>> dipoles;
-  std::map<BodyId, io::Bearing> bearings;
+  for (const BodyId body : world.moving()) at(body).in_step = {};
   // In the order of their places, so that the sums do not depend on how the bodies came to their ids.
   std::vector<const rigid_body::ContactLoad*> contacts;
-  for (const rigid_body::ContactLoad& contact : world.contacts())
-    if (bears(contact)) contacts.push_back(&contact);
+  for (const rigid_body::ContactLoad& contact : world.contacts()) contacts.push_back(&contact);
   std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad* c) {
     return std::tie(c->point.x, c->point.y, c->point.z, c->normal.x, c->normal.y, c->normal.z);
   });
   for (const rigid_body::ContactLoad* const contact : contacts) {
     const Vec3 force = contact->normal_force * contact->normal + contact->friction_force;
-    add_dipole(dipoles[contact->body], contact->point - world.pose(contact->body).position, force);
+    ContactSums& sums = at(contact->body).in_step;
+    add_dipole(sums.dipole, contact->point - world.pose(contact->body).position, force);
     if (contact->other_kind == rigid_body::BodyKind::kFloe)
-      add_dipole(dipoles[contact->other], contact->point - world.pose(contact->other).position, -force);
-    if (contact->other_kind == rigid_body::BodyKind::kSheet) add_contact(bearings[contact->body], *contact);
+      add_dipole(at(contact->other).in_step.dipole, contact->point - world.pose(contact->other).position, -force);
+    if (contact->other_kind == rigid_body::BodyKind::kSheet) add_contact(sums.bearing, *contact);
   }
   for (const BodyId body : world.moving()) {
     Floe& floe = at(body);
     const double volume = floe.area.square_metres() * case_->ice.thickness;
     const double share = 1.0 - std::exp(-dt / floe.collision_time);
-    const std::array<double, 6>& dipole = dipoles[body];
+    const auto& [dipole, bearing] = floe.in_step;
     for (std::size_t i = 0; i < 6; ++i) floe.stress[i] += share * (dipole[i] / volume - floe.stress[i]);
     floe.peak_compression = std::max(floe.peak_compression, largest_compression(floe.stress));
-    approach(floe.bearing, bearings[body], share);
+    approach(floe.bearing, bearing, share);
   }
 }
 

@@ -27,6 +27,12 @@ struct KeptDrag {
   std::int64_t due = -1;  ///< it is taken anew in so many steps; -1: there is none yet
 };
 
+/// Of one floe's contacts in one step.
+struct ContactSums {
+  std::array<double, 6> dipole{};  ///< symmetric part of arm x force (xx, yy, zz, xy, yz, zx) [N m]
+  io::Bearing bearing{};           ///< on the sheet's edge
+};
+
 /// A free piece of ice.
 struct Floe {
   std::int64_t id = 0;
@@ -46,6 +52,7 @@ struct Floe {
   KeptDrag kept_drag{};
   Wrench drag{};           ///< of the last step, form and rotational, about the centre of mass
   Wrench skin_friction{};  ///< likewise
+  ContactSums in_step{};   ///< of the last step, while it moves
   /// Where it was last asked what the floe displaces, and that.
   mutable std::optional<std::pair<Pose, hydrodynamics::Displacement>> wet{};
 };

@@ -26,7 +26,7 @@ void MeanPushes::average(const rigid_body::World& world, double share, double le
     mean = (1.0 - share) * mean;
   }
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
-    if (contact.other_kind != rigid_body::BodyKind::kFloe || !rigid_body::bears(contact)) continue;
+    if (contact.other_kind != rigid_body::BodyKind::kFloe) continue;
     const bool in_order = contact.body < contact.other;
     const Pair pair = std::minmax(contact.body, contact.other);
     const Vec3 change = (in_order ? share : -share) * (contact.normal_force * contact.normal + contact.friction_force);

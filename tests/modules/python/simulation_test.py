@@ -124,10 +124,10 @@ class Runs(unittest.TestCase):
         def interrupt(*_):
             raise KeyboardInterrupt
 
-        case = brash.Case.from_file(CONE, {"time.duration": "4 s"})
+        case = brash.Case.from_file(CONE, {"time.duration": "6 s"})
         before = signal.signal(signal.SIGALRM, interrupt)
         self.addCleanup(signal.signal, signal.SIGALRM, before)
-        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
         with self.assertRaises(KeyboardInterrupt):
             case.run(self.path / "stop")
         self.assertEqual([p.name for p in (self.path / "stop").iterdir()], ["checkpoint.nc"])

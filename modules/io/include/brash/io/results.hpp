@@ -75,7 +75,7 @@ struct LoadRow {
   double area_brash = 0.0;
   double area_snap = 0.0;
   int n_floes = 0;
-  int n_contacts = 0;
+  int n_contacts = 0;  ///< points at which floes bear on the structure
 
   friend bool operator==(const LoadRow&, const LoadRow&) = default;
 };

@@ -77,9 +77,6 @@ struct ContactLoad {
   double loss = 0.0;
 };
 
-/// Whether it bears anything; most contacts of floes that drift apart do not.
-constexpr bool bears(const ContactLoad& c) { return c.normal_force != 0.0 || c.friction_force != Vec3{}; }
-
 /// Power of the normal force on both bodies together [W]; negative: kinetic energy lost to crushing and impact.
 constexpr double normal_power(const ContactLoad& c) {
   return c.normal_force * dot(c.normal, c.body_velocity - c.other_velocity);
@@ -133,7 +130,8 @@ class World {
   /// Advances all floes by `dt` [s].
   void step(double dt);
 
-  /// Contacts of the last step, sorted by (body, other, point).
+  /// What contact points bore in the last step, sorted by (body, other, point). Points that touch and bear nothing are
+  /// left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
   /// how far the contacts are from solved is more than that.
