@@ -26,7 +26,7 @@ struct Part {
   ConvexPart solid;
   PlacedPart now;
   btBroadphaseProxy* proxy = nullptr;
-  std::vector<Body*> near_floes;  ///< scratch of the search for neighbours
+  bool sought = false;  ///< its neighbours are, just now
 };
 
 struct Body {
@@ -43,7 +43,7 @@ struct Body {
   bool settled = false;           ///< a floe fixed where it is
   int rank = 0;                   ///< in the order of the step
   std::uint32_t in_solver = 0;    ///< number there, in this step
-  std::vector<const Part*> near;  ///< of a moving floe: parts of other bodies within the world's reach
+  std::vector<const Part*> near;  ///< scratch of the search for neighbours
   std::vector<std::unique_ptr<Part>> parts;
   std::unique_ptr<btRigidBody> bullet;  ///< of a floe: its inertia, and its velocities on the way through a step
 

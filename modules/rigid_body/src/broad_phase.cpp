@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 
 namespace brash::rigid_body {
 namespace {
@@ -38,48 +39,57 @@ BroadPhase::~BroadPhase() {
 }
 
 void BroadPhase::add(Part& part) {
+  known_ = false;
   const bool mobile = part.body->is_free();
   part.proxy = tree_.createProxy(lower(part, reach), upper(part, reach), CONVEX_HULL_SHAPE_PROXYTYPE, &part,
                                  mobile ? kMobile : kFixed, mobile ? kMobile | kFixed : kMobile, nullptr);
 }
 
 void BroadPhase::remove(Part& part) {
+  known_ = false;
   tree_.destroyProxy(part.proxy, nullptr);
   part.proxy = nullptr;
 }
 
-void BroadPhase::move(Part& part) { tree_.setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr); }
-
-void BroadPhase::collect(double distance) {
-  pairs_.clear();
-  const btBroadphasePairArray& found = tree_.getOverlappingPairCache()->getOverlappingPairArray();
-  for (int i = 0; i < found.size(); ++i) {
-    auto* a = static_cast<Part*>(found[i].m_pProxy0->m_clientObject);
-    auto* b = static_cast<Part*>(found[i].m_pProxy1->m_clientObject);
-    if (a->body == b->body || !within_reach(a->now, b->now, distance)) continue;
-    const auto order = [](const Part& p) { return std::tuple(!p.body->is_floe(), p.body->rank, p.number); };
-    if (order(*b) < order(*a)) std::swap(a, b);
-    pairs_.push_back({a, b});
-  }
+void BroadPhase::move(Part& part) {
+  known_ = false;
+  tree_.setAabb(part.proxy, lower(part, reach), upper(part, reach), nullptr);
 }
 
-const std::vector<PartPair>& BroadPhase::near_pairs() {
-  collect(reach);
-  return pairs_;
+const std::vector<NearPair>& BroadPhase::near_pairs() {
+  if (known_) return near_;
+  known_ = true;
+  near_.clear();
+  const btBroadphasePairArray& found = tree_.getOverlappingPairCache()->getOverlappingPairArray();
+  for (int i = 0; i < found.size(); ++i) {
+    auto* const a = static_cast<Part*>(found[i].m_pProxy0->m_clientObject);
+    auto* const b = static_cast<Part*>(found[i].m_pProxy1->m_clientObject);
+    if (a->body != b->body && within_reach(a->now, b->now, reach))
+      near_.push_back({a, b, within_reach(a->now, b->now, 0.0)});
+  }
+  return near_;
 }
 
 const std::vector<PartPair>& BroadPhase::pairs() {
   tree_.calculateOverlappingPairs(nullptr);  // forgets some of the pairs that have parted
-  collect(0.0);
   const auto place = [](const Part& part) {
-    return static_cast<std::uint64_t>(part.body->rank) << 32 | static_cast<std::uint32_t>(part.number);
+    const auto number = static_cast<std::uint32_t>(part.number);
+    return std::pair(!part.body->is_floe(), static_cast<std::uint64_t>(part.body->rank) << 32 | number);
   };
   ordered_.clear();
-  for (const PartPair& p : pairs_) ordered_.push_back({place(*p.first), place(*p.second), p});
+  for (const auto& [a, b, overlap] : near_pairs()) {
+    if (!overlap) continue;
+    const auto place_a = place(*a), place_b = place(*b);
+    if (place_a < place_b)
+      ordered_.push_back({place_a.second, place_b.second, {a, b}});
+    else
+      ordered_.push_back({place_b.second, place_a.second, {b, a}});
+  }
   std::sort(ordered_.begin(), ordered_.end(), [](const Ordered& p, const Ordered& q) {
     return std::tie(p.first, p.second) < std::tie(q.first, q.second);
   });
-  for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i] = ordered_[i].pair;
+  pairs_.clear();
+  for (const Ordered& p : ordered_) pairs_.push_back(p.pair);
   return pairs_;
 }
 

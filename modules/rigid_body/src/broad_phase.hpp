@@ -16,6 +16,13 @@ struct PartPair {
   Part* second = nullptr;
 };
 
+/// Two parts of different bodies, at least one of them that of a floe which moves.
+struct NearPair {
+  Part* one = nullptr;
+  Part* other = nullptr;
+  bool overlap = false;  ///< of their boxes
+};
+
 /// A tree of the parts' boxes (Bullet's btDbvtBroadphase).
 class BroadPhase {
  public:
@@ -32,8 +39,8 @@ class BroadPhase {
   const std::vector<PartPair>& pairs();
   /// How near the boxes of a pair may be to be known to near_pairs() [m]; from the next move of the parts on.
   double reach = 0.0;
-  /// Pairs with at least one floe that moves, whose boxes come within the reach of each other, in no order.
-  const std::vector<PartPair>& near_pairs();
+  /// Pairs whose boxes come within the reach of each other, in no order.
+  const std::vector<NearPair>& near_pairs();
 
  private:
   /// A pair with the places of its parts in the order of the step.
@@ -42,9 +49,10 @@ class BroadPhase {
     std::uint64_t second;
     PartPair pair;
   };
-  void collect(double distance);
 
   btDbvtBroadphase tree_;
+  bool known_ = false;  ///< near_, of the parts where they are now
+  std::vector<NearPair> near_;
   std::vector<PartPair> pairs_;
   std::vector<Ordered> ordered_;  ///< scratch of pairs
 };

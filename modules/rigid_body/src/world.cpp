@@ -39,7 +39,6 @@ struct World::Impl {
   std::vector<Body*> by_index;                ///< of every body there has been; null where it is gone
   std::vector<BodyId> moving;                 ///< floes that are not settled, sorted
   std::vector<Body*> order;                   ///< that of the last step; empty when bodies came or went since
-  bool neighbours_known = false;              ///< of the bodies' present places
   BroadPhase broad_phase;
   ContactSet contacts;
   BoundedSolver solver;
@@ -52,7 +51,8 @@ struct World::Impl {
   Body& get(BodyId id);
   BodyId insert(std::unique_ptr<Body> body);
   void bring_into_order();
-  void find_neighbours(double reach);
+  void set_reach(double reach);
+  void find_near(std::span<const BodyId> floes);
   void list_as_moving(BodyId id, bool moves);
   void place(Body& body);
   void predict(double dt);
@@ -69,7 +69,6 @@ Body& World::Impl::get(BodyId id) {
 }
 
 BodyId World::Impl::insert(std::unique_ptr<Body> body) {
-  neighbours_known = false;
   order.clear();
   const BodyId id{static_cast<std::uint32_t>(by_index.size()), 0};
   body->id = id;
@@ -105,50 +104,47 @@ void World::Impl::bring_into_order() {
 void World::Impl::place(Body& body) {
   body.place_parts();
   for (const auto& part : body.parts) broad_phase.move(*part);
-  neighbours_known = false;
 }
 
 void World::Impl::set_settled(Body& body, bool settled) {
   if (body.settled == settled) return;
-  neighbours_known = false;
   for (const auto& part : body.parts) broad_phase.remove(*part);
   body.set_settled(settled);
   for (const auto& part : body.parts) broad_phase.add(*part);
   list_as_moving(body.id, body.is_free());
 }
 
-/// Each moving floe's parts of other bodies within reach, in the order of their boxes and so by state alone. The parts
-/// are sorted once, and each then joins the lists of the floes near it.
-void World::Impl::find_neighbours(double reach) {
-  if (reach != broad_phase.reach) {
-    broad_phase.reach = reach;
-    for (const auto& body : bodies)
-      for (const auto& part : body->parts) broad_phase.move(*part);
-  }
-  std::vector<Part*> parts;
-  const auto join = [&](Part& part, Body& floe) {
-    if (!floe.is_free()) return;
-    if (part.near_floes.empty()) parts.push_back(&part);
-    part.near_floes.push_back(&floe);
+void World::Impl::set_reach(double reach) {
+  if (reach == broad_phase.reach) return;
+  broad_phase.reach = reach;
+  for (const auto& body : bodies)
+    for (const auto& part : body->parts) broad_phase.move(*part);
+}
+
+/// Parts of other bodies within reach of each of the floes, in the order of their boxes and so by state alone.
+void World::Impl::find_near(std::span<const BodyId> floes) {
+  const auto seek = [&](bool sought) {
+    for (const BodyId id : floes)
+      for (const auto& part : get(id).parts) part->sought = sought;
   };
-  for (const auto& [first, second] : broad_phase.near_pairs()) {
-    join(*second, *first->body);
-    join(*first, *second->body);
+  for (const BodyId id : floes) get(id).near.clear();
+  seek(true);
+  for (const auto& [one, other, overlap] : broad_phase.near_pairs()) {
+    if (one->sought) one->body->near.push_back(other);
+    if (other->sought) other->body->near.push_back(one);
   }
+  seek(false);
   const auto key = [](const Part* part) {
     const auto& [lower, upper] = std::tie(part->now.lower, part->now.upper);
     return std::tuple(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, part->body->id, part->number);
   };
-  std::sort(parts.begin(), parts.end(), [&](const Part* a, const Part* b) {
-    return a->now.lower.x != b->now.lower.x ? a->now.lower.x < b->now.lower.x : key(a) < key(b);
-  });
-  for (const auto& body : bodies) body->near.clear();
-  for (Part* part : parts) {
-    for (Body* floe : part->near_floes)  // more than once where several of its parts are near
-      if (floe->near.empty() || floe->near.back() != part) floe->near.push_back(part);
-    part->near_floes.clear();
+  for (const BodyId id : floes) {
+    std::vector<const Part*>& near = get(id).near;
+    std::sort(near.begin(), near.end(), [&](const Part* a, const Part* b) {
+      return a->now.lower.x != b->now.lower.x ? a->now.lower.x < b->now.lower.x : key(a) < key(b);
+    });
+    near.erase(std::unique(near.begin(), near.end()), near.end());  // near several parts of the floe
   }
-  neighbours_known = true;
 }
 
 /// Velocities with the applied loads and the gyroscopic moment, before contacts.
@@ -260,7 +256,6 @@ BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose
 }
 
 void World::remove(BodyId id) {
-  impl_->neighbours_known = false;
   impl_->order.clear();
   for (const auto& part : impl_->get(id).parts) impl_->broad_phase.remove(*part);
   impl_->list_as_moving(id, false);
@@ -305,12 +300,18 @@ void World::step(double dt) {
 
 const std::vector<ContactLoad>& World::contacts() const { return impl_->loads; }
 double World::last_change() const { return impl_->last_change; }
-void World::neighbours(BodyId id, double reach, std::vector<Solid>& solids) {
-  const Body& body = impl_->get(id);
-  BRASH_EXPECTS(body.is_free() && reach >= 0.0, id.index, reach);
-  if (!impl_->neighbours_known || reach != impl_->broad_phase.reach) impl_->find_neighbours(reach);
-  solids.clear();
-  for (const Part* part : body.near) solids.emplace_back(part->now.planes);
+
+void World::visit_neighbours(std::span<const BodyId> floes, double reach, const VisitNeighbours& visit) {
+  BRASH_EXPECTS(reach >= 0.0, reach);
+  for (const BodyId id : floes) BRASH_EXPECTS(impl_->get(id).is_free(), id.index);
+  impl_->set_reach(reach);
+  impl_->find_near(floes);
+  std::vector<Solid> solids;
+  for (const BodyId id : floes) {
+    solids.clear();
+    for (const Part* part : impl_->get(id).near) solids.emplace_back(part->now.planes);
+    visit(id, solids);
+  }
 }
 
 BodyKind World::kind(BodyId id) const { return impl_->get(id).kind; }

@@ -156,44 +156,64 @@ void FloePopulation::restore_push(std::int64_t id, std::int64_t other, Vec3 forc
   pushes_.restore(body_of(id), body_of(other), force);
 }
 
-hydrodynamics::Drag FloePopulation::drag(rigid_body::World& world, BodyId body, const Floe& floe,
-                                         const hydrodynamics::Water& water) {
-  const Pose pose = world.pose(body);
-  if (water.shading_gap > 0.0) world.neighbours(body, reach(), neighbours_);
-  return hydrodynamics::drag(floe.prism, pose, world.twist(body), water, neighbours_, displaced(floe, pose));
+hydrodynamics::Water FloePopulation::water_at(Vec3 position, Vec2 structure) const {
+  hydrodynamics::Water water = water_;
+  if (flow_) water.current += flow_->at(position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
+  return water;
 }
 
-/// The drag is kept and scaled as (H13) of docs/theory/hydrodynamics.md says.
+/// Weight, buoyancy and the kept drag, scaled as (H13) of docs/theory/hydrodynamics.md says.
+void FloePopulation::load(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water,
+                          double energy) {
+  Floe& floe = at(body);
+  const Pose pose = world.pose(body);
+  KeptDrag& kept = floe.kept_drag;
+  --kept.due;
+  const double speed_ratio = kept.energy > 0.0 ? std::sqrt(energy / kept.energy) : 0.0;
+  const hydrodynamics::StepInertia step{
+      .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
+  const hydrodynamics::WaterLoad load = hydrodynamics::water_load(pose, world.twist(body), water, step,
+                                                                  displaced(floe, pose), kept.drag.scaled(speed_ratio));
+  Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
+  wrench += load.buoyancy;
+  wrench += load.drag;
+  wrench += load.skin_friction;
+  world.apply(body, wrench);
+  floe.drag = load.drag;
+  floe.skin_friction = load.skin_friction;
+}
+
+/// The floes whose drag is to be taken anew come last, together, for their neighbours are sought together.
 void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
-  const std::int64_t every = std::max(1L, std::lround(case_->hydrodynamics.drag_interval / dt));
+  due_.clear();
   for (const BodyId body : world.moving()) {
     Floe& floe = at(body);
     const Pose pose = world.pose(body);
-    hydrodynamics::Water water = water_;
-    if (flow_)
-      water.current += flow_->at(pose.position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
+    const hydrodynamics::Water water = water_at(pose.position, structure);
     const double energy = twice_kinetic_energy(floe.inertia, pose, world.twist(body), water.current);
     KeptDrag& kept = floe.kept_drag;
     if (displaced(floe, pose).volume <= 0.0) kept = {};  // what comes back into the water has its drag at once
-    if (kept.due <= 0 || energy > kMostGrowth * kept.energy) {
-      kept.drag = drag(world, body, floe, water);
-      kept.energy = energy;
-      if (kept.due <= 0) kept.due = kept.due < 0 ? 1 + floe.id % every : every;  // those of one break in turn
-    }
-    --kept.due;
-    const double speed_ratio = kept.energy > 0.0 ? std::sqrt(energy / kept.energy) : 0.0;
-    const hydrodynamics::StepInertia step{
-        .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
-    const hydrodynamics::WaterLoad load = hydrodynamics::water_load(
-        pose, world.twist(body), water, step, displaced(floe, pose), kept.drag.scaled(speed_ratio));
-    Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
-    wrench += load.buoyancy;
-    wrench += load.drag;
-    wrench += load.skin_friction;
-    world.apply(body, wrench);
-    floe.drag = load.drag;
-    floe.skin_friction = load.skin_friction;
+    if (kept.due <= 0 || energy > kMostGrowth * kept.energy)
+      due_.push_back(body);
+    else
+      load(world, body, dt, water, energy);
   }
+  const std::int64_t every = std::max(1L, std::lround(case_->hydrodynamics.drag_interval / dt));
+  const auto renew = [&](BodyId body, std::span<const Solid> neighbours) {
+    Floe& floe = at(body);
+    const Pose pose = world.pose(body);
+    const Twist twist = world.twist(body);
+    const hydrodynamics::Water water = water_at(pose.position, structure);
+    KeptDrag& kept = floe.kept_drag;
+    kept.drag = hydrodynamics::drag(floe.prism, pose, twist, water, neighbours, displaced(floe, pose));
+    kept.energy = twice_kinetic_energy(floe.inertia, pose, twist, water.current);
+    if (kept.due <= 0) kept.due = kept.due < 0 ? 1 + floe.id % every : every;  // those of one break in turn
+    load(world, body, dt, water, kept.energy);
+  };
+  if (water_.shading_gap > 0.0)
+    world.visit_neighbours(due_, reach(), renew);
+  else
+    for (const BodyId body : due_) renew(body, {});
 }
 
 void FloePopulation::average_contacts(const rigid_body::World& world, double dt) {

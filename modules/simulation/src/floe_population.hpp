@@ -132,8 +132,10 @@ class FloePopulation {
 
   /// The kinetic energy of a floe at time.settle_speed [J].
   double slow_energy(const Floe& floe) const;
-  /// Its drag as it moves now.
-  hydrodynamics::Drag drag(rigid_body::World& world, BodyId body, const Floe& floe, const hydrodynamics::Water& water);
+  /// The water that a floe at `position` meets, the structure being where it is.
+  hydrodynamics::Water water_at(Vec3 position, Vec2 structure) const;
+  /// Applies what `water` does to a floe whose twice kinetic energy against it is `energy` [J].
+  void load(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water, double energy);
   /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
   double slow_push(double mass) const;
   void let_go(rigid_body::World& world, BodyId body, Floe& floe);
@@ -152,7 +154,7 @@ class FloePopulation {
   const io::Case* case_;
   hydrodynamics::Water water_;
   std::optional<hydrodynamics::StructureFlow> flow_;
-  std::vector<Solid> neighbours_;  ///< scratch of apply_water
+  std::vector<BodyId> due_;  ///< scratch of apply_water
   std::map<BodyId, Floe> floes_;
   std::vector<Floe*> by_body_;   ///< by the index of the body
   geometry::ExactArea area_;     ///< of all

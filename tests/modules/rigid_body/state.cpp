@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
@@ -16,10 +17,11 @@ WorldSettings breakable() { return {.ice_structure = {0.027, 0.0, 0.5e6}, .ice_i
 
 /// Signed distances of `point` to the neighbours of `floe`, in their order.
 std::vector<double> distances(World& world, BodyId floe, double reach, Vec3 point) {
-  std::vector<Solid> solids;
-  world.neighbours(floe, reach, solids);
   std::vector<double> found;
-  for (const Solid solid : solids) found.push_back(signed_distance(solid, point));
+  world.visit_neighbours({&floe, 1}, reach, [&](BodyId visited, std::span<const Solid> solids) {
+    BOOST_TEST((visited == floe));
+    for (const Solid solid : solids) found.push_back(signed_distance(solid, point));
+  });
   return found;
 }
 
@@ -197,6 +199,12 @@ BOOST_AUTO_TEST_CASE(Neighbours_are_the_bodies_within_reach_where_they_are_now) 
   BOOST_TEST(distances(world, floe, 0.55, corner).size() == 3U);
   BOOST_TEST(distances(world, floe, 0.15, corner).front() == 0.1, boost::test_tools::tolerance(1e-12));  // rounding
   BOOST_TEST(distances(world, other, 0.15, {2.1, 0.5, 0}).front() == 0.1, boost::test_tools::tolerance(1e-12));
+
+  // Of two at once, each has its own.
+  std::vector<std::pair<BodyId, std::size_t>> visits;
+  world.visit_neighbours(std::array{other, floe}, 0.25,
+                         [&](BodyId id, std::span<const Solid> solids) { visits.emplace_back(id, solids.size()); });
+  BOOST_TEST((visits == std::vector<std::pair<BodyId, std::size_t>>{{other, 1U}, {floe, 2U}}));
 
   // A step moves the other away, and what is asked for follows.
   world.set_state(other, world.pose(other), {{5.0, 0.0, 0.0}, {}});

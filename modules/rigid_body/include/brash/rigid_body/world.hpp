@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -137,11 +138,11 @@ class World {
   /// how far the contacts are from solved is more than that.
   double last_change() const;
 
-  /// Finds, to `solids`, the convex parts of other bodies whose boxes come within `reach` [m] of those of floe `id`,
-  /// which is not settled,
-  /// where they are now; in an order that their places give. The spans hold until the world changes. All floes of a
-  /// world are sought at once, so ask for one reach.
-  void neighbours(BodyId id, double reach, std::vector<Solid>& solids);
+  using VisitNeighbours = std::function<void(BodyId, std::span<const Solid>)>;
+  /// Calls `visit` for each of `floes`, which are not settled, with the convex parts of other bodies whose boxes come
+  /// within `reach` [m] of those of its own, where they are now; in an order that their places give. Ask for one reach:
+  /// the search is made anew for another.
+  void visit_neighbours(std::span<const BodyId> floes, double reach, const VisitNeighbours& visit);
 
   BodyKind kind(BodyId id) const;
   bool contains(BodyId id) const;
