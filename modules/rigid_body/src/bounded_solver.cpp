@@ -23,8 +23,9 @@ Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
 void BoundedSolver::clear() {
   bodies_.resize(1);
   contacts_.clear();
+  normals_.clear();
+  borne_.clear();
   bearings_.clear();
-  responses_.clear();
   positions_.clear();
   frictions_.clear();
   partings_.clear();
@@ -67,14 +68,15 @@ void BoundedSolver::set_up(const Arms& arms, Vec3 direction, Row& row, Response&
 }
 
 void BoundedSolver::add_point(const SolverContact& contact, const PatchPoint& point) {
+  Row& row = normals_.emplace_back();
   Bearing& bearing = bearings_.emplace_back();
-  Response& response = responses_.emplace_back();
+  borne_.push_back(0);
   positions_.push_back(point.position);
   if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
-  Row& row = bearing.row;
-  set_up(arms(contact.first, contact.second, point.position), contact.normal, row, response);
+  set_up(arms(contact.first, contact.second, point.position), contact.normal, row, bearing.response);
   if (contact.parting_speed > 0.0) {
-    Parting& parting = partings_.emplace_back(contact.normal, row, response, Impulse{}, contact.first, contact.second);
+    Parting& parting =
+        partings_.emplace_back(contact.normal, row, bearing.response, Impulse{}, contact.first, contact.second);
     parting.row.velocity = -contact.parting_speed;
   }
   row.velocity -= std::max(0.0, -contact.restitution * row.velocity);
@@ -171,15 +173,19 @@ void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, Friction
 void BoundedSolver::sweep_normals(Sweep& sweep) {
   rubbing_.clear();
   std::size_t i = 0;
-  for (const Contact& contact : contacts_)
+  for (const Contact& contact : contacts_) {
+    Moved &a = moved_[contact.first], &b = moved_[contact.second];
     for (const std::size_t end = i + contact.n_points; i < end; ++i) {
+      const Row& row = normals_[i];
+      if (borne_[i] == 0 && row.velocity + Jacobian(contact.normal, row).velocity(a, b) >= 0.0) continue;
+      borne_[i] = 1;
       Bearing& bearing = bearings_[i];
-      resolve(moved_[contact.first], moved_[contact.second], contact.normal, bearing.row, responses_[i],
-              {0.0, bearing.bound}, bearing.impulse, sweep);
+      resolve(a, b, contact.normal, row, bearing.response, {0.0, bearing.bound}, bearing.impulse, sweep);
       const double radius = contact.friction * bearing.impulse.now;
       if (bearing.friction == kNone && radius > 0.0) bearing.friction = add_friction(contact, positions_[i]);
       if (bearing.friction != kNone) rubbing_.push_back({bearing.friction, radius});
     }
+  }
 }
 
 void BoundedSolver::sweep_frictions(Sweep& sweep) {

@@ -109,9 +109,9 @@ class BoundedSolver {
     }
   };
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  /// A point's normal row, and what it bears so far and may bear.
+  /// What a point bears so far, and may bear.
   struct Bearing {
-    Row row;
+    Response response;  ///< of the normal row
     Impulse impulse;
     double bound = std::numeric_limits<double>::infinity();  ///< of the impulse [N s]
     std::uint32_t friction = kNone;                          ///< its number in `frictions_`
@@ -197,11 +197,12 @@ class BoundedSolver {
   std::vector<Moved> moved_;
   std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one
   std::vector<Contact> contacts_;
-  // What an iteration costs is the memory that it goes through. Most points bear nothing: what only those need that do
-  // lies apart, and their friction is made when they first bear something, one beside the other.
+  // What an iteration costs is the memory that it goes through. Most points bear nothing, and of those it reads the
+  // normal row alone. Friction is made when they first bear something, one beside the other.
+  std::vector<Row> normals_;
+  std::vector<std::uint8_t> borne_;  ///< for each point: 1 once it has borne something
   std::vector<Bearing> bearings_;
-  std::vector<Response> responses_;  ///< of the normal rows
-  std::vector<Vec3> positions_;      ///< of the points
+  std::vector<Vec3> positions_;  ///< of the points
   std::vector<Friction> frictions_;
   std::vector<Rubbing> rubbing_;  ///< in the order of the points
   std::vector<Parting> partings_;
