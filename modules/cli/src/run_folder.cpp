@@ -9,20 +9,37 @@
 #include "closed_forms.hpp"
 
 namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run replaces what an earlier one left, and nothing else.
+void refuse_files_of_others(const fs::path& directory) {
+  const auto has = [&](const char* name) { return fs::exists(directory / name); };
+  if (has("checkpoint.nc") || (has("manifest.json") && has("summary.json"))) return;
+  for (const char* const name :
+       {"history.csv", "events.csv", "summary.json", "manifest.json", "run.nc", "plan.svg", "report.html"})
+    if (has(name))
+      throw InputError(Complaint{(directory / name).string(),
+                                 "is not of a finished or interrupted run, which would replace it",
+                                 "a folder that is new, empty or of a run", "give another folder, or move the file"});
+}
+
+}  // namespace
 
 FolderLock open_run_folder(const std::string& directory) {
   if (report::is_campaign(directory))
     throw InputError(Complaint{directory, "holds a campaign, of whose files some have the names of a run's",
                                "a folder that is new, empty or of a run", "give another folder"});
   FolderLock lock = FolderLock::take_or_refuse(directory, "run.lock");
+  refuse_files_of_others(directory);
   remove_parts(directory);
   return lock;
 }
 
 void remove_run(const std::string& directory) {
   simulation::remove_results(directory);
-  for (const char* const name : {"report.html", "plan.svg"})
-    std::filesystem::remove(std::filesystem::path(directory) / name);
+  for (const char* const name : {"report.html", "plan.svg"}) fs::remove(fs::path(directory) / name);
 }
 
 void write_run_folder(const std::string& directory, const std::string& case_file, const io::Case& resolved,
@@ -38,8 +55,8 @@ std::string write_report(const std::string& directory) {
   };
   if (!report::is_campaign(directory)) return report_run(directory);
   std::error_code no_cases;
-  for (const auto& entry : std::filesystem::directory_iterator(directory + "/cases", no_cases))
-    if (std::filesystem::exists(entry.path() / "run.nc")) report_run(entry.path().string());
+  for (const auto& entry : fs::directory_iterator(directory + "/cases", no_cases))
+    if (fs::exists(entry.path() / "run.nc")) report_run(entry.path().string());
   return report::write_campaign_report(directory);
 }
 

@@ -53,10 +53,6 @@ Twist relative_in_body_axes(const Pose& pose, const Twist& twist, const Water& w
 
 Wrench rotated(const Quaternion& q, const Wrench& w) { return {rotate(q, w.force), rotate(q, w.moment)}; }
 
-double power(const Wrench& load, const Twist& twist) {
-  return dot(load.force, twist.linear) + dot(load.moment, twist.angular);
-}
-
 }  // namespace
 
 Drag Drag::scaled(double ratio) const {

@@ -8,10 +8,6 @@ using rigid_body::BodyKind;
 using rigid_body::ContactLoad;
 using rigid_body::World;
 
-double power(const Wrench& load, const Twist& twist) {
-  return dot(load.force, twist.linear) + dot(load.moment, twist.angular);
-}
-
 void book(io::EnergyLosses& losses, const ContactLoad& contact, double dt) {
   const double normal = -dt * rigid_body::normal_power(contact);
   const double friction = -dt * rigid_body::friction_power(contact);

@@ -125,6 +125,22 @@ class Command(unittest.TestCase):
                                     capture_output=True, text=True), "holds a campaign", "allowed:", "remedy:")
         self.assertEqual({p: p.read_bytes() for p in self.whole.iterdir() if p.is_file()}, before)
 
+    def test_a_run_replaces_no_files_but_those_of_runs(self):
+        case = self.whole / "settings" / "plan_speed-1.0.toml"
+        for name in ("history.csv", "manifest.json", "report.html"):
+            with self.subTest(name):
+                folder = FOLDER / f"holds-{name}"
+                folder.mkdir()
+                (folder / name).write_text("measured", encoding="utf-8")
+                refused = subprocess.run([BRASH, "run", case, "-o", folder], capture_output=True, text=True)
+                self.refuses(refused, str(folder / name), "allowed:", "remedy:")
+                self.assertEqual((folder / name).read_text(encoding="utf-8"), "measured")
+                (folder / name).unlink()
+                (folder / "notes.txt").write_text("kept", encoding="utf-8")
+                for _ in range(2):  # the second replaces what the first left
+                    subprocess.run([BRASH, "run", case, "-o", folder], check=True, capture_output=True)
+                self.assertEqual((folder / "notes.txt").read_text(encoding="utf-8"), "kept")
+
     def test_a_campaign_may_collect_no_columns(self):
         plan = FOLDER / "without_columns.toml"
         text = PLAN.read_text(encoding="utf-8").replace("[output]", "[output]\ncolumns = []")

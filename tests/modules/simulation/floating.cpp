@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A floe in the water: World and hydrodynamics, coupled as in the step, against closed forms; equations of
 // docs/theory/dynamics.md, (V1), (V2), (V3), (V4), (V5), (V6).
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "floating_floe.hpp"
@@ -345,5 +346,21 @@ BOOST_AUTO_TEST_CASE(kept_drag_is_taken_anew_where_the_motion_grows_or_the_floe_
     }
     BOOST_TEST_MESSAGE("dropped from 1 m with drag kept for " << interval << " s: down to " << lowest << " m");
     BOOST_TEST(lowest == -0.936, boost::test_tools::tolerance(0.01));  // with drag of every step
+  }
+}
+
+BOOST_AUTO_TEST_CASE(floes_of_one_break_have_their_drag_taken_anew_in_turn) {
+  FloatingFloe first(2.0, 2.0, ice_and_water({"hydrodynamics.drag_interval=0.05"}));
+  for (int i = 1; i < 10; ++i) {  // ten in a row, out of each other's reach
+    const double x = 6.0 * i;
+    const std::vector<Vec2> ring{{x - 1.0, -1.0}, {x + 1.0, -1.0}, {x + 1.0, 1.0}, {x - 1.0, 1.0}};
+    BOOST_REQUIRE(first.floes.add(first.world, {geometry::ring(ring), {}}, 0.0).has_value());
+  }
+  first.step(0.01);  // all of them for the first time
+  for (int i = 0; i < 15; ++i) {
+    first.step(0.01);
+    const auto renewed = std::ranges::count_if(
+        first.floes.floes(), [](const auto& entry) { return entry.second.kept_drag.due == 4; });  // due in 5 - 1 steps
+    BOOST_TEST(renewed == 2);
   }
 }

@@ -109,4 +109,9 @@ struct Wrench {
   friend constexpr bool operator==(const Wrench&, const Wrench&) = default;
 };
 
+/// Of a load on a body that moves so, the moment and the velocity about the same point [W].
+constexpr double power(const Wrench& load, const Twist& twist) {
+  return dot(load.force, twist.linear) + dot(load.moment, twist.angular);
+}
+
 }  // namespace brash
