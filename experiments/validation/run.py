@@ -78,7 +78,7 @@ def draw(rows, closed, spectrum, folder, stem):
     for (name, value), style in zip(REFERENCES.items(), ("-", "--", ":")):
         axes[0].axhline(value, color=figures.RED, ls=style, lw=1, label=f"{name}, {value:g}")
     axes[0].set(title="mean horizontal force [kN]", xlabel="replicate")
-    axes[0].set_ylim(bottom=0)
+    axes[0].set_ylim(0, 1.05 * axes[0].get_ylim()[1])  # the highest points whole
     axes[0].legend(fontsize=7, loc="lower left")
     for i, name in enumerate(list(QUANTITIES)[:4]):
         mean, error = study.mean_interval(np.array([row[QUANTITIES[name]] for row in rows]) / 1e3)
