@@ -163,8 +163,8 @@ hydrodynamics::Water FloePopulation::water_at(Vec3 position, Vec2 structure) con
 }
 
 /// Weight, buoyancy and the kept drag, scaled as (H13) of docs/theory/hydrodynamics.md says.
-void FloePopulation::load(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water,
-                          double energy) {
+void FloePopulation::apply_water_to(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water,
+                                    double energy) {
   Floe& floe = at(body);
   const Pose pose = world.pose(body);
   KeptDrag& kept = floe.kept_drag;
@@ -196,7 +196,7 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 struc
     if (kept.due <= 0 || energy > kMostGrowth * kept.energy)
       due_.push_back(body);
     else
-      load(world, body, dt, water, energy);
+      apply_water_to(world, body, dt, water, energy);
   }
   const std::int64_t every = std::max(1L, std::lround(case_->hydrodynamics.drag_interval / dt));
   const auto renew = [&](BodyId body, std::span<const Solid> neighbours) {
@@ -208,7 +208,7 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 struc
     kept.drag = hydrodynamics::drag(floe.prism, pose, twist, water, neighbours, displaced(floe, pose));
     kept.energy = twice_kinetic_energy(floe.inertia, pose, twist, water.current);
     if (kept.due <= 0) kept.due = kept.due < 0 ? 1 + floe.id % every : every;  // those of one break in turn
-    load(world, body, dt, water, kept.energy);
+    apply_water_to(world, body, dt, water, kept.energy);
   };
   if (water_.shading_gap > 0.0)
     world.visit_neighbours(due_, reach(), renew);

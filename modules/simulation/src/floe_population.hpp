@@ -135,7 +135,8 @@ class FloePopulation {
   /// The water that a floe at `position` meets, the structure being where it is.
   hydrodynamics::Water water_at(Vec3 position, Vec2 structure) const;
   /// Applies what `water` does to a floe whose twice kinetic energy against it is `energy` [J].
-  void load(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water, double energy);
+  void apply_water_to(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water,
+                      double energy);
   /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
   double slow_push(double mass) const;
   void let_go(rigid_body::World& world, BodyId body, Floe& floe);
