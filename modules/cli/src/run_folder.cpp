@@ -21,7 +21,7 @@ void refuse_files_of_others(const fs::path& directory) {
        {"history.csv", "events.csv", "summary.json", "manifest.json", "run.nc", "plan.svg", "report.html"})
     if (has(name))
       throw InputError(Complaint{(directory / name).string(),
-                                 "is not of a finished or interrupted run, which would replace it",
+                                 "is there, but no run left it, and a run would replace it",
                                  "a folder that is new, empty or of a run", "give another folder, or move the file"});
 }
 

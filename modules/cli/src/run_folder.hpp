@@ -11,9 +11,8 @@ namespace brash::cli {
 
 /// Makes `directory` this process's alone, for as long as what is returned lives, and removes what a killed process
 /// left half written in it.
-/// @throws InputError when another process runs in it, it holds a campaign, or files with names of results
-/// that no run left. @throws StorageError when it cannot be
-/// written.
+/// @throws InputError when another process runs in it, it holds a campaign, or files with names of results that no run
+/// left. @throws StorageError when it cannot be written.
 FolderLock open_run_folder(const std::string& directory);
 
 /// Removes everything that write_run_folder wrote into `directory` for an earlier run.

@@ -94,7 +94,8 @@ struct Columns<LoadRow> {
     visit(
         "n_floes", "1", "number of floes", [](auto& row) -> auto& { return row.n_floes; });
     visit(
-        "n_contacts", "1", "number of points at which floes bear on the structure", [](auto& row) -> auto& { return row.n_contacts; });
+        "n_contacts", "1", "number of points at which floes bear on the structure",
+        [](auto& row) -> auto& { return row.n_contacts; });
   }
 };
 
