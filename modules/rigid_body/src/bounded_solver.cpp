@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "convex_part.hpp"
 
@@ -254,9 +253,8 @@ PointImpulse BoundedSolver::impulse(std::size_t point) const {
   const Bearing& bearing = bearings_[point];
   PointImpulse result{.normal = bearing.impulse.now, .at_bound = bearing.impulse.now >= bearing.bound};
   if (bearing.friction == kNone) return result;
-  const auto& [tangents, impulses] =
-      std::tie(frictions_[bearing.friction].tangents, frictions_[bearing.friction].impulses);
-  result.friction = impulses[0].now * tangents[0] + impulses[1].now * tangents[1];
+  const Friction& friction = frictions_[bearing.friction];
+  for (std::size_t k = 0; k < 2; ++k) result.friction += friction.impulses[k].now * friction.tangents[k];
   return result;
 }
 

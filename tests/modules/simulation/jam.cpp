@@ -120,12 +120,12 @@ BOOST_AUTO_TEST_CASE(a_jam_neither_explodes_nor_passes_through_a_wall) {
     seen.look(basin);
     if (i % std::max(1, steps / 12) == 0)
       BOOST_TEST_MESSAGE("t = " << i * kStep << " s: " << basin.world.contacts().size()
-                                << " contact points, kinetic energy " << basin.world.kinetic_energy()
+                                << " bearing points, kinetic energy " << basin.world.kinetic_energy()
                                 << " J, fastest so far " << seen.fastest << " m/s, heights " << seen.lowest << " to "
                                 << seen.highest << " m, nearest to a wall " << seen.nearest << " m");
   }
   BOOST_TEST_MESSAGE(basin.floes.floes().size() << " floes: fastest " << seen.fastest << " m/s, spin " << seen.spin
-                                                << " rad/s, most contact points " << seen.contacts);
+                                                << " rad/s, most bearing points " << seen.contacts);
   BOOST_TEST(basin.floes.floes().size() == static_cast<std::size_t>(kColumns * kRows));
   BOOST_TEST(seen.contacts > basin.floes.floes().size());  // a jam: more points than floes
   BOOST_TEST(seen.nearest > 0.0);
