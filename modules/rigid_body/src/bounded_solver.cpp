@@ -50,35 +50,32 @@ BoundedSolver::Arms BoundedSolver::arms(std::uint32_t first, std::uint32_t secon
 }
 
 /// The velocity is that of the bodies.
-void BoundedSolver::set_up(const Arms& arms, Vec3 direction, Row& row, Response& response) {
+BoundedSolver::Row BoundedSolver::row(const Arms& arms, Vec3 direction) {
   const auto& [first, second, first_arm, second_arm] = arms;
-  const Vec3 turn_a = cross(first_arm, direction);
-  const Vec3 turn_b = cross(second_arm, -direction);
-  const Vec3 response_a = times(first.inverse_inertia, turn_a);
-  const Vec3 response_b = times(second.inverse_inertia, turn_b);
-  const double mobility_a = first.inverse_mass + dot(direction, cross(response_a, first_arm));
-  const double mobility_b = second.inverse_mass + dot(direction, cross(-response_b, second_arm));
-  row = {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
-         .turn_b = {turn_b.x, turn_b.y, turn_b.z},
-         .velocity = (dot(direction, first.twist.linear) + dot(turn_a, first.twist.angular)) +
-                     (dot(-direction, second.twist.linear) + dot(turn_b, second.twist.angular)),
-         .mass = 1.0 / (mobility_a + mobility_b)};
-  response = {{response_a.x, response_a.y, response_a.z}, {response_b.x, response_b.y, response_b.z}};
+  const Vec3 moment_a = cross(first_arm, direction);
+  const Vec3 moment_b = cross(second_arm, -direction);
+  const Vec3 turn_a = times(first.axes, moment_a);
+  const Vec3 turn_b = times(second.axes, moment_b);
+  const double mobility_a = first.inverse_mass + dot(turn_a, turn_a);
+  const double mobility_b = second.inverse_mass + dot(turn_b, turn_b);
+  return {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
+          .turn_b = {turn_b.x, turn_b.y, turn_b.z},
+          .velocity = (dot(direction, first.twist.linear) + dot(moment_a, first.twist.angular)) +
+                      (dot(-direction, second.twist.linear) + dot(moment_b, second.twist.angular)),
+          .mass = 1.0 / (mobility_a + mobility_b)};
 }
 
 void BoundedSolver::add_point(const SolverContact& contact, const PatchPoint& point) {
-  Row& row = normals_.emplace_back();
+  Row& normal = normals_.emplace_back(row(arms(contact.first, contact.second, point.position), contact.normal));
   Bearing& bearing = bearings_.emplace_back();
   borne_.push_back(0);
   positions_.push_back(point.position);
   if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
-  set_up(arms(contact.first, contact.second, point.position), contact.normal, row, bearing.response);
   if (contact.parting_speed > 0.0) {
-    Parting& parting =
-        partings_.emplace_back(contact.normal, row, bearing.response, Impulse{}, contact.first, contact.second);
+    Parting& parting = partings_.emplace_back(contact.normal, normal, Impulse{}, contact.first, contact.second);
     parting.row.velocity = -contact.parting_speed;
   }
-  row.velocity -= std::max(0.0, -contact.restitution * row.velocity);
+  normal.velocity -= std::max(0.0, -contact.restitution * normal.velocity);
 }
 
 /// @return its number.
@@ -88,19 +85,17 @@ std::uint32_t BoundedSolver::add_friction(const Contact& contact, Vec3 position)
   friction.second = contact.second;
   friction.tangents = plane_axes(contact.normal);
   const Arms from_centres = arms(contact.first, contact.second, position);
-  for (std::size_t k = 0; k < 2; ++k)
-    set_up(from_centres, friction.tangents[k], friction.rows[k], friction.responses[k]);
+  for (std::size_t k = 0; k < 2; ++k) friction.rows[k] = row(from_centres, friction.tangents[k]);
   auto& [first, second] = friction.rows;
   // Slip per impulse in the first direction, in the second, and in one per impulse in the other.
   const double give_first = 1.0 / first.mass, give_second = 1.0 / second.mass;
   double across = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-    across += first.turn_a[i] * friction.responses[1].turn_a[i] + first.turn_b[i] * friction.responses[1].turn_b[i];
+  for (std::size_t i = 0; i < 3; ++i) across += first.turn_a[i] * second.turn_a[i] + first.turn_b[i] * second.turn_b[i];
   const double determinant = give_first * give_second - across * across;
   first.mass = give_second / determinant;
   second.mass = give_first / determinant;
   friction.coupling = -across / determinant;
-  friction.most_slip = 0.5 * (give_first + give_second + std::hypot(give_first - give_second, 2.0 * across));
+  friction.least_mass = 2.0 / (give_first + give_second + std::hypot(give_first - give_second, 2.0 * across));
   return static_cast<std::uint32_t>(frictions_.size() - 1);
 }
 
@@ -114,10 +109,11 @@ double BoundedSolver::Jacobian::velocity(const Moved& first, const Moved& second
   return sum[0] + sum[1];
 }
 
-void BoundedSolver::Jacobian::push(Moved& first, Moved& second, const Response& response, double impulse) const {
+void BoundedSolver::Jacobian::push(Moved& first, Moved& second, double impulse) const {
+  const Pair to_first{first.inverse_mass * impulse, impulse}, to_second{second.inverse_mass * impulse, impulse};
   for (std::size_t k = 0; k < 3; ++k) {
-    first.velocity[k] += Pair{a[k][0] * first.inverse_mass, response.turn_a[k]} * impulse;
-    second.velocity[k] += Pair{b[k][0] * second.inverse_mass, response.turn_b[k]} * impulse;
+    first.velocity[k] += a[k] * to_first;
+    second.velocity[k] += b[k] * to_second;
   }
 }
 
@@ -127,8 +123,8 @@ void BoundedSolver::Sweep::add(double velocity, double impulse) {
 }
 
 /// Changes a row's impulse within its limits.
-void BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
-                            Impulse& impulse, Sweep& sweep) {
+void BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, Limits limits, Impulse& impulse,
+                            Sweep& sweep) {
   const Jacobian jacobian(direction, row);
   const double start = impulse.go_on(sweep.momentum);
   double change = -row.mass * (row.velocity + jacobian.velocity(a, b));
@@ -139,7 +135,7 @@ void BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, 
   }
   if (change == 0.0) return;
   impulse.now = wanted;
-  jacobian.push(a, b, response, change);
+  jacobian.push(a, b, change);
   sweep.add(change / row.mass, change);
 }
 
@@ -157,16 +153,16 @@ void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, Friction
   Vec2 wanted = before - Vec2{along_first.mass * slip.x + friction.coupling * slip.y,
                               friction.coupling * slip.x + along_second.mass * slip.y};
   if (dot(wanted, wanted) > radius * radius) {
-    const Vec2 towards = friction.most_slip * before - slip;
-    wanted = std::min(1.0 / friction.most_slip, radius / std::sqrt(dot(towards, towards))) * towards;
+    const Vec2 towards = before - friction.least_mass * slip;
+    wanted = std::min(1.0, radius / std::sqrt(dot(towards, towards))) * towards;
   }
   const Vec2 change = wanted - before;
   first.now = wanted.x;
   second.now = wanted.y;
-  jacobian_first.push(a, b, friction.responses[0], change.x);
-  jacobian_second.push(a, b, friction.responses[1], change.y);
+  jacobian_first.push(a, b, change.x);
+  jacobian_second.push(a, b, change.y);
   const double most = std::abs(change.x) + std::abs(change.y);
-  sweep.add(friction.most_slip * most, most);
+  sweep.add(most / friction.least_mass, most);
 }
 
 void BoundedSolver::sweep_normals(Sweep& sweep) {
@@ -179,7 +175,7 @@ void BoundedSolver::sweep_normals(Sweep& sweep) {
       if (borne_[i] == 0 && row.velocity + Jacobian(contact.normal, row).velocity(a, b) >= 0.0) continue;
       borne_[i] = 1;
       Bearing& bearing = bearings_[i];
-      resolve(a, b, contact.normal, row, bearing.response, {0.0, bearing.bound}, bearing.impulse, sweep);
+      resolve(a, b, contact.normal, row, {0.0, bearing.bound}, bearing.impulse, sweep);
       const double radius = contact.friction * bearing.impulse.now;
       if (bearing.friction == kNone && radius > 0.0) bearing.friction = add_friction(contact, positions_[i]);
       if (bearing.friction != kNone) rubbing_.push_back({bearing.friction, radius});
@@ -197,7 +193,7 @@ void BoundedSolver::sweep_frictions(Sweep& sweep) {
 void BoundedSolver::sweep_partings(Sweep& sweep) {
   constexpr Limits kPush{0.0, std::numeric_limits<double>::infinity()};
   for (Parting& p : partings_)
-    resolve(parted_[p.first], parted_[p.second], p.direction, p.row, p.response, kPush, p.impulse, sweep);
+    resolve(parted_[p.first], parted_[p.second], p.direction, p.row, kPush, p.impulse, sweep);
 }
 
 /// Sweeps with `rows` over impulses that move `bodies`. @return the largest change of a relative velocity in the last
@@ -236,18 +232,18 @@ void BoundedSolver::Moved::go_on(double momentum, Spatial& before) {
   }
 }
 
-Twist BoundedSolver::Moved::twist() const {
+Twist BoundedSolver::Moved::twist(const std::array<Vec3, 3>& axes) const {
   const auto& [x, y, z] = velocity;
-  return {{x[0], y[0], z[0]}, {x[1], y[1], z[1]}};
+  return {{x[0], y[0], z[0]}, x[1] * axes[0] + y[1] * axes[1] + z[1] * axes[2]};
 }
 
 Twist BoundedSolver::twist(std::uint32_t body) const {
   const Twist before = bodies_[body].twist;
-  const Twist change = moved_[body].twist();
+  const Twist change = moved_[body].twist(bodies_[body].axes);
   return {before.linear + change.linear, before.angular + change.angular};
 }
 
-Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].twist(); }
+Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].twist(bodies_[body].axes); }
 
 PointImpulse BoundedSolver::impulse(std::size_t point) const {
   const Bearing& bearing = bearings_[point];

@@ -14,10 +14,12 @@ namespace brash::rigid_body {
 
 /// A body on its way through the solver.
 struct SolverBody {
-  Vec3 position{};                        ///< of the centre of mass [m]
-  Twist twist{};                          ///< with the loads of the step, before contacts
-  double inverse_mass = 0.0;              ///< [1/kg]; 0: contacts do not move it
-  std::array<Vec3, 3> inverse_inertia{};  ///< rows; about the centre of mass, world frame [1/(kg m2)]
+  Vec3 position{};            ///< of the centre of mass [m]
+  Twist twist{};              ///< with the loads of the step, before contacts
+  double inverse_mass = 0.0;  ///< [1/kg]; 0: contacts do not move it
+  /// Principal axes of inertia, each divided by the root of its moment, world frame [1/(m kg^1/2)]; 0: contacts do not
+  /// turn it.
+  std::array<Vec3, 3> axes{};
 };
 
 /// Where two bodies touch along one normal.
@@ -74,17 +76,14 @@ class BoundedSolver {
   using Triple = std::array<double, 3>;
 
   /// One constraint, an impulse that makes a relative velocity vanish. The relative velocity is that of the first body
-  /// along the row's direction less that of the second.
+  /// along the row's direction less that of the second. Bodies turn by their spins: angular velocity along each
+  /// principal axis times the root of its moment of inertia [m kg^1/2/s]. An impulse changes the spins by the same
+  /// numbers by which they change the relative velocity.
   struct Row {
-    Triple turn_a{};        ///< relative velocity per angular velocity of the first body [m]
+    Triple turn_a{};        ///< relative velocity per spin of the first body, spin per impulse [kg^-1/2]
     Triple turn_b{};        ///< and of the second
     double velocity = 0.0;  ///< what is to vanish, before contacts [m/s]
     double mass = 0.0;      ///< impulse per relative velocity [kg]
-  };
-  /// What a change of the row's impulse does, besides what direction and inverse masses tell.
-  struct Response {
-    Triple turn_a{};  ///< change of the first body's angular velocity per impulse
-    Triple turn_b{};  ///< and of the second's
   };
   /// The points of one contact follow those of the one before.
   struct Contact {
@@ -111,7 +110,6 @@ class BoundedSolver {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   /// What a point bears so far, and may bear.
   struct Bearing {
-    Response response;  ///< of the normal row
     Impulse impulse;
     double bound = std::numeric_limits<double>::infinity();  ///< of the impulse [N s]
     std::uint32_t friction = kNone;                          ///< its number in `frictions_`
@@ -121,9 +119,8 @@ class BoundedSolver {
   struct Friction {
     std::array<Vec3, 2> tangents{};  ///< unit, at right angles to the normal and to each other
     std::array<Row, 2> rows;
-    std::array<Response, 2> responses;
-    double coupling = 0.0;   ///< off the diagonal [kg]
-    double most_slip = 0.0;  ///< per impulse, in the direction in which the bodies give way most [1/kg]
+    double coupling = 0.0;    ///< off the diagonal [kg]
+    double least_mass = 0.0;  ///< impulse per slip in the direction in which the bodies give way most [kg]
     std::array<Impulse, 2> impulses;
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
@@ -135,18 +132,18 @@ class BoundedSolver {
   };
   /// What an iteration changes of a body.
   struct Moved {
-    Spatial velocity{};         ///< change so far
+    Spatial velocity{};         ///< velocity and spins, change so far
     double inverse_mass = 0.0;  ///< [1/kg]
 
     /// Likewise; `before` is the velocity at the end of the last sweep but one, then of the last.
     void go_on(double momentum, Spatial& before);
-    Twist twist() const;
+    /// With the axes of the body.
+    Twist twist(const std::array<Vec3, 3>& axes) const;
   };
   /// A point whose bodies' positions are to part.
   struct Parting {
     Vec3 direction{};
     Row row;
-    Response response;
     Impulse impulse;
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
@@ -174,18 +171,18 @@ class BoundedSolver {
   struct Jacobian {
     Jacobian(Vec3 direction, const Row& row);
     double velocity(const Moved& first, const Moved& second) const;
-    void push(Moved& first, Moved& second, const Response& response, double impulse) const;
+    void push(Moved& first, Moved& second, double impulse) const;
 
     Spatial a;
     Spatial b;
   };
 
-  static void set_up(const Arms& arms, Vec3 direction, Row& row, Response& response);
+  static Row row(const Arms& arms, Vec3 direction);
   Arms arms(std::uint32_t first, std::uint32_t second, Vec3 position) const;
   void add_point(const SolverContact& contact, const PatchPoint& point);
   std::uint32_t add_friction(const Contact& contact, Vec3 position);
-  static void resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, const Response& response, Limits limits,
-                      Impulse& impulse, Sweep& sweep);
+  static void resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, Limits limits, Impulse& impulse,
+                      Sweep& sweep);
   static void resolve_friction(Moved& a, Moved& b, double radius, Friction& friction, Sweep& sweep);
   void sweep_normals(Sweep& sweep);
   void sweep_frictions(Sweep& sweep);

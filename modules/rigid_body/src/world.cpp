@@ -22,11 +22,13 @@ constexpr double kPartingTurn = 0.1;
 SolverBody to_solver(const Body& body) {
   if (!body.is_floe()) return {.position = body.pose.position, .twist = body.twist};
   const btRigidBody& b = *body.bullet;
-  const btMatrix3x3& inertia = b.getInvInertiaTensorWorld();
+  const btMatrix3x3 axes = b.getWorldTransform().getBasis().transpose();
+  const btVector3& inverse_inertia = b.getInvInertiaDiagLocal();
+  const auto axis = [&](int i) { return std::sqrt(inverse_inertia[i]) * from_bullet(axes[i]); };
   return {.position = body.pose.position,
           .twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())},
           .inverse_mass = b.getInvMass(),
-          .inverse_inertia = {from_bullet(inertia[0]), from_bullet(inertia[1]), from_bullet(inertia[2])}};
+          .axes = {axis(0), axis(1), axis(2)}};
 }
 
 }  // namespace
