@@ -46,14 +46,14 @@ Drag paper_law(const Prism& prism, const Waterplane& plane, Vec3 centre, const T
   return drag;
 }
 
-Twist relative_in_body_axes(const Pose& pose, const Twist& twist, const Water& water) {
-  const Quaternion to_body_axes = conjugate(pose.rotation);
-  return {rotate(to_body_axes, twist.linear - water.current), rotate(to_body_axes, twist.angular)};
-}
-
 Wrench rotated(const Quaternion& q, const Wrench& w) { return {rotate(q, w.force), rotate(q, w.moment)}; }
 
 }  // namespace
+
+Twist against_water(const Pose& pose, const Twist& twist, const Water& water) {
+  const Quaternion to_body_axes = conjugate(pose.rotation);
+  return {rotate(to_body_axes, twist.linear - water.current), rotate(to_body_axes, twist.angular)};
+}
 
 Drag Drag::scaled(double ratio) const {
   if (ratio == 0.0) return {};
@@ -64,7 +64,7 @@ Drag drag(const Prism& prism, const Pose& pose, const Twist& twist, const Water&
           std::span<const Solid> neighbours, const Displacement& wet) {
   expect_solid(prism);
   if (wet.volume <= 0.0) return {};
-  const Twist relative = relative_in_body_axes(pose, twist, water);
+  const Twist relative = against_water(pose, twist, water);
   Drag drag = water.drag_law == DragLaw::kSurface
                   ? surface_drag(prism, pose, relative, water, neighbours)
                   : paper_law(prism, waterplane_in_body_frame(pose), wet.centre_in_body, relative, water);
@@ -84,7 +84,7 @@ WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, c
   WaterLoad load;
   load.buoyancy.force = {0.0, 0.0, water.density * kGravity * wet.volume};
   load.buoyancy.moment = cross(rotate(pose.rotation, wet.centre_in_body), load.buoyancy.force);
-  const Twist relative = relative_in_body_axes(pose, twist, water);
+  const Twist relative = against_water(pose, twist, water);
   const double skin_share = power(drag.skin_friction, relative) / drag.skin_power;
   load.skin_friction =
       rotated(pose.rotation, {skin_share * drag.skin_friction.force, skin_share * drag.skin_friction.moment});

@@ -56,7 +56,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hydrodynamics", "drag", c.hydrodynamics.drag);
   visit("hydrodynamics", "shading", c.hydrodynamics.shading);
   visit("hydrodynamics", "shading_gap", c.hydrodynamics.shading_gap);
-  visit("hydrodynamics", "drag_interval", c.hydrodynamics.drag_interval);
+  visit("hydrodynamics", "drag_travel", c.hydrodynamics.drag_travel);
   visit("hydrodynamics", "form_drag", c.hydrodynamics.form_drag);
   visit("hydrodynamics", "rotational_drag", c.hydrodynamics.rotational_drag);
   visit("hydrodynamics", "skin_friction", c.hydrodynamics.skin_friction);

@@ -110,8 +110,7 @@ struct Columns<CheckpointFloe> {
   template <typename Visit>
   static void visit_drag(Visit&& visit) {
     visit(
-        "drag_due", "1", "steps after which its drag is taken anew",
-        [](auto& row) -> auto& { return row.kept_drag.due; });
+        "drag_left", "m", "how far it may go on with its drag", [](auto& row) -> auto& { return row.kept_drag.left; });
     visit(
         "drag_sum", "kg s-1", "sum of its dampers", [](auto& row) -> auto& { return row.kept_drag.sum; });
     visit_vector(
@@ -132,9 +131,12 @@ struct Columns<CheckpointFloe> {
         "drag_skin_moment_", "N m", "its moment", [](auto& row) -> auto& { return row.kept_drag.skin_moment; }, visit);
     visit(
         "drag_skin_power", "W", "its power", [](auto& row) -> auto& { return row.kept_drag.skin_power; });
-    visit(
-        "drag_energy", "J", "twice the kinetic energy against the water at which it was taken",
-        [](auto& row) -> auto& { return row.kept_drag.energy; });
+    visit_vector(
+        "drag_velocity_", "m s-1", "its velocity against the water then, body frame",
+        [](auto& row) -> auto& { return row.kept_drag.velocity.linear; }, visit);
+    visit_vector(
+        "drag_spin_", "rad s-1", "its angular velocity then",
+        [](auto& row) -> auto& { return row.kept_drag.velocity.angular; }, visit);
   }
 };
 
@@ -142,7 +144,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-5";
+constexpr const char* kFormat = "brash-checkpoint-6";
 
 /// The side of the grid, 2^-30 m, as a unit.
 const NodeFrame kGrid{"9.313225746154785e-10 m", "sheet frame, exact"};

@@ -77,7 +77,7 @@ geometry::Ledger ledger_of(const io::Checkpoint& checkpoint) {
 
 io::KeptDrag kept_drag(const KeptDrag& kept) {
   const auto& [form, skin, skin_power] = kept.drag;
-  return {.due = kept.due,
+  return {.left = kept.left,
           .sum = form.sum,
           .first = form.first,
           .squares = form.squares,
@@ -86,7 +86,7 @@ io::KeptDrag kept_drag(const KeptDrag& kept) {
           .skin_force = skin.force,
           .skin_moment = skin.moment,
           .skin_power = skin_power,
-          .energy = kept.energy};
+          .velocity = kept.velocity};
 }
 
 KeptDrag kept_drag(const io::KeptDrag& saved) {
@@ -97,8 +97,8 @@ KeptDrag kept_drag(const io::KeptDrag& saved) {
             .rotation = saved.rotation},
            {saved.skin_force, saved.skin_moment},
            saved.skin_power},
-          saved.energy,
-          saved.due};
+          saved.velocity,
+          saved.left};
 }
 
 /// The ice of `checkpoint`, once it is known to be of this case.

@@ -20,8 +20,6 @@ using hydrodynamics::DragLaw;
 
 /// A floe is fixed after it has been slow for so long [s]: longer than it heaves once.
 constexpr double kSettleTime = 2.0;
-/// The drag of a floe is taken anew when its kinetic energy against the water has grown so many times [-].
-constexpr double kMostGrowth = 2.0;
 /// A mean push is forgotten when it is this share of what would let a cube of the ice go [-].
 constexpr double kNoPush = 1e-3;
 
@@ -34,13 +32,6 @@ double shading_gap(const io::Case& resolved) {
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose) {
   if (!floe.wet || floe.wet->first != pose) floe.wet.emplace(pose, hydrodynamics::displacement(floe.prism, pose));
   return floe.wet->second;
-}
-
-/// Relative to the water [J].
-double twice_kinetic_energy(const rigid_body::MassProperties& inertia, const Pose& pose, const Twist& twist,
-                            Vec3 current) {
-  const Vec3 v = twist.linear - current, w = rotate(conjugate(pose.rotation), twist.angular), i = inertia.inertia;
-  return inertia.mass * dot(v, v) + i.x * w.x * w.x + i.y * w.y * w.y + i.z * w.z * w.z;
 }
 
 /// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0
@@ -162,18 +153,14 @@ hydrodynamics::Water FloePopulation::water_at(Vec3 position, Vec2 structure) con
   return water;
 }
 
-/// Weight, buoyancy and the kept drag, scaled as (H13) of docs/theory/hydrodynamics.md says.
 void FloePopulation::apply_water_to(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water,
-                                    double energy) {
+                                    const hydrodynamics::Drag& drag) {
   Floe& floe = at(body);
   const Pose pose = world.pose(body);
-  KeptDrag& kept = floe.kept_drag;
-  --kept.due;
-  const double speed_ratio = kept.energy > 0.0 ? std::sqrt(energy / kept.energy) : 0.0;
   const hydrodynamics::StepInertia step{
       .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
-  const hydrodynamics::WaterLoad load = hydrodynamics::water_load(pose, world.twist(body), water, step,
-                                                                  displaced(floe, pose), kept.drag.scaled(speed_ratio));
+  const hydrodynamics::WaterLoad load =
+      hydrodynamics::water_load(pose, world.twist(body), water, step, displaced(floe, pose), drag);
   Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
   wrench += load.buoyancy;
   wrench += load.drag;
@@ -190,25 +177,25 @@ void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 struc
     Floe& floe = at(body);
     const Pose pose = world.pose(body);
     const hydrodynamics::Water water = water_at(pose.position, structure);
-    const double energy = twice_kinetic_energy(floe.inertia, pose, world.twist(body), water.current);
-    KeptDrag& kept = floe.kept_drag;
-    if (displaced(floe, pose).volume <= 0.0) kept = {};  // what comes back into the water has its drag at once
-    if (kept.due <= 0 || energy > kMostGrowth * kept.energy)
+    if (displaced(floe, pose).volume <= 0.0) {
+      floe.kept_drag = {};
+      apply_water_to(world, body, dt, water, {});
+    } else if (const auto drag = floe.kept_drag.follow(
+                   floe.inertia, hydrodynamics::against_water(pose, world.twist(body), water), dt)) {
+      apply_water_to(world, body, dt, water, *drag);
+    } else {
       due_.push_back(body);
-    else
-      apply_water_to(world, body, dt, water, energy);
+    }
   }
-  const std::int64_t every = std::max(1L, std::lround(case_->hydrodynamics.drag_interval / dt));
+  const double travel = case_->hydrodynamics.drag_travel * case_->ice.thickness;
   const auto renew = [&](BodyId body, std::span<const Solid> neighbours) {
     Floe& floe = at(body);
     const Pose pose = world.pose(body);
     const Twist twist = world.twist(body);
     const hydrodynamics::Water water = water_at(pose.position, structure);
-    KeptDrag& kept = floe.kept_drag;
-    kept.drag = hydrodynamics::drag(floe.prism, pose, twist, water, neighbours, displaced(floe, pose));
-    kept.energy = twice_kinetic_energy(floe.inertia, pose, twist, water.current);
-    if (kept.due <= 0) kept.due = kept.due < 0 ? 1 + floe.id % every : every;  // those of one break in turn
-    apply_water_to(world, body, dt, water, kept.energy);
+    floe.kept_drag = {hydrodynamics::drag(floe.prism, pose, twist, water, neighbours, displaced(floe, pose)),
+                      hydrodynamics::against_water(pose, twist, water), travel};
+    apply_water_to(world, body, dt, water, floe.kept_drag.drag);
   };
   if (water_.shading_gap > 0.0)
     world.visit_neighbours(due_, reach(), renew);

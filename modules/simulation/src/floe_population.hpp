@@ -16,16 +16,10 @@
 #include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
 #include "brash/rigid_body/world.hpp"
+#include "kept_drag.hpp"
 #include "mean_pushes.hpp"
 
 namespace brash::simulation {
-
-/// The drag on a floe, kept for hydrodynamics.drag_interval.
-struct KeptDrag {
-  hydrodynamics::Drag drag;
-  double energy = 0.0;    ///< twice the kinetic energy against the water at which it was taken [J]
-  std::int64_t due = -1;  ///< it is taken anew in so many steps; -1: there is none yet
-};
 
 /// Of one floe's contacts in one step.
 struct ContactSums {
@@ -134,9 +128,9 @@ class FloePopulation {
   double slow_energy(const Floe& floe) const;
   /// The water that a floe at `position` meets, the structure being where it is.
   hydrodynamics::Water water_at(Vec3 position, Vec2 structure) const;
-  /// Applies what `water` does to a floe whose twice kinetic energy against it is `energy` [J].
+  /// Applies weight and what `water` does to a floe that has `drag` at its velocity.
   void apply_water_to(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water,
-                      double energy);
+                      const hydrodynamics::Drag& drag);
   /// The force that would bring a mass [kg] to time.settle_speed in the time of coming to rest [N].
   double slow_push(double mass) const;
   void let_go(rigid_body::World& world, BodyId body, Floe& floe);

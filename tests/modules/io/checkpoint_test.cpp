@@ -34,7 +34,7 @@ Checkpoint sample() {
   floe.peak_stress = 1e6 / 3.0;
   floe.bearing = {.force = {1, 2, 1.0 / 3.0}, .thrust = {4, 5}, .weight = 6, .first = {7, 8}, .second = {9, 10, 11}};
   floe.rest = {.slow_for = 2.0 / 3.0, .settled = 1, .push = {12, 13, 1e-9}};
-  floe.kept_drag = {.due = 4,
+  floe.kept_drag = {.left = 1.0 / 9.0,
                     .sum = 14,
                     .first = {15, 16, 1.0 / 7.0},
                     .squares = {18, 19, 20},
@@ -43,7 +43,7 @@ Checkpoint sample() {
                     .skin_force = {25, 26, 27},
                     .skin_moment = {28, 29, 30},
                     .skin_power = -1e-300,
-                    .energy = 5e-324};
+                    .velocity = {{31, 32, 5e-324}, {33, 34, 35}}};
   checkpoint.floes = {floe, {}};
   checkpoint.pushes = {{17, 0, {1.0 / 3.0, -5e-324, 1e300}}};
   // Twice the area of 50 m x 50 m in squared grid units does not fit in 64 bits.

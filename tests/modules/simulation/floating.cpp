@@ -293,10 +293,9 @@ BOOST_AUTO_TEST_CASE(drag_only_takes_energy_from_a_floe) {
 
 BOOST_AUTO_TEST_CASE(drag_that_is_kept_leads_a_floe_where_drag_of_every_step_does) {
   // On edge and out of the water by a third, adrift in a current and turning: it falls, dives and rights itself.
-  const auto path = [&](const char* interval, double dt) {
-    FloatingFloe floe(
-        kLength, kBreadth,
-        ice_and_water({std::string("hydrodynamics.drag_interval=") + interval, "water.current=[0.5, 0]"}));
+  const auto path = [&](const char* travel, double dt) {
+    FloatingFloe floe(kLength, kBreadth,
+                      ice_and_water({std::string("hydrodynamics.drag_travel=") + travel, "water.current=[0.5, 0]"}));
     floe.place(0.5, radians(70.0), {{0.5, -0.3, 0.0}, {0.2, 0.3, 0.1}});
     std::vector<Vec3> corners;  // every 10 ms for 5 s
     for (int i = 0; i < 500; ++i) {
@@ -313,54 +312,65 @@ BOOST_AUTO_TEST_CASE(drag_that_is_kept_leads_a_floe_where_drag_of_every_step_doe
   };
   const std::vector<Vec3> each = path("0", 0.01);
   const double by_step = farthest(each, path("0", 0.001));
-  const double kept = farthest(each, path("0.05", 0.01));
+  const double kept = farthest(each, path("0.1", 0.01));
   BOOST_TEST_MESSAGE("corners within " << kept << " m; the step has an error of " << by_step << " m");
-  BOOST_TEST(farthest(each, path("0.01", 0.01)) == 0.0);  // a step is the least
   BOOST_TEST(kept > 0.0);
   BOOST_TEST(kept < 0.01 * kLength);  // a hundredth of the floe: twice what the step leaves
 }
 
-BOOST_AUTO_TEST_CASE(kept_drag_is_taken_anew_where_the_motion_grows_or_the_floe_comes_into_the_water) {
-  // Of a floe that surges in the water, first at 0.1 m/s and then, from one step to the next, at 1 m/s.
-  const double dt = 1e-6;  // short, so that the velocity does not change
-  const auto surge = [&](const char* interval, double before) {
-    FloatingFloe floe(kLength, kBreadth, ice_and_water({std::string("hydrodynamics.drag_interval=") + interval}));
-    floe.place(0.0, 0.0, {{before, 0.0, 0.0}, {}});
-    floe.step(dt);
-    floe.step(dt);
-    floe.place(0.0, 0.0, {{0.0, 1.0, 0.0}, {}});
-    floe.step(dt);
-    return floe.floes.floes().at(floe.body).drag.force.y;
+BOOST_AUTO_TEST_CASE(drag_is_kept_for_a_way_on_which_a_turn_of_the_motion_counts_more) {
+  const rigid_body::MassProperties mass{.mass = 4.0, .inertia = {1.0, 2.0, 9.0}};
+  const double dt = 0.25;
+  const auto way = [&](const Twist& taken_at, const Twist& now) {  // (H14) of a step
+    simulation::KeptDrag kept{{}, taken_at, 100.0};
+    BOOST_REQUIRE(kept.follow(mass, now, dt).has_value());
+    return 100.0 - kept.left;
   };
-  BOOST_TEST(surge("1", 0.1) == surge("0", 0.1));    // ten times as fast, and elsewhere
-  BOOST_TEST(surge("1", 0.95) != surge("0", 0.95));  // as fast: kept
+  const Twist surge{{2.0, 0.0, 0.0}, {}}, slow{{0.5, 0.0, 0.0}, {}}, back{{-2.0, 0.0, 0.0}, {}};
+  const Twist sway{{0.0, 2.0, 0.0}, {}}, yaw{{}, {0.0, 0.0, 2.0}};
+  const auto close = boost::test_tools::tolerance(1e-12);
+  BOOST_TEST(way(surge, surge) == 2.0 * dt, close);
+  BOOST_TEST(way(surge, slow) == 0.5 * dt, close);  // alike: the drag of another speed is known
+  BOOST_TEST(way(slow, surge) == 2.0 * dt, close);
+  BOOST_TEST(way(surge, back) == (1.0 + 20.0) * 2.0 * dt, close);
+  BOOST_TEST(way(surge, sway) == (1.0 + 10.0 * std::sqrt(2.0)) * 2.0 * dt, close);
+  BOOST_TEST(way(surge, yaw) == (1.0 + 10.0 * std::sqrt(2.0)) * 3.0 * dt, close);  // sqrt(36 / 4) m/s
+  BOOST_TEST(way(surge, {}) == 0.0);
+  BOOST_TEST(way({}, {}) == 0.0);
 
-  // Dropped flat: at the end of a step in which it has touched the water it has drag.
-  for (const char* interval : {"0", "0.05", "1"}) {
-    FloatingFloe floe(kLength, kBreadth, ice_and_water({std::string("hydrodynamics.drag_interval=") + interval}));
-    floe.place(1.0, 0.0);
+  simulation::KeptDrag kept{{}, surge, 1.2};
+  BOOST_TEST(kept.follow(mass, surge, dt).has_value());
+  BOOST_TEST(kept.follow(mass, surge, dt).has_value());
+  BOOST_TEST(!kept.follow(mass, surge, dt).has_value());
+  BOOST_TEST(!simulation::KeptDrag{}.follow(mass, {}, dt).has_value());  // there is none yet
+  simulation::KeptDrag at_rest{{}, {}, 1.2};
+  BOOST_TEST(!at_rest.follow(mass, slow, dt).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_that_comes_into_the_water_has_drag_at_once) {
+  for (const char* travel : {"0", "0.1", "10"}) {
+    FloatingFloe floe(kLength, kBreadth, ice_and_water({std::string("hydrodynamics.drag_travel=") + travel}));
+    floe.place(1.0, 0.0);  // dropped flat
     double lowest = 0.0;
     for (int i = 0; i < 2000; ++i) {
       floe.step(0.001);
       lowest = std::min(lowest, floe.heave());
     }
-    BOOST_TEST_MESSAGE("dropped from 1 m with drag kept for " << interval << " s: down to " << lowest << " m");
+    BOOST_TEST_MESSAGE("dropped from 1 m with drag kept for " << travel << " h: down to " << lowest << " m");
     BOOST_TEST(lowest == -0.936, boost::test_tools::tolerance(0.01));  // with drag of every step
   }
 }
 
-BOOST_AUTO_TEST_CASE(floes_of_one_break_have_their_drag_taken_anew_in_turn) {
-  FloatingFloe first(2.0, 2.0, ice_and_water({"hydrodynamics.drag_interval=0.05"}));
-  for (int i = 1; i < 10; ++i) {  // ten in a row, out of each other's reach
-    const double x = 6.0 * i;
-    const std::vector<Vec2> ring{{x - 1.0, -1.0}, {x + 1.0, -1.0}, {x + 1.0, 1.0}, {x - 1.0, 1.0}};
-    BOOST_REQUIRE(first.floes.add(first.world, {geometry::ring(ring), {}}, 0.0).has_value());
+BOOST_AUTO_TEST_CASE(a_floe_that_moves_on_takes_its_drag_anew_and_one_at_rest_does_not) {
+  FloatingFloe drifts(kLength, kBreadth, ice_and_water({"water.current=[0.5, 0]"})), rests(kLength, kBreadth, ice_and_water());
+  const double travel = 0.1 * drifts.h();
+  int n_taken = 0;
+  for (int i = 0; i < 100; ++i) {
+    drifts.step(0.001);
+    rests.step(0.001);
+    if (drifts.floes.floes().at(drifts.body).kept_drag.left == travel) ++n_taken;
   }
-  first.step(0.01);  // all of them for the first time
-  for (int i = 0; i < 15; ++i) {
-    first.step(0.01);
-    const auto renewed = std::ranges::count_if(
-        first.floes.floes(), [](const auto& entry) { return entry.second.kept_drag.due == 4; });  // due in 5 - 1 steps
-    BOOST_TEST(renewed == 2);
-  }
+  // Against the water it makes 0.05 m, a little less for the drag.
+  BOOST_TEST(n_taken == 1 + static_cast<int>(0.049 / travel));
+  BOOST_TEST(rests.floes.floes().at(rests.body).kept_drag.left == travel);
 }

@@ -46,6 +46,9 @@ struct Displacement {
 /// are used, so outlines that are not convex and holes need no division into parts.
 Displacement displacement(const Prism& prism, const Pose& pose);
 
+/// Velocity of a floe against the water, body frame.
+Twist against_water(const Pose& pose, const Twist& twist, const Water& water);
+
 /// What the water does against a floe's motion; body frame.
 ///
 /// Both parts are dampers at the velocity V0 relative to the water at which they were taken, and in proportion to it:

@@ -93,8 +93,8 @@ struct ContactSection {
 struct HydrodynamicsSection {
   std::string drag = "surface";  ///< surface | paper
   bool shading = true;
-  double shading_gap = 0.5;     ///< in ice thicknesses
-  double drag_interval = 0.05;  ///< a floe's drag coefficients are kept for so long [s]
+  double shading_gap = 0.5;  ///< in ice thicknesses
+  double drag_travel = 0.1;  ///< a floe's drag coefficients are kept for that way, in ice thicknesses
   double form_drag = 1.0;
   double rotational_drag = 1.0;
   double skin_friction = 0.005;

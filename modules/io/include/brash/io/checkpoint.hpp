@@ -47,17 +47,16 @@ struct Rest {
 
 /// What the water does against a floe's motion, kept for some steps: hydrodynamics::Drag, body frame.
 struct KeptDrag {
-  std::int64_t due =
-      -1;            ///< it is taken anew in so many steps; -1: in the next, after which its turn depends on its id
-  double sum = 0.0;  ///< of the dampers [kg/s]
-  Vec3 first{};      ///< moments [kg m/s]
-  Vec3 squares{};    ///< [kg m2/s]
-  Vec3 products{};   ///< [kg m2/s]
+  double left = 0.0;         ///< how far the floe may go on with it [m]; there is none yet at 0
+  double sum = 0.0;          ///< of the dampers [kg/s]
+  Vec3 first{};              ///< moments [kg m/s]
+  Vec3 squares{};            ///< [kg m2/s]
+  Vec3 products{};           ///< [kg m2/s]
   double rotation = 0.0;     ///< [kg m2/s]
   Vec3 skin_force{};         ///< [N]
   Vec3 skin_moment{};        ///< [N m]
   double skin_power = -1.0;  ///< of these at the velocity at which they were taken [W]
-  double energy = 0.0;       ///< twice the kinetic energy against the water, then [J]
+  Twist velocity{};          ///< that velocity, against the water
 
   friend bool operator==(const KeptDrag&, const KeptDrag&) = default;
 };

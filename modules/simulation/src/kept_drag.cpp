@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kept_drag.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brash::simulation {
+namespace {
+
+/// By so many times the way off the motion at which the drag was taken counts more than the way itself [-].
+constexpr double kTurn = 10.0;
+
+/// a . M b, both in the body frame [J].
+double inner(const rigid_body::MassProperties& m, const Twist& a, const Twist& b) {
+  const Vec3 v = a.angular, w = b.angular;
+  return m.mass * dot(a.linear, b.linear) + m.inertia.x * v.x * w.x + m.inertia.y * v.y * w.y + m.inertia.z * v.z * w.z;
+}
+
+}  // namespace
+
+std::optional<hydrodynamics::Drag> KeptDrag::follow(const rigid_body::MassProperties& mass, const Twist& now,
+                                                    double dt) {
+  if (left <= 0.0) return std::nullopt;
+  const double square = inner(mass, now, now), square_then = inner(mass, velocity, velocity);
+  if (square == 0.0) return hydrodynamics::Drag{};
+  if (square_then == 0.0) return std::nullopt;  // rest tells nothing of a motion
+  const double ratio = std::sqrt(square / square_then);
+  const double off = std::max(0.0, 2.0 * (square - ratio * inner(mass, now, velocity)));
+  left -= dt * (std::sqrt(square / mass.mass) + kTurn * std::sqrt(off / mass.mass));
+  if (left <= 0.0) return std::nullopt;
+  return drag.scaled(ratio);
+}
+
+}  // namespace brash::simulation
