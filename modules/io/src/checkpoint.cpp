@@ -132,10 +132,10 @@ struct Columns<CheckpointFloe> {
     visit(
         "drag_skin_power", "W", "its power", [](auto& row) -> auto& { return row.kept_drag.skin_power; });
     visit_vector(
-        "drag_velocity_", "m s-1", "its velocity against the water then, body frame",
+        "drag_linear_", "m s-1", "velocity against the water at which its drag was taken, body frame",
         [](auto& row) -> auto& { return row.kept_drag.velocity.linear; }, visit);
     visit_vector(
-        "drag_spin_", "rad s-1", "its angular velocity then",
+        "drag_angular_", "rad s-1", "angular velocity at which its drag was taken, body frame",
         [](auto& row) -> auto& { return row.kept_drag.velocity.angular; }, visit);
   }
 };

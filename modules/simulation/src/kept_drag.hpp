@@ -13,7 +13,7 @@ namespace brash::simulation {
 struct KeptDrag {
   hydrodynamics::Drag drag;
   Twist velocity{};   ///< against the water at which it was taken, body frame
-  double left = 0.0;  ///< how far the floe may go on with it [m]; there is none yet at 0
+  double left = 0.0;  ///< how far the floe may go on with it [m]; at 0 it is taken anew in the next step
 
   /// A step of `dt` [s] in which the floe moves at `now` against the water, body frame.
   /// @return the drag at that velocity; nothing when it is to be taken anew.

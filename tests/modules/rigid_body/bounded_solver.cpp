@@ -95,6 +95,43 @@ BOOST_AUTO_TEST_CASE(two_balls_that_meet_head_on_part_as_newton_says) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(impulses_change_turned_bodies_of_three_moments_as_newton_and_euler_say) {
+  constexpr Vec3 kInertia{1.0, 4.0, 9.0};
+  constexpr double kMass = 3.0;
+  const auto turned = [&](Vec3 position, const Quaternion& q, const Twist& twist) {
+    return SolverBody{
+        .position = position,
+        .twist = twist,
+        .inverse_mass = 1.0 / kMass,
+        .axes = {rotate(q, {1.0, 0.0, 0.0}), rotate(q, {0.0, 0.5, 0.0}), rotate(q, {0.0, 0.0, 1.0 / 3.0})}};
+  };
+  const Quaternion q[] = {{0.5, 0.5, -0.7, 0.1}, {0.1, -0.7, 0.5, 0.5}};
+  const SolverBody bodies[] = {turned({0, 0, 0}, q[0], {{1.0, 0.2, 0.1}, {0.3, -0.2, 0.5}}),
+                               turned({2, 0, 0}, q[1], {{-0.5, 0.0, -0.3}, {-0.4, 0.1, 0.2}})};
+  const Vec3 normal = normalized(Vec3{-1.0, 0.2, 0.1});
+  const std::vector<PatchPoint> points{{{1.0, 0.3, 0.2}, 1.0}, {{1.1, -0.4, 0.3}, 1.0}, {{0.9, 0.1, -0.5}, 1.0}};
+  BoundedSolver solver;
+  const std::uint32_t number[] = {solver.add(bodies[0]), solver.add(bodies[1])};
+  solver.add({.first = number[0], .second = number[1], .normal = normal, .friction = 0.3, .crushing_impulse = kAny},
+             points);
+  solver.solve(50, 0.0);
+  for (std::size_t b = 0; b < 2; ++b) {
+    Vec3 momentum{}, spin{};
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const PointImpulse p = solver.impulse(k);
+      const Vec3 impulse = (b == 0 ? 1.0 : -1.0) * (p.normal * normal + p.friction);
+      momentum += impulse;
+      spin += cross(points[k].position - bodies[b].position, impulse);
+    }
+    const Twist now = solver.twist(number[b]);
+    const Vec3 turn = rotate(conjugate(q[b]), now.angular - bodies[b].twist.angular);
+    const Vec3 gained = rotate(q[b], {kInertia.x * turn.x, kInertia.y * turn.y, kInertia.z * turn.z});
+    BOOST_TEST(norm(momentum) > 0.1);
+    BOOST_TEST(norm(kMass * (now.linear - bodies[b].twist.linear) - momentum) < 1e-13);
+    BOOST_TEST(norm(gained - spin) < 1e-13);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_point_bears_its_area_times_the_crushing_impulse_at_most) {
   BoundedSolver solver;
   const std::uint32_t a = solver.add(ball({0, 0, 0}, {{1.0, 0, 0}, {}}, 3.0));

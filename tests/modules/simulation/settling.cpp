@@ -122,6 +122,7 @@ BOOST_AUTO_TEST_CASE(a_floe_is_let_go_where_the_sheet_breaks) {
   BOOST_TEST(!pool.world.is_settled(near));
   BOOST_TEST(pool.world.is_settled(far));
   BOOST_TEST(pool.floes.floes().at(near).kept_drag.left == 0.0);  // that of its rest is forgotten
+  BOOST_TEST(pool.floes.floes().at(far).kept_drag.left > 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_restored_goes_on_to_the_last_bit) {

@@ -45,9 +45,9 @@ struct Rest {
   friend bool operator==(const Rest&, const Rest&) = default;
 };
 
-/// What the water does against a floe's motion, kept for some steps: hydrodynamics::Drag, body frame.
+/// What the water does against a floe's motion, kept for a way: hydrodynamics::Drag, body frame.
 struct KeptDrag {
-  double left = 0.0;         ///< how far the floe may go on with it [m]; there is none yet at 0
+  double left = 0.0;         ///< how far the floe may go on with it [m]; at 0 it is taken anew
   double sum = 0.0;          ///< of the dampers [kg/s]
   Vec3 first{};              ///< moments [kg m/s]
   Vec3 squares{};            ///< [kg m2/s]
