@@ -29,13 +29,15 @@ constexpr double kDistorted = 0.1;
 /// Depth b / reach, angle / kMaxAngle, contact length c / reach: all in [0, 1].
 using Shape = std::array<double, 3>;
 
+/// Depth that the sides gain over distance from the centre line; a right side is drawn with a run of a nanometre for
+/// each metre of depth.
+double rise_of(double angle) { return 1.0 / std::max(1e-9, std::tan(0.5 * angle * kMaxAngle)); }
+
 /// The trapezoid's depth at distance s from the centre line: 0 on the tip edge, b beyond the sides.
 struct Outline {
-  Outline(const Shape& shape, double reach)
-      : half_tip(0.5 * shape[2] * reach),
-        depth(shape[0] * reach),
-        // A right side is drawn with a run of a nanometre for each metre of depth.
-        rise(1.0 / std::max(1e-9, std::tan(0.5 * shape[1] * kMaxAngle))) {}
+  Outline(const Shape& shape, double reach, double side_rise)
+      : half_tip(0.5 * shape[2] * reach), depth(shape[0] * reach), rise(side_rise) {}
+  Outline(const Shape& shape, double reach) : Outline(shape, reach, rise_of(shape[1])) {}
 
   double at(double s) const { return std::min(std::max((s - half_tip) * rise, 0.0), depth); }
 
@@ -51,9 +53,15 @@ double integral_of_magnitude(double d0, double d1, double length) {
   return 0.5 * (d0 * d0 + d1 * d1) / sum * length;
 }
 
-/// Area between outline and profile over the window, exact for piecewise linear profiles [-].
-double exact_error(const Profile& profile, const Shape& shape) {
+/// A sum that makes sum / whole >= limit, whatever is rounded.
+double enough_for(double limit, double whole) { return limit * whole * (1.0 + 1e-12); }
+
+/// Area between outline and profile over the window, exact for piecewise linear profiles [-]; or, as soon as it is
+/// known to be no less than `limit`, some number that is not either.
+double exact_error(const Profile& profile, const Shape& shape, double limit) {
   const double reach = profile.reach();
+  const double window = 2.0 * reach * reach;
+  const double enough = enough_for(limit, window);
   const Outline outline(shape, reach);
   const std::array<double, 2> corners{outline.half_tip, outline.half_tip + outline.depth / outline.rise};
   double sum = 0.0;
@@ -70,43 +78,57 @@ double exact_error(const Profile& profile, const Shape& shape) {
         if (corner > s && corner < piece.s1) step_to(corner, piece.x0 + slope * (corner - piece.s0));
       }
       step_to(piece.s1, piece.x1);
+      if (sum >= enough) return sum / window;
     }
   }
-  return sum / (2.0 * reach * reach);
+  return sum / window;
 }
 
 /// Both sides of a profile at the middles of kSamples equal strips.
 class Samples {
  public:
   explicit Samples(const Profile& profile) : reach_(profile.reach()) {
+    for (int i = 0; i < kSamples; ++i) places_[i] = (i + 0.5) / kSamples * reach_;
     for (const int which : {0, 1}) {
       auto piece = profile.side(which).begin();
       for (int i = 0; i < kSamples; ++i) {
-        const double s = place(i);
+        const double s = places_[i];
         while (piece->s1 < s && piece + 1 != profile.side(which).end()) ++piece;
         const double slope = (piece->x1 - piece->x0) / (piece->s1 - piece->s0);
-        depths_[which][i] = piece->x0 + slope * (s - piece->s0);
+        depths_[i][which] = piece->x0 + slope * (s - piece->s0);
       }
     }
   }
 
-  /// The error of `shape` by the midpoint rule.
-  double error(const Shape& shape) const {
-    const Outline outline(shape, reach_);
-    double left = 0.0, right = 0.0;
-    for (int i = 0; i < kSamples; ++i) {
-      const double f = outline.at(place(i));
-      left += std::abs(depths_[0][i] - f);
-      right += std::abs(depths_[1][i] - f);
+  double reach() const { return reach_; }
+
+  /// The error of `outline` by the midpoint rule; or, as soon as it is known to be no less than `limit`, some number
+  /// that is not either.
+  double error(const Outline& outline, double limit) const {
+    const double whole = 2.0 * kSamples * reach_;
+    const double enough = enough_for(limit, whole);
+    Sides sum{};
+    for (int i = 0; i < kSamples;) {
+      for (const int end = i + kLook; i < end; ++i) {
+        const double f = outline.at(places_[i]);
+        const Sides over = depths_[i] - f, under = f - depths_[i];
+        sum += over > under ? over : under;
+      }
+      if (sum[0] + sum[1] >= enough) break;
     }
-    return (left + right) / (2.0 * kSamples * reach_);
+    return (sum[0] + sum[1]) / whole;
   }
 
  private:
-  double place(int i) const { return (i + 0.5) / kSamples * reach_; }
+  /// Left and right of the centre line.
+  using Sides = double __attribute__((vector_size(16)));
+  /// Samples between two looks at the limit.
+  static constexpr int kLook = 8;
+  static_assert(kSamples % kLook == 0);
 
   double reach_;
-  std::array<std::array<double, kSamples>, 2> depths_;
+  std::array<double, kSamples> places_{};
+  std::array<Sides, kSamples> depths_{};
 };
 
 struct Candidate {
@@ -117,13 +139,15 @@ struct Candidate {
 /// The best points of the coarse grid, best first; in a tie the shallower and narrower one.
 std::array<Candidate, kStarts> coarse_minima(const Samples& samples, double contact_length, bool is_known) {
   std::array<Candidate, kStarts> best;
+  std::array<double, kGridSize[1]> rises{};
+  for (int ia = 0; ia < kGridSize[1]; ++ia) rises[ia] = rise_of(ia / (kGridSize[1] - 1.0));
   const int n_c = is_known ? 1 : kGridSize[2];
   for (int ib = 0; ib < kGridSize[0]; ++ib) {
     for (int ia = 0; ia < kGridSize[1]; ++ia) {
       for (int ic = 0; ic < n_c; ++ic) {
         const double c = is_known ? contact_length : static_cast<double>(ic) / (n_c - 1);
         Candidate here{0.0, {ib / (kGridSize[0] - 1.0), ia / (kGridSize[1] - 1.0), c}};
-        here.error = samples.error(here.shape);
+        here.error = samples.error(Outline(here.shape, samples.reach(), rises[ia]), best.back().error);
         for (Candidate& other : best) {
           if (here.error < other.error) std::swap(here, other);
         }
@@ -133,7 +157,8 @@ std::array<Candidate, kStarts> coarse_minima(const Samples& samples, double cont
   return best;
 }
 
-/// Walks downhill along the axes from `start`, halving `step` where no neighbour is better, down to `finest`.
+/// Walks downhill along the axes from `start`, halving `step` where no neighbour is better, down to `finest`. `error`
+/// is asked for that of a shape, if it is less than a limit.
 template <typename Error>
 Candidate descend(Candidate start, const Error& error, Shape step, double finest) {
   while (std::max({step[0], step[1], step[2]}) > finest) {
@@ -144,7 +169,7 @@ Candidate descend(Candidate start, const Error& error, Shape step, double finest
         Candidate next = start;
         next.shape[axis] = std::clamp(start.shape[axis] + sign * step[axis], 0.0, 1.0);
         if (next.shape[axis] == start.shape[axis]) continue;
-        next.error = error(next.shape);
+        next.error = error(next.shape, start.error);
         if (next.error >= start.error) continue;
         start = next;
         is_better = true;
@@ -160,8 +185,8 @@ Candidate descend(Candidate start, const Error& error, Shape step, double finest
 /// Best shape over all depths, angles and, unless `contact_length` (in reaches) is known, contact lengths.
 Candidate best_shape(const Profile& profile, double contact_length, bool is_known) {
   const Samples samples(profile);
-  const auto sampled = [&](const Shape& s) { return samples.error(s); };
-  const auto exact = [&](const Shape& s) { return exact_error(profile, s); };
+  const auto sampled = [&](const Shape& s, double limit) { return samples.error(Outline(s, samples.reach()), limit); };
+  const auto exact = [&](const Shape& s, double limit) { return exact_error(profile, s, limit); };
   const Shape cell{0.5 / (kGridSize[0] - 1), 0.5 / (kGridSize[1] - 1), is_known ? 0.0 : 0.5 / (kGridSize[2] - 1)};
   constexpr double kSampleStep = 0.5 / kSamples;
 
@@ -170,12 +195,13 @@ Candidate best_shape(const Profile& profile, double contact_length, bool is_know
     const Candidate here = descend(start, sampled, cell, kSampleStep);
     if (here.error < best.error) best = here;
   }
-  best.error = exact(best.shape);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  best.error = exact(best.shape, kAny);
   const Shape fine{kSampleStep, kSampleStep, is_known ? 0.0 : kSampleStep};
   best = descend(best, exact, fine, kFinestStep);
 
   // No protrusion at all wins a tie.
-  const Candidate flat{exact({0.0, 0.0, contact_length}), {0.0, 0.0, contact_length}};
+  const Candidate flat{exact({0.0, 0.0, contact_length}, kAny), {0.0, 0.0, contact_length}};
   return flat.error <= best.error ? flat : best;
 }
 
