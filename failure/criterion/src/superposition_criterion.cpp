@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "brash/failure/unit_profiles.hpp"
+#include "brash/meta_model/profile_bound.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
@@ -26,6 +28,12 @@ plate::UnitProfiles to_unit_profiles(const meta_model::Profiles& p) {
 
 namespace {
 
+/// A load is dismissed that is so many times below the strength, as far as the bound tells. Where it was tried, the
+/// bound was never exceeded (`failure_dismiss`).
+constexpr double kDismissed = 2.0;
+/// Share of the buckling load up to which the bound holds.
+constexpr double kFarFromBuckling = 0.5;
+
 /// Interpolated unit profiles, superposed for the case's mu1, mu2 and h / l_c; then the largest stress.
 class SuperpositionCriterion final : public BendingCriterion {
  public:
@@ -36,19 +44,14 @@ class SuperpositionCriterion final : public BendingCriterion {
         options_(options),
         l_c_(characteristic_length(ice)),
         thickness_over_lc_(ice.thickness / l_c_),
-        shear_thickness_(std::clamp(thickness_over_lc_, whole_.range()[0].h_lc, whole_.range()[1].h_lc)) {
+        shear_thickness_(std::clamp(thickness_over_lc_, whole_.range()[0].h_lc, whole_.range()[1].h_lc)),
+        bound_(whole_, shear_thickness_) {
     if (options.radial_first) split_ = meta_model::ProfileModel::read(split_file);
   }
 
   Assessment assess(const LoadCase& load) const override {
-    expect_valid(load);
-    const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle, shear_thickness_};
-    const meta_model::RangeCheck range = whole_.check(wanted);
-    const meta_model::Geometry used = whole_.clamp(wanted);
-    // A contact that is widened to the smallest c keeps its force p c h: far from the tip only the force counts.
-    const double pressure = wanted.c_lc < used.c_lc ? load.pressure * wanted.c_lc / used.c_lc : load.pressure;
-
-    Assessment answer{.below_range = range.below || shear_thickness_ != thickness_over_lc_, .above_range = range.above};
+    const auto [used, pressure, answer_so_far] = place(load);
+    Assessment answer = answer_so_far;
     plate::Response r = respond(whole_, used, pressure, load, answer.buckled);
     if (split_ && r.sigma_radial_over_p * pressure > ice_.flexural_strength) {
       answer.split = true;
@@ -60,7 +63,39 @@ class SuperpositionCriterion final : public BendingCriterion {
     return answer;
   }
 
+  /// Largest principal and edge stress by docs/theory/meta-model.md, (2).
+  std::optional<Assessment> dismiss(const LoadCase& load) const override {
+    const auto [used, pressure, answer] = place(load);
+    const meta_model::ProfileExtremes most = bound_.at(used);
+    const double r = kDismissed * in_plane_load(ice_, l_c_, pressure, options_) / most.buckling_load;
+    if (r > kFarFromBuckling) return std::nullopt;
+    const double bending = most.bending + r * most.first + r * r / (1.0 - r) * most.rest;
+    const double stress =
+        pressure * (6.0 * load.mu1 / thickness_over_lc_ * bending + most.normal + std::abs(load.mu2) * most.tangential);
+    if (kDismissed * stress > ice_.flexural_strength) return std::nullopt;
+    return answer;
+  }
+
  private:
+  /// A load case as the model can answer it.
+  struct Placed {
+    meta_model::Geometry geometry;  ///< inside the range
+    double pressure = 0.0;          ///< [Pa]
+    Assessment answer;              ///< with what there is to say of the range
+  };
+
+  Placed place(const LoadCase& load) const {
+    expect_valid(load);
+    const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle, shear_thickness_};
+    const meta_model::RangeCheck range = whole_.check(wanted);
+    const meta_model::Geometry used = whole_.clamp(wanted);
+    // A contact that is widened to the smallest c keeps its force p c h: far from the tip only the force counts.
+    const double pressure = wanted.c_lc < used.c_lc ? load.pressure * wanted.c_lc / used.c_lc : load.pressure;
+    return {used,
+            pressure,
+            {.below_range = range.below || shear_thickness_ != thickness_over_lc_, .above_range = range.above}};
+  }
+
   plate::Response respond(const meta_model::ProfileModel& model, const meta_model::Geometry& geometry, double pressure,
                           const LoadCase& load, bool& buckled) const {
     plate::UnitProfiles unit = to_unit_profiles(model.predict(model.clamp(geometry), options_.second_order));
@@ -81,6 +116,7 @@ class SuperpositionCriterion final : public BendingCriterion {
   double l_c_;
   double thickness_over_lc_;
   double shear_thickness_;  ///< the same moved into the model's range: no shorter step brings it there
+  meta_model::ProfileBound bound_;
 };
 
 }  // namespace

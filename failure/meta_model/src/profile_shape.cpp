@@ -19,7 +19,6 @@ constexpr double kSpread = 3.0;
 constexpr double kDepthShift = 0.1;
 
 double slope_of_side(const Geometry& g) { return std::tan(0.5 * g.theta); }
-double base_width(const Geometry& g) { return g.c_lc + 2.0 * g.b_lc * slope_of_side(g); }
 
 /// From the tip to just before the base line: evenly in ln((1 + x / tip) / (1 - x / end)).
 void add_stations_before(const Geometry& g, std::vector<double>& stations) {
@@ -42,16 +41,22 @@ void add_stations_behind(const Geometry& g, double reach, std::vector<double>& s
 
 }  // namespace
 
+double base_width(const Geometry& g) { return g.c_lc + 2.0 * g.b_lc * slope_of_side(g); }
+
+BeamScale beam_at(const Geometry& g, double x) {
+  const double width = g.c_lc + 2.0 * std::min(x, g.b_lc) * slope_of_side(g) + kSpread * std::max(x - g.b_lc, 0.0);
+  const double lever = x + 0.3 * width;
+  return {.membrane = width / g.c_lc, .bending = 30.0 * width / g.c_lc / (1.0 + 20.0 * lever)};
+}
+
 ProfileShape shape_of(const Geometry& g, double reach) {
   ProfileShape shape;
   add_stations_before(g, shape.station);
   add_stations_behind(g, reach, shape.station);
   for (const double x : shape.station) {
-    // A beam of the width over which the load has spread: stress c / width, moment that times the lever.
-    const double width = g.c_lc + 2.0 * std::min(x, g.b_lc) * slope_of_side(g) + kSpread * std::max(x - g.b_lc, 0.0);
-    const double lever = x + 0.3 * width;
-    shape.membrane.push_back(width / g.c_lc);
-    shape.bending.push_back(30.0 * width / g.c_lc / (1.0 + 20.0 * lever));
+    const BeamScale beam = beam_at(g, x);
+    shape.membrane.push_back(beam.membrane);
+    shape.bending.push_back(beam.bending);
   }
   return shape;
 }

@@ -13,6 +13,19 @@ inline constexpr int kStationsBefore = 50;
 inline constexpr int kStationsBehind = 80;
 inline constexpr int kProfileStations = kStationsBefore + kStationsBehind;
 
+/// What the fields at one place of the centre line are multiplied with, so that they are of order 1.
+struct BeamScale {
+  double membrane = 0.0;
+  double bending = 0.0;
+};
+
+/// That of a beam as wide as the load has spread at the distance `x` from the tip over l_c, which bears load and
+/// moment.
+BeamScale beam_at(const Geometry& geometry, double x);
+
+/// Width of the protrusion at its base line over l_c.
+double base_width(const Geometry& geometry);
+
 /// How the fields on the centre line of one geometry are written, so that they change little between geometries.
 struct ProfileShape {
   std::vector<double> station;   ///< follow the geometry, the base line x = b among them; shape=(kProfileStations,)

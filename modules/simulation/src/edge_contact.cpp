@@ -118,7 +118,8 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact
   if (!(contact.load.pressure > 0.0)) return;
   if (model.criterion.needs_outline())
     contact.load.outline = outline_of(sheet, contact.region, kOutlineReach * failure::characteristic_length(model.ice));
-  contact.assessment = model.criterion.assess(contact.load);
+  const auto harmless = model.criterion.dismiss(contact.load);
+  contact.assessment = harmless ? *harmless : model.criterion.assess(contact.load);
 }
 
 }  // namespace

@@ -46,6 +46,10 @@ class TimedCriterion final : public failure::BendingCriterion {
     const StageTimer::Scope clock(timer_, seconds_);
     return criterion_->assess(load);
   }
+  std::optional<failure::Assessment> dismiss(const failure::LoadCase& load) const override {
+    const StageTimer::Scope clock(timer_, seconds_);
+    return criterion_->dismiss(load);
+  }
   bool needs_outline() const override { return criterion_->needs_outline(); }
 
  private:

@@ -85,6 +85,9 @@ class BendingCriterion {
   virtual ~BendingCriterion() = default;
   /// @param load  depth >= 0, contact_length > 0, angle in [0, pi), mu1 > 0, pressure >= 0.
   virtual Assessment assess(const LoadCase& load) const = 0;
+  /// Where it is plain at a small price that `load` stays below half the strength: what `assess` would say, but with no
+  /// stress and no breaking length. Nothing where only `assess` can tell.
+  virtual std::optional<Assessment> dismiss(const LoadCase& /*load*/) const { return std::nullopt; }
   /// Whether `assess` wants the outline of the load case besides its trapezoid.
   virtual bool needs_outline() const { return false; }
   /// The one h / l_c that its model was trained with; nothing where the model knows h / l_c or needs none.

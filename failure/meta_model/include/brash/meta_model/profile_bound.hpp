@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brash/meta_model/profile_model.hpp"
+
+namespace brash::meta_model {
+
+/// What the profiles of a geometry hardly exceed anywhere on the centre line; units as in Profiles.
+struct ProfileExtremes {
+  double bending = 0.0;        ///< of either component, as all of these
+  double normal = 0.0;         ///< likewise
+  double tangential = 0.0;     ///< likewise
+  double first = 0.0;          ///< likewise
+  double rest = 0.0;           ///< likewise
+  double buckling_load = 0.0;  ///< hardly less
+};
+
+/// Tells how large a model's profiles get without a look at them, at a hundredth of the price.
+///
+/// Over what a beam of the width over which the load has spread would have, and tangential stresses over 1 + b / base
+/// width, profiles are of order 1. How large that is comes from a lattice of geometries; between its points they may
+/// be somewhat larger.
+/// @see docs/theory/meta-model.md, (2)
+class ProfileBound {
+ public:
+  /// For geometries of the model's range with one h / l_c [-], which is inside it.
+  ProfileBound(const ProfileModel& model, double h_lc);
+
+  ProfileExtremes at(const Geometry& geometry) const;
+
+ private:
+  ProfileExtremes most_;  ///< over those scales
+};
+
+}  // namespace brash::meta_model
