@@ -30,7 +30,7 @@ class Storage(FaultTest):
         self.succeeds(run_command(self.path / "whole"))
         whole = self.bytes_of(self.path / "whole")
         # Nothing, the first checkpoints, all checkpoints but not the results.
-        for kilobytes in (4, 300, 540):
+        for kilobytes in (4, 300, 460):
             folder = self.disk / str(kilobytes)
             self.limit(kilobytes)
             done = call(run_command(folder))

@@ -98,16 +98,20 @@ void NetcdfWriter::describe(int variable, const std::string& name, const Meaning
 template <typename T>
 void NetcdfWriter::write(const std::string& name, const std::string& along, const Meaning& meaning,
                          const std::vector<T>& values) {
-  ask_for_memory(values.size() * sizeof(T));
+  n_bytes_ += values.size() * sizeof(T);
+  ask_for_memory(n_bytes_);
   const int dim = dimension(along, values.size());
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), kType<T>, 1, &dim, &variable), name);
   if (std::is_integral_v<T> && values.size() * sizeof(T) >= kLeastDeflated)
     check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
   describe(variable, name, meaning);
-  const std::size_t start = 0;
-  const std::size_t count = values.size();
-  if (count > 0) check(nc_put_vara(file_, variable, &start, &count, values.data()), name);
+  if (!values.empty())
+    pending_.push_back([this, name, variable, values] {
+      const std::size_t start = 0;
+      const std::size_t count = values.size();
+      check(nc_put_vara(file_, variable, &start, &count, values.data()), name);
+    });
 }
 
 void NetcdfWriter::variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
@@ -131,11 +135,19 @@ void NetcdfWriter::container(const std::string& name, const Meaning& meaning) {
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), NC_INT, 0, nullptr, &variable), name);
   describe(variable, name, meaning);
-  const int nothing = 0;
-  check(nc_put_var_int(file_, variable, &nothing), name);
+  pending_.push_back([this, name, variable] {
+    const int nothing = 0;
+    check(nc_put_var_int(file_, variable, &nothing), name);
+  });
 }
 
 std::string NetcdfWriter::finish() {
+  ask_for_memory(n_bytes_);
+  check(nc_enddef(file_), "file");
+  for (auto& write : pending_) {
+    write();
+    write = nullptr;
+  }
   NC_memio image{};
   const int file = std::exchange(file_, -1);
   check(nc_close_memio(file, &image), "file");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +30,7 @@ class NetcdfWriter {
   NetcdfWriter& operator=(const NetcdfWriter&) = delete;
 
   void attribute(const std::string& name, const std::string& text);
-  /// Writes a variable along `dimension`, which is made as long as `values` when it is new.
+  /// Adds a variable along `dimension`, which is made as long as `values` when it is new.
   void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                 const std::vector<double>& values);
   void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
@@ -53,6 +54,10 @@ class NetcdfWriter {
 
   std::string shown_;
   int file_ = -1;
+  /// Values wait until all variables are there: each turn from making a variable to writing one would go through all of
+  /// them in the library.
+  std::vector<std::function<void()>> pending_;
+  std::size_t n_bytes_ = 0;  ///< of the values
 };
 
 /// A netCDF file that is being read.

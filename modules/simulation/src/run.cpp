@@ -84,7 +84,8 @@ struct Progress {
   Recorder recorder;
   RunSummary counts;
   double recording_seconds = 0.0;
-  double checkpoint_seconds = 0.0;  ///< of the recording
+  double checkpoint_seconds = 0.0;       ///< of the recording
+  double last_checkpoint_seconds = 0.0;  ///< of them
   StageTimer timer{};
   Clock::time_point begun = Clock::now();
   io::Checkpoint known{};  ///< a state of some steps ago, without results
@@ -130,12 +131,13 @@ Progress begin(const io::Case& resolved, const RunOptions& options) {
   }
 }
 
-/// A checkpoint holds all results so far, and would take a growing part of a long run's time: a new one waits until
-/// those before have taken no more than this share of it.
+/// A checkpoint holds all results so far, and would take a growing part of a long run's time: a new one that takes as
+/// long as the last waits until all have taken no more than this share of it.
 constexpr double kCheckpointShare = 0.005;
 
 bool may_take_checkpoint(const Progress& progress) {
-  return progress.checkpoint_seconds <= kCheckpointShare * seconds_since(progress.begun);
+  return progress.checkpoint_seconds + progress.last_checkpoint_seconds <=
+         kCheckpointShare * seconds_since(progress.begun);
 }
 
 void keep_checkpoint(const std::string& file, io::Checkpoint saved, const Progress& progress) {
@@ -205,7 +207,8 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
     if (!options.checkpoint_file.empty() && (due || interrupted)) {
       const Clock::time_point start = Clock::now();
       keep_checkpoint(options.checkpoint_file, progress.simulation.checkpoint(), progress);
-      progress.checkpoint_seconds += seconds_since(start);
+      progress.last_checkpoint_seconds = seconds_since(start);
+      progress.checkpoint_seconds += progress.last_checkpoint_seconds;
     }
     if (interrupted) return false;
   }
