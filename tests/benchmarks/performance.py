@@ -12,32 +12,17 @@ import operator
 import os
 import pathlib
 import platform
-import resource
-import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BIN = ROOT / "build/release/bin"
+from measure import BIN, REPETITIONS, ROOT, line, ratios, user_seconds
+from peers import plate, rigid_bodies, rigid_body_peers
+
 CASE = "experiments/validation/cone.toml"
-REPETITIONS = 5
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}  # of Google Benchmark
-
-
-def output_and_seconds(command, **options):
-    """What a command writes, and the user CPU time of it and all it starts [s]."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    output = subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.PIPE,
-                            stderr=subprocess.DEVNULL, text=True, **options).stdout
-    return output, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-
-
-def user_seconds(command, **options):
-    """User CPU time of a command and all it starts [s]."""
-    return output_and_seconds(command, **options)[1]
 
 
 def run_seconds(folder, *settings):
@@ -58,17 +43,6 @@ def google_benchmark(name, pattern, field="cpu_time"):
             continue
         times.setdefault(row["name"], []).append(row[field] * UNITS[row["time_unit"]])
     return times
-
-
-def line(what, samples, limit="", **more):
-    """One row of the table: the median of `samples` and their range."""
-    return {"what": what, "median": statistics.median(samples), "lowest": min(samples), "highest": max(samples),
-            "n": len(samples), "limit": limit, **more}
-
-
-def ratios(above, below):
-    """Ratio of the times of each pair."""
-    return [a / b for a, b in zip(above, below, strict=True)]
 
 
 def coupled():
@@ -107,6 +81,11 @@ def growth():
                    f"points per floe / {rubble[0]['contacts'] / rubble[0]['floes']:.1f})",
                    [times[i] / times[0] for times in each], "<= 1")
               for i, (n, row) in enumerate(zip(sizes, rubble)) if i > 0]
+    peer = [[statistics.median(row["bullet_s"]) / row["floes"] for row in run] for run in runs]
+    lines += [line(f"water and world / Bullet's own world over the same floes, {n} floes",
+                   [own[i] / bullet[i] for own, bullet in zip(each, peer)], "< 1") for i, n in enumerate(sizes)]
+    lines.append(line("CPU time per floe and step of Bullet's own world, 10000 floes / 100 floes",
+                      [times[-1] / times[0] for times in peer]))
     largest = [run[-1] for run in runs]
     lines.append(line("CPU time of a step, 10^4 floes of rubble, all settled / all active",
                       [statistics.median(row["settled_s"]) / statistics.median(
@@ -125,24 +104,40 @@ def length():
     return [line("CPU time of the first 10 s in 500 m of ice / in 50 m", ratios(times[500], times[50]), "<= 1")]
 
 
+def moving(simulation):
+    """How many floes the next step moves; it is taken."""
+    def places():
+        return {floe.id: [tuple(corner) for corner in floe.rings[0]] for floe in simulation.frame().floes}
+    before = places()
+    simulation.step()
+    return sum(before.get(floe, place) != place for floe, place in places().items())
+
+
 def channel():
     """3. A channel driven ten times as far, floes at rest behind the structure fixed."""
     sys.path.insert(0, str(ROOT / "build/release/python"))
     import brash  # what this line alone needs, built before
-    ten_metres, steps_of_ten_metres, whole, last = 10, 2500, [], []
+    ten_metres, looks, steps_between, whole, last, last_of_one = 10, 50, 49, [], [], []
     for seed in range(1, REPETITIONS + 1):
         simulation = brash.Simulation(brash.Case.from_file(
             ROOT / "tests/experiments/long.toml", {"random.seed": seed, "field.length": 120}))
-        parts = []
+        parts, of_one = [], []
         for _ in range(ten_metres):
-            before = time.process_time()
-            simulation.step(steps_of_ten_metres)
-            parts.append(time.process_time() - before)
-        filled = parts[2]  # the channel behind the structure has filled
-        whole.append(sum(parts) / (ten_metres * filled))
-        last.append(parts[-1] / filled)
+            seconds = floes = 0
+            for _ in range(looks):
+                before = time.process_time()
+                simulation.step(steps_between)
+                seconds += time.process_time() - before
+                floes += moving(simulation)
+            parts.append(seconds)
+            of_one.append(seconds / floes)
+        # In the third 10 m the channel behind the structure has filled.
+        whole.append(sum(parts) / (ten_metres * parts[2]))
+        last.append(parts[-1] / parts[2])
+        last_of_one.append(of_one[-1] / of_one[2])
     return [line("CPU time of 100 m of channel / of ten times its third 10 m, tests/experiments/long.toml", whole, "<= 1"),
-            line("CPU time of its tenth 10 m / of its third", last, "<= 1")]
+            line("CPU time of its tenth 10 m / of its third", last, "<= 1"),
+            line("the same for each floe that moves, of which there are more in one stretch than in another", last_of_one)]
 
 
 def water():
@@ -168,132 +163,6 @@ def failure():
     network = next(samples for name, samples in times.items() if name.startswith("assess"))
     return [line("one assessment: network / plate solve", ratios(network, plate), "< 1"),
             line("plate solve, CPU seconds", plate)]
-
-
-# Plates beside FreeFem++: b, c, theta [degrees]; standard thickness and the cone's load ratios.
-PLATES = ((0.5, 0.3, 60), (0, 0.5, 0), (0.1, 0.15, 120), (0.3, 0.05, 60), (0.3, 0.5, 120), (1, 0.3, 90))
-PLATE_LOADS = {"h": 0.10087, "mu1": 0.511, "mu2": 0.027}
-# Element size of FreeFem++'s P4 over the program's own, at which its error is that of the program; that of its reference.
-FREEFEM_SCALE = 1.55
-FREEFEM_FINE = 0.7
-
-
-def plate_once(case, *fine):
-    """The program's solution of a plate."""
-    command = [BIN / "bench_plate", *case, *PLATE_LOADS.values(), *fine]
-    return json.loads(output_and_seconds(command)[0])
-
-
-def freefem_once(case, scale):
-    """FreeFem++'s solution of a plate; `start` is the rest of its CPU time, of the system included as in its own clock."""
-    values = {**dict(zip(("b", "c", "theta"), case)), **PLATE_LOADS, "scale": scale}
-    command = ["FreeFem++-nw", "-nw", "-ne", ROOT / "tests/benchmarks/failure/freefem.edp",
-               *(word for name, value in values.items() for word in (f"-{name}", value))]
-    # Debian's package looks for its plugins elsewhere than it puts them.
-    environment = {**os.environ, "FF_LOADPATH": "/usr/lib/freefem++", "OMP_NUM_THREADS": "1"}
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_stime
-    output, seconds = output_and_seconds(command, env=environment)
-    seconds += resource.getrusage(resource.RUSAGE_CHILDREN).ru_stime - before
-    result = json.loads(next(row for row in output.splitlines() if row.startswith("{")))
-    return {**result, "start": seconds - result["seconds"]}
-
-
-def plate():
-    """5. The plate solution beside FreeFem++ at equal accuracy."""
-    if not shutil.which("FreeFem++-nw"):
-        sys.exit("./dev bench plate needs the Debian packages freefem++ and libfreefem++")
-    runs = [([plate_once(case) for case in PLATES], [freefem_once(case, FREEFEM_SCALE) for case in PLATES])
-            for _ in range(REPETITIONS)]
-    fine = [(plate_once(case, "fine")["sigma"], freefem_once(case, FREEFEM_FINE)["sigma"]) for case in PLATES]
-    own, peer = ([sum(row["seconds"] for row in run[side]) for run in runs] for side in (0, 1))
-    meshing = [sum(row["meshing"] for row in run[1]) for run in runs]
-    lines = [line(f"{len(PLATES)} plates with mesh, three loads each, and stresses: program / FreeFem++", ratios(own, peer),
-                  "< 1"),
-             line("the same, FreeFem++ without its mesh", ratios(own, [a - b for a, b in zip(peer, meshing)]), "< 1"),
-             line("CPU seconds of one plate, program", [time / len(PLATES) for time in own]),
-             line("CPU seconds of one plate, FreeFem++", [time / len(PLATES) for time in peer]),
-             line("CPU seconds that FreeFem++ takes besides to start", [row["start"] for run in runs for row in run[1]])]
-    for side, name in enumerate(("program", "FreeFem++")):
-        errors = [abs(row["sigma"] / statistics.mean(true) - 1) for row, true in zip(runs[0][side], fine, strict=True)]
-        lines += [line(f"error of the largest stress, {name}: root mean square", [statistics.mean(e**2 for e in errors)**0.5]),
-                  line(f"error of the largest stress, {name}: worst", [max(errors)])]
-    lines.append(line("largest difference between the fine solutions of the two, from whose mean the errors are taken",
-                      [max(abs(a / b - 1) for a, b in fine)]))
-    return lines
-
-
-# Engines of the pack and how they are called: program, pack, step [s], iterations of a step (and the crushing pressure);
-# Yade: step [s], stiffness and damping as in yade.py. Each at the cheapest that was found to leave no floe PACK_PLACE from
-# its place and the forces PACK_FORCE wrong. The small pack is one that Siconos and Yade are done with in seconds.
-PACK_PLACE, PACK_FORCE = 0.005, 0.01
-PACK = {"program": ("bench_rigid_bodies", "6x5x5", 0.006, 24),
-        "program, ice that does not crush": ("bench_rigid_bodies", "6x5x5", 0.04, 20, "inf"),
-        "ODE": ("bench_rigid_bodies_ode", "6x5x5", 0.0225, 20)}
-SMALL = {"program": ("bench_rigid_bodies", "2x2x2", 0.015, 12),
-         "ODE": ("bench_rigid_bodies_ode", "2x2x2", 0.0125, 20),
-         "Siconos": ("bench_rigid_bodies_siconos", "2x2x2", 0.01, 100),
-         "Yade": ("yade", "2x2x2", 0.004, 6.5e6, 0.8)}
-
-
-def pack_once(program, size, step, setting, *more):
-    """A pack of floes that comes to rest in one engine."""
-    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    if program != "yade":
-        return json.loads(output_and_seconds([BIN / program, step, setting, size, *more], env=environment)[0])
-    with tempfile.TemporaryDirectory() as folder:
-        pack = pathlib.Path(folder) / "pack.json"
-        pack.write_text(output_and_seconds([BIN / "bench_rigid_bodies", "pack", size])[0])
-        environment |= {"PACK": str(pack), "DT": str(step), "STIFFNESS": str(setting), "DAMPING": str(more[0])}
-        script = ROOT / "tests/benchmarks/rigid_body/yade.py"
-        output = output_and_seconds(["yade", "-f0", "-n", "-x", script], env=environment)[0]
-    return json.loads(next(row for row in output.splitlines() if row.startswith("{")))
-
-
-def pack_runs(engines):
-    """Runs of the pack in each engine that is installed, in turn; all must meet PACK_PLACE and PACK_FORCE."""
-    there = {name: call for name, call in engines.items() if (BIN / call[0]).exists() or shutil.which(call[0])}
-    for name in engines.keys() - there.keys():
-        print(f"  {name} is not installed and left out", file=sys.stderr)
-    runs = {name: [] for name in there}
-    for _ in range(REPETITIONS):
-        for name, call in there.items():
-            runs[name].append(pack_once(*call))
-    for name, rows in runs.items():
-        if rows[0]["position"] > PACK_PLACE or max(rows[0]["bed"], rows[0]["wall"]) > PACK_FORCE:
-            sys.exit(f"{name} misses {PACK_PLACE} m or {PACK_FORCE} of the force: {rows[0]}")
-    return runs
-
-
-def pack_ratios(runs):
-    """The program's times over those of each peer."""
-    times = {name: [row["seconds"] for row in rows] for name, rows in runs.items()}
-    floes = runs["program"][0]["floes"]
-    own = [name for name in runs if name.startswith("program")]
-    return [line(f"{floes} floes, every engine within {1000 * PACK_PLACE:g} mm and {100 * PACK_FORCE:g} %: {name} / {peer}",
-                 ratios(times[name], times[peer]), "< 1") for name in own for peer in runs if peer not in own]
-
-
-def pack_figures(runs):
-    """Times and errors of each engine."""
-    lines = []
-    for name, rows in runs.items():
-        lines += [line(f"CPU seconds of a simulated second, {name}", [row["seconds"] for row in rows]),
-                  line(f"largest distance of a floe from its place, {name} [mm]", [1000 * rows[0]["position"]]),
-                  line(f"error of the force on bed or wall, {name} [%]", [100 * max(rows[0]["bed"], rows[0]["wall"])])]
-    return lines
-
-
-def rigid_bodies():
-    """6. Rigid bodies beside ODE: a pack of floes that comes to rest, at equal accuracy of place and force."""
-    runs = pack_runs(PACK)
-    own_step = {"program at its own step": [pack_once("bench_rigid_bodies", "6x5x5", 0.01, 30)]}
-    return pack_ratios(runs) + pack_figures({**runs, **own_step})
-
-
-def rigid_body_peers():
-    """6. Rigid bodies beside ODE, Siconos (without its checks of its own graph) and Yade: the same on a small pack."""
-    runs = pack_runs(SMALL)
-    return pack_ratios(runs) + pack_figures(runs)
 
 
 def campaign():
@@ -365,7 +234,7 @@ NOT_MEASURED = """- Siconos and Yade on the pack of 174 floes that ODE steps abo
   more for each simulated second of it;
 - why floes of large packs cost more: the solver goes in each of its 30 sweeps through 64 bytes for each contact point, 260 more for each of the
   third or less that bears, and beyond some hundred floes finds them no longer in a core's own cache; what other passes fetch from memory adds
-  as much. How far that shows depends on the processor's caches and on who shares them: on this machine the last line of `growth` came out between
+  as much. Bullet's own world grows faster (`growth`). How far that shows depends on the processor's caches and on who shares them: on this machine the last line of `growth` came out between
   1.18 and 1.67 within an hour. Tried: blocks of contacts that fit the cache, rows in single precision, keeping arms in place of rows
   (half the bytes, 1.3 to 1.5 times the solver's time), and fetching the parts of the next pairs ahead;
 - the build from clean to tested, once by hand: `CCACHE_DISABLE=1 ./dev test` in a fresh clone took 14 min 17 s on 2 idle cores

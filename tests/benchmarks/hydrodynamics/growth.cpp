@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Water and world of a step against the number of floes, all of them active, then all of them settled:
-// bench_growth [steps] [floes...].
+// bench_growth [steps] [floes...]. Beside it Bullet's own world steps the same floes, set to the state before each
+// step.
 //
 // Times are the process's own, of single steps; memory is the heap's. Prints a JSON object.
 #include <fmt/format.h>
@@ -10,10 +11,12 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "bullet_world.hpp"
 #include "field.hpp"
 
 namespace {
 
+using namespace brash;
 using namespace brash::benchmarks;
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -22,6 +25,46 @@ double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER
 double allocated() {
   const struct mallinfo2 heap = mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd);
+}
+
+io::GridRings rings_of(const geometry::Polygon& polygon) {
+  io::GridRings rings(1);
+  for (const geometry::Point& p : polygon.outline) rings[0].push_back({p.x, p.y});
+  return rings;
+}
+
+/// What Bullet's world needs of each floe.
+std::vector<io::CheckpointFloe> state(const Field& field) {
+  std::vector<io::CheckpointFloe> floes;
+  for (const auto& [body, floe] : field.floes.floes())
+    floes.push_back({.id = floe.id,
+                     .body = body,
+                     .rings = rings_of(floe.outline),
+                     .thickness = field.ice.ice.thickness,
+                     .pose = field.world.pose(body),
+                     .twist = field.world.twist(body)});
+  return floes;
+}
+
+/// Times of Bullet's steps from the state before each step of the program but the first.
+std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
+  Field field(n_wanted, layers, {});
+  std::vector<std::vector<io::CheckpointFloe>> states;
+  for (int i = 0; i <= n_steps; ++i) {
+    states.push_back(state(field));
+    field.floes.apply_water(field.world, kStep, {});
+    field.world.step(kStep);
+  }
+  BulletWorld bullet(field.ice);
+  std::vector<double> seconds;
+  for (const auto& floes : states) {
+    bullet.set_floes(floes);
+    const double start = process_seconds();
+    bullet.step(kStep);
+    seconds.push_back(process_seconds() - start);
+  }
+  seconds.erase(seconds.begin());
+  return seconds;
 }
 
 std::string measure(int n_wanted, int layers, int n_steps) {
@@ -50,8 +93,9 @@ std::string measure(int n_wanted, int layers, int n_steps) {
   const auto n_floes = static_cast<double>(field.floes.floes().size());
   return fmt::format(
       "{{\"layers\": {}, \"floes\": {}, \"contacts\": {}, \"bytes\": {}, \"water_s\": [{}], \"world_s\": [{}], "
-      "\"settled_s\": [{}]}}",
-      layers, n_floes, contacts, bytes, fmt::join(water, ", "), fmt::join(world, ", "), fmt::join(settled, ", "));
+      "\"settled_s\": [{}], \"bullet_s\": [{}]}}",
+      layers, n_floes, contacts, bytes, fmt::join(water, ", "), fmt::join(world, ", "), fmt::join(settled, ", "),
+      fmt::join(bullet_seconds(n_wanted, layers, n_steps), ", "));
 }
 
 }  // namespace

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bullet_world.hpp"
+
+#include <cmath>
+
+#include "brash/simulation/scales.hpp"
+#include "bullet_types.hpp"
+#include "plan.hpp"
+
+namespace brash::benchmarks {
+namespace {
+
+using rigid_body::to_bullet;
+
+geometry::Polygon polygon_of(const io::GridRings& rings) {
+  geometry::Polygon polygon;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    geometry::Ring ring;
+    for (const io::GridPoint p : rings[i]) ring.push_back({p.x, p.y});
+    if (i == 0)
+      polygon.outline = std::move(ring);
+    else
+      polygon.holes.push_back(std::move(ring));
+  }
+  return polygon;
+}
+
+}  // namespace
+
+BulletWorld::BulletWorld(const io::Case& c)
+    : case_(c), dispatcher_(&configuration_), world_(&dispatcher_, &broad_phase_, &solver_, &configuration_) {
+  world_.setGravity({0, 0, 0});  // the run's velocities are set before each step
+  world_.getSolverInfo().m_numIterations = c.contact.iterations;
+  world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+}
+
+BulletWorld::~BulletWorld() {
+  for (auto& [id, floe] : floes_) world_.removeRigidBody(floe.body.get());
+  for (auto& [key, tiles] : sheet_)
+    for (auto& tile : tiles) world_.removeRigidBody(tile.body.get());
+  if (structure_.body) world_.removeRigidBody(structure_.body.get());
+}
+
+void BulletWorld::add_structure(const std::vector<Vec3>& hull, const Pose& pose) {
+  structure_ = make({rigid_body::convex_hull(hull)}, {0.0, {}}, pose, case_.ice.friction_structure);
+  structure_.body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  world_.addRigidBody(structure_.body.get(), 2, 1);
+}
+
+void BulletWorld::place_structure(const Pose& from, const Pose& to, Vec3 velocity) {
+  structure_.body->setInterpolationWorldTransform(to_bullet(from));
+  structure_.body->setWorldTransform(to_bullet(to));
+  structure_.body->setLinearVelocity(to_bullet(velocity));
+}
+
+void BulletWorld::set_floes(const std::vector<io::CheckpointFloe>& floes) {
+  std::map<std::int64_t, BulletBody> now;
+  for (const io::CheckpointFloe& floe : floes) {
+    auto known = floes_.extract(floe.id);
+    BulletBody body = known.empty() ? make_floe(floe) : std::move(known.mapped());
+    body.body->setWorldTransform(to_bullet(floe.pose));
+    body.body->setLinearVelocity(to_bullet(floe.twist.linear));
+    body.body->setAngularVelocity(to_bullet(floe.twist.angular));
+    body.body->activate(true);
+    now.emplace(floe.id, std::move(body));
+  }
+  for (auto& [id, gone] : floes_) world_.removeRigidBody(gone.body.get());
+  floes_ = std::move(now);
+}
+
+int BulletWorld::n_points() {
+  int n = 0;
+  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i)
+    n += dispatcher_.getInternalManifoldPointer()[i]->getNumContacts();
+  return n;
+}
+
+BulletBody BulletWorld::make(const std::vector<rigid_body::ConvexPart>& solids, const rigid_body::MassProperties& mass,
+                             const Pose& pose, double friction) const {
+  BulletBody made;
+  made.compound = std::make_unique<btCompoundShape>();
+  for (const rigid_body::ConvexPart& solid : solids) {
+    const std::vector<Vec3> corners = rigid_body::inset_vertices(solid, case_.contact.margin);
+    if (corners.size() < 4) continue;
+    made.parts.push_back(std::make_unique<btConvexHullShape>(&corners[0].x, static_cast<int>(corners.size()),
+                                                             static_cast<int>(sizeof(Vec3))));
+    made.parts.back()->setMargin(case_.contact.margin);
+    made.compound->addChildShape(btTransform::getIdentity(), made.parts.back().get());
+  }
+  btCollisionShape* shape = made.compound.get();
+  if (made.parts.size() == 1) shape = made.parts[0].get();
+  const btRigidBody::btRigidBodyConstructionInfo info(mass.mass, nullptr, shape, to_bullet(mass.inertia));
+  made.body = std::make_unique<btRigidBody>(info);
+  made.body->setWorldTransform(to_bullet(pose));
+  made.body->setFriction(friction);
+  return made;
+}
+
+BulletBody BulletWorld::make_floe(const io::CheckpointFloe& floe) {
+  const geometry::Polygon polygon = polygon_of(floe.rings);
+  std::vector<std::vector<Vec2>> parts;
+  for (const geometry::Ring& part : geometry::convex_parts(polygon)) parts.push_back(simulation::to_metres(part));
+  const auto placed =
+      rigid_body::place_prism(simulation::rings_in_metres(polygon), parts, floe.thickness, floe.pose.position.z);
+  const auto mass = rigid_body::mass_properties(placed.prism, case_.ice.density, case_.hydrodynamics.added_mass);
+  std::vector<rigid_body::ConvexPart> solids;
+  for (const auto& ring : placed.prism.parts)
+    solids.push_back(rigid_body::convex_prism(ring, -0.5 * floe.thickness, 0.5 * floe.thickness));
+  BulletBody made = make(solids, mass, floe.pose, std::sqrt(case_.ice.friction_ice));
+  world_.addRigidBody(made.body.get(), 1, 3);
+  return made;
+}
+
+void BulletWorld::set_sheet(const std::vector<io::GridRings>& sheet, double bottom, double top) {
+  std::map<Outline, std::vector<BulletBody>> now;
+  for (const io::GridRings& rings : sheet)
+    for (const geometry::Ring& part : geometry::convex_parts(polygon_of(rings))) {
+      const std::vector<Vec2> ring = simulation::to_metres(part);
+      Outline key;
+      for (const Vec2 v : ring) key.emplace_back(v.x, v.y);
+      auto known = sheet_.extract(key);
+      if (known.empty()) {
+        BulletBody tile =
+            make({rigid_body::convex_prism(ring, bottom, top)}, {0.0, {}}, {}, std::sqrt(case_.ice.friction_ice));
+        if (tile.parts.empty()) continue;
+        world_.addRigidBody(tile.body.get(), 2, 1);
+        now[key].push_back(std::move(tile));
+      } else {
+        now[key] = std::move(known.mapped());
+      }
+    }
+  for (auto& [key, tiles] : sheet_)
+    for (auto& tile : tiles) world_.removeRigidBody(tile.body.get());
+  sheet_ = std::move(now);
+}
+
+}  // namespace brash::benchmarks

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
+#include "brash/rigid_body/world.hpp"
+#include "convex_part.hpp"
+
+namespace brash::benchmarks {
+
+/// A body with its shapes; shapes outlive it.
+struct BulletBody {
+  std::vector<std::unique_ptr<btConvexHullShape>> parts;
+  std::unique_ptr<btCompoundShape> compound;
+  std::unique_ptr<btRigidBody> body;
+};
+
+/// Bullet's world as its manual sets it up, with the case's margin and iterations, over the floes, the sheet and the
+/// structure of a state of the program.
+class BulletWorld {
+ public:
+  explicit BulletWorld(const io::Case& c);
+  ~BulletWorld();
+  BulletWorld(const BulletWorld&) = delete;
+
+  void add_structure(const std::vector<Vec3>& hull, const Pose& pose);
+  void place_structure(const Pose& from, const Pose& to, Vec3 velocity);
+  /// Floes as they are before a step; those that are gone leave.
+  void set_floes(const std::vector<io::CheckpointFloe>& floes);
+  /// The sheet, in convex parts; those that are known stay.
+  void set_sheet(const std::vector<io::GridRings>& sheet, double bottom, double top);
+  void step(double dt) { world_.stepSimulation(dt, 0); }
+  int n_points();
+
+ private:
+  using Outline = std::vector<std::pair<double, double>>;
+
+  BulletBody make(const std::vector<rigid_body::ConvexPart>& solids, const rigid_body::MassProperties& mass,
+                  const Pose& pose, double friction) const;
+  BulletBody make_floe(const io::CheckpointFloe& floe);
+
+  const io::Case& case_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broad_phase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_;
+  std::map<std::int64_t, BulletBody> floes_;
+  std::map<Outline, std::vector<BulletBody>> sheet_;
+  BulletBody structure_;
+};
+
+}  // namespace brash::benchmarks
