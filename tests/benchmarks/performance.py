@@ -234,8 +234,8 @@ NOT_MEASURED = """- Siconos and Yade on the pack of 174 floes that ODE steps abo
   more for each simulated second of it;
 - why floes of large packs cost more: the solver goes in each of its 30 sweeps through 64 bytes for each contact point, 260 more for each of the
   third or less that bears, and beyond some hundred floes finds them no longer in a core's own cache; what other passes fetch from memory adds
-  as much. Bullet's own world grows faster (`growth`). How far that shows depends on the processor's caches and on who shares them: on this machine the last line of `growth` came out between
-  1.18 and 1.67 within an hour. Tried: blocks of contacts that fit the cache, rows in single precision, keeping arms in place of rows
+  as much. How far that shows depends on the processor's caches and on who shares them: here the last ratio to 100 floes came out between 1.18
+  and 1.69 in five runs within hours. Bullet's own world grows more. Tried: blocks of contacts that fit the cache, rows in single precision, keeping arms in place of rows
   (half the bytes, 1.3 to 1.5 times the solver's time), and fetching the parts of the next pairs ahead;
 - the build from clean to tested, once by hand: `CCACHE_DISABLE=1 ./dev test` in a fresh clone took 14 min 17 s on 2 idle cores
   of 2.1 GHz (27 min of processor time; limit 15 min), the last 3 min 18 s of it for 115 tests."""
