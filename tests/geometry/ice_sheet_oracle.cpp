@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <random>
 
 #include "corpus.hpp"

@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -90,7 +91,8 @@ std::string without_mean(const std::string& name, const nlohmann::ordered_json& 
     if (!statistics.contains(column)) continue;
     const int n = n_done - statistics.at(column).at("n").get<int>();
     if (n == 0) return "";
-    return fmt::format("{:<36} {:>4}  of {} cases without a mean: over before output.statistics_from\n", name, n, n_done);
+    return fmt::format("{:<36} {:>4}  of {} cases without a mean: over before output.statistics_from\n", name, n,
+                       n_done);
   }
   return "";
 }

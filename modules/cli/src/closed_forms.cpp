@@ -13,6 +13,10 @@ namespace brash::cli {
 
 using nlohmann::ordered_json;
 
+namespace {
+constexpr double kKilo = 1e3;
+}  // namespace
+
 tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const io::Case& c) {
   standards::CroasdaleInput input;
   input.slope = c.structure.angle;
@@ -178,6 +182,30 @@ ordered_json closed_form_loads(const io::Case& c) {
     loads.push_back(*hull ? lindqvist_json(**hull)
                           : refused("ship's hull at the structure's speed", "Lindqvist 1989", hull->error()));
   return {{"case", c.name}, {"kind", "peaks of one breaking event; a ship's is a mean"}, {"loads", loads}};
+}
+
+std::string loads_text(const ordered_json& loads) {
+  std::string text = fmt::format("{}: closed-form loads [kN], {}\n  horizontal  vertical  method\n",
+                                 loads["case"].get<std::string>(), loads["kind"].get<std::string>());
+  for (const ordered_json& load : loads["loads"]) {
+    const auto method = load["method"].get<std::string>(), source = load["source"].get<std::string>();
+    if (load.contains("not_applicable")) {
+      text += fmt::format("           -         -  {}; {}\n{:24}not applicable: {}\n", method, source, "",
+                          load["not_applicable"].get<std::string>());
+      continue;
+    }
+    const std::string vertical =
+        load.contains("vertical") ? fmt::format("{:.1f}", load["vertical"].get<double>() / kKilo) : "-";
+    text += fmt::format("  {:10.1f}{:>10}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo, vertical, method,
+                        source, "");
+    std::string separator;
+    for (const auto& [name, value] : load["components"].items()) {
+      text += fmt::format("{}{} {:.1f}", separator, name, value.get<double>() / kKilo);
+      separator = ", ";
+    }
+    text += load.contains("in_range") && !load["in_range"].get<bool>() ? "; outside the formula's range\n" : "\n";
+  }
+  return text;
 }
 
 }  // namespace brash::cli

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <tl/expected.hpp>
 
 #include "brash/io/case.hpp"
@@ -25,5 +26,8 @@ std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> 
 /// Closed-form loads for a case, SI, each with components, source and where it applies: Croasdale, Ralston with both
 /// yield criteria, Nevel's wedges, Lindqvist for a hull.
 nlohmann::ordered_json closed_form_loads(const io::Case& resolved);
+
+/// The same as text for a reader.
+std::string loads_text(const nlohmann::ordered_json& loads);
 
 }  // namespace brash::cli

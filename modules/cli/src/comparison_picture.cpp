@@ -8,7 +8,7 @@
 #include "brash/statistics/spectrum.hpp"
 #include "chart.hpp"
 #include "history_comparison.hpp"
-#include "stats_commands.hpp"
+#include "history_statistics.hpp"
 
 namespace brash::cli {
 namespace {

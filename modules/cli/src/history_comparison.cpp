@@ -10,7 +10,7 @@
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/peaks.hpp"
-#include "stats_commands.hpp"
+#include "history_statistics.hpp"
 
 namespace brash::cli {
 namespace {

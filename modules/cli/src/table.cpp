@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "closed_forms.hpp"
-#include "stats_commands.hpp"
+#include "history_statistics.hpp"
 
 namespace brash::cli {
 namespace {
@@ -101,9 +101,8 @@ std::string energy(const simulation::EnergyBalance& e) {
 }
 
 std::string speed(const io::Case& resolved, const simulation::Run& run) {
-  std::string text =
-      fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s):",
-                  (resolved.time.duration - run.resumed_from) / run.wall_seconds, run.wall_seconds);
+  std::string text = fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s):",
+                                 (resolved.time.duration - run.resumed_from) / run.wall_seconds, run.wall_seconds);
   simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) {
     text += fmt::format(" {} {:.0f} %", name, 100.0 * seconds / run.wall_seconds);
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "brash/io/results.hpp"
 #include "brash/statistics/random.hpp"
 #include "closed_forms.hpp"
+#include "history_statistics.hpp"
 #include "load_history.hpp"
 #include "stats_commands.hpp"
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+
 #include "oracle.hpp"
 #include "peers.hpp"
 
 // CGAL's exact Boolean operations are the reference: they see every coordinate of a result as the rational it is.
 namespace brash::benchmarks {
 
-using namespace geometry::oracle;
-
 namespace {
 
-CgalRing ring_of(const std::vector<Vec2>& loop) {
-  CgalRing ring;
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+CGAL::Polygon_2<Kernel> ring_of(const std::vector<Vec2>& loop) {
+  CGAL::Polygon_2<Kernel> ring;
   for (const Vec2 p : loop) ring.push_back(Kernel::Point_2(p.x, p.y));
   return ring;
 }
@@ -18,7 +21,7 @@ CgalRing ring_of(const std::vector<Vec2>& loop) {
 }  // namespace
 
 double exact_area(const std::vector<geometry::Polygon>& ice, const geometry::Ring& region) {
-  return CGAL::to_double(area_of(difference(to_cgal(ice), CgalPolygon(to_cgal(region)))));
+  return geometry::oracle::area_outside(ice, region);
 }
 
 double exact_area(const Loops& loops) {

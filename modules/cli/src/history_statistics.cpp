@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "history_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "brash/core/text.hpp"
+#include "brash/statistics/extremes.hpp"
+#include "brash/statistics/moments.hpp"
+#include "brash/statistics/peaks.hpp"
+#include "brash/statistics/quantile.hpp"
+#include "brash/statistics/summary.hpp"
+
+namespace brash::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using Samples = std::vector<double>;
+
+ordered_json interval(const statistics::Interval& i) { return {i.lower, i.upper}; }
+
+/// Peaks between upward crossings of the mean: how many loading events there are and how high.
+ordered_json crossing_peaks(const LoadHistory& load, double mean) {
+  Samples values;
+  for (const auto piece : statistics::raw_pieces(load.history, load.even))
+    for (const statistics::Peak& peak : statistics::peaks_between_crossings(piece, mean)) values.push_back(peak.value);
+  ordered_json out{{"count", values.size()}, {"per_second", static_cast<double>(values.size()) / load.even.duration}};
+  if (values.size() >= 2) {
+    const statistics::Moments m = statistics::moments(values);
+    out["mean"] = m.mean;
+    out["standard_deviation"] = std::sqrt(m.variance);
+    out["maximum"] = m.maximum;
+  }
+  return out;
+}
+
+/// Level of a return period from peaks over a threshold, declustered by twice the autocorrelation time.
+ordered_json peaks_over_threshold(const LoadHistory& load, double tau, const StatisticsSettings& settings) {
+  const double threshold = settings.threshold.value_or(
+      statistics::quantiles(load.history.values, load.even.weights, std::array{0.9}).front());
+  const auto separation = static_cast<std::size_t>(std::max(1.0, std::ceil(2.0 * tau / load.even.sampling.step)));
+  Samples peaks;
+  for (const auto piece : statistics::raw_pieces(load.history, load.even))
+    for (const statistics::Peak& peak : statistics::peaks_above(piece, threshold, separation))
+      peaks.push_back(peak.value);
+  ordered_json out{{"threshold", threshold},
+                   {"separation", separation},
+                   {"peaks", peaks.size()},
+                   {"return_period", settings.return_period}};
+  const auto fit = statistics::fit_generalised_pareto(peaks, threshold);
+  if (!fit) {
+    out["not_fitted"] = fit.error().reason;
+  } else if (static_cast<double>(peaks.size()) * settings.return_period <= load.even.duration) {
+    out["not_fitted"] = "the return period is shorter than the time between peaks";
+  } else {
+    const statistics::Estimate estimate = statistics::return_level(*fit, load.even.duration, settings.return_period);
+    out["scale"] = fit->scale;
+    out["shape"] = fit->shape;
+    out["level"] = estimate.value;
+    out["level_95"] = interval(estimate.interval);
+  }
+  return out;
+}
+
+/// Level of a return period from the maxima of blocks that lie within pieces.
+ordered_json block_maxima(const LoadHistory& load, double tau, const StatisticsSettings& settings) {
+  const double wanted = settings.block > 0.0 ? settings.block : 20.0 * tau;
+  const auto block = static_cast<std::size_t>(std::max(1.0, std::round(wanted / load.even.sampling.step)));
+  Samples maxima;
+  for (const auto piece : statistics::raw_pieces(load.history, load.even))
+    for (const double maximum : statistics::block_maxima(piece, block)) maxima.push_back(maximum);
+  const double seconds = static_cast<double>(block) * load.even.sampling.step;
+  ordered_json out{{"block", seconds}, {"blocks", maxima.size()}, {"return_period", settings.return_period}};
+  const auto fit = statistics::fit_gumbel(maxima);
+  if (!fit) {
+    out["not_fitted"] = fit.error().reason;
+  } else if (settings.return_period <= seconds) {
+    out["not_fitted"] = "the return period is shorter than a block";
+  } else {
+    const statistics::Estimate estimate = statistics::return_level(*fit, settings.return_period / seconds);
+    out["location"] = fit->location;
+    out["scale"] = fit->scale;
+    out["level"] = estimate.value;
+    out["level_95"] = interval(estimate.interval);
+  }
+  return out;
+}
+
+/// Where the spectrum is highest.
+ordered_json spectral_peak(const LoadHistory& load, double segment) {
+  const auto spectrum = spectrum_of(load, segment);
+  if (!spectrum) return nullptr;
+  const auto highest = std::max_element(spectrum->density.begin() + 1, spectrum->density.end());
+  const auto line = static_cast<std::size_t>(highest - spectrum->density.begin());
+  return {{"frequency", spectrum->frequency[line]},
+          {"resolution", spectrum->frequency[1]},
+          {"density", *highest},
+          {"segments", spectrum->n_segments}};
+}
+
+ordered_json sampling_json(const LoadHistory& load) {
+  const statistics::Sampling& sampling = load.even.sampling;
+  ordered_json gaps = ordered_json::array();
+  double unknown = 0.0;
+  for (const statistics::Gap& gap : sampling.gaps) {
+    gaps.push_back({gap.from, gap.to});
+    unknown += gap.to - gap.from;
+  }
+  return {{"even", sampling.even},
+          {"step", sampling.step},
+          {"shortest_step", sampling.shortest},
+          {"longest_step", sampling.longest},
+          {"missing_values", load.n_missing},
+          {"gaps", gaps},
+          {"time_in_gaps", unknown}};
+}
+
+std::string sampling_text(const ordered_json& s) {
+  std::string text;
+  if (!s["even"].get<bool>()) {
+    text += fmt::format(
+        "  sampling             uneven, {:.4g} to {:.4g} s: statistics weigh each sample with its time; "
+        "spectrum and\n                       autocorrelation from values interpolated every {:.4g} s\n",
+        s["shortest_step"].get<double>(), s["longest_step"].get<double>(), s["step"].get<double>());
+  }
+  const std::size_t n_missing = s["missing_values"].get<std::size_t>();
+  if (n_missing > 0 || !s["gaps"].empty())
+    text += fmt::format("  gaps                 {} ({:.6g} s together), {} values missing\n", s["gaps"].size(),
+                        s["time_in_gaps"].get<double>(), n_missing);
+  return text;
+}
+
+std::string level_text(const char* name, const ordered_json& e, const std::string& from) {
+  if (!e.contains("level")) return fmt::format("    {:<18} unknown: {}\n", name, e["not_fitted"].get<std::string>());
+  return fmt::format("    {:<18} {:.6g}   95 % interval [{:.6g}, {:.6g}], {}\n", name, e["level"].get<double>(),
+                     e["level_95"][0].get<double>(), e["level_95"][1].get<double>(), from);
+}
+
+std::string extremes_text(const ordered_json& s) {
+  const ordered_json &peaks = s["extremes"], &blocks = s["block_maxima"];
+  return fmt::format("  once in {:.6g} s\n", peaks["return_period"].get<double>()) +
+         level_text("peaks (Pareto)", peaks,
+                    fmt::format("{} peaks above {:.6g}", peaks["peaks"].get<std::size_t>(),
+                                peaks["threshold"].get<double>())) +
+         level_text(
+             "blocks (Gumbel)", blocks,
+             fmt::format("{} blocks of {:.4g} s", blocks["blocks"].get<std::size_t>(), blocks["block"].get<double>()));
+}
+
+/// The largest number up to `n` without a prime factor above 5: a transform of such a length is fast.
+std::size_t fast_length(std::size_t n) {
+  for (; n > 1; --n) {
+    std::size_t rest = n;
+    for (const std::size_t factor : {2, 3, 5})
+      while (rest % factor == 0) rest /= factor;
+    if (rest == 1) break;
+  }
+  return n;
+}
+
+}  // namespace
+
+std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& load, double segment) {
+  std::size_t longest = 0;
+  for (const auto& piece : load.even.pieces) longest = std::max(longest, piece.size());
+  // An eighth of the history gives about 15 segments.
+  const std::size_t given = static_cast<std::size_t>(std::round(segment / load.even.sampling.step));
+  const std::size_t wanted = fast_length(segment > 0.0 ? given : longest / 8);
+  if (wanted < 16 || wanted > longest) return std::nullopt;
+  return statistics::welch_spectrum(load.even.views(), load.even.sampling.step, wanted);
+}
+
+ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& settings) {
+  const statistics::Summary s = statistics::summarise(load.history, load.even);
+  const double kurtosis = statistics::moments(load.history.values, load.even.weights).excess_kurtosis;
+  ordered_json out{{"column", load.column},
+                   {"unit", load.unit.empty() ? ordered_json() : ordered_json(load.unit)},
+                   {"from", load.history.times.front()},
+                   {"dt", load.even.sampling.step},
+                   {"n", s.n},
+                   {"duration", load.even.duration},
+                   {"sampling", sampling_json(load)},
+                   {"mean", s.mean},
+                   {"mean_95", interval(s.mean_95)},
+                   {"standard_deviation", s.standard_deviation},
+                   {"minimum", s.minimum},
+                   {"maximum", s.maximum},
+                   {"skewness", s.skewness},
+                   {"excess_kurtosis", kurtosis},
+                   {"quantile_50", s.quantile_50},
+                   {"quantile_95", s.quantile_95},
+                   {"quantile_99", s.quantile_99},
+                   {"autocorrelation_time", s.autocorrelation_time},
+                   {"effective_sample_size", s.effective_sample_size},
+                   {"long_enough", s.long_enough}};
+  out["peaks"] = crossing_peaks(load, s.mean);
+  out["extremes"] = peaks_over_threshold(load, s.autocorrelation_time, settings);
+  out["block_maxima"] = block_maxima(load, s.autocorrelation_time, settings);
+  out["spectrum_peak"] = spectral_peak(load, settings.segment);
+  return out;
+}
+
+std::string statistics_text(const ordered_json& s) {
+  const auto value = [&](const char* key) { return s[key].get<double>(); };
+  std::string text =
+      fmt::format("{}{}: {} samples every {:.6g} s, {:.6g} s from t = {:.6g} s\n", s["column"].get<std::string>(),
+                  s["unit"].is_null() ? "" : fmt::format(" [{}]", printable(s["unit"].get<std::string>())),
+                  s["n"].get<std::size_t>(), value("dt"), value("duration"), value("from"));
+  text += sampling_text(s["sampling"]);
+  text += fmt::format("  mean                 {:.6g}   95 % interval [{:.6g}, {:.6g}]\n", value("mean"),
+                      s["mean_95"][0].get<double>(), s["mean_95"][1].get<double>());
+  text += fmt::format("  standard deviation   {:.6g}\n", value("standard_deviation"));
+  text += fmt::format("  minimum, maximum     {:.6g}   {:.6g}\n", value("minimum"), value("maximum"));
+  text += fmt::format("  50, 95, 99 %         {:.6g}   {:.6g}   {:.6g}\n", value("quantile_50"), value("quantile_95"),
+                      value("quantile_99"));
+  text += fmt::format("  skewness, kurtosis   {:.4g}   {:.4g} (excess)\n", value("skewness"), value("excess_kurtosis"));
+  text += fmt::format("  autocorrelation time {:.4g} s, {:.4g} independent samples\n", value("autocorrelation_time"),
+                      value("effective_sample_size"));
+  const ordered_json& peaks = s["peaks"];
+  text += fmt::format("  peaks above the mean {} ({:.4g} a second)", peaks["count"].get<std::size_t>(),
+                      peaks["per_second"].get<double>());
+  if (peaks.contains("mean"))
+    text += fmt::format(", mean {:.6g}, deviation {:.6g}", peaks["mean"].get<double>(),
+                        peaks["standard_deviation"].get<double>());
+  text += '\n';
+  if (const ordered_json& line = s["spectrum_peak"]; !line.is_null())
+    text += fmt::format("  highest spectrum at  {:.4g} Hz (lines every {:.4g} Hz)\n", line["frequency"].get<double>(),
+                        line["resolution"].get<double>());
+  text += extremes_text(s);
+  if (!s["long_enough"].get<bool>()) text += fmt::format("  note: {}\n", kTooShort);
+  return text;
+}
+
+}  // namespace brash::cli
