@@ -11,6 +11,7 @@
 
 #include "brash/campaign/slurm.hpp"
 #include "brash/core/folder_lock.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
@@ -94,6 +95,7 @@ void submit_chunks(const std::vector<campaign::Job>& jobs, const DatabaseOptions
 void compute_database(DatabaseOptions options) {
   const database::Plan plan = database::read_plan(options.plan);
   refuse_missing_folder(options.output);
+  refuse_overwriting(options.output, {options.plan});
   if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
   const FolderLock lock = FolderLock::take_or_refuse(options.output + ".chunks", "lock");
   if (options.on == "slurm") {

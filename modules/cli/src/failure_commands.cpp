@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
@@ -64,15 +65,25 @@ void print_errors(const char* name, const meta_model::Errors& e) {
              100 * e.length_on_plateau);
 }
 
-/// Writes the card of the model file `output` beside it; its path.
+/// The file of a model's card, beside that of the model.
+std::string card_of(const std::string& model) { return fs::path(model).replace_extension(".md").string(); }
+
+/// Writes the card of the model file `output`; its path.
 std::string write_card(const std::string& output, const std::string& text) {
-  const fs::path card = fs::path(output).replace_extension(".md");
-  write_file(card.string(), text);
-  return card.string();
+  write_file(card_of(output), text);
+  return card_of(output);
+}
+
+/// Refuses a model that has no folder, that has the name of its card, or by which an input would be lost.
+void check_output(const std::string& output, const std::string& database, const std::string& test) {
+  refuse_missing_folder(output);
+  for (const std::string& file : {output, card_of(output)}) refuse_overwriting(file, {database, test});
+  if (card_of(output) == output)
+    throw InputError(Complaint{output, "is the name of the model's card, which is written beside it",
+                               "a name that does not end in .md", "give the model another name, such as model.json"});
 }
 
 void train_network(const std::string& database_file, const std::string& output, meta_model::TrainingOptions options) {
-  refuse_missing_folder(output);
   const database::Database data = database::read_database(database_file);
   const auto samples = to_samples(database_file, data, options.thickness_over_lc);
   options.data_sha256 = sha256_of_file(database_file);
@@ -124,7 +135,6 @@ std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::
 }
 
 void fit_profiles(const std::string& database_file, const std::string& test_file, const std::string& output) {
-  refuse_missing_folder(output);
   const database::Database data = database::read_database(database_file);
   const database::Database test = test_file.empty() ? database::Database{} : database::read_database(test_file);
   const auto records = solved_records(data);
@@ -160,7 +170,6 @@ std::vector<meta_model::HumpSample> hump_samples(const database::Plan& plan, con
 
 void train_deep_network(const std::string& plan_file, const std::string& test_file, const std::string& output,
                         meta_model::HumpTrainingOptions options) {
-  refuse_missing_folder(output);
   if (test_file.empty()) throw InputError("--deep needs --test: plate solutions that judge the network");
   const database::Plan plan = database::read_plan(plan_file);
   if (plan.thickness_over_lc.from != plan.thickness_over_lc.to) {
@@ -224,6 +233,7 @@ void add_train_command(CLI::App& failure) {
   command->add_option("--seed", training.seed, "of split and starts")->capture_default_str();
   command->footer("Example: brash failure train cone.nc -o cone_network.json");
   command->callback([options, command] {
+    check_output(options->output, options->database, options->test);
     if (options->deep) {
       meta_model::HumpTrainingOptions deep;
       if (command->count("--hidden") > 0) deep.hidden.assign(2, options->training.hidden);

@@ -180,5 +180,28 @@ BOOST_AUTO_TEST_CASE(a_network_is_trained_written_with_its_model_card_and_the_sa
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(an_output_that_would_replace_an_input_or_its_own_card_is_refused) {
+  const Folder folder;
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& message) {
+    BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& error) {
+      return std::string(error.what()).find(message) != std::string::npos;
+    });
+  };
+  const std::string data = (folder.path / "data.nc").string();
+  const std::string test = (folder.path / "test.md").string();
+  fs::copy_file(small_database(), data);
+  fs::copy_file(small_database(), test);
+  const std::string before = folder.read("data.nc");
+  refused({"train", data, "-o", data, "--superposition"}, "data.nc");
+  refused({"train", data, "-o", (folder.path / "test.json").string(), "--superposition", "--test", test}, "test.md");
+  refused({"train", data, "-o", (folder.path / "model.md").string(), "--superposition"}, "the model's card");
+  const std::string plan = folder.write("plan.toml", kPlan);
+  refused({"database", plan, "-o", plan}, "plan.toml");
+  BOOST_TEST(folder.read("data.nc") == before);
+  BOOST_TEST(folder.read("test.md") == before);
+  BOOST_TEST(folder.read("plan.toml") == kPlan);
+  BOOST_TEST(!fs::exists(folder.path / "model.md"));
+}
+
 }  // namespace
 }  // namespace brash::cli
