@@ -28,8 +28,8 @@ struct Stored<FloeEnd> {
 };
 
 inline void add_flags(Meaning& meaning, FloeEnd) {
-  meaning.flag_values = {0, 1, 2};
-  meaning.more = {{"flag_meanings", "alive crushed outside"}};
+  meaning.flag_values = {0, 1};
+  meaning.more = {{"flag_meanings", "alive crushed"}};
 }
 template <typename T>
 void add_flags(Meaning&, T) {}

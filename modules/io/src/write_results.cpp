@@ -81,9 +81,8 @@ std::string events_csv(const RunResults& results) {
   const std::string no_crack(static_cast<std::size_t>(std::count(names.begin(), names.end(), ',')), ',');
   for (const FloeRecord& floe : results.floes) {
     if (floe.end == FloeEnd::kAlive) continue;
-    const char* const cause = floe.end == FloeEnd::kCrushed ? "crushed" : "outside";
-    lines.push_back({floe.death, fmt::format("{}{}deleted,{},{},{},{}\n", floe.death, no_crack, cause, floe.id,
-                                             floe.area, floe.peak_stress)});
+    lines.push_back({floe.death, fmt::format("{}{}deleted,{},{},{},{}\n", floe.death, no_crack, name_of(floe.end),
+                                             floe.id, floe.area, floe.peak_stress)});
   }
   std::stable_sort(lines.begin(), lines.end(), [](const EventLine& a, const EventLine& b) { return a.time < b.time; });
   std::string text = names + "event,cause,floe,floe_area,peak_stress\n";

@@ -15,10 +15,6 @@ py::list rings_of(const std::vector<std::vector<Vec2>>& rings) {
   return out;
 }
 
-const char* name_of(io::FloeEnd end) {
-  return end == io::FloeEnd::kAlive ? "alive" : end == io::FloeEnd::kCrushed ? "crushed" : "outside";
-}
-
 /// The mid-plane's outline and holes in the world; shape=(n, 3) each.
 py::list world_rings(const FloeState& floe) {
   py::list out;
@@ -42,7 +38,7 @@ void add_floes(py::module_& m) {
       .def_readonly("birth", &io::FloeRecord::birth, "[s]")
       .def_readonly("death", &io::FloeRecord::death, "[s]; the run's end when alive")
       .def_property_readonly(
-          "end", [](const io::FloeRecord& f) { return name_of(f.end); }, "alive, crushed, outside")
+          "end", [](const io::FloeRecord& f) { return io::name_of(f.end); }, "alive, crushed")
       .def_readonly("peak_stress", &io::FloeRecord::peak_stress, "Largest compression of the deletion criterion [Pa].")
       .def_property_readonly(
           "rings", [](const io::FloeRecord& f) { return rings_of(f.rings); },

@@ -78,7 +78,7 @@ py::dict ledger_of(const geometry::Ledger& l) {
 py::list deaths_of(const Steps& steps) {
   py::list out;
   for (const simulation::FloeDeath& death : steps.deaths)
-    out.append(py::make_tuple(death.floe, death.cause == io::FloeEnd::kCrushed ? "crushed" : "outside"));
+    out.append(py::make_tuple(death.floe, io::name_of(death.cause)));
   return out;
 }
 

@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(events_have_breaks_and_deletions_in_the_order_of_time) {
       "0.6,-0.8,-1,break,,,,");
   BOOST_TEST(lines[2] == "0.03,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,1,0.5,1250000");
   BOOST_TEST(lines[3].starts_with("0.04,0.1,"));
-  BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,,,,,,deleted,outside,7,4,0");
+  BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,7,4,0");
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_no_file_under_its_name) {

@@ -109,7 +109,9 @@ struct CrackEvent {
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };
 
-enum class FloeEnd { kAlive, kCrushed, kOutside };
+enum class FloeEnd { kAlive, kCrushed };
+
+constexpr const char* name_of(FloeEnd end) { return end == FloeEnd::kAlive ? "alive" : "crushed"; }
 
 /// A floe's life; its outline in its body frame is stored once.
 struct FloeRecord {
