@@ -232,13 +232,18 @@ TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "channel": 
 
 NOT_MEASURED = """- Siconos and Yade on the pack of 174 floes that ODE steps above: judged by single steps, they take a minute and
   more for each simulated second of it;
-- why floes of large packs cost more: the solver goes in each of its 30 sweeps through 64 bytes for each contact point, 260 more for each of the
-  third or less that bears, and beyond some hundred floes finds them no longer in a core's own cache; what other passes fetch from memory adds
-  as much. How far that shows depends on the processor's caches and on who shares them: here the last ratio to 100 floes came out between 1.18
-  and 1.69 in five runs within hours. Bullet's own world grows more. Tried: blocks of contacts that fit the cache, rows in single precision, keeping arms in place of rows
-  (half the bytes, 1.3 to 1.5 times the solver's time), and fetching the parts of the next pairs ahead;
-- the build from clean to tested, once by hand: `CCACHE_DISABLE=1 ./dev test` in a fresh clone took 14 min 17 s on 2 idle cores
-  of 2.1 GHz (27 min of processor time; limit 15 min), the last 3 min 18 s of it for 115 tests."""
+- why floes of large packs cost more time. Counted in instructions, a step over 1000 floes takes 1.05 of what 100 floes take for each of them, over
+  10^4 floes 1.10: floes at a pack's rim have fewer neighbours, which makes 7 to 8 % of it, and Bullet's tree of boxes grows by its
+  logarithm (`valgrind --tool=callgrind --toggle-collect='brash::rigid_body::World::step*'
+  --toggle-collect='brash::simulation::FloePopulation::apply_water(*' build/valgrind/bin/bench_growth 4 N`, built by `./dev build valgrind`). The rest is memory: the solver
+  goes in each of its 30 sweeps through 64 bytes for each contact point, 260 more for each of the third or less that bears, and beyond some
+  hundred floes finds them no longer in a core's own cache; what other passes fetch from memory adds as much. How far that shows depends on
+  the processor's caches and on who shares them. Bullet's own world grows more. Tried: blocks of contacts that fit the cache, rows in
+  single precision, keeping arms in place of rows (half the bytes, 1.3 to 1.5 times the solver's time), fetching the parts of the next
+  pairs ahead, and huge pages (`GLIBC_TUNABLES=glibc.malloc.hugetlb=1`: 0.93 to 0.97 of the time at 10^4 floes);
+- the build from clean to tested, once by hand: `CCACHE_DISABLE=1 ./dev test` in a fresh clone took 12 min 54 s on 2 idle cores
+  of 2.45 GHz (25 min of processor time; limit 15 min), the last 2 min 34 s of it for 120 tests. The cores are shared with others: in a
+  slow hour the same took 15 min 2 s."""
 
 
 LIMITS = {"<": operator.lt, "<=": operator.le, ">=": operator.ge}
