@@ -27,18 +27,19 @@ const std::map<std::string, Room> kRooms{
     {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json"}}},
     {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "plate", "meta_model"}, {}}},
+    {"model", {"modules/model", {"core"}, {}}},
     {"structure", {"modules/structure", {"core"}, {}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
-    {"io", {"modules/io", {"core"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
-    {"report", {"modules/report", {"core", "io", "statistics"}, {"json", "zlib"}}},
+    {"io", {"modules/io", {"core", "model"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
+    {"report", {"modules/report", {"core", "model", "io", "statistics"}, {"json", "zlib"}}},
     {"simulation",
      {"modules/simulation",
-      {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "io", "statistics"},
+      {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "model", "io", "statistics"},
       {"Eigen", "json"}}},
-    {"campaign", {"modules/campaign", {"core", "io", "simulation", "statistics"}, {"json"}}},
+    {"campaign", {"modules/campaign", {"core", "model", "io", "simulation", "statistics"}, {"json"}}},
 };
 
 /// How the include line of each third-party library begins.

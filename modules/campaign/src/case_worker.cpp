@@ -7,6 +7,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/folder_lock.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
 #include "brash/simulation/run.hpp"
 
@@ -62,7 +63,7 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
   if (!lock) return CaseEnd::kInterrupted;
 
   remove_parts(partial);
-  const io::Case resolved =
+  const model::Case resolved =
       io::read_case(task.case_file, {fmt::format("random.replicate={}", task.replicate)}, io::ModelFile::kAnywhere);
   const std::string checkpoint = partial + "/checkpoint.nc";
   remove_if_damaged(checkpoint);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "brash/io/case.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
@@ -27,7 +28,7 @@ struct RunOptions {
 void run_case(const RunOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
-  const io::Case resolved = io::read_case(options.case_file, overrides);
+  const model::Case resolved = io::read_case(options.case_file, overrides);
   for (const std::string& warning : simulation::derived_scales(resolved).warnings)
     fmt::print(stderr, "warning: {}\n", warning);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;

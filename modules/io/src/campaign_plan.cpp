@@ -32,7 +32,7 @@ SettingValue value_of(const Vec2& value) { return {fmt::format("{} {}", value.x,
 SettingValue value_of(const std::array<int, 2>& value) { return {fmt::format("{} {}", value[0], value[1]), {}}; }
 SettingValue value_of(const std::optional<double>& value) { return value ? value_of(*value) : SettingValue{}; }
 
-SettingValue value_in(const Case& resolved, const std::string& name) {
+SettingValue value_in(const model::Case& resolved, const std::string& name) {
   SettingValue found;
   visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
     if (section + "." + key == name) found = value_of(value);

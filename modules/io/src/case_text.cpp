@@ -53,7 +53,7 @@ std::string commented(const std::string& text) {
 
 }  // namespace
 
-std::string to_toml(const Case& resolved) {
+std::string to_toml(const model::Case& resolved) {
   std::string text = "# A resolved brash case: every key, in SI.\n";
   std::string section_now;
   visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {

@@ -42,7 +42,7 @@ class Checks {
   std::vector<Problem> problems_;
 };
 
-void check_ice(const Case& c, Checks& checks) {
+void check_ice(const model::Case& c, Checks& checks) {
   checks.require(c.ice.density < c.water.density, {"ice", "density"}, {"water", "density"},
                  "ice that is not lighter than the water does not float",
                  fmt::format("less than water.density = {} kg m-3", c.water.density),
@@ -52,8 +52,8 @@ void check_ice(const Case& c, Checks& checks) {
                  fmt::format("less than half of ice.thickness, {} m", c.ice.thickness / 2.0), "lower contact.margin");
 }
 
-void check_cone(const Case& c, Checks& checks) {
-  const StructureSection& s = c.structure;
+void check_cone(const model::Case& c, Checks& checks) {
+  const model::StructureSection& s = c.structure;
   const double above_water = s.height - s.height_under_water;
   checks.require(above_water > 0.0, {"structure", "height_under_water"}, {"structure", "height"},
                  "the structure does not reach the water's surface",
@@ -102,7 +102,7 @@ void check_cone(const Case& c, Checks& checks) {
                  "shorten the run or slow the structure down");
 }
 
-void check_field(const Case& c, Checks& checks) {
+void check_field(const model::Case& c, Checks& checks) {
   checks.require(c.field.width > c.structure.waterline_width, {"field", "width"}, {"structure", "waterline_width"},
                  "the sheet is narrower than the structure",
                  fmt::format("more than structure.waterline_width = {} m", c.structure.waterline_width),
@@ -117,8 +117,8 @@ void check_field(const Case& c, Checks& checks) {
                  "lower the radius, or write 0 for the ice's own breaking length");
 }
 
-void check_hull(const Case& c, Checks& checks) {
-  const HullSection& h = c.hull;
+void check_hull(const model::Case& c, Checks& checks) {
+  const model::HullSection& h = c.hull;
   const std::array<std::pair<const char*, bool>, 5> keys{{{"length", h.length.has_value()},
                                                           {"breadth", h.breadth.has_value()},
                                                           {"draught", h.draught.has_value()},
@@ -131,7 +131,7 @@ void check_hull(const Case& c, Checks& checks) {
                    "all keys of the hull or none", "write it, or leave [hull] out");
 }
 
-void check_rest(const Case& c, Checks& checks) {
+void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
                  "the least number is above the largest", "[least, largest] with least <= largest",
                  "swap the two numbers");
@@ -162,7 +162,7 @@ void check_rest(const Case& c, Checks& checks) {
 
 }  // namespace
 
-std::vector<Problem> cross_check(const Case& resolved, const CaseSource& source) {
+std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& source) {
   Checks checks(source);
   check_ice(resolved, checks);
   check_cone(resolved, checks);

@@ -25,8 +25,8 @@ void assign(std::optional<double>& value, const Json& section, const char* key) 
   if (section.contains(key)) value = section.at(key).get<double>();
 }
 
-Case case_from(const Json& document) {
-  Case result;
+model::Case case_from(const Json& document) {
+  model::Case result;
   std::size_t n_read = 0;
   visit_keys(result, [&](const char* section, const char* key, auto& value) {
     assign(value, document.at(section), key);
@@ -61,8 +61,8 @@ std::vector<Problem> leads_out(const std::string& file, const CaseSource& source
 
 }  // namespace
 
-Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
-  Case result = case_from(validated(source, schema_of_cases()));
+model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
+  model::Case result = case_from(validated(source, schema_of_cases()));
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
   std::vector<Problem> problems;
@@ -72,14 +72,14 @@ Case resolve(const CaseSource& source, const std::string& name, ModelFile model_
   return result;
 }
 
-Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
+model::Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
   return parse_case(read_case_text(path), path, overrides, model_file);
 }
 
 std::string read_case_text(const std::string& path) { return read_text(path, "case file"); }
 
-Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
-                ModelFile model_file) {
+model::Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
+                       ModelFile model_file) {
   return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string(), model_file);
 }
 

@@ -195,7 +195,7 @@ void add_criterion(py::module_& m) {
 
 model: network, deep-network, superposition, plate, plate-outline or wedge; left out, that of the case.)")
       .def(py::init([](const Case& c, const py::object& model) {
-             const io::FailureSection& section = c.resolved.failure;
+             const model::FailureSection& section = c.resolved.failure;
              const failure::BendingOptions options{.second_order = section.second_order,
                                                    .radial_first = section.order == "radial-first"};
              if (model.is_none()) return failure::make_criterion(section.model, section.file, ice_of(c), options);

@@ -24,8 +24,8 @@ constexpr double kSettleTime = 2.0;
 constexpr double kNoPush = 1e-3;
 
 /// Water::shading_gap of a case [m].
-double shading_gap(const io::Case& resolved) {
-  const io::HydrodynamicsSection& h = resolved.hydrodynamics;
+double shading_gap(const model::Case& resolved) {
+  const model::HydrodynamicsSection& h = resolved.hydrodynamics;
   return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
@@ -62,7 +62,7 @@ double largest_compression(const std::array<double, 6>& s) {
 
 }  // namespace
 
-FloePopulation::FloePopulation(const io::Case& resolved)
+FloePopulation::FloePopulation(const model::Case& resolved)
     : case_(&resolved),
       water_{.density = resolved.water.density,
              .current = {resolved.water.current.x, resolved.water.current.y, 0.0},
@@ -97,13 +97,13 @@ std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygo
   return std::pair(std::move(floe), placed.pose);
 }
 
-std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
-                                                  double time) {
+std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
+                                                     double time) {
   auto made = make(polygon);
   if (!made) return std::nullopt;
   auto& [floe, pose] = *made;
   floe.id = next_id_++;
-  io::FloeRecord record{
+  model::FloeRecord record{
       .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
   const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
   insert(body, std::move(floe));
@@ -295,7 +295,7 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
   double taken = 0.0;
   for (const BodyId body : moving) {
     Floe& floe = at(body);
-    io::Rest& rest = floe.rest;
+    model::Rest& rest = floe.rest;
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
     if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;

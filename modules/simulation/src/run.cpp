@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "brash/core/error.hpp"
+#include "brash/io/checkpoint.hpp"
 #include "plan.hpp"
 #include "stage_timer.hpp"
 #include "summarise.hpp"
@@ -29,13 +30,13 @@ std::vector<std::vector<Vec2>> rings_of(std::span<const geometry::Polygon> polyg
 /// Turns step reports into results: the bookkeeping around the loop.
 class Recorder {
  public:
-  Recorder(const io::Case& resolved, const Simulation& simulation)
+  Recorder(const model::Case& resolved, const Simulation& simulation)
       : frame_interval_(1.0 / resolved.output.frames_per_second) {
     results_.initial_sheet = rings_of(simulation.sheet());
     add_births(simulation.initial_births());
     results_.frames.push_back(simulation.frame());
   }
-  Recorder(const io::Case& resolved, io::RunResults so_far)
+  Recorder(const model::Case& resolved, model::RunResults so_far)
       : frame_interval_(1.0 / resolved.output.frames_per_second), results_(std::move(so_far)) {}
 
   void record(const Simulation& simulation, const StepReport& report) {
@@ -44,7 +45,7 @@ class Recorder {
     if (!report.events.empty()) results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);
     for (const FloeDeath& death : report.deaths) {
-      io::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];
+      model::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];
       floe.death = simulation.time();
       floe.end = death.cause;
       floe.peak_stress = death.peak_stress;
@@ -54,11 +55,11 @@ class Recorder {
       results_.frames.push_back(simulation.frame());
   }
 
-  const io::RunResults& so_far() const { return results_; }
+  const model::RunResults& so_far() const { return results_; }
 
-  io::RunResults finish(const Simulation& simulation) {
-    for (io::FloeRecord& floe : results_.floes)
-      if (floe.end == io::FloeEnd::kAlive) floe.death = simulation.time();
+  model::RunResults finish(const Simulation& simulation) {
+    for (model::FloeRecord& floe : results_.floes)
+      if (floe.end == model::FloeEnd::kAlive) floe.death = simulation.time();
     for (const auto& [floe, stress] : simulation.peak_stresses())
       results_.floes[static_cast<std::size_t>(floe)].peak_stress = stress;
     results_.final_sheet = rings_of(simulation.sheet());
@@ -66,12 +67,12 @@ class Recorder {
   }
 
  private:
-  void add_births(std::span<const io::FloeRecord> births) {
+  void add_births(std::span<const model::FloeRecord> births) {
     std::ranges::copy(births, std::back_inserter(results_.floes));
   }
 
   double frame_interval_;
-  io::RunResults results_;
+  model::RunResults results_;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -88,7 +89,7 @@ struct Progress {
   double last_checkpoint_seconds = 0.0;  ///< of them
   StageTimer timer{};
   Clock::time_point begun = Clock::now();
-  io::Checkpoint known{};  ///< a state of some steps ago, without results
+  model::Checkpoint known{};  ///< a state of some steps ago, without results
 };
 
 /// So many steps at most are made again to find the state before one that failed.
@@ -109,13 +110,13 @@ void visit_numbers(Counts& counts, Visitor&& visit) {
   visit("largest_last_change", counts.largest_last_change);
 }
 
-Progress begin(const io::Case& resolved, const RunOptions& options) {
+Progress begin(const model::Case& resolved, const RunOptions& options) {
   if (!options.resume || !std::filesystem::exists(options.checkpoint_file)) {
     Simulation simulation(resolved);
     Recorder recorder(resolved, simulation);
     return {std::move(simulation), std::move(recorder), {}};
   }
-  io::Checkpoint saved = io::read_checkpoint(options.checkpoint_file);
+  model::Checkpoint saved = io::read_checkpoint(options.checkpoint_file);
   try {
     Progress progress{Simulation(resolved, saved), Recorder(resolved, std::move(saved.results)), {}};
     visit_counters(progress.counts,
@@ -140,7 +141,7 @@ bool may_take_checkpoint(const Progress& progress) {
          kCheckpointShare * seconds_since(progress.begun);
 }
 
-void keep_checkpoint(const std::string& file, io::Checkpoint saved, const Progress& progress) {
+void keep_checkpoint(const std::string& file, model::Checkpoint saved, const Progress& progress) {
   saved.results = progress.recorder.so_far();
   visit_counters(progress.counts, [&](const char* name, int count) { saved.counters[name] = count; });
   visit_numbers(progress.counts, [&](const char* name, double number) { saved.numbers[name] = number; });
@@ -157,11 +158,11 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.largest_last_change = std::max(counts.largest_last_change, report.last_change);
 }
 
-std::int64_t steps_of(const io::Checkpoint& state) { return state.counters.at("n_steps"); }
+std::int64_t steps_of(const model::Checkpoint& state) { return state.counters.at("n_steps"); }
 
 /// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
 /// it to the bit. @return what to say of it.
-std::string keep_reproducer(const io::Case& resolved, const RunOptions& options, const Progress& progress,
+std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
                             std::int64_t n_steps) {
   if (options.checkpoint_file.empty()) return {};
   try {
@@ -175,7 +176,7 @@ std::string keep_reproducer(const io::Case& resolved, const RunOptions& options,
 }
 
 /// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
-StepReport step(const io::Case& resolved, const RunOptions& options, Progress& progress) {
+StepReport step(const model::Case& resolved, const RunOptions& options, Progress& progress) {
   const double from = progress.simulation.time();
   const std::int64_t n_steps = std::llround(from / resolved.time.step);
   if (progress.known.counters.empty() || n_steps - steps_of(progress.known) >= kStepsAgain)
@@ -191,7 +192,7 @@ StepReport step(const io::Case& resolved, const RunOptions& options, Progress& p
 }
 
 /// Steps until the end or an interruption. @return whether the end was reached.
-bool advance(const io::Case& resolved, const RunOptions& options, Progress& progress) {
+bool advance(const model::Case& resolved, const RunOptions& options, Progress& progress) {
   const double dt = resolved.time.step;
   const auto n_steps = std::llround(resolved.time.duration / dt);
   const auto checkpoint_every = std::llround(resolved.output.checkpoint_interval / dt);
@@ -217,7 +218,7 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
 
 }  // namespace
 
-Run run(const io::Case& resolved, const RunOptions& options) {
+Run run(const model::Case& resolved, const RunOptions& options) {
   Run finished;
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   const Clock::time_point start = Clock::now();

@@ -3,12 +3,14 @@
 #include <filesystem>
 #include <map>
 
+#include "brash/core/write_file.hpp"
 #include "brash/failure/criterion.hpp"
+#include "brash/io/results.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::simulation {
 
-void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
+void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved, const Run& run,
                const std::vector<std::string>& pictures, Kept kept) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::string> outputs{"summary.json"};
@@ -19,7 +21,7 @@ void write_run(const std::string& directory, const std::string& case_file, const
     io::write_history(directory, run.results);
     outputs = {"history.csv", "summary.json"};
   }
-  io::write_file(directory + "/summary.json", to_json(run.summary));
+  write_file(directory + "/summary.json", to_json(run.summary));
 
   std::vector<std::string> inputs{case_file};
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);

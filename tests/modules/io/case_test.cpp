@@ -11,6 +11,7 @@
 
 using namespace brash;
 using namespace brash::io;
+using namespace brash::model;
 
 namespace {
 

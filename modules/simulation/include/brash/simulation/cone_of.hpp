@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
 #include "brash/structure/cone.hpp"
 
 namespace brash::simulation {
 
 /// The structure of a case.
-inline structure::Cone cone_of(const io::Case& resolved) {
-  const io::StructureSection& s = resolved.structure;
+inline structure::Cone cone_of(const model::Case& resolved) {
+  const model::StructureSection& s = resolved.structure;
   return {.angle = s.angle,
           .waterline_width = s.waterline_width,
           .height = s.height,

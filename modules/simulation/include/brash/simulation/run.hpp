@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "brash/io/results.hpp"
+#include "brash/model/records.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "brash/statistics/summary.hpp"
 
@@ -18,14 +18,14 @@ struct LoadSplit {
   double floe_friction = 0.0;
 };
 
-/// The structure's work and where it is at the end of a run [J]; signs and terms are those of io::LoadRow.
+/// The structure's work and where it is at the end of a run [J]; signs and terms are those of model::LoadRow.
 struct EnergyBalance {
   double work = 0.0;
   double birth_energy = 0.0;
   double kinetic_energy = 0.0;
   double potential_energy = 0.0;
   double removed_energy = 0.0;
-  io::EnergyLosses losses;
+  model::EnergyLosses losses;
   double error = 0.0;
   double largest_step_error = 0.0;  ///< of all steps, in magnitude
 };
@@ -61,7 +61,7 @@ struct RunSummary {
 
 /// A finished run: results as written, their summary, and where the wall time went.
 struct Run {
-  io::RunResults results;
+  model::RunResults results;
   RunSummary summary;
   StageTimes stage_times;
   double wall_seconds = 0.0;
@@ -90,7 +90,7 @@ struct RunOptions {
 ///         state before it is kept.
 /// @throws StorageError when a checkpoint cannot be written; std::bad_alloc when there is not enough memory. The last
 ///         checkpoint then remains.
-Run run(const io::Case& resolved, const RunOptions& options = {});
+Run run(const model::Case& resolved, const RunOptions& options = {});
 
 /// What is kept of a run: its summary, its load history as well, or all results.
 enum class Kept { kSummary, kHistory, kRun };
@@ -100,7 +100,7 @@ enum class Kept { kSummary, kHistory, kRun };
 /// @param pictures   names of files already in `directory` that belong to the run.
 /// @param kept       which of the results to write; summary.json and manifest.json always.
 /// @throws RunError naming the file and the system's reason.
-void write_run(const std::string& directory, const std::string& case_file, const io::Case& resolved, const Run& run,
+void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved, const Run& run,
                const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
 
 /// The summary as JSON, SI units.
@@ -111,6 +111,6 @@ std::string to_json(const RunSummary& summary);
 void remove_results(const std::string& directory);
 
 /// Where the statistics of a run begin [s]: as given, or when the structure's centre passes the initial edge.
-double statistics_from(const io::Case& resolved);
+double statistics_from(const model::Case& resolved);
 
 }  // namespace brash::simulation
