@@ -16,6 +16,7 @@
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 
@@ -165,7 +166,7 @@ void rerun(const RerunOptions& options) {
         fmt::format("{}: not what it was:{}\n  allowed: the bytes that the manifest has the hashes of"
                     "\n  remedy:  put them back, or repeat the run with --anyway",
                     escaped(options.manifest), text));
-  if (!changes.empty()) fmt::print("not what it was:{}\n", text);
+  if (!changes.empty()) print("not what it was:{}\n", text);
 
   const TemporaryFolder temporary;
   const std::string folder = options.output.empty() ? temporary.path() : options.output;
@@ -173,7 +174,7 @@ void rerun(const RerunOptions& options) {
   std::string different;
   for (const Recorded& output : manifest.outputs) {
     const bool same = hash_of(fs::path(folder) / output.path) == output.sha256;
-    fmt::print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
+    print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
     if (!same) different += " " + output.path;
   }
   if (!different.empty()) throw RunError("the repeated run differs in" + escaped(different));

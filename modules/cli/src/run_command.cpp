@@ -9,6 +9,7 @@
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include "table.hpp"
@@ -29,13 +30,12 @@ void run_case(const RunOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const model::Case resolved = io::read_case(options.case_file, overrides);
-  for (const std::string& warning : simulation::derived_scales(resolved).warnings)
-    fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : simulation::derived_scales(resolved).warnings) say("warning: {}\n", warning);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = open_run_folder(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";
   if (options.resume && !std::filesystem::exists(checkpoint))
-    fmt::print(stderr, "warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
+    say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   const simulation::Run run = run_with_progress(
       resolved, {.begun = [&] { remove_run(directory); }, .checkpoint_file = checkpoint, .resume = options.resume});
   if (!run.complete)
@@ -43,8 +43,8 @@ void run_case(const RunOptions& options) {
         fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,
                     run.results.loads.back().time));
   write_run_folder(directory, options.case_file, resolved, run);
-  fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
-  if (report::has_page()) fmt::print("report in  {}/report.html\n", directory);
+  print("{}\nresults in {}\n", run_table(resolved, run), directory);
+  if (report::has_page()) print("report in  {}/report.html\n", directory);
 }
 
 }  // namespace
