@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "../../cli/src/run_folder.hpp"
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
@@ -84,10 +86,36 @@ py::list deaths_of(const Steps& steps) {
   return out;
 }
 
+std::string own_case_file(const std::string& directory) { return directory + "/case.toml"; }
+
+/// A case without a file writes one: not over somebody's.
+void refuse_case_file_of_others(const std::string& directory) {
+  const std::string file = own_case_file(directory);
+  std::error_code ignored;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return;
+  if (std::filesystem::is_regular_file(file, ignored) &&
+      read_text_file(file, "a case").starts_with("# A resolved brash case"))
+    return;
+  throw InputError(Complaint{file, "is there, but no run left it, and this run would replace it",
+                             "a folder that is new, empty or of a run", "give another folder, or move the file"});
+}
+
+/// While it lives, the case cannot be changed. Made and ended with the GIL.
+class Frozen {
+ public:
+  explicit Frozen(const Case& c) : case_(c) { ++case_.runs.n; }
+  Frozen(const Frozen&) = delete;
+  Frozen& operator=(const Frozen&) = delete;
+  ~Frozen() { --case_.runs.n; }
+
+ private:
+  const Case& case_;
+};
+
 /// Path of the case file that a run's manifest names; a case without a file gets one in the folder of the results.
 std::string case_file_of(const Case& c, const std::string& directory) {
   if (c.has_file) return c.path;
-  const std::string file = directory + "/case.toml";
+  const std::string file = own_case_file(directory);
   write_file(file, io::to_toml(c.resolved));
   return file;
 }
@@ -105,8 +133,10 @@ simulation::Run run(const Case& c, const py::object& output, bool resume) {
   SignalPoll poll;
   options.interrupted = [&] { return poll.raised(); };
   simulation::Run finished;
+  const Frozen frozen(c);
   {
-    const py::gil_scoped_release release;
+    const Released release;
+    if (!directory.empty() && !c.has_file) refuse_case_file_of_others(directory);
     std::optional<FolderLock> lock;
     if (!directory.empty()) lock.emplace(cli::open_run_folder(directory));
     finished = simulation::run(c.resolved, options);
