@@ -26,7 +26,7 @@ constexpr double kNoPush = 1e-3;
 /// Water::shading_gap of a case [m].
 double shading_gap(const model::Case& resolved) {
   const model::HydrodynamicsSection& h = resolved.hydrodynamics;
-  return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
+  return h.shading && h.drag == DragLaw::kSurface ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose) {
@@ -66,7 +66,7 @@ FloePopulation::FloePopulation(const model::Case& resolved)
     : case_(&resolved),
       water_{.density = resolved.water.density,
              .current = {resolved.water.current.x, resolved.water.current.y, 0.0},
-             .drag_law = resolved.hydrodynamics.drag == "paper" ? DragLaw::kPaper : DragLaw::kSurface,
+             .drag_law = resolved.hydrodynamics.drag,
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction,
