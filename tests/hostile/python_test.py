@@ -130,7 +130,7 @@ class Cases(Scratch):
         self.assertGreater(len(types), 12)
         for kind in types:
             half = kind.__new__(kind)
-            for name in dir(kind):
+            for name in vars(kind):
                 if name.startswith("__") and name not in ("__repr__", "__eq__", "__copy__", "__call__"):
                     continue
                 with self.subTest(f"{kind.__name__}.{name}"), self.assertRaises((TypeError, AttributeError)):
