@@ -87,7 +87,7 @@ def growth():
     lines.append(line("CPU time per floe and step of Bullet's own world, 10000 floes / 100 floes",
                       [times[-1] / times[0] for times in peer]))
     largest = [run[-1] for run in runs]
-    lines.append(line("CPU time of a step, 10^4 floes of rubble, all settled / all active",
+    lines.append(line("CPU time of a step, 10^4 floes of rubble, all asleep / all awake",
                       [statistics.median(row["settled_s"]) / statistics.median(
                           a + b for a, b in zip(row["water_s"], row["world_s"])) for row in largest], "<= 0.01"))
     lines.append(line("kilobytes on the heap per floe, 10^4 floes", [1e-3 * rubble[-1]["bytes"] / rubble[-1]["floes"]]))
@@ -114,7 +114,7 @@ def moving(simulation):
 
 
 def channel():
-    """3. A channel driven ten times as far, floes at rest behind the structure fixed."""
+    """3. A channel driven ten times as far, with floes at rest asleep."""
     sys.path.insert(0, str(ROOT / "build/release/python"))
     import brash  # what this line alone needs, built before
     ten_metres, looks, steps_between, whole, last, last_of_one = 10, 50, 49, [], [], []
@@ -137,7 +137,7 @@ def channel():
         last_of_one.append(of_one[-1] / of_one[2])
     return [line("CPU time of 100 m of channel / of ten times its third 10 m, tests/experiments/long.toml", whole, "<= 1"),
             line("CPU time of its tenth 10 m / of its third", last, "<= 1"),
-            line("the same for each floe that moves, of which there are more in one stretch than in another", last_of_one)]
+            line("the same for each moving floe; their number differs between stretches", last_of_one)]
 
 
 def water():
@@ -157,7 +157,7 @@ def geometry():
 
 
 def failure():
-    """5. The failure models beside the plate solution they stand for."""
+    """5. The failure models beside the plate solution."""
     times = google_benchmark("bench_failure", "(assess/network|fem_row)")
     plate = next(samples for name, samples in times.items() if name.startswith("fem_row"))
     network = next(samples for name, samples in times.items() if name.startswith("assess"))
@@ -166,7 +166,7 @@ def failure():
 
 
 def campaign():
-    """7. What a campaign adds to its runs."""
+    """7. Cost that a campaign adds to its runs."""
     settings = ("time.duration=1", "output.frames_per_second=0")
     with tempfile.TemporaryDirectory() as folder:
         plan = pathlib.Path(folder) / "plan.toml"
@@ -199,7 +199,7 @@ def workers():
 
 
 def recording():
-    """7. What a run's record of itself takes of its wall time."""
+    """7. Recording, as a share of a run's wall time."""
     shares = []
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(REPETITIONS):
