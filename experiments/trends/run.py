@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record|--check]
 
-Reads what the experiments beside this one recorded, of the paper's algorithm and, where all have it, of the corrected one,
-and runs nothing but `brash trend`. The claims, and what would confirm or refute them, are those of README.md. p-values of an algorithm
-are adjusted together by Holm's method.
+Reads the recorded numbers of the experiments beside this one, and runs only `brash trend`. It takes the paper's algorithm
+and, if all experiments have it, the corrected one. README.md lists the claims and their verdicts. Holm's method adjusts
+the p-values of an algorithm together.
 """
 import argparse
 import json
@@ -31,7 +31,7 @@ FREQUENCY, CONTENT = "mean_frequency", "high_frequency_deviation"
 
 
 class Runs:
-    """What the experiments recorded of one algorithm."""
+    """Recorded numbers of one algorithm."""
 
     def __init__(self, brash, corrected):
         self.brash, self.corrected = brash, corrected
@@ -64,7 +64,7 @@ def interval(value, error, freedom, confidence=0.95):
 
 
 class Claim:
-    """A trend with its p-value and what the value would mean if it is significant."""
+    """A trend with its p-value, and the meaning of its value if it is significant."""
 
     def __init__(self, experiment, text, p, effect, holds):
         self.experiment, self.text, self.p, self.effect, self.holds = experiment, text, p, effect, holds
@@ -114,7 +114,7 @@ def steepens(experiment, text, groups, knee):
 
 
 def stronger(experiment, text, strong, weak):
-    """Is the relative rise of one row above that of another? Each is (first, last); two-sided."""
+    """Is the relative rise of one row above the rise of another? Each is (first, last); two-sided."""
     a, b = log_ratio(strong[1], strong[0]), log_ratio(weak[1], weak[0])
     value, error = a[0] - b[0], math.hypot(a[1], b[1])
     freedom = error**4 / (a[1] ** 4 / a[2] + b[1] ** 4 / b[2])
