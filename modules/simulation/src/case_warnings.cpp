@@ -148,9 +148,9 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
       criterion.assess({.contact_length = c.ice.thickness, .mu1 = scales.mu1, .mu2 = 0.0});
   if (straight.above_range)
     warnings.push_back(
-        {"steep", fmt::format("mu1 = {:.3g} of structure.angle lies above the failure model's range: its "
-                              "inputs will be clamped",
-                              scales.mu1)});
+        {"flat-slope", fmt::format("mu1 = {:.3g} of structure.angle lies above the failure model's range: its "
+                                   "inputs will be clamped",
+                                   scales.mu1)});
 }
 
 Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
