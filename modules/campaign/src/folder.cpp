@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/folder_lock.hpp"
 #include "brash/core/input_file.hpp"
@@ -51,7 +52,7 @@ void refuse_links(const std::string& directory) {
   const auto refuse = [](const fs::path& path) {
     refuse_folder(path.string(), "is a link, and a campaign follows none in its folder");
   };
-  for (const char* const name : {"cases", "settings", "slurm"}) {
+  for (const char* const name : {"cases", "settings", "slurm", "inputs"}) {
     const fs::path folder = fs::path(directory) / name;
     if (fs::is_symlink(folder, ignored)) refuse(folder);
     for (const auto& entry : fs::directory_iterator(folder, ignored))
@@ -105,9 +106,20 @@ void Folder::refuse_files_of_others() const {
   for (const char* const name : {"campaign.csv", "campaign.nc", "summary.json", "report.html"})
     if (fs::exists(fs::symlink_status(fs::path(directory_) / name)))
       refuse_folder(directory_ + "/" + name, "is there, but no campaign left it, and this one would replace it");
-  for (const char* const name : {"cases", "settings", "slurm"})
+  for (const char* const name : {"cases", "settings", "slurm", "inputs"})
     if (holds_something(fs::path(directory_) / name))
       refuse_folder(directory_ + "/" + name, "holds files, but none of this campaign");
+}
+
+/// The plan, the base case and the models as they were read.
+void Folder::write_inputs() const {
+  const fs::path inputs = fs::path(directory_) / "inputs";
+  for (const io::SourceText& source : plan_.sources)
+    write_file((inputs / fs::path(source.path).filename()).string(), source.text);
+  for (const io::Setting& setting : plan_.settings)
+    if (const fs::path model = setting.resolved.failure.file; !model.empty())
+      write_file((inputs / "model" / model.filename()).string(),
+                 read_text_file(model.string(), "the file of a failure model"));
 }
 
 void Folder::prepare(bool resume) const {
@@ -129,6 +141,7 @@ void Folder::prepare(bool resume) const {
   // A worker that was killed just after it gave the folder of a case its name left the lock there.
   for (const auto& entry : fs::directory_iterator(cases))
     if (entry.path().extension() != ".part") FolderLock::remove_stale((entry.path() / "lock").string());
+  write_inputs();
   for (std::size_t i = 0; i < plan_.settings.size(); ++i)
     if (const std::string path = setting_file(i); !fs::exists(path))
       write_file(path, io::to_toml(plan_.settings[i].resolved));

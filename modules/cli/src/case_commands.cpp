@@ -9,6 +9,7 @@
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
+#include "table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -16,14 +17,16 @@ namespace {
 void check_case(const std::string& path, const std::vector<std::string>& overrides) {
   const model::Case resolved = io::read_case(path, overrides);
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
-  print_data(io::to_toml(resolved) + "\n# derived\n");
+  print_data(io::to_toml(resolved));
+  const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));
+  print("\n# set by algorithm.preset = \"{}\": {}\n\n# derived\n", model::name_of(resolved.algorithm.preset), keys);
   print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
   print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
   print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
   print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
   print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
   print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
-  for (const std::string& warning : scales.warnings) say("warning: {}\n", warning);
+  print_warnings(scales.warnings);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
+#include "brash/recording/inputs.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "case.hpp"
 #include "convert.hpp"
@@ -86,20 +88,6 @@ py::list deaths_of(const Steps& steps) {
   return out;
 }
 
-std::string own_case_file(const std::string& directory) { return directory + "/case.toml"; }
-
-/// A case without a file writes one: not over somebody's.
-void refuse_case_file_of_others(const std::string& directory) {
-  const std::string file = own_case_file(directory);
-  std::error_code ignored;
-  if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return;
-  if (std::filesystem::is_regular_file(file, ignored) &&
-      read_text_file(file, "a case").starts_with("# A resolved brash case"))
-    return;
-  throw InputError(Complaint{file, "is there, but no run left it, and this run would replace it",
-                             "a folder that is new, empty or of a run", "give another folder, or move the file"});
-}
-
 /// While it lives, the case cannot be changed. Made and ended with the GIL.
 class Frozen {
  public:
@@ -112,22 +100,24 @@ class Frozen {
   const Case& case_;
 };
 
-/// Path of the case file that a run's manifest names; a case without a file gets one in the folder of the results.
-std::string case_file_of(const Case& c, const std::string& directory) {
-  if (c.has_file) return c.path;
-  const std::string file = own_case_file(directory);
-  write_file(file, io::to_toml(c.resolved));
-  return file;
+/// What a run of this case reads; a case without a file is recorded as the text that gives it.
+recording::Inputs inputs_of(const Case& c) {
+  if (c.has_file) return recording::inputs_of(c.path, c.text, c.resolved);
+  return recording::inputs_of("case.toml", io::to_toml(c.resolved), c.resolved);
 }
 
-simulation::Run run(const Case& c, const py::object& output, bool resume) {
+simulation::Run run(const Case& c, const py::object& output, bool resume, bool replace) {
   if (resume && output.is_none()) throw InputError("resume: name the folder of the interrupted run as output");
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
+  const recording::Inputs inputs = inputs_of(c);
   simulation::RunOptions options;
   if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume);
   options.begun = [&] {
-    if (!directory.empty()) cli::remove_run(directory);
+    if (!directory.empty()) {
+      recording::expect_unchanged(inputs);
+      cli::remove_run(directory);
+    }
   };
   SignalPoll poll;
   options.interrupted = [&] { return poll.raised(); };
@@ -135,12 +125,13 @@ simulation::Run run(const Case& c, const py::object& output, bool resume) {
   const Frozen frozen(c);
   {
     const Released release;
-    if (!directory.empty() && !c.has_file) refuse_case_file_of_others(directory);
     std::optional<FolderLock> lock;
-    if (!directory.empty()) lock.emplace(cli::open_run_folder(directory));
+    if (!directory.empty()) {
+      lock.emplace(cli::open_run_folder(directory));
+      if (!resume && !replace) cli::refuse_replacing(directory);
+    }
     finished = simulation::run(c.resolved, options);
-    if (finished.complete && !directory.empty())
-      cli::write_run_folder(directory, case_file_of(c, directory), c.resolved, finished);
+    if (finished.complete && !directory.empty()) cli::write_run_folder(directory, inputs, finished);
   }
   if (!finished.complete) throw py::error_already_set();
   return finished;
@@ -162,7 +153,9 @@ void add_run(py::module_& m) {
       .def_readonly("wall_seconds", &Run::wall_seconds);
   m.attr("Case").attr("run") = py::cpp_function(
       &run, py::name("run"), py::is_method(m.attr("Case")), py::arg("output") = py::none(), py::arg("resume") = false,
+      py::arg("replace") = false,
       "Runs the case to its end and returns a Run; with `output` it leaves there what `brash run` leaves.\n\n"
+      "A folder that holds a run already is refused without replace=True. "
       "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there.");
 }
 
