@@ -210,8 +210,10 @@ std::vector<std::string> inner_borders(const ordered_json& key) {
     if (key.contains("exclusiveMinimum")) add(key.at("exclusiveMinimum").get<double>() + kSmallest);
     if (key.contains("maximum")) add(key.at("maximum").get<double>());
     if (key.contains("exclusiveMaximum")) add(std::nextafter(key.at("exclusiveMaximum").get<double>(), 0.0));
-    if (type == "number") add(1e-12);
-    add(1.0);
+    if (type == "number") {
+      for (const double usual : {1e-12, 0.05, 0.4}) add(usual);
+    }
+    for (const double usual : {1.0, 20.0}) add(usual);
     return values;
   }
   if (type == "array") return {"[1, 16]", "[16, 1]", "[0, 0]", "[-10, 10]"};

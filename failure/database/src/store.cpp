@@ -5,16 +5,19 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
-#include <netcdf_mem.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
+#include <system_error>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
@@ -108,10 +111,10 @@ class File {
  public:
   explicit File(std::string path) : path_(std::move(path)), source_(std::in_place, path_), id_(source_->id()) {}
   struct New {};
-  /// One that is made, in memory: HDF5 does not survive a disk that is full, not even to its exit.
-  File(std::string path, New) : path_(std::move(path)) {
-    constexpr std::size_t kFirstBytes = 1 << 20;  // it grows
-    check(nc_create_mem(netcdf::kNameInMemory, NC_NETCDF4, kFirstBytes, &id_), "file");
+  /// One that is made. Until it is closed it is in memory: its bytes are written at once, and a failure has a reason.
+  /// An absolute path is never taken for an address.
+  File(std::string path, New) : path_(std::filesystem::absolute(path).string()) {
+    check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER | NC_DISKLESS | NC_PERSIST, &id_), "file");
     open_ = true;
   }
   ~File() {
@@ -129,13 +132,9 @@ class File {
                                          "check folder and space, and compute or copy the database again"});
     throw Error(complaint.what());
   }
-  /// The bytes of the whole file that was made.
-  std::string finish() {
+  void close() {
     open_ = false;
-    NC_memio image{};
-    check(nc_close_memio(id_, &image), "close");
-    const std::unique_ptr<void, decltype(&std::free)> memory(image.memory, &std::free);
-    return {static_cast<const char*>(image.memory), image.size};
+    check(nc_close(id_), "close");
   }
   int id() const { return id_; }
 
@@ -338,9 +337,7 @@ void read_values(const Reader& file, std::vector<Record>& records) {
   }
 }
 
-}  // namespace
-
-void write_database(const std::string& path, const Database& database) {
+void write_netcdf(const std::string& path, const Database& database) {
   const Shape shape = shape_of(database);
   Writer file(path, Writer::New{});
   define_variables(file, shape);
@@ -352,7 +349,42 @@ void write_database(const std::string& path, const Database& database) {
   file.check(nc_enddef(file.id()), "definitions");
   put_integers(file, database.records);
   put_records(file, database.records, shape);
-  write_file(path, file.finish());
+  file.close();
+}
+
+/// write_netcdf in a process of its own: HDF5 does not survive a disk that is full, not even to its exit.
+/// @return 0, or the system's error number.
+int write_apart(const std::string& path, const Database& database) {
+  // What has the name of a part already, a link too, is never opened.
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return errno;
+  const pid_t writer = ::fork();
+  if (writer < 0) return errno;
+  if (writer == 0) {
+    errno = 0;
+    try {
+      write_netcdf(path, database);
+    } catch (const std::exception&) {
+      ::_exit(errno > 0 && errno < 256 ? errno : EIO);
+    }
+    ::_exit(0);
+  }
+  int ended = 0;
+  while (::waitpid(writer, &ended, 0) < 0)
+    if (errno != EINTR) return errno;
+  return WIFEXITED(ended) ? WEXITSTATUS(ended) : EIO;
+}
+
+}  // namespace
+
+void write_database(const std::string& path, const Database& database) {
+  const std::string part = part_of(path);
+  if (const int status = write_apart(part, database); status != 0) {
+    std::remove(part.c_str());
+    throw StorageError(
+        fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space", path,
+                    std::generic_category().message(status)));
+  }
+  publish(part, path);
 }
 
 Database read_database(const std::string& path) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.hpp"
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -19,7 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Whether a file is a checkpoint of some version, whole or not: a name proves nothing.
+/// @throws InputError when it may not be read.
 bool is_checkpoint(const fs::path& file) {
+  if (::access(file.c_str(), R_OK) != 0)
+    throw InputError(Complaint{file.string(), "cannot be opened: " + std::generic_category().message(errno),
+                               "a folder that is new, empty or of a run", "check its permissions"});
   try {
     constexpr std::size_t kMostMebibytes = 8192;
     return read_text_file(file.string(), "a checkpoint", kMostMebibytes).find("brash-checkpoint-") != std::string::npos;

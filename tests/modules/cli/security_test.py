@@ -105,7 +105,7 @@ class PathsInFiles(Scratch):
 
     def test_a_model_beside_the_case_is_taken(self):
         for file in ("models/model.json", "./models/../models/model.json", self.path / "cases/models/model.json"):
-            brash("run", self.case(file), "-o", "out", cwd=self.path)
+            brash("run", self.case(file), "-o", "out", "--replace", cwd=self.path)
 
     def test_a_model_elsewhere_is_taken_when_the_command_line_says_so(self):
         for file in ("../model.json", self.path / "model.json", "models/../../model.json"):
