@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "brash/core/constants.hpp"
-#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/run.hpp"
 #include "edge_contact.hpp"
 #include "initial_crack.hpp"
@@ -20,11 +19,36 @@ double collision_time(const model::Case& resolved, double mass) {
   return 0.5 * kPi * std::sqrt((1.0 + resolved.hydrodynamics.added_mass) * mass / resolved.contact.stiffness);
 }
 
+namespace {
+
+/// Where the structure of a case is before it meets the ice, and how it goes on.
+struct Approach {
+  std::unique_ptr<const structure::Hull> hull;
+  std::unique_ptr<structure::Motion> motion;
+
+  explicit Approach(const model::Case& c)
+      : hull(structure::make_hull(c.structure.shape)), motion(structure::make_motion(c.structure, c.time.step)) {}
+
+  double speed() const { return norm(motion->course()); }
+};
+
+structure::Foremost ahead(const model::Case& c, const Approach& approach) {
+  const Freeboard heights = freeboard(c);
+  return structure::foremost(*approach.hull, approach.motion->now().pose, heights.bottom, heights.top,
+                             approach.motion->course());
+}
+
+/// Of a contact straight ahead.
+failure::LoadRatios ratios_ahead(const model::Case& c) {
+  return failure::load_ratios(ahead(c, Approach(c)).surface.slope, c.ice.friction_structure, 0.0);
+}
+
+}  // namespace
+
 double initial_crack_radius(const model::Case& resolved, const failure::IceProperties& ice,
                             const failure::BendingCriterion& criterion) {
   if (resolved.field.initial_crack_radius > 0.0) return resolved.field.initial_crack_radius;
-  const failure::LoadRatios ratios =
-      failure::load_ratios(resolved.structure.angle, resolved.ice.friction_structure, 0.0);
+  const failure::LoadRatios ratios = ratios_ahead(resolved);
   return criterion.assess({.contact_length = ice.thickness, .mu1 = ratios.mu1, .mu2 = ratios.mu2}).breaking_length;
 }
 
@@ -32,12 +56,9 @@ namespace {
 
 /// What is to be asked about a run that is over before there is anything to tell.
 std::vector<std::string> duration_warnings(const model::Case& c) {
-  const double way = c.structure.speed * c.time.duration;
-  const structure::Cone cone = cone_of(c);
-  const Freeboard heights = freeboard(c);
-  // The end of the ice's thickness at which the cone is wider meets it first.
-  const double radius = std::max(structure::radius_at(cone, heights.top), structure::radius_at(cone, heights.bottom));
-  const double gap = c.structure.start_distance - radius;
+  const Approach approach(c);
+  const double way = approach.speed() * c.time.duration;
+  const double gap = -ahead(c, approach).reach;
   if (way <= gap)
     return {
         fmt::format("the structure does not reach the ice: it is {:.3g} m away and moves {:.3g} m in time.duration = "
@@ -47,7 +68,7 @@ std::vector<std::string> duration_warnings(const model::Case& c) {
   return {
       fmt::format("the run is over before its statistics begin, when the structure's axis passes the ice edge at "
                   "{:.3g} s: raise time.duration = {} s, or set output.statistics_from",
-                  c.structure.start_distance / c.structure.speed, c.time.duration)};
+                  c.structure.start_distance / approach.speed(), c.time.duration)};
 }
 
 /// A network is scaled by Eq. 19 to ice of another h / l_c, which is right for its bending alone. Against the plate its
@@ -82,12 +103,13 @@ std::vector<std::string> sweep_warnings(const model::Case& c, double piece) {
   const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * piece;
   const double face = c.ice.thickness * std::sqrt(piece);
   const double bound = c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * face;
-  const double sweeps = std::ceil(bound / (mass * c.structure.speed));
+  const double speed = Approach(c).speed();
+  const double sweeps = std::ceil(bound / (mass * speed));
   if (sweeps <= c.contact.iterations) return {};
   return {
       fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at structure.speed = "
                   "{} m/s to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
-                  c.contact.iterations, piece, c.structure.speed, sweeps, c.time.step * c.contact.iterations / sweeps)};
+                  c.contact.iterations, piece, speed, sweeps, c.time.step * c.contact.iterations / sweeps)};
 }
 
 }  // namespace
@@ -102,7 +124,7 @@ DerivedScales derived_scales(const model::Case& resolved) {
   scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
   std::ranges::move(thickness_warnings(resolved, scales.thickness_over_lc, *criterion),
                     std::back_inserter(scales.warnings));
-  scales.mu1 = failure::load_ratios(resolved.structure.angle, resolved.ice.friction_structure, 0.0).mu1;
+  scales.mu1 = ratios_ahead(resolved).mu1;
   scales.freeboard = freeboard(resolved).top;
   scales.draft = -freeboard(resolved).bottom;
   scales.initial_crack_radius = initial_crack_radius(resolved, ice, *criterion);

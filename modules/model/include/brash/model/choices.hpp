@@ -12,8 +12,6 @@ namespace brash::model {
 /// The choices of a case, each an enum with its names in files: readers, writers and messages share the one list.
 /// `case.schema.json` states the same names; a test compares the two.
 
-/// [structure] kind
-enum class StructureKind { kCone };
 /// [structure] breaking: the way the ice bends.
 enum class Breaking { kDownward, kUpward };
 /// [field] kind
@@ -44,8 +42,6 @@ struct Named {
 template <typename Choice>
 inline constexpr std::array<Named<Choice>, 0> kNames{};
 
-template <>
-inline constexpr auto kNames<StructureKind> = std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"}});
 template <>
 inline constexpr auto kNames<Breaking> = std::to_array<Named<Breaking>>({{Breaking::kDownward, "downward"},
                                                                          {Breaking::kUpward, "upward"}});
