@@ -59,7 +59,7 @@ class Links(unittest.TestCase):
         self.assertEqual({name: labels for name, labels in not_cited.items() if labels}, {})
 
     def test_links_between_documents_resolve(self):
-        for page in [*(SOURCE / "docs").rglob("*.md"), *SOURCE.glob("*.md")]:
+        for page in [*SOURCE.glob("*.md"), *(SOURCE / "docs").rglob("*.md"), *(SOURCE / "experiments").rglob("*.md")]:
             text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
             for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
                 if not target.startswith(("http:", "https:")):

@@ -26,8 +26,8 @@ using geometry::IceSheet;
 enum Part { kFloes, kSheet, kStructure };
 
 /// The sheet at the frames of a run, which stores it after each step with cracks: since then the structure's section in
-/// the waterplane has been crushed. Between frames its path is not followed, so the channel's walls differ from the run's by
-/// less than the structure moves in a frame.
+/// the waterplane has been crushed. Between frames its path is not followed, so the channel's walls differ from the
+/// run's by less than the structure moves in a frame.
 class SheetReplay {
  public:
   SheetReplay(const structure::Hull& hull, const model::RunResults& results) : hull_(hull), results_(results) {

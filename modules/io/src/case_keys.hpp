@@ -46,6 +46,7 @@ void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structur
 /// keys of an alternative come after its name.
 template <typename AnyCase, typename Visitor>
 void visit_material_keys(AnyCase& c, Visitor&& visit) {
+  visit("algorithm", "preset", c.algorithm.preset);
   visit("ice", "thickness", c.ice.thickness);
   visit("ice", "density", c.ice.density);
   visit("ice", "youngs_modulus", c.ice.youngs_modulus);

@@ -55,6 +55,14 @@ std::string resolve_file(const std::string& file, const CaseSource& source) {
   return std::filesystem::absolute(base / file).lexically_normal().string();
 }
 
+/// A default that the chosen failure model does not take is no wish of the user.
+void drop_options_not_taken(model::Case& c, const CaseSource& source) {
+  const auto is_written = [&](const char* key) { return source.tree["failure"][key].node() != nullptr; };
+  const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
+  if (!takes.radial_first && !is_written("order")) c.failure.order = model::CrackOrder::kCircumferentialFirst;
+  if (!takes.second_order && !is_written("second_order")) c.failure.second_order = false;
+}
+
 /// What is wrong with a model file outside the folder of the file that names it.
 std::vector<Problem> leads_out(const std::string& file, const CaseSource& source) {
   const Place named = place_of(source, "failure", "file");
@@ -73,11 +81,22 @@ model::Case resolve(const CaseSource& source, const std::string& name, ModelFile
   model::Case result = case_from(validated(source, schema_of_cases()));
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
+  drop_options_not_taken(result, source);
   std::vector<Problem> problems;
   if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source);
   if (problems.empty()) problems = cross_check(result, source);
   if (!problems.empty()) refuse(std::move(problems));
   return result;
+}
+
+std::vector<std::string> keys_set_by_preset(const std::string& path, const std::vector<std::string>& overrides) {
+  const CaseSource source = parse_source(read_case_text(path), path, overrides);
+  std::vector<std::string> keys;
+  for (const auto& [section, part] : schema_of_cases().sections().items())
+    for (const auto& [key, key_schema] : part.at("properties").items())
+      if (key_schema.contains("x-presets") && source.tree[section][key].node() == nullptr)
+        keys.push_back(section + "." + key);
+  return keys;
 }
 
 model::Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {

@@ -67,7 +67,9 @@ py::dict derived(const Case& c) {
   out["draft"] = s.draft;
   out["collision_time"] = s.collision_time;
   out["initial_crack_radius"] = s.initial_crack_radius;
-  out["warnings"] = s.warnings;
+  py::list warnings;
+  for (const model::Warning& warning : s.warnings) warnings.append(warning.text);
+  out["warnings"] = warnings;
   return out;
 }
 

@@ -51,6 +51,10 @@ class TimedCriterion final : public failure::BendingCriterion {
     return criterion_->dismiss(load);
   }
   bool needs_outline() const override { return criterion_->needs_outline(); }
+  std::optional<double> trained_thickness_over_lc() const override { return criterion_->trained_thickness_over_lc(); }
+  std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
+    return criterion_->thickness_over_lc_range();
+  }
 
  private:
   std::unique_ptr<failure::BendingCriterion> criterion_;
@@ -329,6 +333,9 @@ const std::vector<model::FloeRecord>& Simulation::initial_births() const { retur
 std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.sheet().polygons(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
+std::vector<model::Warning> Simulation::warnings() const {
+  return derived_scales(impl_->resolved, *impl_->criterion).warnings;
+}
 
 std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
   std::vector<std::pair<std::int64_t, double>> stresses;

@@ -62,6 +62,26 @@ BOOST_AUTO_TEST_CASE(keys_that_are_not_written_have_the_defaults_of_the_header) 
   BOOST_TEST((c == expected));
 }
 
+BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
+  const Case paper = read_case(kValidation);
+  BOOST_TEST((paper.failure.model == FailureModel::kNetwork));
+  BOOST_TEST(!paper.failure.under_floes);
+  BOOST_TEST(!paper.failure.second_order);
+  const Case brash_ = read_case(kValidation, {"algorithm.preset=brash"});
+  BOOST_TEST((brash_.failure.model == FailureModel::kSuperposition));
+  BOOST_TEST(brash_.failure.second_order);
+  BOOST_TEST(!read_case(kValidation, {"algorithm.preset=brash", "failure.second_order=false"}).failure.second_order);
+  const std::vector<std::string> left{"failure.order", "failure.second_order", "failure.under_floes"};
+  BOOST_TEST(keys_set_by_preset(kValidation, {"failure.model=plate"}) == left);
+}
+
+BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out) {
+  const Case wedge = read_case(kValidation, {"algorithm.preset=brash", "failure.model=wedge"});
+  BOOST_TEST(!wedge.failure.second_order);
+  BOOST_TEST((wedge.failure.order == CrackOrder::kCircumferentialFirst));
+  BOOST_CHECK_THROW(read_case(kValidation, {"failure.model=wedge", "failure.second_order=true"}), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(the_resolved_text_reads_back_to_the_same_case) {
   const Scratch scratch;
   scratch.write("model \"a\".json", "{}");
@@ -81,10 +101,13 @@ BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
   const Case c = read_case(scratch.write("cone.toml", case_template()));
   Case validation = read_case(kValidation);
   validation.reference = {};  // a measured load belongs to one case
-  BOOST_TEST(c.failure.model == "superposition");
-  validation.failure.model = c.failure.model;  // the paper's network there, the default here
+  BOOST_TEST((c.failure.model == FailureModel::kSuperposition));
   BOOST_TEST(c.failure.under_floes);
-  validation.failure.under_floes = true;  // the paper judges the structure's contacts
+  BOOST_TEST(c.failure.second_order);
+  BOOST_TEST((c.failure.order == CrackOrder::kRadialFirst));
+  // The paper's preset there, the default here.
+  validation.algorithm = c.algorithm;
+  validation.failure = c.failure;
   BOOST_TEST((c == validation));
   // Every key of the resolved text is in the template too.
   const std::string text = case_template();
@@ -217,6 +240,7 @@ std::vector<std::string> names_in_model() {
 }
 
 BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
+  BOOST_TEST(names_in_schema("algorithm", "preset") == names_in_model<Preset>());
   BOOST_TEST(names_in_schema("structure", "kind") == names_in_model<StructureKind>());
   const auto motion = nlohmann::json::parse(case_schema())["properties"]["structure"]["properties"]["motion"];
   BOOST_TEST(motion["properties"]["kind"]["enum"].get<std::vector<std::string>>() == names_in_model<MotionKind>());

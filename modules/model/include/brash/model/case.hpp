@@ -12,6 +12,13 @@
 
 namespace brash::model {
 
+/// [algorithm]
+struct AlgorithmSection {
+  Preset preset = Preset::kBrash;
+
+  friend bool operator==(const AlgorithmSection&, const AlgorithmSection&) = default;
+};
+
 /// [ice]; SI throughout. Unit, range, default and source of every key are in case.schema.json; the defaults here are
 /// the same, and those without one are zero.
 struct IceSection {
@@ -51,9 +58,9 @@ struct FieldSection {
 struct FailureSection {
   FailureModel model = FailureModel::kSuperposition;
   std::string file;  ///< model file, absolute; empty: the model that comes with the program
-  CrackOrder order = CrackOrder::kCircumferentialFirst;
-  bool second_order = false;  ///< the in-plane force acts on the bent plate
-  bool under_floes = true;    ///< the sheet also breaks where floes press on it
+  CrackOrder order = CrackOrder::kRadialFirst;
+  bool second_order = true;  ///< the in-plane force acts on the bent plate
+  bool under_floes = true;   ///< the sheet also breaks where floes press on it
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
@@ -137,6 +144,7 @@ struct HullSection {
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
 struct Case {
   std::string name;  ///< the file's stem
+  AlgorithmSection algorithm;
   IceSection ice;
   WaterSection water;
   StructureSection structure;
