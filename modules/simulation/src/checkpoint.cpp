@@ -121,8 +121,8 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
   n_steps = checkpoint.counters.at("n_steps");
   n_breaks = static_cast<std::uint64_t>(checkpoint.counters.at("n_breaks"));
   EnergyLedger::visit(energy, [&](const std::string& name, double& sum) { sum = checkpoint.numbers.at(name); });
-  centre = {checkpoint.numbers.at("centre_x"), checkpoint.numbers.at("centre_y")};
-  world.set_state(structure_body, structure_pose(), {});
+  motion->restore(checkpoint.numbers);
+  world.set_state(structure_body, motion->now().pose, {});
   for (const model::CheckpointFloe& floe : checkpoint.floes)
     floes.restore(world, from_grid(floe.rings),
                   {.id = floe.id,
@@ -157,8 +157,9 @@ model::Checkpoint Simulation::Impl::checkpoint() const {
                                        {"n_steps", n_steps},
                                        {"n_breaks", static_cast<std::int64_t>(n_breaks)},
                                        {"next_floe", floes.next_id()}},
-                          .numbers = {{"centre_x", centre.x}, {"centre_y", centre.y}},
+                          .numbers = {},
                           .results = {}};
+  motion->save(saved.numbers);
   EnergyLedger::visit(energy, [&](const std::string& name, double sum) { saved.numbers[name] = sum; });
   for (const geometry::Polygon& polygon : field.sheet().polygons()) saved.sheet.push_back(to_grid(polygon));
   for (const auto& [body, floe] : floes.floes())

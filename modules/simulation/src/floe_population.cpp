@@ -9,8 +9,8 @@
 #include "bearing.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
-#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
+#include "brash/structure/hull.hpp"
 #include "plan.hpp"
 
 namespace brash::simulation {
@@ -51,6 +51,13 @@ void add_dipole(std::array<double, 6>& sum, Vec3 arm, Vec3 force) {
   sum[5] += 0.5 * (arm.z * force.x + arm.x * force.z);
 }
 
+/// Whether a box is wholly in the half plane.
+bool is_within(const HalfPlane& half, const std::pair<Vec3, Vec3>& box) {
+  const auto& [lower, upper] = box;
+  const Vec2 farthest{half.along.x < 0.0 ? lower.x : upper.x, half.along.y < 0.0 ? lower.y : upper.y};
+  return dot(half.along, farthest) < half.limit;
+}
+
 /// The largest principal compression, positive [same unit].
 double largest_compression(const std::array<double, 6>& s) {
   Eigen::Matrix3d tensor;
@@ -72,8 +79,8 @@ FloePopulation::FloePopulation(const model::Case& resolved)
              .skin_friction = resolved.hydrodynamics.skin_friction,
              .shading_gap = shading_gap(resolved)} {
   if (!resolved.hydrodynamics.structure_flow) return;
-  const structure::Cone cone = cone_of(resolved);
-  flow_.emplace(0.5 * cone.waterline_width, structure::displaced_volume(cone));
+  const structure::Displacement hull = structure::make_hull(resolved.structure.shape)->displaced({});
+  flow_.emplace(hull.waterplane.radius, hull.volume);
 }
 
 std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygon& polygon) const {
@@ -147,9 +154,10 @@ void FloePopulation::restore_push(std::int64_t id, std::int64_t other, Vec3 forc
   pushes_.restore(body_of(id), body_of(other), force);
 }
 
-hydrodynamics::Water FloePopulation::water_at(Vec3 position, Vec2 structure) const {
+hydrodynamics::Water FloePopulation::water_at(Vec3 position, const structure::State& structure) const {
   hydrodynamics::Water water = water_;
-  if (flow_) water.current += flow_->at(position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
+  const Vec3 origin{structure.pose.position.x, structure.pose.position.y, 0.0};
+  if (flow_) water.current += flow_->at(position - origin, plan(structure.twist.linear));
   return water;
 }
 
@@ -171,7 +179,7 @@ void FloePopulation::apply_water_to(rigid_body::World& world, BodyId body, doubl
 }
 
 /// The floes whose drag is to be taken anew come last, together, for their neighbours are sought together.
-void FloePopulation::apply_water(rigid_body::World& world, double dt, Vec2 structure) {
+void FloePopulation::apply_water(rigid_body::World& world, double dt, const structure::State& structure) {
   due_.clear();
   for (const BodyId body : world.moving()) {
     Floe& floe = at(body);
@@ -284,7 +292,7 @@ void FloePopulation::let_go_pushed(rigid_body::World& world) {
   pushed_.clear();
 }
 
-double FloePopulation::settle(rigid_body::World& world, double astern) {
+double FloePopulation::settle(rigid_body::World& world, const HalfPlane& astern) {
   if (case_->time.settle_speed == 0.0) return 0.0;
   const double dt = case_->time.step;
   const double cube = case_->ice.density * std::pow(case_->ice.thickness, 3);
@@ -298,7 +306,7 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
     model::Rest& rest = floe.rest;
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
-    if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;
+    if (rest.slow_for < kSettleTime || !is_within(astern, world.bounds(body))) continue;
     rest = {.slow_for = 0.0, .settled = 1, .push = {}};
     floe.bearing = {};
     floe.drag = floe.skin_friction = {};

@@ -16,6 +16,7 @@
 #include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
+#include "brash/structure/motion.hpp"
 #include "kept_drag.hpp"
 #include "mean_pushes.hpp"
 
@@ -63,6 +64,12 @@ struct FloeState {
   KeptDrag kept_drag{};
 };
 
+/// The points of the plan whose way along a direction is less than a limit.
+struct HalfPlane {
+  Vec2 along{};        ///< unit
+  double limit = 0.0;  ///< [m]
+};
+
 /// All floes present: births, water, the stress that decides about crushing, deaths.
 class FloePopulation {
  public:
@@ -78,8 +85,8 @@ class FloePopulation {
   void restore_push(std::int64_t id, std::int64_t other, Vec3 force);
 
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
-  /// @param structure  its centre on the waterplane [m]; the water gives way to it (hydrodynamics.structure_flow).
-  void apply_water(rigid_body::World& world, double dt, Vec2 structure);
+  /// @param structure  where it is and how it moves: the water gives way to it (hydrodynamics.structure_flow).
+  void apply_water(rigid_body::World& world, double dt, const structure::State& structure);
 
   /// Mean stress of each floe from the last step's contacts (Love-Weber) and what it presses on the sheet, both
   /// averaged over its collision time T_col.
@@ -94,9 +101,9 @@ class FloePopulation {
 
   /// Lets go the settled floes that others push on more, or less, than when they came to rest, and fixes those that
   /// have been slow for long; for time.settle_speed > 0. docs/theory/simulation.md, (S2).
-  /// @param astern  only floes wholly below this x are fixed [m].
+  /// @param astern  only floes wholly in it are fixed.
   /// @return the kinetic energy that this took [J].
-  double settle(rigid_body::World& world, double astern);
+  double settle(rigid_body::World& world, const HalfPlane& astern);
 
   /// Moving floes whose mean compressive stress exceeds `strength` [Pa], sorted by body.
   std::vector<BodyId> overstressed(const rigid_body::World& world, double strength) const;
@@ -127,7 +134,7 @@ class FloePopulation {
   /// The kinetic energy of a floe at time.settle_speed [J].
   double slow_energy(const Floe& floe) const;
   /// The water that a floe at `position` meets, the structure being where it is.
-  hydrodynamics::Water water_at(Vec3 position, Vec2 structure) const;
+  hydrodynamics::Water water_at(Vec3 position, const structure::State& structure) const;
   /// Applies weight and what `water` does to a floe that has `drag` at its velocity.
   void apply_water_to(rigid_body::World& world, BodyId body, double dt, const hydrodynamics::Water& water,
                       const hydrodynamics::Drag& drag);

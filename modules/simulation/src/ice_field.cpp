@@ -53,17 +53,19 @@ geometry::Extent IceField::crush(std::span<const geometry::Point> section) {
 }
 
 std::vector<geometry::Polygon> IceField::carve(const geometry::Polygon& piece,
-                                               std::span<const geometry::Point> section) {
+                                               std::span<const geometry::Ring> structure) {
   geometry::IceSheet ice = lay(std::span(&piece, 1));
-  const geometry::Cut cut = ice.cut(section);
-  ledger_.crushed += total(cut.pieces);
-  ledger_.snap += cut.snap;
-  ledger_.n_rounded += cut.n_rounded;
+  for (const geometry::Ring& outline : structure) {
+    const geometry::Cut cut = ice.cut(outline);
+    ledger_.crushed += total(cut.pieces);
+    ledger_.snap += cut.snap;
+    ledger_.n_rounded += cut.n_rounded;
+  }
   return ice.polygons();
 }
 
 Broken IceField::break_free(Vec2 centre, double radius, int n_wedges, int sides,
-                            std::span<const geometry::Point> section, double smallest_floe) {
+                            std::span<const geometry::Ring> structure, double smallest_floe) {
   geometry::Cut cut = geometry::cut_circumferential(sheet_, centre, radius, n_wedges, sides);
   std::vector<geometry::Polygon> broken = std::move(cut.pieces);
   Broken result{.floes = {}, .changed = cut.changed};
@@ -74,7 +76,7 @@ Broken IceField::break_free(Vec2 centre, double radius, int n_wedges, int sides,
   book_cut(cut);
 
   for (const geometry::Polygon& piece : broken) {
-    for (geometry::Polygon& floe : carve(piece, section)) {
+    for (geometry::Polygon& floe : carve(piece, structure)) {
       const geometry::ExactArea area = geometry::area(floe);
       if (area.square_metres() < smallest_floe) {
         ledger_.brash += area;

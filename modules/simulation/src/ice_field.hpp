@@ -29,12 +29,12 @@ class IceField {
   /// Ice inside `section` is crushed and leaves. @return around all of the sheet that is not as before.
   geometry::Extent crush(std::span<const geometry::Point> section);
 
-  /// Breaks a disc free and splits it into wedges; what `section` covers of them is crushed and leaves.
+  /// Breaks a disc free and splits it into wedges; what `structure` covers of them is crushed and leaves.
   ///
-  /// @param section        the structure's leading section: no floe is born inside the structure.
+  /// @param structure      the structure's leading outlines: no floe is born inside the structure.
   /// @param smallest_floe  pieces below this area become brash [m2].
   /// @return the floes, parts of the sheet that lost their connection included.
-  Broken break_free(Vec2 centre, double radius, int n_wedges, int sides, std::span<const geometry::Point> section,
+  Broken break_free(Vec2 centre, double radius, int n_wedges, int sides, std::span<const geometry::Ring> structure,
                     double smallest_floe);
 
   /// Books a floe without a body as brash.
@@ -44,7 +44,7 @@ class IceField {
 
  private:
   void book_cut(const geometry::Cut& cut);
-  std::vector<geometry::Polygon> carve(const geometry::Polygon& piece, std::span<const geometry::Point> section);
+  std::vector<geometry::Polygon> carve(const geometry::Polygon& piece, std::span<const geometry::Ring> structure);
 
   geometry::IceSheet sheet_;
   geometry::Ledger ledger_;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "brash/io/case.hpp"
-#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
 #include "initial_crack.hpp"
@@ -26,10 +25,10 @@ rigid_body::WorldSettings world_settings(const model::Case& c) {
           .release_speed = c.time.settle_speed};
 }
 
-/// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).
-Wrench in_load_axes(const Wrench& w) {
-  return {{-w.force.x, -w.force.y, w.force.z}, {-w.moment.x, -w.moment.y, w.moment.z}};
-}
+/// World axes to load axes and back: x as the ice drifts against the structure, z upwards (a half turn about z).
+Vec3 in_load_axes(Vec3 v) { return {-v.x, -v.y, v.z}; }
+Wrench in_load_axes(const Wrench& w) { return {in_load_axes(w.force), in_load_axes(w.moment)}; }
+Twist in_load_axes(const Twist& t) { return {in_load_axes(t.linear), in_load_axes(t.angular)}; }
 
 void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.n_above_range += assessment.above_range ? 1 : 0;
@@ -69,17 +68,15 @@ Simulation::Impl::Impl(const model::Case& c, IceField laid)
     : resolved(c),
       resolved_toml(io::to_toml(c)),
       ice(ice_properties(c)),
-      cone(cone_of(c)),
+      hull(structure::make_hull(c.structure.shape)),
+      motion(structure::make_motion(c.structure, c.time.step)),
       criterion(std::make_unique<TimedCriterion>(make_criterion(c, ice), timer, times.failure)),
       field(std::move(laid)),
       world(world_settings(c)),
       tiles(freeboard(c).bottom, freeboard(c).top),
       floes(resolved),
-      centre{-c.structure.start_distance, 0.0},
-      watchdog(resolved) {
-  const std::vector<Vec3> hull = structure::hull(cone);
-  structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
-}
+      structure_body(world.add_structure(hull->parts(), motion->now().pose)),
+      watchdog(resolved, hull->bounds()) {}
 
 Simulation::Impl::Impl(const model::Case& c) : Impl(c, IceField(c.field.length, c.field.width)) {
   if (c.field.initial_crack) initial_crack();
@@ -89,7 +86,7 @@ Simulation::Impl::Impl(const model::Case& c) : Impl(c, IceField(c.field.length, 
 void Simulation::Impl::begin_watch() {
   model::LoadRow row;
   energy.report(world, floes, row);
-  watchdog.begin({world, floes, energy, field.ledger(), row, {}});
+  watchdog.begin({world, floes, energy, field.ledger(), row, {}, motion->now().twist});
 }
 
 /// The paper takes 3 to 5 wedges at random (after Nevel); one stream a break, so that a resumed run draws the same.
@@ -106,10 +103,10 @@ void Simulation::Impl::initial_crack() {
 /// One circumferential crack with its radial cracks: sheet, floes and collision shapes follow.
 std::vector<model::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
   const StageTimer::Scope clock(timer, times.cutting);
-  const geometry::Ring section = leading_section(edge_model(), centre);
+  const std::vector<geometry::Ring> structure = leading_outlines(edge_model(), motion->now().pose);
   floes.sheet_broke(world, at, radius);
   const Broken broken =
-      field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, section, resolved.failure.smallest_floe);
+      field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, structure, resolved.failure.smallest_floe);
   std::vector<model::FloeRecord> births;
   for (const geometry::Polygon& piece : broken.floes) {
     std::optional<model::FloeRecord> record = floes.add(world, piece, time());
@@ -127,13 +124,12 @@ std::vector<model::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radiu
 
 /// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
 /// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
-/// above already: the step is then left whole. What the trailing section then covers is crushed, so the contacts are
+/// above already: the step is then left whole. What the trailing outlines then cover is crushed, so the contacts are
 /// those of the state that is reached, however short or long the step.
 std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
-  const Vec2 whole_step{resolved.structure.speed * resolved.time.step, 0.0};
   const auto contacts_after = [&](double part) {
-    return edge_contacts(edge_model(), field.sheet(), centre + part * whole_step);
+    return edge_contacts(edge_model(), field.sheet(), motion->after(part));
   };
   const auto above_range = [](const std::vector<EdgeContact>& contacts) {
     return std::ranges::any_of(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
@@ -146,8 +142,8 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, Step
     } while (0.5 * share >= shortest && above_range(contacts));
   }
 
-  centre += share * whole_step;
-  if (crush_passed_ice()) contacts = edge_contacts(edge_model(), field.sheet(), centre);
+  motion->advance(share);
+  if (crush_passed_ice()) contacts = edge_contacts(edge_model(), field.sheet(), motion->now());
   for (const EdgeContact& contact : contacts) count_range(contact.assessment, report);
   return contacts;
 }
@@ -166,11 +162,13 @@ std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report)
   return contacts;
 }
 
-/// What the trailing section covers has been penetrated through the whole thickness: it is crushed and leaves the
+/// What the trailing outlines cover has been penetrated through the whole thickness: it is crushed and leaves the
 /// sheet. @return whether there was any.
 bool Simulation::Impl::crush_passed_ice() {
   const StageTimer::Scope clock(timer, times.cutting);
-  const geometry::Extent changed = field.crush(trailing_section(edge_model(), centre));
+  geometry::Extent changed;
+  for (const geometry::Ring& outline : trailing_outlines(edge_model(), motion->now().pose))
+    changed.add(field.crush(outline));
   tiles.renew(field.sheet(), world, changed);
   return !changed.is_empty();
 }
@@ -220,15 +218,15 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
     const std::vector<EdgeContact> contacts = move_within_range(share, report);
     done += share;
     for (const EdgeContact& contact : contacts) {
-      const Vec3 arm = contact.point - structure_pose().position;
-      report.loads.crushing += in_load_axes({share * contact.force, share * cross(arm, contact.force)});
+      const Vec3 arm = contact.point - motion->now().pose.position;
+      report.loads.crushing += in_load_axes(Wrench{share * contact.force, share * cross(arm, contact.force)});
     }
     break_ice(contacts, report);
   }
   --report.n_substeps;
   break_ice(contacts_of_floes(report), report);
   for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
-  world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
+  world.move_structure(structure_body, motion->now().pose, motion->now().twist);
 }
 
 /// Floes whose mean compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
@@ -254,16 +252,18 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, St
     const Vec3 arm = contact.point - origin;
     const Vec3 normal = -contact.normal_force * contact.normal;
     const Vec3 friction = -contact.friction_force;
-    row.floe_normal += in_load_axes({normal, cross(arm, normal)});
-    row.floe_friction += in_load_axes({friction, cross(arm, friction)});
+    row.floe_normal += in_load_axes(Wrench{normal, cross(arm, normal)});
+    row.floe_friction += in_load_axes(Wrench{friction, cross(arm, friction)});
     ++row.n_contacts;
   }
   row.total = row.crushing;
   row.total += row.floe_normal;
   row.total += row.floe_friction;
   const double dt = resolved.time.step;
-  energy.book_structure(row.crushing.force.x, row.floe_normal.force.x + row.floe_friction.force.x,
-                        resolved.structure.speed * dt);
+  Wrench floe_load = row.floe_normal;
+  floe_load += row.floe_friction;
+  const Twist& twist = motion->now().twist;
+  energy.book_structure(row.crushing, floe_load, in_load_axes(Twist{-dt * twist.linear, -dt * twist.angular}));
   energy.book_step(world, floes, first_newborn, dt);
   energy.report(world, floes, row);
 
@@ -284,16 +284,23 @@ void Simulation::Impl::lay_sheet_near(BodyId body) {
   tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
 }
 
+/// Floes settle a structure's width behind it.
+HalfPlane Simulation::Impl::astern() const {
+  const Vec2 ahead = normalized(motion->course());
+  const double width = 2.0 * hull->displaced(motion->now().pose).waterplane.radius;
+  return {ahead, dot(ahead, plan(motion->now().pose.position)) - width};
+}
+
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
-  const Vec3 origin = structure_pose().position;
+  const Vec3 origin = motion->now().pose.position;
   ++n_steps;                    // what happens in a step happens at its end
   advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
   {
     const StageTimer::Scope clock(timer, times.water);
     for (const BodyId body : world.moving()) lay_sheet_near(body);
-    floes.apply_water(world, resolved.time.step, centre);  // weight, buoyancy, drag: Eqs. 13, 14
+    floes.apply_water(world, resolved.time.step, motion->now());  // weight, buoyancy, drag: Eqs. 13, 14
   }
   {
     const StageTimer::Scope clock(timer, times.world);
@@ -304,10 +311,11 @@ StepReport Simulation::Impl::step() {
   collect_loads(first_newborn, origin, report);  // impulse / dt, by cause; energies
   {
     const StageTimer::Scope clock(timer, times.loads);
-    watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken()});
-    energy.book_settled(floes.settle(world, centre.x - cone.waterline_width));
+    watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken(), motion->now().twist});
+    energy.book_settled(floes.settle(world, astern()));
     remove_crushed_floes(report);  // sigma > sigma_c
   }
+  motion->bear(in_load_axes(report.loads.total));
   return report;
 }
 
@@ -336,7 +344,7 @@ std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
 }
 
 model::Frame Simulation::frame() const {
-  model::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
+  model::Frame frame{.time = time(), .structure = impl_->motion->now().pose, .floes = {}};
   std::vector<std::pair<BodyId, double>> forces;
   for (const rigid_body::ContactLoad& contact : impl_->world.contacts()) {
     if (contact.normal_force == 0.0) continue;

@@ -23,14 +23,14 @@ struct Simulation::Impl {
   StageTimes times;
   StageTimer timer;
   failure::IceProperties ice;
-  structure::Cone cone;
+  std::unique_ptr<const structure::Hull> hull;
+  std::unique_ptr<structure::Motion> motion;
   std::unique_ptr<failure::BendingCriterion> criterion;
   IceField field;
   rigid_body::World world;
   SheetTiles tiles;
   FloePopulation floes;
   BodyId structure_body;
-  Vec2 centre;  ///< of the structure [m]
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   EnergyLedger energy;
@@ -43,8 +43,7 @@ struct Simulation::Impl {
   Impl(const model::Case& c, const model::Checkpoint& checkpoint);
 
   double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
-  Pose structure_pose() const { return {{centre.x, centre.y, 0.0}, {}}; }
-  EdgeModel edge_model() const { return {cone, resolved, ice, *criterion}; }
+  EdgeModel edge_model() const { return {*hull, resolved, ice, *criterion}; }
 
   int draw_wedges();
   void initial_crack();
@@ -59,6 +58,7 @@ struct Simulation::Impl {
   void lay_sheet_near(BodyId body);
   void remove_crushed_floes(StepReport& report);
   void collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report);
+  HalfPlane astern() const;
   StepReport step();
   model::Checkpoint checkpoint() const;
 

@@ -10,7 +10,7 @@ namespace {
 using namespace brash;
 using simulation::IceField;
 
-const geometry::Ring kFarAway = geometry::disc({-100.0, 0.0}, 1.0, 8);
+const std::vector<geometry::Ring> kFarAway{geometry::disc({-100.0, 0.0}, 1.0, 8)};
 
 geometry::ExactArea total(const std::vector<geometry::Polygon>& polygons) {
   geometry::ExactArea sum;
@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(breaking_moves_area_from_the_sheet_to_the_floes_exactly) {
 BOOST_AUTO_TEST_CASE(no_floe_is_born_inside_the_structure) {
   IceField field(50.0, 50.0);
   const geometry::Ring section = geometry::disc({-6.0, 0.0}, 6.8, 64);
-  for (const geometry::Polygon& floe : field.break_free({0.0, 0.0}, 3.0, 5, 16, section, 0.01).floes) {
+  for (const geometry::Polygon& floe : field.break_free({0.0, 0.0}, 3.0, 5, 16, std::span(&section, 1), 0.01).floes) {
     auto ice = geometry::IceSheet::from_polygons(std::span(&floe, 1));
     BOOST_REQUIRE(ice.has_value());
     BOOST_TEST(ice->cut(section).pieces.empty());

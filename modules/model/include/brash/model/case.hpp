@@ -8,6 +8,7 @@
 
 #include "brash/core/vec.hpp"
 #include "brash/model/choices.hpp"
+#include "brash/model/structure.hpp"
 
 namespace brash::model {
 
@@ -40,21 +41,6 @@ struct WaterSection {
   Vec2 current{};  ///< `current = [0, 0]`
 
   friend bool operator==(const WaterSection&, const WaterSection&) = default;
-};
-
-/// [structure]
-struct StructureSection {
-  StructureKind kind = StructureKind::kCone;
-  double angle = 0.0;  ///< rad
-  double waterline_width = 0.0;
-  double height = 0.0;
-  double height_under_water = 0.0;
-  Breaking breaking = Breaking::kDownward;
-  double speed = 0.0;
-  double start_distance = 0.0;
-  int facets = 64;
-
-  friend bool operator==(const StructureSection&, const StructureSection&) = default;
 };
 
 /// [field]

@@ -14,8 +14,6 @@ namespace brash::model {
 
 /// [algorithm] preset: where the defaults of other keys come from.
 enum class Preset { kBrash, kPaper };
-/// [structure] kind
-enum class StructureKind { kCone };
 /// [structure] breaking: the way the ice bends.
 enum class Breaking { kDownward, kUpward };
 /// [field] kind
@@ -49,8 +47,6 @@ inline constexpr std::array<Named<Choice>, 0> kNames{};
 template <>
 inline constexpr auto kNames<Preset> = std::to_array<Named<Preset>>({{Preset::kBrash, "brash"},
                                                                      {Preset::kPaper, "paper"}});
-template <>
-inline constexpr auto kNames<StructureKind> = std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"}});
 template <>
 inline constexpr auto kNames<Breaking> = std::to_array<Named<Breaking>>({{Breaking::kDownward, "downward"},
                                                                          {Breaking::kUpward, "upward"}});
