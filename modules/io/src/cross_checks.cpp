@@ -138,6 +138,16 @@ void check_field(const model::Case& c, Checks& checks) {
                  "lower the radius, or write 0 for the ice's own breaking length");
 }
 
+/// A circle of a few units of the geometry's grid has no shape.
+void check_initial_crack(const model::Case& c, Checks& checks) {
+  constexpr double kLeast = 0.01;  // [m]
+  const double radius = c.field.initial_crack_radius;
+  checks.require(radius == 0.0 || radius >= kLeast, {"field", "initial_crack_radius"},
+                 {"field", "initial_crack_radius"}, "is too small for a crack",
+                 fmt::format("0, or at least {} m", kLeast),
+                 "raise the radius, or write 0 for the ice's own breaking length");
+}
+
 void check_hull(const model::Case& c, Checks& checks) {
   const model::HullSection& h = c.hull;
   const std::array<std::pair<const char*, bool>, 5> keys{{{"length", h.length.has_value()},
@@ -192,6 +202,7 @@ std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& 
   check_ice(resolved, checks);
   check_structure(resolved, checks);
   check_field(resolved, checks);
+  check_initial_crack(resolved, checks);
   check_hull(resolved, checks);
   check_rest(resolved, checks);
   return checks.take();
