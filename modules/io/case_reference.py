@@ -65,6 +65,8 @@ def page():
         for name, key in content["properties"].items():
             required = name in content.get("required", [])
             default = "**required**" if required else f"`{toml(key['default'])}`" if "default" in key else "absent"
+            if "x-presets" in key:
+                default += "".join(f"; {preset}: `{toml(value)}`" for preset, value in key["x-presets"].items())
             unit = key.get("x-unit", "")
             lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {key['description']} |")
         lines.append("")

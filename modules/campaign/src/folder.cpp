@@ -7,8 +7,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "columns.hpp"
 
@@ -70,11 +73,17 @@ void Folder::prepare(bool resume) const {
   // A worker that was killed just after it gave the folder of a case its name left the lock there.
   for (const auto& entry : fs::directory_iterator(cases))
     if (entry.path().extension() != ".part") fs::remove(entry.path() / "lock", reason);
+  for (const io::SourceText& source : plan_.sources)
+    write_file(directory_ + "/inputs/" + fs::path(source.path).filename().string(), source.text);
   for (std::size_t i = 0; i < plan_.settings.size(); ++i) {
+    const std::string& model = plan_.settings[i].resolved.failure.file;
+    if (!model.empty())
+      write_file(directory_ + "/inputs/model/" + fs::path(model).filename().string(),
+                 read_text_file(model, "the file of a failure model"));
     const std::string text = io::to_toml(plan_.settings[i].resolved);
     const std::string path = setting_file(i);
     if (!fs::exists(path)) {
-      io::write_file(path, text);
+      write_file(path, text);
     } else if (read_text(path) != text) {
       throw InputError(
           fmt::format("{}: is not what the plan makes of the setting {} now\n  allowed: the campaign that the "

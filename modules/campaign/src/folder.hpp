@@ -10,9 +10,6 @@
 
 namespace brash::campaign {
 
-/// What the manifest of a campaign says that it is.
-constexpr const char* kManifestFormat = "brash-campaign-manifest-1";
-
 /// Where a case stands in its campaign.
 struct CaseKey {
   std::size_t setting = 0;

@@ -116,6 +116,9 @@ std::string means_table(const std::string& summary_file) {
       shown.clear();
     }
     text += without_mean(shown, setting);
+    if (setting.contains("warnings"))
+      for (const auto& [id, n] : setting.at("warnings").items())
+        text += fmt::format("{:<36} {:>4}  warning: {}\n", "", n.get<int>(), id);
   }
   return text;
 }

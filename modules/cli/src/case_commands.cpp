@@ -8,21 +8,24 @@
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
+#include "table.hpp"
 
 namespace brash::cli {
 namespace {
 
 void check_case(const std::string& path, const std::vector<std::string>& overrides) {
-  const io::Case resolved = io::read_case(path, overrides);
+  const model::Case resolved = io::read_case(path, overrides);
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
-  fmt::print("{}\n# derived\n", io::to_toml(resolved));
+  fmt::print("{}\n# set by algorithm.preset = \"{}\": {}\n", io::to_toml(resolved),
+             model::name_of(resolved.algorithm.preset), fmt::join(io::keys_set_by_preset(path, overrides), ", "));
+  fmt::print("\n# derived\n");
   fmt::print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
   fmt::print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
   fmt::print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
   fmt::print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
   fmt::print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
   fmt::print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
-  for (const std::string& warning : scales.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  print_warnings(scales.warnings);
 }
 
 }  // namespace

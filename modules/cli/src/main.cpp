@@ -42,12 +42,18 @@ int run(CLI::App& app, int argc, char** argv) {
                                         std::generic_category().message(errno)));
 }
 
+/// "0.2.0 (commit 1a2b3c4d5e6f)"
+std::string version_text() {
+  const std::string commit = brash::kCommit;
+  return brash::kVersion + (commit.empty() ? "" : " (commit " + commit + ")");
+}
+
 }  // namespace
 
 /// Exit codes: 0 done, 1 failed while running, 2 bad input, 3 interrupted and resumable.
 int main(int argc, char** argv) {
   CLI::App app{"brash: how a structure breaks level ice", "brash"};
-  app.set_version_flag("--version", brash::kVersion);
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(0, 1);  // a word that is none is then named
   app.footer("Example: brash run experiments/validation/cone.toml -o results/validation");
   brash::cli::add_run_command(app);

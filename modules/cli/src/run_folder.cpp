@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "brash/core/error.hpp"
+#include "brash/core/write_file.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/report/plan_view.hpp"
 #include "brash/report/report.hpp"
 #include "closed_forms.hpp"
@@ -37,15 +39,27 @@ FolderLock open_run_folder(const std::string& directory) {
   return lock;
 }
 
-void remove_run(const std::string& directory) {
-  simulation::remove_results(directory);
-  for (const char* const name : {"report.html", "plan.svg"}) fs::remove(fs::path(directory) / name);
+void refuse_replacing(const std::string& directory) {
+  const auto refuse = [&](const char* what, const char* remedy) {
+    throw InputError(Complaint{directory, what, "a folder without results of a run", remedy});
+  };
+  const fs::path folder(directory);
+  if (fs::exists(folder / "manifest.json") && fs::exists(folder / "summary.json"))
+    refuse("holds a finished run, which a new run would replace", "give another folder, or add --replace");
+  if (fs::exists(folder / "checkpoint.nc"))
+    refuse("holds an interrupted run, which a new run would replace",
+           "go on from its checkpoint with --resume, give another folder, or add --replace");
 }
 
-void write_run_folder(const std::string& directory, const std::string& case_file, const io::Case& resolved,
-                      const simulation::Run& run) {
-  io::write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
-  simulation::write_run(directory, case_file, resolved, run, {"plan.svg"});
+void remove_run(const std::string& directory) {
+  recording::remove_results(directory);
+  for (const char* const name : {"report.html", "plan.svg"}) fs::remove(fs::path(directory) / name);
+  fs::remove_all(fs::path(directory) / "inputs");
+}
+
+void write_run_folder(const std::string& directory, const recording::Inputs& inputs, const simulation::Run& run) {
+  write_file(directory + "/plan.svg", report::plan_view(inputs.resolved, run.results));
+  recording::write_run(directory, inputs, run, {"plan.svg"});
   if (report::has_page()) write_report(directory);
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "brash/simulation/warnings.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
 
@@ -14,10 +15,12 @@ namespace {
 constexpr double kKilo = 1e3;
 
 std::string load_row(const char* name, const statistics::Summary& s, const simulation::LoadSplit& split) {
-  return fmt::format("  {:<11}{:>8.1f}  [{:.1f}, {:.1f}]{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
-                     s.mean / kKilo, s.mean_95.lower / kKilo, s.mean_95.upper / kKilo, s.standard_deviation / kKilo,
-                     s.quantile_99 / kKilo, s.maximum / kKilo, split.crushing / kKilo, split.floe_normal / kKilo,
-                     split.floe_friction / kKilo);
+  const std::string interval = s.effective_sample_size < simulation::kFewSamples
+                                   ? "[too few samples]"
+                                   : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / kKilo, s.mean_95.upper / kKilo);
+  return fmt::format("  {:<11}{:>8.1f}  {}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name, s.mean / kKilo,
+                     interval, s.standard_deviation / kKilo, s.quantile_99 / kKilo, s.maximum / kKilo,
+                     split.crushing / kKilo, split.floe_normal / kKilo, split.floe_friction / kKilo);
 }
 
 std::string loads(const simulation::RunSummary& s) {
@@ -38,7 +41,7 @@ std::string loads(const simulation::RunSummary& s) {
 }
 
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
-std::string comparison(const io::Case& resolved) {
+std::string comparison(const model::Case& resolved) {
   std::string text = "for comparison, horizontal [kN]\n";
   if (const auto load = croasdale_of(resolved))
     text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
@@ -83,7 +86,7 @@ std::string ledger(const geometry::Ledger& l) {
 }
 
 std::string energy(const simulation::EnergyBalance& e) {
-  const io::EnergyLosses& l = e.losses;
+  const model::EnergyLosses& l = e.losses;
   const double share = e.work != 0.0 ? 100.0 * e.error / e.work : 0.0;
   std::string text = fmt::format(
       "energy [kJ]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} at "
@@ -100,7 +103,7 @@ std::string energy(const simulation::EnergyBalance& e) {
   return text;
 }
 
-std::string speed(const io::Case& resolved, const simulation::Run& run) {
+std::string speed(const model::Case& resolved, const simulation::Run& run) {
   std::string text = fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s):",
                                  (resolved.time.duration - run.resumed_from) / run.wall_seconds, run.wall_seconds);
   simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) {
@@ -109,13 +112,24 @@ std::string speed(const io::Case& resolved, const simulation::Run& run) {
   return text + "\n";
 }
 
+/// What is to be known before the numbers are used.
+std::string warnings_text(const std::vector<model::Warning>& warnings) {
+  std::string text;
+  for (const model::Warning& warning : warnings) text += fmt::format("  {}: {}\n", warning.id, warning.text);
+  return text.empty() ? "" : "warnings\n" + text;
+}
+
 }  // namespace
 
-std::string run_table(const io::Case& resolved, const simulation::Run& run) {
+void print_warnings(const std::vector<model::Warning>& warnings) {
+  for (const model::Warning& warning : warnings) fmt::print(stderr, "warning: {}: {}\n", warning.id, warning.text);
+}
+
+std::string run_table(const model::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
-         loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) +
-         energy(run.summary.energy) + speed(resolved, run);
+         warnings_text(run.summary.warnings) + loads(run.summary) + comparison(resolved) + ice(run.summary) +
+         ledger(run.summary.ledger) + energy(run.summary.energy) + speed(resolved, run);
 }
 
 }  // namespace brash::cli

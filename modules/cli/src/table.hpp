@@ -2,13 +2,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/warning.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::cli {
 
+/// Prints each warning to stderr, as `warning: id: text`.
+void print_warnings(const std::vector<model::Warning>& warnings);
+
 /// The summary of a run as a table for people, the closed forms' peaks beside it.
-std::string run_table(const io::Case& resolved, const simulation::Run& run);
+std::string run_table(const model::Case& resolved, const simulation::Run& run);
 
 }  // namespace brash::cli

@@ -28,11 +28,15 @@ SettingValue value_of(bool value) { return {value ? "1" : "0", value ? 1.0 : 0.0
 SettingValue value_of(int value) { return {std::to_string(value), value}; }
 SettingValue value_of(std::uint64_t value) { return {std::to_string(value), static_cast<double>(value)}; }
 SettingValue value_of(const std::string& value) { return {value, {}}; }
+template <model::Choice Choice>
+SettingValue value_of(Choice value) {
+  return {std::string(model::name_of(value)), {}};
+}
 SettingValue value_of(const Vec2& value) { return {fmt::format("{} {}", value.x, value.y), {}}; }
 SettingValue value_of(const std::array<int, 2>& value) { return {fmt::format("{} {}", value[0], value[1]), {}}; }
 SettingValue value_of(const std::optional<double>& value) { return value ? value_of(*value) : SettingValue{}; }
 
-SettingValue value_in(const Case& resolved, const std::string& name) {
+SettingValue value_in(const model::Case& resolved, const std::string& name) {
   SettingValue found;
   visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
     if (section + "." + key == name) found = value_of(value);
@@ -44,7 +48,7 @@ SettingValue value_in(const Case& resolved, const std::string& name) {
 class PlanReader {
  public:
   PlanReader(const std::string& path, const PlanOptions& options)
-      : path_(path), options_(options), source_(read_source(path, {}, "plan")) {}
+      : path_(path), options_(options), source_(parse_source(text_of(path, "plan"), path, {})) {}
 
   CampaignPlan read() {
     const Json document = validated(source_, schema_of_plans());
@@ -149,11 +153,21 @@ class PlanReader {
            "remove it; campaign.replicates says how many there are");
   }
 
-  /// The base case as it was written; read again for each setting, so that messages can say where.
-  CaseSource base() const {
-    if (const auto named = source_.tree["campaign"]["case"].value<std::string>())
-      return read_source((fs::path(path_).parent_path() / *named).string(), {});
-    CaseSource whole = read_source(path_, {}, "plan");
+  /// The text of a file, read once: what is vouched for later is what was read.
+  const std::string& text_of(const std::string& path, const std::string& kind) {
+    const auto known = std::ranges::find(plan_.sources, path, &SourceText::path);
+    if (known != plan_.sources.end()) return known->text;
+    plan_.sources.push_back({path, read_text(path, kind)});
+    return plan_.sources.back().text;
+  }
+
+  /// The base case as it was written; parsed again for each setting, so that messages can say where.
+  CaseSource base() {
+    if (const auto named = source_.tree["campaign"]["case"].value<std::string>()) {
+      const std::string path = (fs::path(path_).parent_path() / *named).string();
+      return parse_source(text_of(path, "case file"), path, {});
+    }
+    CaseSource whole = parse_source(text_of(path_, "plan"), path_, {});
     return {path_, std::move(*whole.tree["case"].as_table()), {}};
   }
 
@@ -225,12 +239,12 @@ class PlanReader {
 
   const std::string path_;
   const PlanOptions& options_;
+  CampaignPlan plan_;
   const CaseSource source_;
   std::vector<Assignment> set_;
   std::vector<Axis> axes_;
   std::vector<Assignment> quick_set_;
   std::vector<Problem> problems_;
-  CampaignPlan plan_;
 };
 
 }  // namespace

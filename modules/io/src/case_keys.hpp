@@ -8,6 +8,7 @@ namespace brash::io {
 /// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members.
 template <typename AnyCase, typename Visitor>
 void visit_material_keys(AnyCase& c, Visitor&& visit) {
+  visit("algorithm", "preset", c.algorithm.preset);
   visit("ice", "thickness", c.ice.thickness);
   visit("ice", "density", c.ice.density);
   visit("ice", "youngs_modulus", c.ice.youngs_modulus);

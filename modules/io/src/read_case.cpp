@@ -18,6 +18,13 @@ template <typename Value>
 void assign(Value& value, const Json& section, const char* key) {
   section.at(key).get_to(value);
 }
+template <model::Choice Choice>
+void assign(Choice& value, const Json& section, const char* key) {
+  const auto text = section.at(key).get<std::string>();
+  const auto known = model::named<Choice>(text);
+  BRASH_EXPECTS(known.has_value(), key, text);  // the schema has the same names
+  value = *known;
+}
 void assign(Vec2& value, const Json& section, const char* key) {
   value = {section.at(key).at(0).get<double>(), section.at(key).at(1).get<double>()};
 }
@@ -25,8 +32,8 @@ void assign(std::optional<double>& value, const Json& section, const char* key) 
   if (section.contains(key)) value = section.at(key).get<double>();
 }
 
-Case case_from(const Json& document) {
-  Case result;
+model::Case case_from(const Json& document) {
+  model::Case result;
   std::size_t n_read = 0;
   visit_keys(result, [&](const char* section, const char* key, auto& value) {
     assign(value, document.at(section), key);
@@ -47,6 +54,14 @@ std::string resolve_file(const std::string& file, const CaseSource& source) {
   return std::filesystem::absolute(base / file).lexically_normal().string();
 }
 
+/// A default that the chosen failure model does not take is no wish of the user.
+void drop_options_not_taken(model::Case& c, const CaseSource& source) {
+  const auto is_written = [&](const char* key) { return source.tree["failure"][key].node() != nullptr; };
+  const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
+  if (!takes.radial_first && !is_written("order")) c.failure.order = model::CrackOrder::kCircumferentialFirst;
+  if (!takes.second_order && !is_written("second_order")) c.failure.second_order = false;
+}
+
 /// What is wrong with a model file outside the folder of the file that names it.
 std::vector<Problem> leads_out(const std::string& file, const CaseSource& source) {
   const Place named = place_of(source, "failure", "file");
@@ -61,10 +76,11 @@ std::vector<Problem> leads_out(const std::string& file, const CaseSource& source
 
 }  // namespace
 
-Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
-  Case result = case_from(validated(source, schema_of_cases()));
+model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
+  model::Case result = case_from(validated(source, schema_of_cases()));
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
+  drop_options_not_taken(result, source);
   std::vector<Problem> problems;
   if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source);
   if (problems.empty()) problems = cross_check(result, source);
@@ -72,14 +88,24 @@ Case resolve(const CaseSource& source, const std::string& name, ModelFile model_
   return result;
 }
 
-Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
+std::vector<std::string> keys_set_by_preset(const std::string& path, const std::vector<std::string>& overrides) {
+  const CaseSource source = parse_source(read_case_text(path), path, overrides);
+  std::vector<std::string> keys;
+  for (const auto& [section, part] : schema_of_cases().sections().items())
+    for (const auto& [key, key_schema] : part.at("properties").items())
+      if (key_schema.contains("x-presets") && source.tree[section][key].node() == nullptr)
+        keys.push_back(section + "." + key);
+  return keys;
+}
+
+model::Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
   return parse_case(read_case_text(path), path, overrides, model_file);
 }
 
 std::string read_case_text(const std::string& path) { return read_text(path, "case file"); }
 
-Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
-                ModelFile model_file) {
+model::Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
+                       ModelFile model_file) {
   return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string(), model_file);
 }
 

@@ -29,6 +29,18 @@ bool Schema::is_free(const OrderedJson& part) {
          (type == "array" && value_type(part.at("items")) == "object");
 }
 
+std::string Schema::preset_of(const nlohmann::json& document) const {
+  if (!sections().contains("algorithm")) return "";
+  const OrderedJson& key = keys("algorithm").at("preset");
+  return document.value("algorithm", nlohmann::json::object()).value("preset", key.at("default").get<std::string>());
+}
+
+const OrderedJson& Schema::default_in(const OrderedJson& key_schema, const std::string& preset) {
+  if (key_schema.contains("x-presets") && key_schema.at("x-presets").contains(preset))
+    return key_schema.at("x-presets").at(preset);
+  return key_schema.at("default");
+}
+
 bool Schema::requires_section(const std::string& section) const { return lists(tree_, section); }
 
 bool Schema::requires_key(const std::string& section, const std::string& key) const {
@@ -95,10 +107,19 @@ std::string range_text(const OrderedJson& key_schema) {
   return bounds.empty() ? "" : fmt::format(" {}", fmt::join(bounds, " and "));
 }
 
+/// " (5 to 89 degrees)"
+std::string degrees_text(const OrderedJson& key_schema) {
+  constexpr double kDegrees = 57.29577951308232;
+  if (!key_schema.contains("minimum") || !key_schema.contains("maximum")) return "";
+  return fmt::format(" ({:.4g} to {:.4g} degrees)", kDegrees * key_schema.at("minimum").get<double>(),
+                     kDegrees * key_schema.at("maximum").get<double>());
+}
+
 std::string number_text(const OrderedJson& key_schema) {
   const std::string unit = key_schema.at("x-unit").get<std::string>();
   std::string text = "a finite number" + range_text(key_schema);
   if (unit == "1") return text;
+  if (unit == "rad") text += degrees_text(key_schema);
   text += " in " + unit + ", or a string with a unit that converts to " + unit;
   if (key_schema.contains("examples")) text += ", such as " + key_schema.at("examples").front().dump();
   return text;

@@ -24,6 +24,10 @@ class Schema {
   const OrderedJson& keys(const std::string& section) const { return sections().at(section).at("properties"); }
   /// A part without listed keys: who reads the file checks it.
   static bool is_free(const OrderedJson& part);
+  /// The preset of a document, by its name: what it states, else the default; empty where the schema has none.
+  std::string preset_of(const nlohmann::json& document) const;
+  /// The default of a key under a preset.
+  static const OrderedJson& default_in(const OrderedJson& key_schema, const std::string& preset);
   bool requires_section(const std::string& section) const;
   bool requires_key(const std::string& section, const std::string& key) const;
 

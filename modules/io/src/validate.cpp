@@ -111,6 +111,12 @@ class Reader {
   void read_section(const std::string& section, const toml::node& node) {
     const std::vector<std::string> sections = names(schema_.sections());
     if (!schema_.sections().contains(section)) {
+      if (schema_.kind() == "case" && schema_of_plans().sections().contains(section)) {
+        problems_.push_back({place_of(source_, section), "[" + section + "]", "",
+                             "is a section of a campaign's plan, not of a case", "sections " + list(sections), "",
+                             "run a plan with `brash campaign PLAN.toml -o DIR`"});
+        return;
+      }
       const std::string nearest = nearest_name(section, sections);
       problems_.push_back({place_of(source_, section), "[" + section + "]", "", "is not a known section",
                            "sections " + list(sections), nearest.empty() ? "" : "[" + nearest + "]",
@@ -217,29 +223,34 @@ class Reader {
       problem.remedy += fmt::format(", or remove the line to take the default {}", toml_text(key_schema.at("default")));
     if (key_schema.contains("enum") && value.is_string()) {
       problem.what = "is not a known name";
+      if (key_schema.contains("x-limits")) problem.what += ": " + key_schema.at("x-limits").get<std::string>();
       const std::string nearest = nearest_name(value.get<std::string>(), key_schema.at("enum"));
       if (!nearest.empty()) problem.nearest = toml_string(nearest);
     } else if (type == "array" && value.is_array()) {
       problem.what = fmt::format("has {} values, or one that is not allowed", value.size());
     } else if ((type == "number" && value.is_number()) || (type == "integer" && value.is_number_integer())) {
       problem.what = fmt::format("is out of range ({} in SI)", value.dump());
+      if (key_schema.contains("x-limits")) problem.what += ": " + key_schema.at("x-limits").get<std::string>();
       if (key_schema.value("x-unit", "") == "rad" && source_.tree[section][key].is_number())
         problem.remedy = fmt::format("write degrees as \"{} deg\"; a bare number is in radians", value.dump());
     } else if (type == "string" && value.is_string()) {
       problem.what = "is too long";
     } else {
-      problem.what =
-          fmt::format("is a value of another type, not {}", type == "integer" ? "a whole number" : "a " + type);
+      problem.what = fmt::format("is a value of another type, not {}", type == "integer" ? "a whole number"
+                                                                       : type == "array" ? "an array"
+                                                                                         : "a " + type);
     }
     return problem;
   }
 
+  /// The defaults of a case are those of its preset.
   void add_defaults() {
+    const std::string preset = schema_.preset_of(document_);
     for (const std::string& section : names(schema_.sections())) {
       if (!has_keys(section)) continue;
       for (const auto& [key, key_schema] : schema_.keys(section).items())
         if (!document_[section].contains(key) && key_schema.contains("default"))
-          document_[section][key] = Json::parse(key_schema.at("default").dump());
+          document_[section][key] = Json::parse(Schema::default_in(key_schema, preset).dump());
     }
   }
 

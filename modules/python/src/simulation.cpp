@@ -8,6 +8,10 @@
 #include <optional>
 
 #include "../../cli/src/run_folder.hpp"
+#include "brash/core/write_file.hpp"
+#include "brash/io/case.hpp"
+#include "brash/recording/inputs.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "case.hpp"
 #include "convert.hpp"
@@ -20,9 +24,9 @@ namespace {
 
 /// What some steps did, one after the other.
 struct Steps {
-  std::vector<io::LoadRow> loads;
-  std::vector<io::CrackEvent> events;
-  std::vector<io::FloeRecord> births;
+  std::vector<model::LoadRow> loads;
+  std::vector<model::CrackEvent> events;
+  std::vector<model::FloeRecord> births;
   std::vector<simulation::FloeDeath> deaths;
 
   void add(simulation::StepReport report) {
@@ -44,7 +48,7 @@ class LiveSimulation {
     Steps steps;
     without_gil(static_cast<std::size_t>(n), [&](std::size_t) {
       simulation::StepReport report = simulation_.step();
-      for (const io::FloeRecord& floe : report.births) records_.emplace(floe.id, floe);
+      for (const model::FloeRecord& floe : report.births) records_.emplace(floe.id, floe);
       steps.add(std::move(report));
     });
     return steps;
@@ -59,7 +63,7 @@ class LiveSimulation {
 
  private:
   simulation::Simulation simulation_;
-  std::map<std::int64_t, io::FloeRecord> records_;
+  std::map<std::int64_t, model::FloeRecord> records_;
   bool busy_ = false;
 };
 
@@ -78,27 +82,28 @@ py::dict ledger_of(const geometry::Ledger& l) {
 py::list deaths_of(const Steps& steps) {
   py::list out;
   for (const simulation::FloeDeath& death : steps.deaths)
-    out.append(py::make_tuple(death.floe, io::name_of(death.cause)));
+    out.append(py::make_tuple(death.floe, model::name_of(death.cause)));
   return out;
 }
 
-/// Path of the case file that a run's manifest names; a case without a file gets one in the folder of the results.
-std::string case_file_of(const Case& c, const std::string& directory) {
-  if (c.has_file) return c.path;
-  const std::string file = directory + "/case.toml";
-  io::write_file(file, io::to_toml(c.resolved));
-  return file;
+/// What a run of this case reads; a case without a file is recorded as the text that gives it.
+recording::Inputs inputs_of(const Case& c) {
+  if (c.has_file) return recording::inputs_of(c.path, c.text, c.resolved);
+  return recording::inputs_of("case.toml", io::to_toml(c.resolved), c.resolved);
 }
 
-simulation::Run run(const Case& c, const py::object& output, bool resume) {
+simulation::Run run(const Case& c, const py::object& output, bool resume, bool replace) {
   if (resume && output.is_none()) throw InputError("resume: name the folder of the interrupted run as output");
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
+  const recording::Inputs inputs = inputs_of(c);
   simulation::RunOptions options;
-  if (!directory.empty()) options.checkpoint_file = directory + "/checkpoint.nc";
-  options.resume = resume;
+  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume);
   options.begun = [&] {
-    if (!directory.empty()) cli::remove_run(directory);
+    if (!directory.empty()) {
+      recording::expect_unchanged(inputs);
+      cli::remove_run(directory);
+    }
   };
   SignalPoll poll;
   options.interrupted = [&] { return poll.raised(); };
@@ -106,10 +111,12 @@ simulation::Run run(const Case& c, const py::object& output, bool resume) {
   {
     const py::gil_scoped_release release;
     std::optional<FolderLock> lock;
-    if (!directory.empty()) lock.emplace(cli::open_run_folder(directory));
+    if (!directory.empty()) {
+      lock.emplace(cli::open_run_folder(directory));
+      if (!resume && !replace) cli::refuse_replacing(directory);
+    }
     finished = simulation::run(c.resolved, options);
-    if (finished.complete && !directory.empty())
-      cli::write_run_folder(directory, case_file_of(c, directory), c.resolved, finished);
+    if (finished.complete && !directory.empty()) cli::write_run_folder(directory, inputs, finished);
   }
   if (!finished.complete) throw py::error_already_set();
   return finished;
@@ -120,10 +127,10 @@ void add_run(py::module_& m) {
   py::class_<Run>(m, "Run", "A finished run.")
       .def_readonly("results", &Run::results)
       .def_property_readonly(
-          "loads", [](const Run& r) { return table(std::span<const io::LoadRow>(r.results.loads)); },
+          "loads", [](const Run& r) { return table(std::span<const model::LoadRow>(r.results.loads)); },
           "Load history, see Results.loads.")
       .def_property_readonly(
-          "events", [](const Run& r) { return table(std::span<const io::CrackEvent>(r.results.events)); },
+          "events", [](const Run& r) { return table(std::span<const model::CrackEvent>(r.results.events)); },
           "Crack events, see Results.events.")
       .def_property_readonly(
           "summary", [](const Run& r) { return from_json(simulation::to_json(r.summary)); },
@@ -131,7 +138,9 @@ void add_run(py::module_& m) {
       .def_readonly("wall_seconds", &Run::wall_seconds);
   m.attr("Case").attr("run") = py::cpp_function(
       &run, py::name("run"), py::is_method(m.attr("Case")), py::arg("output") = py::none(), py::arg("resume") = false,
+      py::arg("replace") = false,
       "Runs the case to its end and returns a Run; with `output` it leaves there what `brash run` leaves.\n\n"
+      "A folder that holds a run already is refused without replace=True. "
       "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there.");
 }
 
@@ -141,10 +150,10 @@ void add_simulation(py::module_& m) {
   add_run(m);
   py::class_<Steps>(m, "Steps", "What one or several steps did.")
       .def_property_readonly(
-          "loads", [](const Steps& s) { return table(std::span<const io::LoadRow>(s.loads)); },
+          "loads", [](const Steps& s) { return table(std::span<const model::LoadRow>(s.loads)); },
           "Structured array with the columns of history.csv; shape (n_steps,).")
       .def_property_readonly(
-          "events", [](const Steps& s) { return table(std::span<const io::CrackEvent>(s.events)); },
+          "events", [](const Steps& s) { return table(std::span<const model::CrackEvent>(s.events)); },
           "Structured array with the columns of events.csv; shape (n_events,).")
       .def_readonly("births", &Steps::births, "A list of FloeRecord.")
       .def_property_readonly("deaths", &deaths_of, "A list of (id, cause).");

@@ -11,6 +11,7 @@
 
 using namespace brash;
 using namespace brash::io;
+using namespace brash::model;
 
 namespace {
 
@@ -33,7 +34,7 @@ BOOST_AUTO_TEST_CASE(the_validation_case_has_the_values_of_the_paper) {
   // The conversion factor pi/180 is rounded differently by UDUNITS: one unit in the last place.
   BOOST_TEST(std::abs(c.structure.angle - radians(61.4)) <= 2.3e-16);
   BOOST_TEST(c.structure.speed == 1.202);
-  BOOST_TEST(c.failure.model == "network");
+  BOOST_TEST((c.failure.model == FailureModel::kNetwork));
   BOOST_TEST(c.failure.wedges[0] == 3);
   BOOST_TEST(c.failure.wedges[1] == 5);
   BOOST_TEST(c.random.seed == 1u);
@@ -61,6 +62,26 @@ BOOST_AUTO_TEST_CASE(keys_that_are_not_written_have_the_defaults_of_the_header) 
   BOOST_TEST((c == expected));
 }
 
+BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
+  const Case paper = read_case(kValidation);
+  BOOST_TEST((paper.failure.model == FailureModel::kNetwork));
+  BOOST_TEST(!paper.failure.under_floes);
+  BOOST_TEST(!paper.failure.second_order);
+  const Case brash_ = read_case(kValidation, {"algorithm.preset=brash"});
+  BOOST_TEST((brash_.failure.model == FailureModel::kSuperposition));
+  BOOST_TEST(brash_.failure.second_order);
+  BOOST_TEST(!read_case(kValidation, {"algorithm.preset=brash", "failure.second_order=false"}).failure.second_order);
+  const std::vector<std::string> left{"failure.order", "failure.second_order", "failure.under_floes"};
+  BOOST_TEST(keys_set_by_preset(kValidation, {"failure.model=plate"}) == left);
+}
+
+BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out) {
+  const Case wedge = read_case(kValidation, {"algorithm.preset=brash", "failure.model=wedge"});
+  BOOST_TEST(!wedge.failure.second_order);
+  BOOST_TEST((wedge.failure.order == CrackOrder::kCircumferentialFirst));
+  BOOST_CHECK_THROW(read_case(kValidation, {"failure.model=wedge", "failure.second_order=true"}), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(the_resolved_text_reads_back_to_the_same_case) {
   const Scratch scratch;
   scratch.write("model \"a\".json", "{}");
@@ -80,10 +101,13 @@ BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
   const Case c = read_case(scratch.write("cone.toml", case_template()));
   Case validation = read_case(kValidation);
   validation.reference = {};  // a measured load belongs to one case
-  BOOST_TEST(c.failure.model == "superposition");
-  validation.failure.model = c.failure.model;  // the paper's network there, the default here
+  BOOST_TEST((c.failure.model == FailureModel::kSuperposition));
   BOOST_TEST(c.failure.under_floes);
-  validation.failure.under_floes = true;  // the paper judges the structure's contacts
+  BOOST_TEST(c.failure.second_order);
+  BOOST_TEST((c.failure.order == CrackOrder::kRadialFirst));
+  // The paper's preset there, the default here.
+  validation.algorithm = c.algorithm;
+  validation.failure = c.failure;
   BOOST_TEST((c == validation));
   // Every key of the resolved text is in the template too.
   const std::string text = case_template();
@@ -170,6 +194,30 @@ BOOST_AUTO_TEST_CASE(every_key_has_a_meaning_a_unit_and_limits_that_hold) {
         BOOST_TEST(refused(full_name, std::to_string(key["maximum"].get<double>() * 1.01)), full_name);
     }
   }
+}
+
+/// The names of a choice in the schema, in its order.
+std::vector<std::string> names_in_schema(const char* section, const char* key) {
+  const auto schema = nlohmann::json::parse(case_schema());
+  return schema.at("properties").at(section).at("properties").at(key).at("enum");
+}
+
+template <typename Choice>
+std::vector<std::string> names_in_model() {
+  std::vector<std::string> names;
+  for (const auto& entry : kNames<Choice>) names.emplace_back(entry.name);
+  return names;
+}
+
+BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
+  BOOST_TEST(names_in_schema("algorithm", "preset") == names_in_model<Preset>());
+  BOOST_TEST(names_in_schema("structure", "kind") == names_in_model<StructureKind>());
+  BOOST_TEST(names_in_schema("structure", "breaking") == names_in_model<Breaking>());
+  BOOST_TEST(names_in_schema("field", "kind") == names_in_model<FieldKind>());
+  BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
+  BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
+  BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
+  BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brash/core/vec.hpp"
+#include "brash/model/choices.hpp"
 
 namespace brash::failure {
 
@@ -92,6 +94,8 @@ class BendingCriterion {
   virtual bool needs_outline() const { return false; }
   /// The one h / l_c that its model was trained with; nothing where the model knows h / l_c or needs none.
   virtual std::optional<double> trained_thickness_over_lc() const { return std::nullopt; }
+  /// Least and largest h / l_c that the model holds for; nothing for one without limits.
+  virtual std::optional<std::pair<double, double>> thickness_over_lc_range() const { return std::nullopt; }
 };
 
 /// What goes beyond the paper's criterion. docs/theory/failure.md, (4)
@@ -119,14 +123,14 @@ struct BendingOptions {
 ///
 /// @param file  of the network (of either kind) or of the superposition; empty: the model that comes with the program,
 /// see model_path().
-/// @throws InputError for an unknown name, an unreadable file, or an option that the model does not have.
-std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
+/// @throws InputError for an unreadable file, or an option that the model does not have.
+std::unique_ptr<BendingCriterion> make_criterion(model::FailureModel model, const std::string& file,
                                                  const IceProperties& ice, const BendingOptions& options = {});
 
 /// The model file that `make_criterion(model, file, ...)` reads; empty when that model reads none.
 ///
 /// With an empty `file` it is `cone_<model>.json` in the folder that the environment variable BRASH_MODEL_PATH names,
 /// else with the sources for a program in the build tree and in share/brash/models for an installed one.
-std::string model_path(const std::string& model, const std::string& file);
+std::string model_path(model::FailureModel model, const std::string& file);
 
 }  // namespace brash::failure

@@ -40,9 +40,17 @@ struct SettingValue {
 struct Setting {
   std::string name;                  ///< "angle-50deg_speed-0.5"; "base" without a grid
   std::vector<SettingValue> values;  ///< one a varied key
-  Case resolved;                     ///< its name keys the random streams
+  model::Case resolved;              ///< its name keys the random streams
 
   friend bool operator==(const Setting&, const Setting&) = default;
+};
+
+/// A file as it was read.
+struct SourceText {
+  std::string path;
+  std::string text;
+
+  friend bool operator==(const SourceText&, const SourceText&) = default;
 };
 
 /// A plan, everything in it resolved and checked.
@@ -52,7 +60,8 @@ struct CampaignPlan {
   std::string keep = "summary";      ///< summary | history | run
   std::vector<std::string> columns;  ///< numbers of a run's summary
   std::vector<VariedKey> keys;
-  std::vector<Setting> settings;  ///< all combinations, the last axis fastest
+  std::vector<Setting> settings;    ///< all combinations, the last axis fastest
+  std::vector<SourceText> sources;  ///< the plan, and the base case where that is a file of its own
 
   friend bool operator==(const CampaignPlan&, const CampaignPlan&) = default;
 };

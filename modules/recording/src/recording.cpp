@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/recording/recording.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+
+#include "brash/core/write_file.hpp"
+#include "brash/io/checkpoint.hpp"
+#include "brash/io/results.hpp"
+
+namespace brash::recording {
+
+simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume) {
+  simulation::CheckpointStore store{.name = path,
+                                    .keep = [path](const model::Checkpoint& c) { io::write_checkpoint(path, c); }};
+  if (resume)
+    store.newest = [path]() -> std::optional<model::Checkpoint> {
+      if (!std::filesystem::exists(path)) return std::nullopt;
+      return io::read_checkpoint(path);
+    };
+  return store;
+}
+
+void write_run(const std::string& directory, const Inputs& inputs, const simulation::Run& run,
+               const std::vector<std::string>& pictures, Kept kept) {
+  const auto start = std::chrono::steady_clock::now();
+  const model::Case resolved = inputs.recorded();
+  std::vector<std::string> outputs{"summary.json"};
+  if (kept == Kept::kRun) {
+    io::write_results(directory, resolved, run.results);
+    outputs = {"run.nc", "history.csv", "events.csv", "summary.json"};
+  } else if (kept == Kept::kHistory) {
+    io::write_history(directory, run.results);
+    outputs = {"history.csv", "summary.json"};
+  }
+  write_file(directory + "/summary.json", simulation::to_json(run.summary));
+
+  // Of a campaign's case the campaign has the copies.
+  if (kept == Kept::kRun) write_copies(inputs, directory);
+  std::vector<io::HashedFile> read;
+  for (const InputFile& file : inputs.files) read.push_back({file.path, file.sha256, file.n_bytes, file.copy});
+  outputs.insert(outputs.end(), pictures.begin(), pictures.end());
+  std::map<std::string, double> stage_seconds;
+  simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) { stage_seconds[name] = seconds; });
+  stage_seconds["recording"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  io::write_manifest(directory, resolved, read, outputs,
+                     {.started_at = run.started_at,
+                      .wall_seconds = run.wall_seconds,
+                      .host_cpu = {},
+                      .stage_seconds = std::move(stage_seconds)});
+}
+
+void remove_results(const std::string& directory) {
+  // What vouches for the others first.
+  for (const char* const name : {"manifest.json", "summary.json", "run.nc", "history.csv", "events.csv"})
+    std::filesystem::remove(std::filesystem::path(directory) / name);
+}
+
+}  // namespace brash::recording
