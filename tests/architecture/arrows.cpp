@@ -22,10 +22,11 @@ struct Room {
 
 const std::map<std::string, Room> kRooms{
     {"core", {"modules/core", {}, {"openssl"}}},
+    {"netcdf", {"modules/netcdf", {"core"}, {"netcdf", "hdf5"}}},
     {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
     {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json"}}},
-    {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
+    {"database", {"failure/database", {"core", "netcdf", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "model", "plate", "meta_model"}, {}}},
     {"model", {"modules/model", {"core"}, {}}},
     {"structure", {"modules/structure", {"core"}, {}}},
@@ -33,7 +34,7 @@ const std::map<std::string, Room> kRooms{
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
-    {"io", {"modules/io", {"core", "model"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
+    {"io", {"modules/io", {"core", "model", "netcdf"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
     {"report", {"modules/report", {"core", "model", "io", "statistics"}, {"json", "zlib"}}},
     {"simulation",
      {"modules/simulation",
@@ -45,12 +46,12 @@ const std::map<std::string, Room> kRooms{
 
 /// How the include line of each third-party library begins.
 const std::map<std::string, std::regex> kLibraries{
-    {"CGAL", std::regex("^CGAL/")},        {"Eigen", std::regex("^Eigen/")},
-    {"gsl", std::regex("^gsl/")},          {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
-    {"netcdf", std::regex("^netcdf")},     {"toml", std::regex("^toml")},
-    {"udunits", std::regex("^udunits2")},  {"json", std::regex("^nlohmann/")},
-    {"valijson", std::regex("^valijson")}, {"openssl", std::regex("^openssl/")},
-    {"zlib", std::regex("^zlib\\.h")},
+    {"CGAL", std::regex("^CGAL/")},       {"Eigen", std::regex("^Eigen/")},
+    {"gsl", std::regex("^gsl/")},         {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
+    {"netcdf", std::regex("^netcdf")},    {"hdf5", std::regex("^hdf5")},
+    {"toml", std::regex("^toml")},        {"udunits", std::regex("^udunits2")},
+    {"json", std::regex("^nlohmann/")},   {"valijson", std::regex("^valijson")},
+    {"openssl", std::regex("^openssl/")}, {"zlib", std::regex("^zlib\\.h")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

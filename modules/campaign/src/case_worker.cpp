@@ -53,6 +53,10 @@ void publish(const std::string& partial, const std::string& folder) {
 CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted) {
   const std::string partial = task.folder + ".part";
   std::error_code reason;
+  for (const std::string& folder : {task.folder, partial})
+    if (fs::is_symlink(folder, reason))
+      throw InputError(Complaint{folder, "is a link, and a campaign follows none in its folder", "a folder",
+                                 "remove the link, or give another folder"});
   fs::create_directories(partial, reason);
   if (reason) throw StorageError(fmt::format("{}: cannot be made: {}", partial, reason.message()));
   const std::optional<FolderLock> lock = FolderLock::take(partial + "/lock", kPatience);

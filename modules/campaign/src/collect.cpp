@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/core/write_file.hpp"
@@ -52,23 +53,30 @@ std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, c
   return rows;
 }
 
-/// A cell of a CSV file: quoted where it has to be.
+/// Whether a spreadsheet takes a text for a formula. Numbers, also several, are none.
+bool is_formula(const std::string& text) {
+  if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
+  return text.find_first_not_of("0123456789+-.eE ") != std::string::npos;
+}
+
+/// A cell of a CSV file: quoted where it has to be. One that a spreadsheet would compute begins with an apostrophe.
 std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
+  const bool formula = is_formula(text);
+  if (!formula && text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = formula ? "\"'" : "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
 }
 
 std::string csv(const io::CampaignPlan& plan, const Folder& folder, const std::vector<Row>& rows) {
   std::string text = "case,setting,replicate,status";
-  for (const io::VariedKey& key : plan.keys) text += ',' + key.name;
-  for (const std::string& column : plan.columns) text += ',' + column;
+  for (const io::VariedKey& key : plan.keys) text += ',' + cell(key.name);
+  for (const std::string& column : plan.columns) text += ',' + cell(column);
   text += ",warnings\n";
   for (const Row& row : rows) {
     const io::Setting& setting = plan.settings[row.key.setting];
-    text +=
-        fmt::format("{},{},{},{}", folder.id(row.key), setting.name, row.key.replicate, row.failed ? "failed" : "done");
+    text += fmt::format("{},{},{},{}", cell(folder.id(row.key)), cell(setting.name), row.key.replicate,
+                        row.failed ? "failed" : "done");
     for (const io::SettingValue& value : setting.values) text += ',' + cell(value.text);
     for (const double value : row.values) text += std::isnan(value) ? "," : fmt::format(",{}", value);
     text += fmt::format(",{}\n", fmt::join(row.warnings, " "));
@@ -162,8 +170,10 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
   Json all = Json::array();
   for (const Row& row : rows) {
     if (row.failed) continue;
-    const Json manifest =
-        Json::parse(read_text(folder.case_folder(row.key) + "/manifest.json"), nullptr, /*allow_exceptions=*/false);
+    const std::string path = folder.case_folder(row.key) + "/manifest.json";
+    const std::string text = read_text(path);
+    refuse_deep_json(text, path, "the manifest of a run");
+    const Json manifest = Json::parse(text, nullptr, /*allow_exceptions=*/false);
     // The first input is the setting's file, the second the failure model's. What is not there is null.
     const auto at = [&](const char* pointer) {
       const Json::json_pointer place(pointer);

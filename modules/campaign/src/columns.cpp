@@ -8,6 +8,7 @@
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::campaign {
@@ -70,6 +71,7 @@ std::vector<std::string> warnings_in(const std::string& summary) {
 }
 
 std::map<std::string, double> columns_of(const std::string& path, const std::string& summary) {
+  refuse_deep_json(summary, path, "the summary of a run");
   try {
     const Walk walk(Json::parse(summary));
     return {walk.found.begin(), walk.found.end()};

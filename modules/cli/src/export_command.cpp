@@ -16,6 +16,7 @@
 #include "brash/simulation/cone_of.hpp"
 #include "brash/structure/cone.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "vtk_meshes.hpp"
 
 namespace brash::cli {
@@ -144,7 +145,7 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
   }
   const std::string collection = (fs::path(directory) / "run.pvd").string();
   write_file(collection, io::to_pvd(steps));
-  fmt::print("{} frames in {}\n", results.frames.size(), collection);
+  print("{} frames in {}\n", results.frames.size(), collection);
 }
 
 }  // namespace

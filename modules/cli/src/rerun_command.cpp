@@ -17,6 +17,7 @@
 #include "brash/io/results.hpp"
 #include "brash/recording/inputs.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 
@@ -188,7 +189,7 @@ bool rerun_run(const RerunOptions& options) {
         fmt::format("{}: not what it was:{}\n  allowed: the bytes that the manifest has the hashes of"
                     "\n  remedy:  put them back, or repeat the run with --anyway",
                     escaped(options.manifest), text));
-  if (!changes.empty()) fmt::print("not what it was:{}\n", text);
+  if (!changes.empty()) print("not what it was:{}\n", text);
 
   const TemporaryFolder temporary;
   const std::string folder = options.output.empty() ? temporary.path() : options.output;
@@ -196,7 +197,7 @@ bool rerun_run(const RerunOptions& options) {
   std::string different;
   for (const Recorded& output : manifest.outputs) {
     const bool same = hash_of(fs::path(folder) / output.path) == output.sha256;
-    fmt::print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
+    print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
     if (!same) different += " " + output.path;
   }
   if (!different.empty() && !options.of_campaign) throw RunError("the repeated run differs in" + escaped(different));
@@ -218,7 +219,7 @@ void rerun_campaign(const RerunOptions& options) {
   std::size_t n_different = 0;
   for (const fs::path& manifest : manifests) {
     const std::string name = manifest.parent_path().filename().string();
-    fmt::print("{}\n", escaped(name));
+    print("{}\n", name);
     n_different += rerun_run({.manifest = manifest.string(),
                               .output = options.output.empty() ? "" : options.output + "/" + name,
                               .anyway = options.anyway,
@@ -226,7 +227,7 @@ void rerun_campaign(const RerunOptions& options) {
                        ? 0
                        : 1;
   }
-  fmt::print("{} of {} cases identical\n", manifests.size() - n_different, manifests.size());
+  print("{} of {} cases identical\n", manifests.size() - n_different, manifests.size());
   if (n_different > 0) throw RunError(fmt::format("{} of {} cases differ", n_different, manifests.size()));
 }
 

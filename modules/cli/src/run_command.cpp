@@ -10,6 +10,7 @@
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include "table.hpp"
@@ -38,7 +39,7 @@ void run_case(const RunOptions& options) {
   if (!options.resume && !options.replace) refuse_replacing(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";
   if (options.resume && !std::filesystem::exists(checkpoint))
-    fmt::print(stderr, "warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
+    say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   const simulation::Run run =
       run_with_progress(resolved, {.begun =
                                        [&] {
@@ -51,8 +52,8 @@ void run_case(const RunOptions& options) {
         fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,
                     run.results.loads.back().time));
   write_run_folder(directory, inputs, run);
-  fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
-  if (report::has_page()) fmt::print("report in  {}/report.html\n", directory);
+  print("{}\nresults in {}\n", run_table(resolved, run), directory);
+  if (report::has_page()) print("report in  {}/report.html\n", directory);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "brash/simulation/warnings.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
+#include "messages.hpp"
 
 namespace brash::cli {
 namespace {
@@ -122,7 +123,7 @@ std::string warnings_text(const std::vector<model::Warning>& warnings) {
 }  // namespace
 
 void print_warnings(const std::vector<model::Warning>& warnings) {
-  for (const model::Warning& warning : warnings) fmt::print(stderr, "warning: {}: {}\n", warning.id, warning.text);
+  for (const model::Warning& warning : warnings) say("warning: {}: {}\n", warning.id, warning.text);
 }
 
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {

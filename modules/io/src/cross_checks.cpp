@@ -138,6 +138,11 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.time.step <= c.time.duration, {"time", "step"}, {"time", "duration"},
                  "the step is longer than the run", fmt::format("at most time.duration = {} s", c.time.duration),
                  "lower time.step or raise time.duration");
+  constexpr double kMostSteps = 1e8;  // their history alone takes 30 GB
+  checks.require(c.time.duration / c.time.step <= kMostSteps, {"time", "duration"}, {"time", "step"},
+                 fmt::format("takes {:.3g} steps", c.time.duration / c.time.step),
+                 fmt::format("at most {:g} steps, {:.6g} s at this step", kMostSteps, kMostSteps * c.time.step),
+                 "shorten the run or lengthen time.step");
   checks.require(c.output.statistics_from.value_or(0.0) < c.time.duration, {"output", "statistics_from"},
                  {"time", "duration"}, "the statistics would begin after the run",
                  fmt::format("less than time.duration = {} s", c.time.duration),

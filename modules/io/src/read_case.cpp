@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "case_keys.hpp"
 #include "cross_checks.hpp"
@@ -106,7 +107,11 @@ std::string read_case_text(const std::string& path) { return read_text(path, "ca
 
 model::Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
                        ModelFile model_file) {
-  return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string(), model_file);
+  // "...toml" would name its results "..".
+  const std::string name = std::filesystem::path(path).stem().string();
+  if (name.empty() || name == "." || name == "..")
+    throw InputError(Complaint{path, "gives its case no name", "a file name such as cone.toml", "rename the file"});
+  return resolve(parse_source(text, path, overrides), name, model_file);
 }
 
 }  // namespace brash::io

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
 #include "schema_text.hpp"
@@ -80,7 +81,7 @@ std::string toml_string(const std::string& text) {
       quoted += c;
     }
   }
-  return quoted + '"';
+  return escaped_as_unicode(quoted) + '"';
 }
 
 std::string toml_text(const OrderedJson& value) {

@@ -236,9 +236,8 @@ class Reader {
     } else if (type == "string" && value.is_string()) {
       problem.what = "is too long";
     } else {
-      problem.what = fmt::format("is a value of another type, not {}", type == "integer" ? "a whole number"
-                                                                       : type == "array" ? "an array"
-                                                                                         : "a " + type);
+      problem.what = fmt::format("is a value of another type, not {}",
+                                 type == "integer" ? "a whole number" : (type == "array" ? "an " : "a ") + type);
     }
     return problem;
   }

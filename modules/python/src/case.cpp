@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
 #include "convert.hpp"
@@ -16,16 +20,18 @@ Case read(std::string text, std::string path, bool has_file, std::vector<std::st
   return {std::move(text), std::move(path), has_file, std::move(overrides), std::move(resolved)};
 }
 
-/// A Python value as TOML: true, 0.4, "40 cm", [3, 5].
-std::string toml_value(py::handle value) {
+/// A Python value as TOML: true, 0.4, "40 cm", [3, 5]. A list that holds itself has no end, and is refused.
+std::string toml_value(py::handle value, int depth = 0) {
+  constexpr int kDeepest = 8;
+  if (depth > kDeepest) throw InputError(fmt::format("a list is nested deeper than {}, or holds itself", kDeepest));
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<py::str>(value))
     return py::str(py::module_::import("json").attr("dumps")(value, py::arg("ensure_ascii") = false));
   if (py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value)) return py::repr(value);
-  if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")());
+  if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")(), depth + 1);
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
     std::string items;
-    for (const py::handle item : value) items += (items.empty() ? "" : ", ") + toml_value(item);
+    for (const py::handle item : value) items += (items.empty() ? "" : ", ") + toml_value(item, depth + 1);
     return "[" + items + "]";
   }
   throw py::type_error("a case takes bool, int, float, str and lists of them, not " +
@@ -72,7 +78,10 @@ py::dict derived(const Case& c) {
   return out;
 }
 
-void update(Case& c, const py::dict& changes) { c = read(c.text, c.path, c.has_file, changed(c.overrides, changes)); }
+void update(Case& c, const py::dict& changes) {
+  if (c.runs.n > 0) throw std::runtime_error("this case is running: change a copy of it, case.copy()");
+  c = read(c.text, c.path, c.has_file, changed(c.overrides, changes));
+}
 
 }  // namespace
 

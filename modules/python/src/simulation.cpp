@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "../../cli/src/run_folder.hpp"
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/recording/inputs.hpp"
@@ -86,6 +88,18 @@ py::list deaths_of(const Steps& steps) {
   return out;
 }
 
+/// While it lives, the case cannot be changed. Made and ended with the GIL.
+class Frozen {
+ public:
+  explicit Frozen(const Case& c) : case_(c) { ++case_.runs.n; }
+  Frozen(const Frozen&) = delete;
+  Frozen& operator=(const Frozen&) = delete;
+  ~Frozen() { --case_.runs.n; }
+
+ private:
+  const Case& case_;
+};
+
 /// What a run of this case reads; a case without a file is recorded as the text that gives it.
 recording::Inputs inputs_of(const Case& c) {
   if (c.has_file) return recording::inputs_of(c.path, c.text, c.resolved);
@@ -108,8 +122,9 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   SignalPoll poll;
   options.interrupted = [&] { return poll.raised(); };
   simulation::Run finished;
+  const Frozen frozen(c);
   {
-    const py::gil_scoped_release release;
+    const Released release;
     std::optional<FolderLock> lock;
     if (!directory.empty()) {
       lock.emplace(cli::open_run_folder(directory));
