@@ -23,27 +23,48 @@ void collect_others(const Part& part, std::vector<const Part*>& others) {
 
 }  // namespace
 
-void ContactSet::find(const std::vector<PartPair>& pairs) {
-  contacts_.clear();
-  for (std::size_t i = 0; i < pairs.size();) {
-    // Pairs of one floe's part come in a row; the parts of the sheet among them continue each other.
-    std::size_t end = i;
-    near_sheet_.clear();
-    for (; end < pairs.size() && pairs[end].first == pairs[i].first; ++end)
-      if (pairs[end].second->body->kind == BodyKind::kSheet) near_sheet_.push_back(pairs[end].second);
-    collect_others(*pairs[i].first, beside_first_);
-    for (; i < end; ++i) {
-      const Part& second = *pairs[i].second;
-      if (second.body->kind == BodyKind::kSheet) {
-        beside_second_ = near_sheet_;
-        std::erase(beside_second_, &second);
-      } else {
-        collect_others(second, beside_second_);
-      }
-      if (narrow_phase_.find(pairs[i], beside_first_, beside_second_))
-        contacts_.push_back({pairs[i].first->body, second.body, narrow_phase_.normal, narrow_phase_.patch});
-    }
+void ContactSet::begin(Body& first) {
+  first_ = &first;
+  first_contact_ = contacts_.size();
+  near_sheet_.clear();
+}
+
+void ContactSet::meet(const Body& second) {
+  if (second.kind == BodyKind::kSheet)
+    for (const auto& part : second.parts) near_sheet_.push_back(part.get());
+}
+
+void ContactSet::find(Body& one, Body& other) {
+  Body& second = first_ == &one ? other : one;
+  for (const auto& part : first_->parts)
+    if (within_reach(box(*part), second.box, 0.0)) find(*part, second);
+}
+
+void ContactSet::find(const Part& part, Body& second) {
+  collect_others(part, beside_first_);
+  for (const auto& met : second.parts)
+    if (within_reach(box(part), box(*met), 0.0) &&
+        narrow_phase_.find({&part, met.get()}, beside_first_, beside(part, *met)))
+      contacts_.push_back({first_, &second, part.number, narrow_phase_.normal, narrow_phase_.patch});
+}
+
+/// What continues the solid of the second part. The parts of the sheet that the first part meets continue each other.
+std::span<const Part* const> ContactSet::beside(const Part& part, const Part& of_second) {
+  if (of_second.body->kind != BodyKind::kSheet) {
+    collect_others(of_second, beside_second_);
+    return beside_second_;
   }
+  beside_second_.clear();
+  for (const Part* tile : near_sheet_)
+    if (tile != &of_second && within_reach(box(part), box(*tile), 0.0)) beside_second_.push_back(tile);
+  return beside_second_;
+}
+
+/// Contacts of one part of the floe come in a row.
+void ContactSet::end() {
+  if (first_->parts.size() > 1)
+    std::stable_sort(contacts_.begin() + static_cast<std::ptrdiff_t>(first_contact_), contacts_.end(),
+                     [](const Contact& a, const Contact& b) { return a.first_part < b.first_part; });
 }
 
 std::vector<Body*> ContactSet::settled_and_hit(double speed) const {

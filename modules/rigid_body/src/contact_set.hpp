@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bounded_solver.hpp"
-#include "broad_phase.hpp"
 #include "narrow_phase.hpp"
 
 namespace brash::rigid_body {
@@ -16,8 +15,16 @@ class ContactSet {
   explicit ContactSet(const WorldSettings& settings)
       : ice_structure_(settings.ice_structure), ice_ice_(settings.ice_ice) {}
 
-  /// Replaces the contacts by those of the pairs.
-  void find(const std::vector<PartPair>& pairs);
+  /// Forgets all contacts.
+  void clear() { contacts_.clear(); }
+  /// Contacts of `first`, a floe, come next, until end(). Floes come in the order of the step.
+  void begin(Body& first);
+  /// Its box and that of `second` overlap. All these are told before the first of its contacts is found.
+  void meet(const Body& second);
+  /// Finds the contacts of the floe with one of those bodies. The two may come either way round, the bodies in the
+  /// order of the step.
+  void find(Body& one, Body& other);
+  void end();
   /// The settled floes that another body runs into faster than `speed` [m/s].
   std::vector<Body*> settled_and_hit(double speed) const;
   /// Adds all of them to a solver that knows the bodies by their Body::in_solver.
@@ -36,6 +43,7 @@ class ContactSet {
 
     Body* first;
     Body* second;
+    int first_part;
     Vec3 normal;
     Patch patch;
   };
@@ -43,6 +51,8 @@ class ContactSet {
   const ContactLaw& law(const Body& second) const {
     return second.kind == BodyKind::kStructure ? ice_structure_ : ice_ice_;
   }
+  void find(const Part& part, Body& second);
+  std::span<const Part* const> beside(const Part& part, const Part& of_second);
   static ContactLoad load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt);
 
   /// A contact on its way into the order of the report.
@@ -66,7 +76,9 @@ class ContactSet {
   std::vector<Contact> contacts_;
   std::vector<Listed> listed_;              ///< scratch of report
   std::vector<ListedPoint> points_;         ///< scratch of report: of one pair of bodies
-  std::vector<const Part*> near_sheet_;     ///< scratch of find
+  Body* first_ = nullptr;                   ///< whose contacts come
+  std::size_t first_contact_ = 0;           ///< of that floe
+  std::vector<const Part*> near_sheet_;     ///< the parts of the sheet that it meets
   std::vector<const Part*> beside_first_;   ///< scratch of find
   std::vector<const Part*> beside_second_;  ///< scratch of find
 };

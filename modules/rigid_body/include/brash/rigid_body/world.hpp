@@ -15,6 +15,8 @@
 
 namespace brash::rigid_body {
 
+class BodyWorld;
+
 /// How a pair of surfaces meets.
 struct ContactLaw {
   double friction = 0.0;     ///< Coulomb coefficient of the pair [-], Eq. 6
@@ -162,8 +164,7 @@ class World {
   double kinetic_energy(BodyId id) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<BodyWorld> world_;
 };
 
 }  // namespace brash::rigid_body
