@@ -86,6 +86,8 @@ BodyId BodyWorld::insert(std::unique_ptr<Body> body) {
 void BodyWorld::remove(BodyId id) {
   order_.clear();
   Body& body = get(id);
+  links_.forget(body);
+  std::erase_if(given_, [&](const GivenContact& c) { return c.body == id || c.other == id; });
   removeRigidBody(body.bullet.get());
   list_as_moving(body, false);
   by_index_[id.index] = nullptr;
@@ -128,7 +130,10 @@ void BodyWorld::bring_into_order() {
 
 void BodyWorld::step(double dt) {
   bring_into_order();
+  links_.prepare(dt);
   stepSimulation(dt, 0);
+  links_.measure();
+  given_.clear();
 }
 
 void BodyWorld::predictUnconstraintMotion(btScalar dt) {
@@ -137,6 +142,7 @@ void BodyWorld::predictUnconstraintMotion(btScalar dt) {
     btRigidBody& b = *body->bullet;
     b.setLinearVelocity(to_bullet(body->twist.linear));
     b.setAngularVelocity(to_bullet(body->twist.angular));
+    body->loaded_twist = body->twist;
     if (!body->is_free()) continue;
     b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
     b.clearForces();
@@ -144,7 +150,32 @@ void BodyWorld::predictUnconstraintMotion(btScalar dt) {
     b.applyTorque(to_bullet(body->load.moment));
     b.integrateVelocities(dt);
     b.clearForces();
+    body->loaded_twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
   }
+}
+
+void BodyWorld::average_velocities() {
+  for (Body* body : order_) {
+    body->mean_twist = body->twist;
+    if (!body->is_free()) continue;
+    const Vec3 linear = from_bullet(body->bullet->getLinearVelocity());
+    const Vec3 angular = from_bullet(body->bullet->getAngularVelocity());
+    body->mean_twist = {0.5 * (body->twist.linear + linear), 0.5 * (body->twist.angular + angular)};
+  }
+}
+
+void BodyWorld::finish(Body& body, const Pose& pose) {
+  body.pose = pose;
+  body.load = {};
+  BRASH_EXPECTS(is_finite(body.pose, body.twist), "state of body", body.id.index, "is not finite");
+  body.place();
+}
+
+void BodyWorld::move_as_told(Body& body) {
+  if (!body.moved) return;
+  body.pose = body.next_pose;
+  body.moved = false;
+  body.place();
 }
 
 void BodyWorld::updateAabbs() {

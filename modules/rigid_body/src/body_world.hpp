@@ -13,6 +13,7 @@
 
 #include "body.hpp"
 #include "brash/rigid_body/world.hpp"
+#include "links.hpp"
 
 namespace brash::rigid_body {
 
@@ -50,6 +51,9 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   void step(double dt);
   const std::vector<ContactLoad>& loads() const { return loads_; }
   double last_change() const { return last_change_; }
+  Links& links() { return links_; }
+  /// For the next step.
+  void add_contact(const GivenContact& contact) { given_.push_back(contact); }
   /// Fills Body::near of each of the floes with the parts of other bodies within `reach` [m] of its own.
   void find_near(std::span<const BodyId> floes, double reach);
 
@@ -67,6 +71,8 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
 
   /// Those that Bullet's broad phase knows now, in the order of the step.
   const std::vector<Pair>& sorted_pairs();
+  /// Contacts of this step that were found outside the world.
+  const std::vector<GivenContact>& given() const { return given_; }
   /// The bodies in the order of the step.
   const std::vector<Body*>& order() const { return order_; }
   /// How much larger than its parts a box is, at least [m].
@@ -82,6 +88,13 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   /// Bullet never puts a body to sleep.
   void updateActivationState(btScalar) override {}
 
+  /// Mean velocities of the step, once the solver has set Bullet's; Body::twist is still that of its start.
+  void average_velocities();
+  /// Ends the step of a body that moves freely, whose twist is that of its end.
+  static void finish(Body& body, const Pose& pose);
+  /// Ends the step of any other.
+  static void move_as_told(Body& body);
+
   std::vector<ContactLoad> loads_;
   double last_change_ = 0.0;
 
@@ -96,6 +109,8 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   std::vector<Body*> order_;     ///< that of the last step; empty when bodies came or went since
   double reach_ = 0.0;           ///< of the last search for neighbours [m]
   std::vector<Pair> pairs_;
+  std::vector<GivenContact> given_;
+  Links links_{*this};
 };
 
 inline Body& body_of(const btCollisionObject& object) { return *static_cast<Body*>(object.getUserPointer()); }

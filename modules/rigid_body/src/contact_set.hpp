@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,10 @@ namespace brash::rigid_body {
 class ContactSet {
  public:
   explicit ContactSet(const WorldSettings& settings)
-      : ice_structure_(settings.ice_structure), ice_ice_(settings.ice_ice) {}
+      : ice_structure_(settings.ice_structure), ice_ice_(settings.ice_ice) {
+    ground_.id = kNoBody;
+    ground_.kind = BodyKind::kSheet;
+  }
 
   /// Forgets all contacts.
   void clear() { contacts_.clear(); }
@@ -25,6 +29,8 @@ class ContactSet {
   /// order of the step.
   void find(Body& one, Body& other);
   void end();
+  /// Adds contacts that were found elsewhere; of bodies in the order of the step.
+  void add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body);
   /// The settled floes that another body runs into faster than `speed` [m/s].
   std::vector<Body*> settled_and_hit(double speed) const;
   /// Adds all of them to a solver that knows the bodies by their Body::in_solver.
@@ -33,10 +39,12 @@ class ContactSet {
   void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads);
 
  private:
-  /// A contact of two parts.
+  /// A contact of two parts, or one that was given.
   struct Contact {
     /// A pair of floes is reported from the lower id.
-    bool reported_turned() const { return second->is_floe() && second->id < first->id; }
+    bool reported_turned() const { return first->is_floe() && second->is_floe() && second->id < first->id; }
+    /// Whether its impulses move a body: the solver finds them.
+    bool moves_a_body() const { return first->is_free() || second->is_free(); }
     std::span<const PatchPoint> points() const {
       return std::span(patch.points).first(static_cast<std::size_t>(patch.n_points));
     }
@@ -46,6 +54,7 @@ class ContactSet {
     int first_part;
     Vec3 normal;
     Patch patch;
+    ContactLaw law;
   };
 
   const ContactLaw& law(const Body& second) const {
@@ -53,18 +62,20 @@ class ContactSet {
   }
   void find(const Part& part, Body& second);
   std::span<const Part* const> beside(const Part& part, const Part& of_second);
+  /// What a point bears between bodies that nothing moves, in a step of `dt` [s]: its bound, while they close up.
+  static PointImpulse crushed(const Contact& contact, const PatchPoint& point, double dt);
   static ContactLoad load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt);
 
   /// A contact on its way into the order of the report.
   struct Listed {
     BodyId body;
     BodyId other;
-    std::size_t number;  ///< of its first point in the solver
+    std::size_t number;  ///< of its first point, in the solver if that knows it
     const Contact* contact;
   };
   /// A point of two bodies, likewise.
   struct ListedPoint {
-    std::size_t number;  ///< in the solver
+    std::size_t number;
     PointImpulse impulse;
     const Contact* contact;
     const PatchPoint* point;
@@ -72,6 +83,7 @@ class ContactSet {
 
   ContactLaw ice_structure_;
   ContactLaw ice_ice_;
+  Body ground_;  ///< what bears a given contact without another body
   NarrowPhase narrow_phase_;
   std::vector<Contact> contacts_;
   std::vector<Listed> listed_;              ///< scratch of report

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <new>
 
-#include "brash/core/contract.hpp"
-
 namespace brash::rigid_body {
 namespace {
 
@@ -85,12 +83,13 @@ class ExactWorld::Rules final : public btDefaultCollisionConfiguration {
   OverlapAlgorithm::CreateFunc overlaps;
 };
 
-/// The bounded solver as Bullet calls one, once a step for all bodies.
+/// The bounded solver as Bullet calls one: once for all bodies together, and once more for what islands have left,
+/// which is nothing.
 class ExactWorld::Rows final : public btConstraintSolver {
  public:
-  btScalar solveGroup(btCollisionObject**, int, btPersistentManifold**, int, btTypedConstraint**, int,
-                      const btContactSolverInfo& info, btIDebugDraw*, btDispatcher*) override {
-    world->solve(info.m_timeStep);
+  btScalar solveGroup(btCollisionObject**, int n_bodies, btPersistentManifold**, int, btTypedConstraint** constraints,
+                      int n_constraints, const btContactSolverInfo& info, btIDebugDraw*, btDispatcher*) override {
+    if (n_bodies > 0) world->solve({constraints, static_cast<std::size_t>(n_constraints)}, info);
     return world->last_change();
   }
   void reset() override {}
@@ -110,6 +109,7 @@ void ExactWorld::performDiscreteCollisionDetection() {
   const std::vector<Body*> hit = contacts_.settled_and_hit(settings().release_speed);
   for (Body* body : hit) set_settled(*body, false);
   if (!hit.empty()) find_contacts();
+  contacts_.add(given(), [this](BodyId id) { return &get(id); });
 }
 
 void ExactWorld::find_contacts() {
@@ -126,47 +126,41 @@ void ExactWorld::find_contacts() {
   }
 }
 
-void ExactWorld::solve(double dt) {
+void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info) {
   bounded_.clear();
   for (Body* body : order()) {
     const bool fixed = body->kind == BodyKind::kSheet || body->settled;
     body->in_solver = fixed ? BoundedSolver::kFixed : bounded_.add(to_solver(*body));
   }
-  contacts_.add_to(bounded_, dt);
+  joints_.add_to(bounded_, constraints, info);
+  contacts_.add_to(bounded_, info.m_timeStep);
   last_change_ = bounded_.solve(settings().iterations, kStill);
+  joints_.write_back(bounded_, info.m_timeStep);
+  for (Body* body : order()) {
+    if (!body->is_free()) continue;
+    const Twist after = bounded_.twist(body->in_solver);
+    body->bullet->setLinearVelocity(to_bullet(after.linear));
+    body->bullet->setAngularVelocity(to_bullet(after.angular));
+  }
 }
 
 void ExactWorld::integrateTransforms(btScalar dt) {
   average_velocities();
   contacts_.report(bounded_, dt, loads_);
-  for (Body* body : order()) advance(*body, dt);
-}
-
-/// Twists still hold the velocities from before the step.
-void ExactWorld::average_velocities() {
-  for (Body* body : order()) {
-    body->mean_twist = body->loaded_twist = body->twist;
-    if (!body->is_free()) continue;
-    body->loaded_twist = bounded_.twist_before(body->in_solver);
-    const Twist after = bounded_.twist(body->in_solver);
-    body->mean_twist = {0.5 * (body->twist.linear + after.linear), 0.5 * (body->twist.angular + after.angular)};
-  }
+  links().report(dt);
+  for (Body* body : order())
+    if (body->is_free())
+      advance(*body, dt);
+    else
+      move_as_told(*body);
 }
 
 void ExactWorld::advance(Body& body, double dt) {
-  if (body.is_free()) {
-    body.twist = bounded_.twist(body.in_solver);
-    const Twist parting = bounded_.parting(body.in_solver);
-    if (parting != Twist{}) body.pose = advanced(body.pose, {parting.linear, kPartingTurn * parting.angular}, dt);
-    body.pose = advanced(body.pose, body.twist, dt);
-    body.load = {};
-    BRASH_EXPECTS(is_finite(body.pose, body.twist), "state of body", body.id.index, "is not finite");
-    body.place();
-  } else if (body.moved) {
-    body.pose = body.next_pose;
-    body.moved = false;
-    body.place();
-  }
+  body.twist = bounded_.twist(body.in_solver);
+  const Twist parting = bounded_.parting(body.in_solver);
+  Pose pose = body.pose;
+  if (parting != Twist{}) pose = advanced(pose, {parting.linear, kPartingTurn * parting.angular}, dt);
+  finish(body, advanced(pose, body.twist, dt));
 }
 
 }  // namespace brash::rigid_body

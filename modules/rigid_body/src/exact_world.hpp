@@ -4,6 +4,7 @@
 #include "body_world.hpp"
 #include "bounded_solver.hpp"
 #include "contact_set.hpp"
+#include "joint_rows.hpp"
 
 namespace brash::rigid_body {
 
@@ -21,13 +22,13 @@ class ExactWorld final : public BodyWorld {
   class Rows;
 
   void find_contacts();
-  void solve(double dt);
+  void solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info);
   /// New velocities from the solver, then Eqs. 9 and 10.
   void integrateTransforms(btScalar dt) override;
-  void average_velocities();
   void advance(Body& body, double dt);
 
   ContactSet contacts_;
+  JointRows joints_;
   BoundedSolver bounded_;
 };
 

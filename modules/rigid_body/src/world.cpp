@@ -6,10 +6,24 @@
 #include "body_world.hpp"
 #include "brash/core/contract.hpp"
 #include "exact_world.hpp"
+#include "stock_world.hpp"
 
 namespace brash::rigid_body {
+namespace {
 
-World::World(const WorldSettings& settings) : world_(std::make_unique<ExactWorld>(settings)) {
+void expect_positive(const MassProperties& mass) {
+  BRASH_EXPECTS(mass.mass > 0.0 && mass.inertia.x > 0.0 && mass.inertia.y > 0.0 && mass.inertia.z > 0.0, mass.mass,
+                mass.inertia.x, mass.inertia.y, mass.inertia.z);
+}
+
+std::unique_ptr<BodyWorld> make(const WorldSettings& settings) {
+  if (settings.engine == Engine::kBullet) return std::make_unique<StockWorld>(settings);
+  return std::make_unique<ExactWorld>(settings);
+}
+
+}  // namespace
+
+World::World(const WorldSettings& settings) : world_(make(settings)) {
   BRASH_EXPECTS(settings.iterations > 0 && settings.collision_margin > 0.0, settings.iterations,
                 settings.collision_margin);
   for (const ContactLaw& law : {settings.ice_structure, settings.ice_ice})
@@ -22,8 +36,7 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 BodyId World::add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist) {
-  BRASH_EXPECTS(mass.mass > 0.0 && mass.inertia.x > 0.0 && mass.inertia.y > 0.0 && mass.inertia.z > 0.0, mass.mass,
-                mass.inertia.x, mass.inertia.y, mass.inertia.z);
+  expect_positive(mass);
   BRASH_EXPECTS(is_finite(pose, twist), "state of a new floe is not finite");
   auto body = std::make_unique<Body>();
   body->pose = pose;
@@ -42,10 +55,17 @@ BodyId World::add_sheet_part(std::span<const Vec2> ring, double bottom, double t
   return world_->insert(std::move(body));
 }
 
-BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose) {
+BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose,
+                            const std::optional<MassProperties>& mass, const Twist& twist) {
+  BRASH_EXPECTS(is_finite(pose, twist), "state of a new structure is not finite");
   auto body = std::make_unique<Body>();
   body->kind = BodyKind::kStructure;
   body->pose = pose;
+  if (mass) {
+    expect_positive(*mass);
+    body->mass = *mass;
+    body->twist = twist;
+  }
   for (const auto& points : hulls) {
     const bool added = body->add_part(convex_hull(points), world_->settings().collision_margin);
     BRASH_EXPECTS(added, "a hull of the structure is thinner than twice the collision margin");
@@ -53,11 +73,38 @@ BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose
   return world_->insert(std::move(body));
 }
 
+LinkId World::link(const Anchor& one, const Anchor& other, const LinkLaw& law) {
+  Body &a = world_->get(one.body), &b = world_->get(other.body);
+  BRASH_EXPECTS(&a != &b && !a.settled && !b.settled && (a.is_free() || b.is_free()), one.body.index, other.body.index);
+  return world_->links().add(a, one.point, &b, other.point, law);
+}
+
+LinkId World::moor(const Anchor& anchor, Vec3 place, const LinkLaw& law) {
+  Body& body = world_->get(anchor.body);
+  BRASH_EXPECTS(body.is_free(), anchor.body.index);
+  return world_->links().add(body, anchor.point, nullptr, place, law);
+}
+
+void World::unlink(LinkId id) { world_->links().remove(id); }
+const std::vector<LinkLoad>& World::links() const { return world_->links().loads(); }
+
+void World::add_contact(const GivenContact& contact) {
+  const auto moves = [&](BodyId id) { return id != kNoBody && world_->get(id).is_free(); };
+  BRASH_EXPECTS(world_->settings().engine == Engine::kBrash, "contacts from outside need the engine kBrash");
+  BRASH_EXPECTS(contact.body != kNoBody && contact.body != contact.other, contact.body.index, contact.other.index);
+  BRASH_EXPECTS(std::abs(norm(contact.normal) - 1.0) < 1e-9, "normal is no unit vector", norm(contact.normal));
+  BRASH_EXPECTS(contact.area > 0.0 && contact.most_normal_force >= 0.0 && contact.friction >= 0.0, contact.area,
+                contact.most_normal_force, contact.friction);
+  BRASH_EXPECTS(moves(contact.body) || moves(contact.other) || std::isfinite(contact.most_normal_force),
+                "nothing bounds the force between bodies that nothing moves");
+  world_->add_contact(contact);
+}
+
 void World::remove(BodyId id) { world_->remove(id); }
 
 void World::set_settled(BodyId id, bool settled) {
   Body& body = world_->get(id);
-  BRASH_EXPECTS(body.is_floe(), id.index);
+  BRASH_EXPECTS(body.is_floe() && !(settled && world_->links().hold(body)), id.index);
   world_->set_settled(body, settled);
 }
 
@@ -66,7 +113,7 @@ const std::vector<BodyId>& World::moving() const { return world_->moving(); }
 
 void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = world_->get(id);
-  BRASH_EXPECTS(body.kind == BodyKind::kStructure && is_finite(pose, twist), id.index);
+  BRASH_EXPECTS(body.kind == BodyKind::kStructure && !body.is_free() && is_finite(pose, twist), id.index);
   body.next_pose = pose;
   body.twist = twist;
   body.moved = true;
