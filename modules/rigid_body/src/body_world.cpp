@@ -195,7 +195,7 @@ const std::vector<BodyWorld::Pair>& BodyWorld::sorted_pairs() {
   for (int i = 0; i < known.size(); ++i) {
     Body* first = &body_of(*known[i].m_pProxy0);
     Body* second = &body_of(*known[i].m_pProxy1);
-    if (!within_reach(first->box, second->box, 2.0 * least_margin())) continue;
+    if (!within_reach(first->box, second->box, 0.0)) continue;
     if (place(*second) < place(*first)) std::swap(first, second);
     pairs_.push_back({first, second, &known[i]});
   }

@@ -37,8 +37,9 @@ enum class Engine {
 struct WorldSettings {
   ContactLaw ice_structure;
   ContactLaw ice_ice;
-  int iterations = 30;              ///< sweeps of sequential impulses a step, at most
-  double collision_margin = 0.005;  ///< [m], > 0; convex parts thinner than twice this have no contact
+  int iterations = 30;  ///< sweeps of sequential impulses a step, at most
+  /// [m], > 0; convex parts thinner than twice this have no contact. Bullet's hulls are inset by it and rounded.
+  double collision_margin = 0.005;
   /// A settled floe is let go, before the contact acts, by a floe that comes nearer faster than this [m/s].
   double release_speed = std::numeric_limits<double>::infinity();
   /// Bullet keeps contact points from step to step: a repeated run gives the same bytes, one from stored states does
@@ -148,10 +149,11 @@ constexpr double power(const LinkLoad& l) { return dot(l.force, l.relative_veloc
 
 /// The rigid-body world: floes, structures, the fixed sheet's collision shapes. Hides a btDiscreteDynamicsWorld.
 ///
-/// Velocities and positions follow Eqs. 1 to 10 (semi-implicit Euler). A step is a function of the poses, velocities
-/// and loads alone: contacts carry no history, and bodies are handled in an order that their states give. So neither
-/// the order of insertion nor a restart from stored states matters, to the last bit. Gravity, buoyancy and drag come
-/// through apply(). An unknown or removed id, and a state that is not finite after a step, are broken contracts.
+/// Velocities and positions follow Eqs. 1 to 10 (semi-implicit Euler). With Engine::kBrash a step is a function of the
+/// poses, velocities and loads alone: contacts carry no history, and bodies are handled in an order that their states
+/// give. So neither the order of insertion nor a restart from stored states matters, to the last bit. Gravity, buoyancy
+/// and drag come through apply(). An unknown or removed id, and a state that is not finite after a step, are broken
+/// contracts.
 ///
 /// Contacts of breakable ice act while the parts overlap: nothing at first touch, then up to the crushing pressure
 /// times the area of the overlap (docs/theory/dynamics.md, (C1)).
@@ -211,7 +213,7 @@ class World {
   /// left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
-  /// how far the contacts are from solved is more than that.
+  /// how far the contacts are from solved is more than that. Bullet does not tell it: 0.
   double last_change() const;
 
   using VisitNeighbours = std::function<void(BodyId, std::span<const Solid>)>;
