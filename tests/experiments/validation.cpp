@@ -2,14 +2,15 @@
 // experiments/validation, its first 6 s: the cone's axis then stands at the initial edge.
 #include <boost/test/unit_test.hpp>
 
+#include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace {
 
 using namespace brash;
 
-const io::Case& validation_case() {
-  static const io::Case resolved =
+const model::Case& validation_case() {
+  static const model::Case resolved =
       io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {"time.duration=6"});
   return resolved;
 }
@@ -35,9 +36,9 @@ BOOST_AUTO_TEST_CASE(the_ledger_closes_exactly) {
 }
 
 BOOST_AUTO_TEST_CASE(no_floe_flies) {
-  const io::Case& c = validation_case();
-  for (const io::Frame& frame : validation_run().results.frames)
-    for (const io::FloePose& floe : frame.floes) {
+  const model::Case& c = validation_case();
+  for (const model::Frame& frame : validation_run().results.frames)
+    for (const model::FloePose& floe : frame.floes) {
       // A floe that floats on edge reaches this high; one that is thrown up reaches higher.
       const double half_length = 0.5 * std::sqrt(validation_run().results.floes.at(floe.floe).area) + c.ice.thickness;
       BOOST_TEST(floe.pose.position.z < half_length);
@@ -49,7 +50,8 @@ BOOST_AUTO_TEST_CASE(no_floe_flies) {
 
 BOOST_AUTO_TEST_CASE(the_channel_is_a_little_wider_than_the_structure) {
   double widest = 0.0;
-  for (const io::CrackEvent& event : validation_run().results.events) widest = std::max(widest, std::abs(event.at.y));
+  for (const model::CrackEvent& event : validation_run().results.events)
+    widest = std::max(widest, std::abs(event.at.y));
   BOOST_TEST(widest > 0.4 * validation_case().structure.waterline_width);
   BOOST_TEST(widest < 0.6 * validation_case().structure.waterline_width);
 }

@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  brash::io::Checkpoint state = brash::io::read_checkpoint(argv[1]);
+  brash::model::Checkpoint state = brash::io::read_checkpoint(argv[1]);
   const std::string_view fault = argv[2];
   if (fault == "place") state.floes.at(2).pose.position.x += 1000.0;
   if (fault == "later") {  // it leaves what a floe can reach, 100 m from the field, some steps from now

@@ -59,7 +59,7 @@ void fit_and_count(const IceSheet& sheet, const ContactRegion& region, double re
 }
 
 void run_and_fit(int seed, long most, Counts& counts) {
-  const io::Case c =
+  const model::Case c =
       io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {"random.seed=" + std::to_string(seed)});
   simulation::Simulation run(c);
   const structure::Cone cone{.angle = c.structure.angle,

@@ -11,6 +11,7 @@
 
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "brash/io/table.hpp"
 #include "brash/statistics/intervals.hpp"
@@ -182,8 +183,8 @@ void write_campaign_manifest(const Folder& folder, const std::string& plan_file,
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   for (const char* const name : {"campaign.csv", "campaign.nc", "summary.json"})
     manifest["outputs"].push_back({{"path", name}, {"sha256", sha256_of_file(folder.directory() + "/" + name)}});
-  io::write_file(folder.directory() + "/manifest.json",
-                 manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(folder.directory() + "/manifest.json",
+             manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
@@ -191,9 +192,9 @@ void write_campaign_manifest(const Folder& folder, const std::string& plan_file,
 void collect(const Campaign& campaign, const Folder& folder, const Schedule& schedule) {
   const io::CampaignPlan& plan = campaign.plan;
   const std::vector<Row> rows = read_rows(plan, folder, schedule);
-  io::write_file(campaign.directory + "/campaign.csv", csv(plan, folder, rows));
+  write_file(campaign.directory + "/campaign.csv", csv(plan, folder, rows));
   io::write_table(campaign.directory + "/campaign.nc", table(plan, rows));
-  io::write_file(campaign.directory + "/summary.json", summary(plan, rows, schedule));
+  write_file(campaign.directory + "/summary.json", summary(plan, rows, schedule));
   write_campaign_manifest(folder, campaign.plan_file, rows);
 }
 

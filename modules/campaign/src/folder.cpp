@@ -9,6 +9,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "columns.hpp"
 
@@ -74,7 +75,7 @@ void Folder::prepare(bool resume) const {
     const std::string text = io::to_toml(plan_.settings[i].resolved);
     const std::string path = setting_file(i);
     if (!fs::exists(path)) {
-      io::write_file(path, text);
+      write_file(path, text);
     } else if (read_text(path) != text) {
       throw InputError(
           fmt::format("{}: is not what the plan makes of the setting {} now\n  allowed: the campaign that the "

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "brash/core/error.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "folder.hpp"
 
@@ -184,7 +185,7 @@ void record_failure(const Job& job, const Exit& exit, std::string error) {
     record["signal"] = sigabbrev_np(exit.signal);
   else
     record["exit_code"] = exit.code;
-  io::write_file(job.record, record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_file(job.record, record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   fs::remove_all(job.folder);
 }
 

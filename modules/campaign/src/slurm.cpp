@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "brash/core/error.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "folder.hpp"
 #include "subprocess.hpp"
@@ -143,10 +144,10 @@ SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options) {
     throw RunError(
         fmt::format("{} rounds under Slurm ended with as much to do as before; see {}", idle, options.folder));
 
-  io::write_file(options.folder + "/exec.sh", kScript);
+  write_file(options.folder + "/exec.sh", kScript);
   const std::string list_file = fmt::format("{}/round-{}.json", options.folder, rounds.size() + 1);
   const std::size_t n_tasks = std::min(jobs.size(), static_cast<std::size_t>(options.n_tasks));
-  io::write_file(list_file, parts(jobs, n_tasks).dump(1) + "\n");
+  write_file(list_file, parts(jobs, n_tasks).dump(1) + "\n");
   SlurmJobs submitted;
   submitted.array =
       sbatch(options, {fmt::format("--array=0-{}", n_tasks - 1), output_option(options.folder, "%A_%a.txt")},
@@ -156,7 +157,7 @@ SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options) {
              options.collector);
   rounds.push_back(
       {{"array", submitted.array}, {"collector", submitted.collector}, {"n_jobs", jobs.size()}, {"idle_rounds", idle}});
-  io::write_file(options.folder + "/submitted.json", rounds.dump(2) + "\n");
+  write_file(options.folder + "/submitted.json", rounds.dump(2) + "\n");
   return submitted;
 }
 

@@ -13,7 +13,7 @@ namespace brash::cli {
 namespace {
 
 void check_case(const std::string& path, const std::vector<std::string>& overrides) {
-  const io::Case resolved = io::read_case(path, overrides);
+  const model::Case resolved = io::read_case(path, overrides);
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
   fmt::print("{}\n# derived\n", io::to_toml(resolved));
   fmt::print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kKilo = 1e3;
 }  // namespace
 
-tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const io::Case& c) {
+tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const model::Case& c) {
   standards::CroasdaleInput input;
   input.slope = c.structure.angle;
   input.width = c.structure.waterline_width;
@@ -32,8 +32,9 @@ tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(co
   return standards::croasdale(input);
 }
 
-tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const io::Case& c, standards::Yield yield) {
-  const bool downward = c.structure.breaking == "downward";
+tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const model::Case& c,
+                                                                          standards::Yield yield) {
+  const bool downward = c.structure.breaking == model::Breaking::kDownward;
   const double slope_height =
       downward ? c.structure.height_under_water : c.structure.height - c.structure.height_under_water;
   standards::RalstonInput input;
@@ -50,7 +51,7 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
   return standards::ralston(input);
 }
 
-std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const io::Case& c) {
+std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const model::Case& c) {
   if (!c.hull.length) return std::nullopt;  // all keys or none
   standards::LindqvistInput input;
   input.length = *c.hull.length;
@@ -88,7 +89,7 @@ constexpr const char* kNevelApplies = "narrow wedges, loaded over at most 0.6 ch
 constexpr const char* kLindqvistApplies =
     "icebreaking bows in continuous motion; friction that does not lock the ice under the bow";
 
-ordered_json croasdale_json(const io::Case& c) {
+ordered_json croasdale_json(const model::Case& c) {
   constexpr const char* kMethod = "elastic beam, no rubble, weight in air";
   constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Croasdale)";
   const auto load = croasdale_of(c);
@@ -111,9 +112,9 @@ ordered_json croasdale_json(const io::Case& c) {
           {"crack_length", load->crack_length}};
 }
 
-ordered_json ralston_json(const io::Case& c, standards::Yield yield) {
+ordered_json ralston_json(const model::Case& c, standards::Yield yield) {
   const std::string method =
-      fmt::format("plastic cone, {} breaking, {}", c.structure.breaking,
+      fmt::format("plastic cone, {} breaking, {}", model::name_of(c.structure.breaking),
                   yield == standards::Yield::kTresca ? "Tresca (Y = 2.711)" : "Johansen (Y = 3.422)");
   constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Ralston)";
   const auto load = ralston_of(c, yield);
@@ -133,7 +134,7 @@ ordered_json ralston_json(const io::Case& c, standards::Yield yield) {
 }
 
 /// One break: the half disc in front of a contact, divided into wedges, each loaded over one thickness from its tip.
-ordered_json nevel_json(const io::Case& c, int wedges) {
+ordered_json nevel_json(const model::Case& c, int wedges) {
   const std::string method = fmt::format("one break of {} wedges, loaded over one thickness", wedges);
   constexpr const char* kSource = "Nevel 1972, narrow wedges";
   if (wedges < 2) return refused(method.c_str(), kSource, {"the whole half disc is no wedge: two at least"});
@@ -171,7 +172,7 @@ ordered_json lindqvist_json(const standards::LindqvistLoad& load) {
 
 }  // namespace
 
-ordered_json closed_form_loads(const io::Case& c) {
+ordered_json closed_form_loads(const model::Case& c) {
   ordered_json loads = ordered_json::array();
   loads.push_back(croasdale_json(c));
   loads.push_back(ralston_json(c, standards::Yield::kTresca));

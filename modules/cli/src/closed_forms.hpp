@@ -6,7 +6,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
 #include "brash/standards/croasdale.hpp"
 #include "brash/standards/lindqvist.hpp"
 #include "brash/standards/ralston.hpp"
@@ -14,18 +14,19 @@
 namespace brash::cli {
 
 /// Croasdale's elastic beam for the structure and ice of `resolved`, without rubble on the slope.
-tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const io::Case& resolved);
+tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const model::Case& resolved);
 
 /// Ralston's plastic plate for the structure and ice of `resolved`; one layer of ice rides along the whole cone.
-tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const io::Case& resolved,
+tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const model::Case& resolved,
                                                                           standards::Yield yield);
 
 /// Lindqvist's resistance of the hull of `resolved` at the structure's speed; nothing when the case has no hull.
-std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const io::Case& resolved);
+std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(
+    const model::Case& resolved);
 
 /// Closed-form loads for a case, SI, each with components, source and where it applies: Croasdale, Ralston with both
 /// yield criteria, Nevel's wedges, Lindqvist for a hull.
-nlohmann::ordered_json closed_form_loads(const io::Case& resolved);
+nlohmann::ordered_json closed_form_loads(const model::Case& resolved);
 
 /// The same as text for a reader.
 std::string loads_text(const nlohmann::ordered_json& loads);

@@ -8,6 +8,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "history_comparison.hpp"
 #include "stats_commands.hpp"
@@ -60,7 +61,7 @@ void compare(CompareOptions& options) {
   const LoadHistory measured = read_history(options.measured, options.of_measured);
   check_units(run, measured, options.measured);
   const nlohmann::ordered_json comparison = compare_histories(run, measured);
-  io::write_file(options.picture, comparison_picture(run, measured, comparison));
+  write_file(options.picture, comparison_picture(run, measured, comparison));
   if (options.json) {
     fmt::print("{}\n", comparison.dump(2));
   } else {

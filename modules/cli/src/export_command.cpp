@@ -9,7 +9,9 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/geometry/ice_sheet.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "brash/simulation/cone_of.hpp"
 #include "brash/structure/cone.hpp"
@@ -29,13 +31,13 @@ enum Part { kFloes, kSheet, kStructure };
 /// less than the structure moves in a frame.
 class SheetReplay {
  public:
-  SheetReplay(const io::Case& resolved, const io::RunResults& results)
+  SheetReplay(const model::Case& resolved, const model::RunResults& results)
       : results_(results), section_(structure::section(simulation::cone_of(resolved), 0.0)) {
     take(results.initial_sheet);
   }
 
   /// The sheet at `frame`; frames in the order of time.
-  std::vector<geometry::Polygon> at(const io::Frame& frame) {
+  std::vector<geometry::Polygon> at(const model::Frame& frame) {
     if (&frame == &results_.frames.back()) return polygons_of(results_.final_sheet);
     const auto& cracked = results_.cracked_sheets;
     const std::size_t before = next_;
@@ -55,19 +57,19 @@ class SheetReplay {
     sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
   }
 
-  const io::RunResults& results_;
+  const model::RunResults& results_;
   std::vector<Vec2> section_;
   std::unique_ptr<IceSheet> sheet_;
   std::size_t next_ = 0;  ///< of the cracked sheets
 };
 
-io::PolyData floes_at(const io::Case& resolved, const io::Frame& frame,
-                      const std::map<std::int64_t, const io::FloeRecord*>& records) {
+io::PolyData floes_at(const model::Case& resolved, const model::Frame& frame,
+                      const std::map<std::int64_t, const model::FloeRecord*>& records) {
   io::PolyData data;
   std::vector<double> id, age, area;
   const double half = 0.5 * resolved.ice.thickness;
-  for (const io::FloePose& floe : frame.floes) {
-    const io::FloeRecord& record = *records.at(floe.floe);
+  for (const model::FloePose& floe : frame.floes) {
+    const model::FloeRecord& record = *records.at(floe.floe);
     for (const geometry::Polygon& polygon : polygons_of(record.rings)) {
       const std::size_t n = add_prism(data, polygon, -half, half, floe.pose);
       id.insert(id.end(), n, static_cast<double>(record.id));
@@ -79,7 +81,7 @@ io::PolyData floes_at(const io::Case& resolved, const io::Frame& frame,
   return data;
 }
 
-io::PolyData sheet_of(const io::Case& resolved, const std::vector<geometry::Polygon>& polygons) {
+io::PolyData sheet_of(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons) {
   io::PolyData data;
   const double top = resolved.ice.thickness * (1.0 - resolved.ice.density / resolved.water.density);
   for (const geometry::Polygon& polygon : polygons) add_prism(data, polygon, top - resolved.ice.thickness, top);
@@ -104,7 +106,7 @@ io::PolyData structure_at(const std::vector<Vec3>& hull, const Pose& pose) {
 }
 
 /// Refuses polygons that cannot be drawn, before anything is written.
-void check_polygons(const std::string& run_file, const io::RunResults& results) {
+void check_polygons(const std::string& run_file, const model::RunResults& results) {
   const auto check = [&](const std::string& of, std::span<const std::vector<Vec2>> rings) {
     const auto sheet = IceSheet::from_polygons(polygons_of(rings));
     if (sheet) return;
@@ -114,34 +116,34 @@ void check_polygons(const std::string& run_file, const io::RunResults& results) 
   };
   check("initial_sheet", results.initial_sheet);
   check("final_sheet", results.final_sheet);
-  for (const io::CrackedSheet& sheet : results.cracked_sheets)
+  for (const model::CrackedSheet& sheet : results.cracked_sheets)
     check(fmt::format("the sheet cracked at {} s", sheet.time), sheet.rings);
-  for (const io::FloeRecord& floe : results.floes) check(fmt::format("floe {}", floe.id), floe.rings);
+  for (const model::FloeRecord& floe : results.floes) check(fmt::format("floe {}", floe.id), floe.rings);
 }
 
 void export_vtk(const std::string& run_file, const std::string& directory) {
-  const io::RunResults results = io::read_results(run_file);
+  const model::RunResults results = io::read_results(run_file);
   // The failure model is not needed: its file may be gone.
-  const io::Case resolved = io::parse_case(io::read_case_of(run_file), run_file, {"failure.file=''"});
+  const model::Case resolved = io::parse_case(io::read_case_of(run_file), run_file, {"failure.file=''"});
   check_polygons(run_file, results);
-  std::map<std::int64_t, const io::FloeRecord*> records;
-  for (const io::FloeRecord& floe : results.floes) records[floe.id] = &floe;
+  std::map<std::int64_t, const model::FloeRecord*> records;
+  for (const model::FloeRecord& floe : results.floes) records[floe.id] = &floe;
   const std::vector<Vec3> hull = structure::hull(simulation::cone_of(resolved));
 
   SheetReplay replay(resolved, results);
   std::vector<io::VtkStep> steps;
   const auto write = [&](double time, Part part, const std::string& name, const io::PolyData& data) {
     const std::string file = fmt::format("{}_{:05}.vtp", name, steps.size() / 3);
-    io::write_file((fs::path(directory) / file).string(), io::to_vtp(data));
+    write_file((fs::path(directory) / file).string(), io::to_vtp(data));
     steps.push_back({time, part, file});
   };
-  for (const io::Frame& frame : results.frames) {
+  for (const model::Frame& frame : results.frames) {
     write(frame.time, kFloes, "floes", floes_at(resolved, frame, records));
     write(frame.time, kSheet, "sheet", sheet_of(resolved, replay.at(frame)));
     write(frame.time, kStructure, "structure", structure_at(hull, frame.structure));
   }
   const std::string collection = (fs::path(directory) / "run.pvd").string();
-  io::write_file(collection, io::to_pvd(steps));
+  write_file(collection, io::to_pvd(steps));
   fmt::print("{} frames in {}\n", results.frames.size(), collection);
 }
 

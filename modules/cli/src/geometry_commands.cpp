@@ -13,6 +13,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/geometry/ledger.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
@@ -185,7 +186,7 @@ void crack(const CrackOptions& options) {
       if (options.release_detached) run.release();
     }
   }
-  if (!options.output.empty()) io::write_file(options.output, geometry::to_geojson(run.features()));
+  if (!options.output.empty()) write_file(options.output, geometry::to_geojson(run.features()));
   fmt::print("{}\n", ledger_text(run));
   if (!run.ledger().closes()) {
     throw RunError(fmt::format("crack: the ledger misses {} m2", run.ledger().missing().to_string()));

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "brash/io/case.hpp"
 #include "closed_forms.hpp"
 #include "stats_commands.hpp"
 

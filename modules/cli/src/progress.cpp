@@ -40,7 +40,7 @@ class ProgressLine {
 
 }  // namespace
 
-simulation::Run run_with_progress(const io::Case& resolved, simulation::RunOptions options) {
+simulation::Run run_with_progress(const model::Case& resolved, simulation::RunOptions options) {
   catch_requests_to_end();
   ProgressLine progress(resolved.time.duration);
   options.observer = [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {

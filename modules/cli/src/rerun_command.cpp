@@ -11,7 +11,10 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/text.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/failure/criterion.hpp"
+#include "brash/io/case.hpp"
+#include "brash/io/results.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
@@ -82,7 +85,7 @@ std::string hash_of(const fs::path& file) {
 }
 
 /// Everything on which the run depends and that is not as it was, one line each.
-std::vector<std::string> changes_since(const Manifest& manifest, const io::Case& resolved) {
+std::vector<std::string> changes_since(const Manifest& manifest, const model::Case& resolved) {
   std::vector<std::string> changes;
   const auto expect = [&](const std::string& what, const std::string& was, const std::string& is) {
     if (was != is) changes.push_back(fmt::format("{}\n    was {}\n    is  {}", escaped(what), printable(was), is));
@@ -128,16 +131,16 @@ class TemporaryFolder {
   std::string path_;
 };
 
-void run_into(const std::string& folder, const io::Case& resolved, const Manifest& manifest) {
+void run_into(const std::string& folder, const model::Case& resolved, const Manifest& manifest) {
   const FolderLock lock = open_run_folder(folder);
   const simulation::Run run = run_with_progress(resolved, {});
   if (!run.complete) throw Interrupted("interrupted; nothing is kept");
   const std::string case_file = folder + "/" + manifest.case_name + ".toml";
-  io::write_file(case_file, manifest.case_toml);
+  write_file(case_file, manifest.case_toml);
   write_run_folder(folder, case_file, resolved, run);
 }
 
-io::Case case_in(const Manifest& manifest, const std::string& path) {
+model::Case case_in(const Manifest& manifest, const std::string& path) {
   try {
     return io::parse_case(manifest.case_toml, manifest.case_name + ".toml", {}, io::ModelFile::kAnywhere);
   } catch (const InputError& error) {
@@ -153,7 +156,7 @@ struct RerunOptions {
 
 void rerun(const RerunOptions& options) {
   const Manifest manifest = read_manifest(options.manifest);
-  const io::Case resolved = case_in(manifest, options.manifest);
+  const model::Case resolved = case_in(manifest, options.manifest);
   const std::vector<std::string> changes = changes_since(manifest, resolved);
   std::string text;
   for (const std::string& change : changes) text += "\n  " + change;

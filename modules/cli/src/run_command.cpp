@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "brash/io/case.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
@@ -27,7 +29,7 @@ struct RunOptions {
 void run_case(const RunOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
-  const io::Case resolved = io::read_case(options.case_file, overrides);
+  const model::Case resolved = io::read_case(options.case_file, overrides);
   for (const std::string& warning : simulation::derived_scales(resolved).warnings)
     fmt::print(stderr, "warning: {}\n", warning);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
@@ -36,7 +38,8 @@ void run_case(const RunOptions& options) {
   if (options.resume && !std::filesystem::exists(checkpoint))
     fmt::print(stderr, "warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   const simulation::Run run = run_with_progress(
-      resolved, {.begun = [&] { remove_run(directory); }, .checkpoint_file = checkpoint, .resume = options.resume});
+      resolved,
+      {.begun = [&] { remove_run(directory); }, .checkpoint = recording::checkpoint_file(checkpoint, options.resume)});
   if (!run.complete)
     throw Interrupted(
         fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,

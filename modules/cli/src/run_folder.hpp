@@ -4,7 +4,7 @@
 #include <string>
 
 #include "brash/core/folder_lock.hpp"
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::cli {
@@ -20,7 +20,7 @@ void remove_run(const std::string& directory);
 
 /// Writes everything that a finished run leaves into `directory`: pictures, results, summary, manifest.
 /// @param case_file  path of the case as given.
-void write_run_folder(const std::string& directory, const std::string& case_file, const io::Case& resolved,
+void write_run_folder(const std::string& directory, const std::string& case_file, const model::Case& resolved,
                       const simulation::Run& run);
 
 /// Writes report.html of the run in `directory`, or of the campaign and of every run that it kept whole.

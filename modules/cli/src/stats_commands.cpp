@@ -9,6 +9,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "history_statistics.hpp"
 
@@ -27,7 +28,7 @@ void write_spectrum(const std::string& file, const LoadHistory& load, double seg
     text +=
         fmt::format("{},{},{},{}\n", spectrum->frequency[k], density, factors.lower * density, factors.upper * density);
   }
-  io::write_file(file, text);
+  write_file(file, text);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ std::string loads(const simulation::RunSummary& s) {
 }
 
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
-std::string comparison(const io::Case& resolved) {
+std::string comparison(const model::Case& resolved) {
   std::string text = "for comparison, horizontal [kN]\n";
   if (const auto load = croasdale_of(resolved))
     text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
@@ -83,7 +83,7 @@ std::string ledger(const geometry::Ledger& l) {
 }
 
 std::string energy(const simulation::EnergyBalance& e) {
-  const io::EnergyLosses& l = e.losses;
+  const model::EnergyLosses& l = e.losses;
   const double share = e.work != 0.0 ? 100.0 * e.error / e.work : 0.0;
   std::string text = fmt::format(
       "energy [kJ]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} at "
@@ -100,7 +100,7 @@ std::string energy(const simulation::EnergyBalance& e) {
   return text;
 }
 
-std::string speed(const io::Case& resolved, const simulation::Run& run) {
+std::string speed(const model::Case& resolved, const simulation::Run& run) {
   std::string text = fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s):",
                                  (resolved.time.duration - run.resumed_from) / run.wall_seconds, run.wall_seconds);
   simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) {
@@ -111,7 +111,7 @@ std::string speed(const io::Case& resolved, const simulation::Run& run) {
 
 }  // namespace
 
-std::string run_table(const io::Case& resolved, const simulation::Run& run) {
+std::string run_table(const model::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
          loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) +

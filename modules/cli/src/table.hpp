@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::cli {
 
 /// The summary of a run as a table for people, the closed forms' peaks beside it.
-std::string run_table(const io::Case& resolved, const simulation::Run& run);
+std::string run_table(const model::Case& resolved, const simulation::Run& run);
 
 }  // namespace brash::cli

@@ -16,6 +16,10 @@ std::string value_as_toml(double value) { return toml_number(value); }
 std::string value_as_toml(int value) { return std::to_string(value); }
 std::string value_as_toml(bool value) { return value ? "true" : "false"; }
 std::string value_as_toml(const std::string& value) { return toml_string(value); }
+template <model::Choice Choice>
+std::string value_as_toml(Choice value) {
+  return toml_string(std::string(model::name_of(value)));
+}
 std::string value_as_toml(const Vec2& value) {
   return fmt::format("[{}, {}]", toml_number(value.x), toml_number(value.y));
 }
@@ -53,7 +57,7 @@ std::string commented(const std::string& text) {
 
 }  // namespace
 
-std::string to_toml(const Case& resolved) {
+std::string to_toml(const model::Case& resolved) {
   std::string text = "# A resolved brash case: every key, in SI.\n";
   std::string section_now;
   visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {

@@ -34,7 +34,7 @@ void visit_vector(const std::string& name, const char* unit, const std::string& 
 }  // namespace
 
 template <>
-struct Columns<FloePush> {
+struct Columns<model::FloePush> {
   static constexpr const char* dimension = "push";
   static constexpr const char* prefix = "push_";
 
@@ -50,7 +50,7 @@ struct Columns<FloePush> {
 };
 
 template <>
-struct Columns<CheckpointFloe> {
+struct Columns<model::CheckpointFloe> {
   static constexpr const char* dimension = "present";
   static constexpr const char* prefix = "present_";
 
@@ -154,13 +154,13 @@ bool is_whole_number(const std::string& text) {
   return text.size() > first && text.find_first_not_of("0123456789", first) == std::string::npos;
 }
 
-std::vector<std::int64_t> body_numbers(const std::vector<CheckpointFloe>& floes, std::uint32_t BodyId::*part) {
+std::vector<std::int64_t> body_numbers(const std::vector<model::CheckpointFloe>& floes, std::uint32_t BodyId::*part) {
   std::vector<std::int64_t> numbers;
-  for (const CheckpointFloe& floe : floes) numbers.push_back(floe.body.*part);
+  for (const model::CheckpointFloe& floe : floes) numbers.push_back(floe.body.*part);
   return numbers;
 }
 
-void read_body_numbers(const NetcdfReader& file, const std::string& name, std::vector<CheckpointFloe>& floes,
+void read_body_numbers(const NetcdfReader& file, const std::string& name, std::vector<model::CheckpointFloe>& floes,
                        std::uint32_t BodyId::*part) {
   std::vector<std::int64_t> numbers;
   file.read(name, "present", numbers);
@@ -206,14 +206,14 @@ std::string read_sealed(const std::string& path) {
   return bytes;
 }
 
-void check_values(const Checkpoint& checkpoint) {
+void check_values(const model::Checkpoint& checkpoint) {
   for (const auto& [name, value] : checkpoint.ledger) BRASH_EXPECTS(is_whole_number(value), name, value);
   for (const auto& [name, value] : checkpoint.numbers) BRASH_EXPECTS(std::isfinite(value), name, value);
 }
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+void write_checkpoint(const std::string& path, const model::Checkpoint& checkpoint) {
   check_values(checkpoint);
   NetcdfWriter file(path);
   file.attribute("format", kFormat);
@@ -230,8 +230,8 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
                 body_numbers(checkpoint.floes, &BodyId::index));
   file.variable("present_body_generation", "present", {"1", "generation of the body"},
                 body_numbers(checkpoint.floes, &BodyId::generation));
-  std::vector<GridRings> outlines;
-  for (const CheckpointFloe& floe : checkpoint.floes) outlines.push_back(floe.rings);
+  std::vector<model::GridRings> outlines;
+  for (const model::CheckpointFloe& floe : checkpoint.floes) outlines.push_back(floe.rings);
   write_polygons(file, "present_outline", "present", kGrid, outlines);
   write_tables(file, checkpoint.results);
   std::string bytes = file.finish();
@@ -239,10 +239,10 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   write_file(path, bytes);
 }
 
-Checkpoint read_checkpoint(const std::string& path) {
+model::Checkpoint read_checkpoint(const std::string& path) {
   const NetcdfReader file(path, read_sealed(path));
   if (file.attribute("format") != kFormat) file.refuse("it is not a checkpoint of this version");
-  Checkpoint checkpoint;
+  model::Checkpoint checkpoint;
   checkpoint.case_name = file.attribute("case_name");
   checkpoint.case_toml = file.attribute("case");
   checkpoint.ledger = read_map<std::string>(file, "ledger");
@@ -250,12 +250,12 @@ Checkpoint read_checkpoint(const std::string& path) {
     if (!is_whole_number(value)) file.refuse("ledger." + name + " is not a whole number");
   checkpoint.counters = read_map<std::int64_t>(file, "counters");
   checkpoint.numbers = read_map<double>(file, "numbers");
-  checkpoint.sheet = read_polygons<GridPoint>(file, "sheet", "sheet_polygon");
-  checkpoint.floes = read_rows<CheckpointFloe>(file);
-  checkpoint.pushes = read_rows<FloePush>(file);
+  checkpoint.sheet = read_polygons<model::GridPoint>(file, "sheet", "sheet_polygon");
+  checkpoint.floes = read_rows<model::CheckpointFloe>(file);
+  checkpoint.pushes = read_rows<model::FloePush>(file);
   read_body_numbers(file, "present_body_index", checkpoint.floes, &BodyId::index);
   read_body_numbers(file, "present_body_generation", checkpoint.floes, &BodyId::generation);
-  std::vector<GridRings> outlines = read_polygons<GridPoint>(file, "present_outline", "present");
+  std::vector<model::GridRings> outlines = read_polygons<model::GridPoint>(file, "present_outline", "present");
   for (std::size_t i = 0; i < outlines.size(); ++i) checkpoint.floes[i].rings = std::move(outlines[i]);
   checkpoint.results = read_tables(file);
   return checkpoint;

@@ -42,7 +42,7 @@ class Checks {
   std::vector<Problem> problems_;
 };
 
-void check_ice(const Case& c, Checks& checks) {
+void check_ice(const model::Case& c, Checks& checks) {
   checks.require(c.ice.density < c.water.density, {"ice", "density"}, {"water", "density"},
                  "ice that is not lighter than the water does not float",
                  fmt::format("less than water.density = {} kg m-3", c.water.density),
@@ -52,8 +52,8 @@ void check_ice(const Case& c, Checks& checks) {
                  fmt::format("less than half of ice.thickness, {} m", c.ice.thickness / 2.0), "lower contact.margin");
 }
 
-void check_cone(const Case& c, Checks& checks) {
-  const StructureSection& s = c.structure;
+void check_cone(const model::Case& c, Checks& checks) {
+  const model::StructureSection& s = c.structure;
   const double above_water = s.height - s.height_under_water;
   checks.require(above_water > 0.0, {"structure", "height_under_water"}, {"structure", "height"},
                  "the structure does not reach the water's surface",
@@ -62,7 +62,7 @@ void check_cone(const Case& c, Checks& checks) {
   if (above_water <= 0.0) return;
 
   // The narrow end: the keel when downward-breaking, the top when upward-breaking.
-  const bool downward = s.breaking == "downward";
+  const bool downward = s.breaking == model::Breaking::kDownward;
   const double to_narrow_end = downward ? s.height_under_water : above_water;
   const double narrow_width = s.waterline_width - 2.0 * to_narrow_end / std::tan(s.angle);
   checks.require(narrow_width > 0.0, {"structure", "waterline_width"}, {"structure", "angle"},
@@ -102,7 +102,7 @@ void check_cone(const Case& c, Checks& checks) {
                  "shorten the run or slow the structure down");
 }
 
-void check_field(const Case& c, Checks& checks) {
+void check_field(const model::Case& c, Checks& checks) {
   checks.require(c.field.width > c.structure.waterline_width, {"field", "width"}, {"structure", "waterline_width"},
                  "the sheet is narrower than the structure",
                  fmt::format("more than structure.waterline_width = {} m", c.structure.waterline_width),
@@ -117,8 +117,8 @@ void check_field(const Case& c, Checks& checks) {
                  "lower the radius, or write 0 for the ice's own breaking length");
 }
 
-void check_hull(const Case& c, Checks& checks) {
-  const HullSection& h = c.hull;
+void check_hull(const model::Case& c, Checks& checks) {
+  const model::HullSection& h = c.hull;
   const std::array<std::pair<const char*, bool>, 5> keys{{{"length", h.length.has_value()},
                                                           {"breadth", h.breadth.has_value()},
                                                           {"draught", h.draught.has_value()},
@@ -131,7 +131,7 @@ void check_hull(const Case& c, Checks& checks) {
                    "all keys of the hull or none", "write it, or leave [hull] out");
 }
 
-void check_rest(const Case& c, Checks& checks) {
+void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
                  "the least number is above the largest", "[least, largest] with least <= largest",
                  "swap the two numbers");
@@ -142,15 +142,14 @@ void check_rest(const Case& c, Checks& checks) {
                  {"time", "duration"}, "the statistics would begin after the run",
                  fmt::format("less than time.duration = {} s", c.time.duration),
                  "lower output.statistics_from or raise time.duration");
-  const bool radial_first = c.failure.order == "radial-first";
-  const bool splits = c.failure.model == "plate" || (c.failure.model == "superposition" && c.failure.file.empty());
-  checks.require(!radial_first || splits, {"failure", "order"}, {"failure", "model"},
-                 fmt::format("the model {} cannot split the sheet", c.failure.model),
+  const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
+  const std::string_view name = model::name_of(c.failure.model);
+  checks.require(c.failure.order != model::CrackOrder::kRadialFirst || takes.radial_first, {"failure", "order"},
+                 {"failure", "model"}, fmt::format("the model {} cannot split the sheet", name),
                  "radial-first with failure.model = \"plate\", or \"superposition\" without failure.file",
                  "take one of these models, or circumferential-first");
-  const bool compresses = splits || c.failure.model == "superposition" || c.failure.model == "plate-outline";
-  checks.require(!c.failure.second_order || compresses, {"failure", "second_order"}, {"failure", "model"},
-                 fmt::format("the model {} is of first order", c.failure.model),
+  checks.require(!c.failure.second_order || takes.second_order, {"failure", "second_order"}, {"failure", "model"},
+                 fmt::format("the model {} is of first order", name),
                  "true with failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
                  "take one of these models, or false");
   std::error_code ignored;
@@ -162,7 +161,7 @@ void check_rest(const Case& c, Checks& checks) {
 
 }  // namespace
 
-std::vector<Problem> cross_check(const Case& resolved, const CaseSource& source) {
+std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& source) {
   Checks checks(source);
   check_ice(resolved, checks);
   check_cone(resolved, checks);

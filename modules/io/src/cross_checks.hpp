@@ -9,6 +9,6 @@
 namespace brash::io {
 
 /// What is wrong with values that are each allowed but do not go together.
-std::vector<Problem> cross_check(const Case& resolved, const CaseSource& source);
+std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& source);
 
 }  // namespace brash::io

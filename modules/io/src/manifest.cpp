@@ -11,6 +11,7 @@
 #include "brash/core/own_path.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 
 namespace brash::io {
@@ -41,7 +42,7 @@ std::string sha256_of_program() {
   return sha256_of_file(std::filesystem::read_symlink(kLink, ignored) == path ? kLink : path.string());
 }
 
-void write_manifest(const std::string& directory, const Case& resolved, const std::vector<std::string>& inputs,
+void write_manifest(const std::string& directory, const model::Case& resolved, const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context) {
   const std::filesystem::path folder(directory);
   Json manifest;

@@ -18,6 +18,13 @@ template <typename Value>
 void assign(Value& value, const Json& section, const char* key) {
   section.at(key).get_to(value);
 }
+template <model::Choice Choice>
+void assign(Choice& value, const Json& section, const char* key) {
+  const auto text = section.at(key).get<std::string>();
+  const auto known = model::named<Choice>(text);
+  BRASH_EXPECTS(known.has_value(), key, text);  // the schema has the same names
+  value = *known;
+}
 void assign(Vec2& value, const Json& section, const char* key) {
   value = {section.at(key).at(0).get<double>(), section.at(key).at(1).get<double>()};
 }
@@ -25,8 +32,8 @@ void assign(std::optional<double>& value, const Json& section, const char* key) 
   if (section.contains(key)) value = section.at(key).get<double>();
 }
 
-Case case_from(const Json& document) {
-  Case result;
+model::Case case_from(const Json& document) {
+  model::Case result;
   std::size_t n_read = 0;
   visit_keys(result, [&](const char* section, const char* key, auto& value) {
     assign(value, document.at(section), key);
@@ -61,8 +68,8 @@ std::vector<Problem> leads_out(const std::string& file, const CaseSource& source
 
 }  // namespace
 
-Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
-  Case result = case_from(validated(source, schema_of_cases()));
+model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
+  model::Case result = case_from(validated(source, schema_of_cases()));
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
   std::vector<Problem> problems;
@@ -72,14 +79,14 @@ Case resolve(const CaseSource& source, const std::string& name, ModelFile model_
   return result;
 }
 
-Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
+model::Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
   return parse_case(read_case_text(path), path, overrides, model_file);
 }
 
 std::string read_case_text(const std::string& path) { return read_text(path, "case file"); }
 
-Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
-                ModelFile model_file) {
+model::Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
+                       ModelFile model_file) {
   return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string(), model_file);
 }
 

@@ -22,23 +22,23 @@ class Check {
  public:
   explicit Check(const NetcdfReader& file) : file_(file) {}
 
-  void results(const RunResults& r) const {
+  void results(const model::RunResults& r) const {
     rows("load", r.loads);
     rows("event", r.events);
     rows("floe", r.floes);
-    for (const CrackEvent& event : r.events) {
+    for (const model::CrackEvent& event : r.events) {
       const bool cuts = event.breaking_length > 0.0 && event.breaking_length <= kFarthestNode && event.wedges >= 1 &&
                         event.wedges <= kMostWedges && is_near(event.at.x, kFarthestNode) &&
                         is_near(event.at.y, kFarthestNode);
       if (!cuts) file_.refuse(fmt::format("the crack at t = {} s has no place, radius or wedges", event.time));
     }
     std::set<std::int64_t> floes;
-    for (const FloeRecord& floe : r.floes) {
+    for (const model::FloeRecord& floe : r.floes) {
       if (!floes.insert(floe.id).second) file_.refuse(fmt::format("floe {} is there twice", floe.id));
       rings(fmt::format("floe {}", floe.id), floe.rings);
       pose(fmt::format("floe {}", floe.id), floe.birth_pose);
     }
-    for (const CrackedSheet& sheet : r.cracked_sheets) rings("cracked_sheet", sheet.rings);
+    for (const model::CrackedSheet& sheet : r.cracked_sheets) rings("cracked_sheet", sheet.rings);
     rings("initial_sheet", r.initial_sheet);
     rings("final_sheet", r.final_sheet);
     for (std::size_t i = 0; i < r.frames.size(); ++i) frame(fmt::format("frame {}", i), r.frames[i], floes);
@@ -73,11 +73,11 @@ class Check {
     if (!is_there || !is_near(size - 1.0, 1e-3)) file_.refuse(of + " has no place or no attitude");
   }
 
-  void frame(const std::string& name, const Frame& frame, const std::set<std::int64_t>& floes) const {
+  void frame(const std::string& name, const model::Frame& frame, const std::set<std::int64_t>& floes) const {
     constexpr double kMostForce = 1e10;  // [N], far above what crushing allows
     if (!std::isfinite(frame.time)) file_.refuse(name + " has no time");
     pose("the structure in " + name, frame.structure);
-    for (const FloePose& floe : frame.floes) {
+    for (const model::FloePose& floe : frame.floes) {
       const std::string of = fmt::format("floe {} in {}", floe.floe, name);
       if (!floes.contains(floe.floe)) file_.refuse(of + " is not in the list of floes");
       pose(of, floe.pose);
@@ -92,9 +92,9 @@ class Check {
 
 std::string read_case_of(const std::string& path) { return NetcdfReader(path).attribute("case"); }
 
-RunResults read_results(const std::string& path) {
+model::RunResults read_results(const std::string& path) {
   const NetcdfReader file(path);
-  RunResults results = read_tables(file);
+  model::RunResults results = read_tables(file);
   Check(file).results(results);
   return results;
 }

@@ -10,6 +10,6 @@ namespace brash::io {
 
 /// The case that `source` describes, under `name`.
 /// @throws InputError that lists what is wrong.
-Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file = ModelFile::kInItsFolder);
+model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file = ModelFile::kInItsFolder);
 
 }  // namespace brash::io

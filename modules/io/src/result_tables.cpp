@@ -7,32 +7,32 @@ namespace brash::io {
 namespace {
 
 /// Outlines of floes, parallel to the rows of floes.
-void write_outlines(NetcdfWriter& file, const std::vector<FloeRecord>& floes) {
+void write_outlines(NetcdfWriter& file, const std::vector<model::FloeRecord>& floes) {
   std::vector<std::vector<std::vector<Vec2>>> outlines;
-  for (const FloeRecord& floe : floes) outlines.push_back(floe.rings);
+  for (const model::FloeRecord& floe : floes) outlines.push_back(floe.rings);
   write_polygons(file, "floe_outline", "floe", {"m", "body frame of the floe"}, outlines);
 }
 
 /// The sheet after every step with cracks.
-void write_cracked_sheets(NetcdfWriter& file, const std::vector<CrackedSheet>& sheets) {
+void write_cracked_sheets(NetcdfWriter& file, const std::vector<model::CrackedSheet>& sheets) {
   std::vector<std::vector<std::vector<Vec2>>> polygons;
-  for (const CrackedSheet& sheet : sheets) polygons.push_back(sheet.rings);
+  for (const model::CrackedSheet& sheet : sheets) polygons.push_back(sheet.rings);
   write_rows(file, sheets);
   write_polygons(file, "cracked_sheet_outline", "cracked_sheet", {"m", "sheet frame"}, polygons);
 }
 
-std::vector<CrackedSheet> read_cracked_sheets(const NetcdfReader& file) {
-  std::vector<CrackedSheet> sheets = read_rows<CrackedSheet>(file);
+std::vector<model::CrackedSheet> read_cracked_sheets(const NetcdfReader& file) {
+  std::vector<model::CrackedSheet> sheets = read_rows<model::CrackedSheet>(file);
   auto polygons = read_polygons<Vec2>(file, "cracked_sheet_outline", "cracked_sheet");
   for (std::size_t i = 0; i < sheets.size(); ++i) sheets[i].rings = std::move(polygons[i]);
   return sheets;
 }
 
 /// Poses frame after frame: a contiguous ragged array of the CF conventions.
-void write_frames(NetcdfWriter& file, const std::vector<Frame>& frames) {
+void write_frames(NetcdfWriter& file, const std::vector<model::Frame>& frames) {
   std::vector<std::int32_t> counts;
-  std::vector<FloePose> poses;
-  for (const Frame& frame : frames) {
+  std::vector<model::FloePose> poses;
+  for (const model::Frame& frame : frames) {
     counts.push_back(static_cast<std::int32_t>(frame.floes.size()));
     poses.insert(poses.end(), frame.floes.begin(), frame.floes.end());
   }
@@ -42,18 +42,18 @@ void write_frames(NetcdfWriter& file, const std::vector<Frame>& frames) {
   write_rows(file, poses);
 }
 
-std::vector<Frame> read_frames(const NetcdfReader& file) {
-  std::vector<Frame> frames = read_rows<Frame>(file);
+std::vector<model::Frame> read_frames(const NetcdfReader& file) {
+  std::vector<model::Frame> frames = read_rows<model::Frame>(file);
   std::vector<std::int32_t> counts;
   file.read("frame_pose_count", "frame", counts);
-  auto poses = split(file, "frame_pose_count", read_rows<FloePose>(file), counts);
+  auto poses = split(file, "frame_pose_count", read_rows<model::FloePose>(file), counts);
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i].floes = std::move(poses[i]);
   return frames;
 }
 
 }  // namespace
 
-void write_tables(NetcdfWriter& file, const RunResults& results) {
+void write_tables(NetcdfWriter& file, const model::RunResults& results) {
   write_rows(file, results.loads);
   write_rows(file, results.events);
   write_rows(file, results.floes);
@@ -65,11 +65,11 @@ void write_tables(NetcdfWriter& file, const RunResults& results) {
   write_rings(file, "final_sheet", sheet_frame, results.final_sheet);
 }
 
-RunResults read_tables(const NetcdfReader& file) {
-  RunResults results;
-  results.loads = read_rows<LoadRow>(file);
-  results.events = read_rows<CrackEvent>(file);
-  results.floes = read_rows<FloeRecord>(file);
+model::RunResults read_tables(const NetcdfReader& file) {
+  model::RunResults results;
+  results.loads = read_rows<model::LoadRow>(file);
+  results.events = read_rows<model::CrackEvent>(file);
+  results.floes = read_rows<model::FloeRecord>(file);
   auto outlines = read_polygons<Vec2>(file, "floe_outline", "floe");
   for (std::size_t i = 0; i < results.floes.size(); ++i) results.floes[i].rings = std::move(outlines[i]);
   results.frames = read_frames(file);

@@ -7,8 +7,8 @@
 namespace brash::io {
 
 /// Writes everything of `results` as netCDF variables; read_tables gives it back.
-void write_tables(NetcdfWriter& file, const RunResults& results);
+void write_tables(NetcdfWriter& file, const model::RunResults& results);
 /// @throws InputError when the file lacks something or its counts do not add up.
-RunResults read_tables(const NetcdfReader& file);
+model::RunResults read_tables(const NetcdfReader& file);
 
 }  // namespace brash::io

@@ -23,11 +23,11 @@ struct Stored<bool> {
   using Type = std::int8_t;
 };
 template <>
-struct Stored<FloeEnd> {
+struct Stored<model::FloeEnd> {
   using Type = std::int8_t;
 };
 
-inline void add_flags(Meaning& meaning, FloeEnd) {
+inline void add_flags(Meaning& meaning, model::FloeEnd) {
   meaning.flag_values = {0, 1};
   meaning.more = {{"flag_meanings", "alive crushed"}};
 }
@@ -55,7 +55,7 @@ std::vector<Row> read_rows(const NetcdfReader& file) {
     using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
     std::vector<typename Stored<Member>::Type> values;
     file.read(Columns<Row>::prefix + name, Columns<Row>::dimension, values);
-    if constexpr (std::is_same_v<Member, FloeEnd>)
+    if constexpr (std::is_same_v<Member, model::FloeEnd>)
       for (const std::int8_t value : values)
         if (value < 0 || value > 2) file.refuse(fmt::format("{}{} has an unknown value", Columns<Row>::prefix, name));
     for (std::size_t i = 0; i < rows.size(); ++i) member(rows[i]) = static_cast<Member>(values[i]);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "brash/core/version.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
 #include "result_tables.hpp"
@@ -13,7 +14,7 @@
 namespace brash::io {
 namespace {
 
-std::string netcdf_bytes(const std::string& path, const Case& resolved, const RunResults& results) {
+std::string netcdf_bytes(const std::string& path, const model::Case& resolved, const model::RunResults& results) {
   NetcdfWriter file(path);
   file.attribute("Conventions", "CF-1.8");
   file.attribute("title", "brash run of the case " + resolved.name);
@@ -56,13 +57,13 @@ std::string cells(const Row& row) {
   return text;
 }
 
-std::string history_csv(const std::vector<LoadRow>& loads) {
+std::string history_csv(const std::vector<model::LoadRow>& loads) {
   const auto ended = [](std::string line) {
     line.back() = '\n';
     return line;
   };
-  std::string text = ended(header<LoadRow>());
-  for (const LoadRow& row : loads) text += ended(cells(row));
+  std::string text = ended(header<model::LoadRow>());
+  for (const model::LoadRow& row : loads) text += ended(cells(row));
   return text;
 }
 
@@ -72,15 +73,15 @@ struct EventLine {
   std::string text;
 };
 
-std::string events_csv(const RunResults& results) {
+std::string events_csv(const model::RunResults& results) {
   std::vector<EventLine> lines;
-  for (const CrackEvent& event : results.events) lines.push_back({event.time, cells(event) + "break,,,,\n"});
+  for (const model::CrackEvent& event : results.events) lines.push_back({event.time, cells(event) + "break,,,,\n"});
 
   // A deletion has a time, and no crack: the cells between stay empty.
-  const std::string names = header<CrackEvent>();
+  const std::string names = header<model::CrackEvent>();
   const std::string no_crack(static_cast<std::size_t>(std::count(names.begin(), names.end(), ',')), ',');
-  for (const FloeRecord& floe : results.floes) {
-    if (floe.end == FloeEnd::kAlive) continue;
+  for (const model::FloeRecord& floe : results.floes) {
+    if (floe.end == model::FloeEnd::kAlive) continue;
     lines.push_back({floe.death, fmt::format("{}{}deleted,{},{},{},{}\n", floe.death, no_crack, name_of(floe.end),
                                              floe.id, floe.area, floe.peak_stress)});
   }
@@ -92,7 +93,7 @@ std::string events_csv(const RunResults& results) {
 
 }  // namespace
 
-void write_results(const std::string& directory, const Case& resolved, const RunResults& results) {
+void write_results(const std::string& directory, const model::Case& resolved, const model::RunResults& results) {
   const std::filesystem::path folder(directory);
   const std::string path = (folder / "run.nc").string();
   write_file(path, netcdf_bytes(path, resolved, results));
@@ -100,7 +101,7 @@ void write_results(const std::string& directory, const Case& resolved, const Run
   write_file((folder / "events.csv").string(), events_csv(results));
 }
 
-void write_history(const std::string& directory, const RunResults& results) {
+void write_history(const std::string& directory, const model::RunResults& results) {
   write_file((std::filesystem::path(directory) / "history.csv").string(), history_csv(results.loads));
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
@@ -11,7 +12,7 @@ namespace brash::python {
 namespace {
 
 Case read(std::string text, std::string path, bool has_file, std::vector<std::string> overrides) {
-  io::Case resolved = io::parse_case(text, path, overrides);
+  model::Case resolved = io::parse_case(text, path, overrides);
   return {std::move(text), std::move(path), has_file, std::move(overrides), std::move(resolved)};
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
 
 namespace brash::python {
 
@@ -14,7 +14,7 @@ struct Case {
   std::string path;  ///< of the file; where there is none, its name in messages
   bool has_file = false;
   std::vector<std::string> overrides;
-  io::Case resolved;
+  model::Case resolved;
 };
 
 }  // namespace brash::python

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "brash/io/results.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
 
@@ -32,16 +33,17 @@ py::list world_rings(const FloeState& floe) {
 }
 
 void add_floes(py::module_& m) {
-  py::class_<io::FloeRecord>(m, "FloeRecord", "A floe's life.")
-      .def_readonly("id", &io::FloeRecord::id)
-      .def_readonly("area", &io::FloeRecord::area, "[m2]")
-      .def_readonly("birth", &io::FloeRecord::birth, "[s]")
-      .def_readonly("death", &io::FloeRecord::death, "[s]; the run's end when alive")
+  py::class_<model::FloeRecord>(m, "FloeRecord", "A floe's life.")
+      .def_readonly("id", &model::FloeRecord::id)
+      .def_readonly("area", &model::FloeRecord::area, "[m2]")
+      .def_readonly("birth", &model::FloeRecord::birth, "[s]")
+      .def_readonly("death", &model::FloeRecord::death, "[s]; the run's end when alive")
       .def_property_readonly(
-          "end", [](const io::FloeRecord& f) { return io::name_of(f.end); }, "alive, crushed")
-      .def_readonly("peak_stress", &io::FloeRecord::peak_stress, "Largest compression of the deletion criterion [Pa].")
+          "end", [](const model::FloeRecord& f) { return model::name_of(f.end); }, "alive, crushed")
+      .def_readonly("peak_stress", &model::FloeRecord::peak_stress,
+                    "Largest compression of the deletion criterion [Pa].")
       .def_property_readonly(
-          "rings", [](const io::FloeRecord& f) { return rings_of(f.rings); },
+          "rings", [](const model::FloeRecord& f) { return rings_of(f.rings); },
           "Outline and holes in the body frame; shape (n, 2) each [m].");
   py::class_<FloeState>(m, "Floe", "A floe at one time.")
       .def_readonly("record", &FloeState::record)
@@ -63,27 +65,27 @@ void add_floes(py::module_& m) {
 
 }  // namespace
 
-std::map<std::int64_t, io::FloeRecord> by_id(const std::vector<io::FloeRecord>& floes) {
-  std::map<std::int64_t, io::FloeRecord> records;
-  for (const io::FloeRecord& floe : floes) records.emplace(floe.id, floe);
+std::map<std::int64_t, model::FloeRecord> by_id(const std::vector<model::FloeRecord>& floes) {
+  std::map<std::int64_t, model::FloeRecord> records;
+  for (const model::FloeRecord& floe : floes) records.emplace(floe.id, floe);
   return records;
 }
 
-FrameView view_of(const io::Frame& frame, const std::map<std::int64_t, io::FloeRecord>& records) {
+FrameView view_of(const model::Frame& frame, const std::map<std::int64_t, model::FloeRecord>& records) {
   FrameView view{frame.time, frame.structure, {}};
-  for (const io::FloePose& floe : frame.floes) view.floes.push_back({records.at(floe.floe), floe.pose});
+  for (const model::FloePose& floe : frame.floes) view.floes.push_back({records.at(floe.floe), floe.pose});
   return view;
 }
 
 void add_results(py::module_& m) {
   add_floes(m);
-  using io::RunResults;
+  using model::RunResults;
   py::class_<RunResults>(m, "Results", "Everything that a run leaves, as in run.nc.")
       .def_property_readonly(
-          "loads", [](const RunResults& r) { return table(std::span<const io::LoadRow>(r.loads)); },
+          "loads", [](const RunResults& r) { return table(std::span<const model::LoadRow>(r.loads)); },
           "Load history: a structured array with the columns of history.csv; shape (n_steps,).")
       .def_property_readonly(
-          "events", [](const RunResults& r) { return table(std::span<const io::CrackEvent>(r.events)); },
+          "events", [](const RunResults& r) { return table(std::span<const model::CrackEvent>(r.events)); },
           "Crack events: a structured array with the columns of events.csv; shape (n_events,).")
       .def_readonly("floes", &RunResults::floes, "A list of FloeRecord.")
       .def_property_readonly(

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "brash/io/results.hpp"
+#include "brash/model/records.hpp"
 
 namespace brash::python {
 
 /// A floe at one time: its record and where it is.
 struct FloeState {
-  io::FloeRecord record;
+  model::FloeRecord record;
   Pose pose;
 };
 
@@ -25,8 +25,8 @@ struct FrameView {
 };
 
 /// Looks the poses of `frame` up in the records.
-FrameView view_of(const io::Frame& frame, const std::map<std::int64_t, io::FloeRecord>& records);
+FrameView view_of(const model::Frame& frame, const std::map<std::int64_t, model::FloeRecord>& records);
 
-std::map<std::int64_t, io::FloeRecord> by_id(const std::vector<io::FloeRecord>& floes);
+std::map<std::int64_t, model::FloeRecord> by_id(const std::vector<model::FloeRecord>& floes);
 
 }  // namespace brash::python

@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "../../cli/src/run_folder.hpp"
+#include "brash/core/write_file.hpp"
+#include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
 #include "case.hpp"
 #include "convert.hpp"
@@ -20,9 +22,9 @@ namespace {
 
 /// What some steps did, one after the other.
 struct Steps {
-  std::vector<io::LoadRow> loads;
-  std::vector<io::CrackEvent> events;
-  std::vector<io::FloeRecord> births;
+  std::vector<model::LoadRow> loads;
+  std::vector<model::CrackEvent> events;
+  std::vector<model::FloeRecord> births;
   std::vector<simulation::FloeDeath> deaths;
 
   void add(simulation::StepReport report) {
@@ -44,7 +46,7 @@ class LiveSimulation {
     Steps steps;
     without_gil(static_cast<std::size_t>(n), [&](std::size_t) {
       simulation::StepReport report = simulation_.step();
-      for (const io::FloeRecord& floe : report.births) records_.emplace(floe.id, floe);
+      for (const model::FloeRecord& floe : report.births) records_.emplace(floe.id, floe);
       steps.add(std::move(report));
     });
     return steps;
@@ -59,7 +61,7 @@ class LiveSimulation {
 
  private:
   simulation::Simulation simulation_;
-  std::map<std::int64_t, io::FloeRecord> records_;
+  std::map<std::int64_t, model::FloeRecord> records_;
   bool busy_ = false;
 };
 
@@ -78,7 +80,7 @@ py::dict ledger_of(const geometry::Ledger& l) {
 py::list deaths_of(const Steps& steps) {
   py::list out;
   for (const simulation::FloeDeath& death : steps.deaths)
-    out.append(py::make_tuple(death.floe, io::name_of(death.cause)));
+    out.append(py::make_tuple(death.floe, model::name_of(death.cause)));
   return out;
 }
 
@@ -86,7 +88,7 @@ py::list deaths_of(const Steps& steps) {
 std::string case_file_of(const Case& c, const std::string& directory) {
   if (c.has_file) return c.path;
   const std::string file = directory + "/case.toml";
-  io::write_file(file, io::to_toml(c.resolved));
+  write_file(file, io::to_toml(c.resolved));
   return file;
 }
 
@@ -95,8 +97,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume) {
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
   simulation::RunOptions options;
-  if (!directory.empty()) options.checkpoint_file = directory + "/checkpoint.nc";
-  options.resume = resume;
+  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume);
   options.begun = [&] {
     if (!directory.empty()) cli::remove_run(directory);
   };
@@ -120,10 +121,10 @@ void add_run(py::module_& m) {
   py::class_<Run>(m, "Run", "A finished run.")
       .def_readonly("results", &Run::results)
       .def_property_readonly(
-          "loads", [](const Run& r) { return table(std::span<const io::LoadRow>(r.results.loads)); },
+          "loads", [](const Run& r) { return table(std::span<const model::LoadRow>(r.results.loads)); },
           "Load history, see Results.loads.")
       .def_property_readonly(
-          "events", [](const Run& r) { return table(std::span<const io::CrackEvent>(r.results.events)); },
+          "events", [](const Run& r) { return table(std::span<const model::CrackEvent>(r.results.events)); },
           "Crack events, see Results.events.")
       .def_property_readonly(
           "summary", [](const Run& r) { return from_json(simulation::to_json(r.summary)); },
@@ -141,10 +142,10 @@ void add_simulation(py::module_& m) {
   add_run(m);
   py::class_<Steps>(m, "Steps", "What one or several steps did.")
       .def_property_readonly(
-          "loads", [](const Steps& s) { return table(std::span<const io::LoadRow>(s.loads)); },
+          "loads", [](const Steps& s) { return table(std::span<const model::LoadRow>(s.loads)); },
           "Structured array with the columns of history.csv; shape (n_steps,).")
       .def_property_readonly(
-          "events", [](const Steps& s) { return table(std::span<const io::CrackEvent>(s.events)); },
+          "events", [](const Steps& s) { return table(std::span<const model::CrackEvent>(s.events)); },
           "Structured array with the columns of events.csv; shape (n_events,).")
       .def_readonly("births", &Steps::births, "A list of FloeRecord.")
       .def_property_readonly("deaths", &deaths_of, "A list of (id, cause).");

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "brash/core/input_file.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/report.hpp"
@@ -40,7 +41,7 @@ std::string write_campaign_report(const std::string& directory) {
                           {"reports", reports_of_cases(directory)},
                           {"blocks", ordered_json::array()}};
   const std::string path = directory + "/report.html";
-  io::write_file(path, page_with(data, ""));
+  write_file(path, page_with(data, ""));
   return path;
 }
 

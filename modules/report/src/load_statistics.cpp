@@ -40,8 +40,8 @@ ordered_json peaks_of(const std::vector<double>& samples, double start, double d
 
 }  // namespace
 
-ordered_json load_statistics(const std::vector<io::LoadRow>& loads, double from) {
-  const auto first = std::ranges::find_if(loads, [&](const io::LoadRow& row) { return row.time > from; });
+ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from) {
+  const auto first = std::ranges::find_if(loads, [&](const model::LoadRow& row) { return row.time > from; });
   if (loads.end() - first < 2) return nullptr;
   const double dt = (loads.back().time - first->time) / static_cast<double>(loads.end() - first - 1);
   ordered_json out;

@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "brash/io/results.hpp"
+#include "brash/model/records.hpp"
 
 namespace brash::report {
 
 /// What is drawn of the loads from `from` [s] on: spectrum with its confidence factors, and the peaks between upward
 /// crossings of the mean, largest first. Null where the history is too short.
-nlohmann::ordered_json load_statistics(const std::vector<io::LoadRow>& loads, double from);
+nlohmann::ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from);
 
 }  // namespace brash::report

@@ -44,14 +44,14 @@ std::string rings_path(const View& view, const std::vector<std::vector<Vec2>>& r
 }
 
 /// The floe's mid-plane as it lies, seen from above.
-std::vector<std::vector<Vec2>> seen_from_above(const io::FloeRecord& floe, const Pose& pose) {
+std::vector<std::vector<Vec2>> seen_from_above(const model::FloeRecord& floe, const Pose& pose) {
   std::vector<std::vector<Vec2>> rings = floe.rings;
   for (std::vector<Vec2>& ring : rings)
     for (Vec2& v : ring) v = plan(to_world(pose, {v.x, v.y, 0.0}));
   return rings;
 }
 
-View view_of(const io::Case& resolved, const io::RunResults& results) {
+View view_of(const model::Case& resolved, const model::RunResults& results) {
   View view;
   const double radius = 0.5 * resolved.structure.waterline_width;
   const Vec2 structure = plan(results.frames.back().structure.position);
@@ -59,17 +59,17 @@ View view_of(const io::Case& resolved, const io::RunResults& results) {
   view.include({structure.x - radius, -radius});
   for (const std::vector<Vec2>& ring : results.initial_sheet)
     for (const Vec2 vertex : ring) view.include(vertex);
-  for (const io::FloePose& floe : results.frames.back().floes) view.include(plan(floe.pose.position));
+  for (const model::FloePose& floe : results.frames.back().floes) view.include(plan(floe.pose.position));
   view.grow(kBorder);
   return view;
 }
 
-std::string floes(const View& view, const io::Case& resolved, const io::RunResults& results) {
-  std::vector<const io::FloePose*> lowest_first;
-  for (const io::FloePose& floe : results.frames.back().floes) lowest_first.push_back(&floe);
-  std::ranges::stable_sort(lowest_first, {}, [](const io::FloePose* f) { return f->pose.position.z; });
+std::string floes(const View& view, const model::Case& resolved, const model::RunResults& results) {
+  std::vector<const model::FloePose*> lowest_first;
+  for (const model::FloePose& floe : results.frames.back().floes) lowest_first.push_back(&floe);
+  std::ranges::stable_sort(lowest_first, {}, [](const model::FloePose* f) { return f->pose.position.z; });
   std::string svg;
-  for (const io::FloePose* floe : lowest_first) {
+  for (const model::FloePose* floe : lowest_first) {
     const bool sunk = floe->pose.position.z < -resolved.ice.thickness;
     svg += rings_path(view, seen_from_above(results.floes[static_cast<std::size_t>(floe->floe)], floe->pose),
                       sunk ? "class=\"sunk\"" : "class=\"floe\"");
@@ -94,7 +94,7 @@ constexpr const char* kStyle =
 
 }  // namespace
 
-std::string plan_view(const io::Case& resolved, const io::RunResults& results) {
+std::string plan_view(const model::Case& resolved, const model::RunResults& results) {
   const View view = view_of(resolved, results);
   const Vec2 size = kPixelsPerMetre * (view.upper - view.lower);
   std::string svg = fmt::format(
@@ -106,7 +106,7 @@ std::string plan_view(const io::Case& resolved, const io::RunResults& results) {
   const Vec2 centre = view.on_page(plan(results.frames.back().structure.position));
   svg += fmt::format("<circle class=\"structure\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n", centre.x, centre.y,
                      0.5 * resolved.structure.waterline_width * kPixelsPerMetre);
-  for (const io::CrackEvent& event : results.events) {
+  for (const model::CrackEvent& event : results.events) {
     const Vec2 at = view.on_page(event.at);
     svg += fmt::format("<circle class=\"break\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>\n", at.x, at.y);
   }

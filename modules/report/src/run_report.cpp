@@ -5,6 +5,8 @@
 
 #include "blocks.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/write_file.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/report.hpp"
@@ -30,7 +32,7 @@ void add_columns(Blocks& blocks, const std::string& of, const std::vector<Row>& 
     std::vector<double> values;
     values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(static_cast<double>(member(row)));
-    const bool drawn_only = std::is_same_v<Row, io::LoadRow> && name != "time";
+    const bool drawn_only = std::is_same_v<Row, model::LoadRow> && name != "time";
     if (drawn_only)
       blocks.add_single(of + '.' + name, values);
     else
@@ -64,20 +66,20 @@ struct Tracks {
   std::vector<double> x, y, z, qw, qx, qy, qz, force;
 };
 
-Tracks tracks_of(const io::RunResults& results) {
-  std::map<std::int64_t, std::vector<const io::FloePose*>> poses;
+Tracks tracks_of(const model::RunResults& results) {
+  std::map<std::int64_t, std::vector<const model::FloePose*>> poses;
   std::map<std::int64_t, std::int32_t> first;
   for (std::size_t i = 0; i < results.frames.size(); ++i)
-    for (const io::FloePose& pose : results.frames[i].floes) {
+    for (const model::FloePose& pose : results.frames[i].floes) {
       poses[pose.floe].push_back(&pose);
       first.try_emplace(pose.floe, static_cast<std::int32_t>(i));
     }
   Tracks tracks;
-  for (const io::FloeRecord& floe : results.floes) {
-    const std::vector<const io::FloePose*>& track = poses[floe.id];
+  for (const model::FloeRecord& floe : results.floes) {
+    const std::vector<const model::FloePose*>& track = poses[floe.id];
     tracks.first.push_back(first[floe.id]);
     tracks.count.push_back(static_cast<std::int32_t>(track.size()));
-    for (const io::FloePose* at : track) {
+    for (const model::FloePose* at : track) {
       tracks.x.push_back(at->pose.position.x);
       tracks.y.push_back(at->pose.position.y);
       tracks.z.push_back(at->pose.position.z);
@@ -105,10 +107,10 @@ void add_tracks(Blocks& blocks, const Tracks& tracks) {
 }
 
 /// The sheet at the start, after every step with cracks, and at the end.
-void add_sheets(Blocks& blocks, const io::RunResults& results) {
+void add_sheets(Blocks& blocks, const model::RunResults& results) {
   std::vector<double> times{0.0};
   std::vector<const Rings*> polygons{&results.initial_sheet};
-  for (const io::CrackedSheet& sheet : results.cracked_sheets) {
+  for (const model::CrackedSheet& sheet : results.cracked_sheets) {
     times.push_back(sheet.time);
     polygons.push_back(&sheet.rings);
   }
@@ -118,14 +120,14 @@ void add_sheets(Blocks& blocks, const io::RunResults& results) {
   add_polygons(blocks, "sheet", polygons, kPlaceUnit);
 }
 
-Blocks blocks_of(const io::RunResults& results) {
+Blocks blocks_of(const model::RunResults& results) {
   Blocks blocks;
   add_columns(blocks, "load", results.loads);
   add_columns(blocks, "event", results.events);
   add_columns(blocks, "floe", results.floes);
   add_columns(blocks, "frame", results.frames);
   std::vector<const Rings*> outlines;
-  for (const io::FloeRecord& floe : results.floes) outlines.push_back(&floe.rings);
+  for (const model::FloeRecord& floe : results.floes) outlines.push_back(&floe.rings);
   add_polygons(blocks, "outline", outlines, kOutlineUnit);
   add_tracks(blocks, tracks_of(results));
   add_sheets(blocks, results);
@@ -134,7 +136,7 @@ Blocks blocks_of(const io::RunResults& results) {
 
 }  // namespace
 
-io::Case case_of_run(const std::string& directory) {
+model::Case case_of_run(const std::string& directory) {
   const std::string path = directory + "/manifest.json";
   const ordered_json manifest = read_json(path);
   try {
@@ -151,7 +153,7 @@ io::Case case_of_run(const std::string& directory) {
 }
 
 std::string write_run_report(const std::string& directory, const std::string& closed_forms) {
-  const io::RunResults results = io::read_results(directory + "/run.nc");
+  const model::RunResults results = io::read_results(directory + "/run.nc");
   const ordered_json summary = read_json(directory + "/summary.json");
   if (!summary.is_object() || !summary.value("statistics_from", ordered_json(0.0)).is_number())
     throw InputError(Complaint{directory + "/summary.json", "has no number `statistics_from`",
@@ -166,7 +168,7 @@ std::string write_run_report(const std::string& directory, const std::string& cl
                           {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0))},
                           {"blocks", blocks.directory()}};
   const std::string path = directory + "/report.html";
-  io::write_file(path, page_with(data, blocks.packed()));
+  write_file(path, page_with(data, blocks.packed()));
   return path;
 }
 

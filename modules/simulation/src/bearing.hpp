@@ -2,16 +2,16 @@
 #pragma once
 
 #include "brash/core/vec.hpp"
-#include "brash/io/checkpoint.hpp"
+#include "brash/model/checkpoint.hpp"
 #include "brash/rigid_body/world.hpp"
 
 namespace brash::simulation {
 
 /// Adds a contact of a floe with the sheet.
-void add_contact(io::Bearing& bearing, const rigid_body::ContactLoad& contact);
+void add_contact(model::Bearing& bearing, const rigid_body::ContactLoad& contact);
 
 /// Moves `mean` by `share` of its distance to `now`.
-void approach(io::Bearing& mean, const io::Bearing& now, double share);
+void approach(model::Bearing& mean, const model::Bearing& now, double share);
 
 /// A bearing as an even load on a straight piece of edge.
 struct LineLoad {
@@ -24,6 +24,6 @@ struct LineLoad {
 };
 
 /// @param bearing  with some weight.
-LineLoad line_load(const io::Bearing& bearing);
+LineLoad line_load(const model::Bearing& bearing);
 
 }  // namespace brash::simulation

@@ -4,6 +4,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/io/case.hpp"
 #include "simulation_impl.hpp"
 
 namespace brash::simulation {
@@ -36,25 +37,25 @@ ExactArea from_text(const std::string& text) {
   return ExactArea(value);
 }
 
-std::vector<io::GridPoint> to_grid(const geometry::Ring& ring) {
-  std::vector<io::GridPoint> points;
+std::vector<model::GridPoint> to_grid(const geometry::Ring& ring) {
+  std::vector<model::GridPoint> points;
   points.reserve(ring.size());
   for (const geometry::Point p : ring) points.push_back({p.x, p.y});
   return points;
 }
 
-io::GridRings to_grid(const geometry::Polygon& polygon) {
-  io::GridRings rings{to_grid(polygon.outline)};
+model::GridRings to_grid(const geometry::Polygon& polygon) {
+  model::GridRings rings{to_grid(polygon.outline)};
   for (const geometry::Ring& hole : polygon.holes) rings.push_back(to_grid(hole));
   return rings;
 }
 
-geometry::Polygon from_grid(const io::GridRings& rings) {
+geometry::Polygon from_grid(const model::GridRings& rings) {
   BRASH_EXPECTS(!rings.empty());
   geometry::Polygon polygon;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     geometry::Ring ring;
-    for (const io::GridPoint p : rings[i]) ring.push_back({p.x, p.y});
+    for (const model::GridPoint p : rings[i]) ring.push_back({p.x, p.y});
     if (i == 0)
       polygon.outline = std::move(ring);
     else
@@ -63,7 +64,7 @@ geometry::Polygon from_grid(const io::GridRings& rings) {
   return polygon;
 }
 
-geometry::Ledger ledger_of(const io::Checkpoint& checkpoint) {
+geometry::Ledger ledger_of(const model::Checkpoint& checkpoint) {
   const auto account = [&](const char* name) { return from_text(checkpoint.ledger.at(name)); };
   return {.initial = account("initial"),
           .sheet = account("sheet"),
@@ -75,7 +76,7 @@ geometry::Ledger ledger_of(const io::Checkpoint& checkpoint) {
           .n_rounded = checkpoint.counters.at("n_rounded")};
 }
 
-io::KeptDrag kept_drag(const KeptDrag& kept) {
+model::KeptDrag kept_drag(const KeptDrag& kept) {
   const auto& [form, skin, skin_power] = kept.drag;
   return {.left = kept.left,
           .sum = form.sum,
@@ -89,7 +90,7 @@ io::KeptDrag kept_drag(const KeptDrag& kept) {
           .velocity = kept.velocity};
 }
 
-KeptDrag kept_drag(const io::KeptDrag& saved) {
+KeptDrag kept_drag(const model::KeptDrag& saved) {
   return {{{.sum = saved.sum,
             .first = saved.first,
             .squares = saved.squares,
@@ -102,7 +103,7 @@ KeptDrag kept_drag(const io::KeptDrag& saved) {
 }
 
 /// The ice of `checkpoint`, once it is known to be of this case.
-IceField field_of(const io::Case& resolved, const io::Checkpoint& checkpoint) {
+IceField field_of(const model::Case& resolved, const model::Checkpoint& checkpoint) {
   if (checkpoint.case_name != resolved.name || checkpoint.case_toml != io::to_toml(resolved))
     throw InputError(Complaint{"the checkpoint",
                                "is of case \"" + checkpoint.case_name + "\" with other values than this one",
@@ -110,19 +111,19 @@ IceField field_of(const io::Case& resolved, const io::Checkpoint& checkpoint) {
                                "resume with the case file and the --set options of the interrupted run, or start again "
                                "without --resume"});
   std::vector<geometry::Polygon> sheet;
-  for (const io::GridRings& rings : checkpoint.sheet) sheet.push_back(from_grid(rings));
+  for (const model::GridRings& rings : checkpoint.sheet) sheet.push_back(from_grid(rings));
   return {sheet, ledger_of(checkpoint)};
 }
 
 }  // namespace
 
-Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Impl(c, field_of(c, checkpoint)) {
+Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint) : Impl(c, field_of(c, checkpoint)) {
   n_steps = checkpoint.counters.at("n_steps");
   n_breaks = static_cast<std::uint64_t>(checkpoint.counters.at("n_breaks"));
   EnergyLedger::visit(energy, [&](const std::string& name, double& sum) { sum = checkpoint.numbers.at(name); });
   centre = {checkpoint.numbers.at("centre_x"), checkpoint.numbers.at("centre_y")};
   world.set_state(structure_body, structure_pose(), {});
-  for (const io::CheckpointFloe& floe : checkpoint.floes)
+  for (const model::CheckpointFloe& floe : checkpoint.floes)
     floes.restore(world, from_grid(floe.rings),
                   {.id = floe.id,
                    .pose = floe.pose,
@@ -132,32 +133,32 @@ Simulation::Impl::Impl(const io::Case& c, const io::Checkpoint& checkpoint) : Im
                    .bearing = floe.bearing,
                    .rest = floe.rest,
                    .kept_drag = kept_drag(floe.kept_drag)});
-  for (const io::FloePush& push : checkpoint.pushes) floes.restore_push(push.floe, push.other, push.force);
+  for (const model::FloePush& push : checkpoint.pushes) floes.restore_push(push.floe, push.other, push.force);
   floes.set_next_id(checkpoint.counters.at("next_floe"));
   for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // a settled one may be run into at once
   begin_watch();
 }
 
-io::Checkpoint Simulation::Impl::checkpoint() const {
+model::Checkpoint Simulation::Impl::checkpoint() const {
   const geometry::Ledger& l = field.ledger();
-  io::Checkpoint saved{.case_name = resolved.name,
-                       .case_toml = resolved_toml,
-                       .sheet = {},
-                       .floes = {},
-                       .pushes = {},
-                       .ledger = {{"initial", to_text(l.initial)},
-                                  {"sheet", to_text(l.sheet)},
-                                  {"floes", to_text(l.floes)},
-                                  {"crushed", to_text(l.crushed)},
-                                  {"deleted", to_text(l.deleted)},
-                                  {"brash", to_text(l.brash)},
-                                  {"snap", to_text(l.snap)}},
-                       .counters = {{"n_rounded", l.n_rounded},
-                                    {"n_steps", n_steps},
-                                    {"n_breaks", static_cast<std::int64_t>(n_breaks)},
-                                    {"next_floe", floes.next_id()}},
-                       .numbers = {{"centre_x", centre.x}, {"centre_y", centre.y}},
-                       .results = {}};
+  model::Checkpoint saved{.case_name = resolved.name,
+                          .case_toml = resolved_toml,
+                          .sheet = {},
+                          .floes = {},
+                          .pushes = {},
+                          .ledger = {{"initial", to_text(l.initial)},
+                                     {"sheet", to_text(l.sheet)},
+                                     {"floes", to_text(l.floes)},
+                                     {"crushed", to_text(l.crushed)},
+                                     {"deleted", to_text(l.deleted)},
+                                     {"brash", to_text(l.brash)},
+                                     {"snap", to_text(l.snap)}},
+                          .counters = {{"n_rounded", l.n_rounded},
+                                       {"n_steps", n_steps},
+                                       {"n_breaks", static_cast<std::int64_t>(n_breaks)},
+                                       {"next_floe", floes.next_id()}},
+                          .numbers = {{"centre_x", centre.x}, {"centre_y", centre.y}},
+                          .results = {}};
   EnergyLedger::visit(energy, [&](const std::string& name, double sum) { saved.numbers[name] = sum; });
   for (const geometry::Polygon& polygon : field.sheet().polygons()) saved.sheet.push_back(to_grid(polygon));
   for (const auto& [body, floe] : floes.floes())

@@ -82,9 +82,10 @@ std::vector<Vec2> outline_of(const geometry::IceSheet& sheet, const geometry::Co
 
 /// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical; the structure moves along x.
 void load_contact(const EdgeModel& model, EdgeContact& contact) {
-  const io::Case& c = model.resolved;
+  const model::Case& c = model.resolved;
   const double plan_area = geometry::area(contact.region.overlap).square_metres();
-  const double area = c.contact.area == "projected" ? plan_area : plan_area / std::cos(c.structure.angle);
+  const double area =
+      c.contact.area == model::ContactArea::kProjected ? plan_area : plan_area / std::cos(c.structure.angle);
   const double normal_force = failure::crushing_force(model.ice, area);
 
   const Vec2 normal = contact.region.normal;
@@ -124,12 +125,12 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact
 
 }  // namespace
 
-Freeboard freeboard(const io::Case& resolved) {
+Freeboard freeboard(const model::Case& resolved) {
   const double draft = resolved.ice.thickness * resolved.ice.density / resolved.water.density;
   return {resolved.ice.thickness - draft, -draft};
 }
 
-failure::IceProperties ice_properties(const io::Case& resolved) {
+failure::IceProperties ice_properties(const model::Case& resolved) {
   return {.thickness = resolved.ice.thickness,
           .youngs_modulus = resolved.ice.youngs_modulus,
           .poisson_ratio = resolved.ice.poisson_ratio,
@@ -139,11 +140,12 @@ failure::IceProperties ice_properties(const io::Case& resolved) {
           .water_density = resolved.water.density};
 }
 
-std::unique_ptr<failure::BendingCriterion> make_criterion(const io::Case& resolved, const failure::IceProperties& ice) {
-  const io::FailureSection& section = resolved.failure;
+std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
+                                                          const failure::IceProperties& ice) {
+  const model::FailureSection& section = resolved.failure;
   return failure::make_criterion(
       section.model, section.file, ice,
-      {.second_order = section.second_order, .radial_first = section.order == "radial-first"});
+      {.second_order = section.second_order, .radial_first = section.order == model::CrackOrder::kRadialFirst});
 }
 
 geometry::Ring leading_section(const EdgeModel& model, Vec2 centre) {
@@ -171,7 +173,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 }
 
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const io::Bearing& bearing) {
+                                           const model::Bearing& bearing) {
   const double h = model.ice.thickness;
   // A cantilever of the width h and the length l_c does not break under less.
   const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));

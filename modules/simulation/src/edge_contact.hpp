@@ -8,8 +8,8 @@
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/trapezoid.hpp"
-#include "brash/io/case.hpp"
-#include "brash/io/checkpoint.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/checkpoint.hpp"
 #include "brash/structure/cone.hpp"
 
 namespace brash::simulation {
@@ -20,15 +20,15 @@ struct EdgeContact {
   geometry::Trapezoid wedge;
   failure::LoadCase load;
   failure::Assessment assessment;
-  Vec3 force{};                     ///< on the structure [N], Eq. 15 with friction; none where a floe presses
-  Vec3 point{};                     ///< where it acts [m]
-  std::int64_t floe = io::kNoFloe;  ///< that presses
+  Vec3 force{};                        ///< on the structure [N], Eq. 15 with friction; none where a floe presses
+  Vec3 point{};                        ///< where it acts [m]
+  std::int64_t floe = model::kNoFloe;  ///< that presses
 };
 
 /// What the edge contacts depend on besides the sheet.
 struct EdgeModel {
   const structure::Cone& cone;
-  const io::Case& resolved;
+  const model::Case& resolved;
   const failure::IceProperties& ice;
   const failure::BendingCriterion& criterion;
 };
@@ -38,13 +38,14 @@ struct Freeboard {
   double top = 0.0;
   double bottom = 0.0;
 };
-Freeboard freeboard(const io::Case& resolved);
+Freeboard freeboard(const model::Case& resolved);
 
 /// Ice as the failure criterion sees it.
-failure::IceProperties ice_properties(const io::Case& resolved);
+failure::IceProperties ice_properties(const model::Case& resolved);
 
 /// The criterion that the case names.
-std::unique_ptr<failure::BendingCriterion> make_criterion(const io::Case& resolved, const failure::IceProperties& ice);
+std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
+                                                          const failure::IceProperties& ice);
 
 /// The section of the structure that meets the ice first: at the ice's top when it breaks downward, else at its bottom.
 geometry::Ring leading_section(const EdgeModel& model, Vec2 centre);
@@ -63,6 +64,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 /// vertical part. Its length c is that of an even load with the same second moment about its middle, at least h: plate
 /// theory says nothing of less. docs/theory/simulation.md, (S1).
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const io::Bearing& bearing);
+                                           const model::Bearing& bearing);
 
 }  // namespace brash::simulation

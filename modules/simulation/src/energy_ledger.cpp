@@ -8,7 +8,7 @@ using rigid_body::BodyKind;
 using rigid_body::ContactLoad;
 using rigid_body::World;
 
-void book(io::EnergyLosses& losses, const ContactLoad& contact, double dt) {
+void book(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
   const double normal = -dt * rigid_body::normal_power(contact);
   const double friction = -dt * rigid_body::friction_power(contact);
   const auto add = [&](double& of_contact, double& of_friction) {
@@ -57,7 +57,7 @@ void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyI
   removed_ += floes.energy(world, body, floes.at(body));
 }
 
-void EnergyLedger::report(const World& world, const FloePopulation& floes, io::LoadRow& row) const {
+void EnergyLedger::report(const World& world, const FloePopulation& floes, model::LoadRow& row) const {
   row.kinetic_energy = world.kinetic_energy();
   row.potential_energy = floes.potential_energy(world);
   row.work = work_;

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "brash/io/results.hpp"
+#include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "floe_population.hpp"
 
@@ -41,7 +41,7 @@ class EnergyLedger {
   const Taken& taken() const { return taken_; }
 
   /// Fills the energies of a row.
-  void report(const rigid_body::World& world, const FloePopulation& floes, io::LoadRow& row) const;
+  void report(const rigid_body::World& world, const FloePopulation& floes, model::LoadRow& row) const;
 
   /// Calls `visit(name, sum)` for every sum, by its name in a checkpoint.
   template <typename Self, typename Visit>
@@ -49,7 +49,7 @@ class EnergyLedger {
     visit("work", self.work_);
     visit("birth_energy", self.birth_);
     visit("removed_energy", self.removed_);
-    io::EnergyLosses::visit([&](const char* cause, const char*, double io::EnergyLosses::*loss) {
+    model::EnergyLosses::visit([&](const char* cause, const char*, double model::EnergyLosses::*loss) {
       visit(std::string("loss_") + cause, self.losses_.*loss);
     });
   }
@@ -58,7 +58,7 @@ class EnergyLedger {
   double work_ = 0.0;
   double birth_ = 0.0;
   double removed_ = 0.0;
-  io::EnergyLosses losses_;
+  model::EnergyLosses losses_;
   std::map<BodyId, double> received_;
   Taken taken_;
 };

@@ -24,9 +24,9 @@ constexpr double kSettleTime = 2.0;
 constexpr double kNoPush = 1e-3;
 
 /// Water::shading_gap of a case [m].
-double shading_gap(const io::Case& resolved) {
-  const io::HydrodynamicsSection& h = resolved.hydrodynamics;
-  return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
+double shading_gap(const model::Case& resolved) {
+  const model::HydrodynamicsSection& h = resolved.hydrodynamics;
+  return h.shading && h.drag == DragLaw::kSurface ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose) {
@@ -62,11 +62,11 @@ double largest_compression(const std::array<double, 6>& s) {
 
 }  // namespace
 
-FloePopulation::FloePopulation(const io::Case& resolved)
+FloePopulation::FloePopulation(const model::Case& resolved)
     : case_(&resolved),
       water_{.density = resolved.water.density,
              .current = {resolved.water.current.x, resolved.water.current.y, 0.0},
-             .drag_law = resolved.hydrodynamics.drag == "paper" ? DragLaw::kPaper : DragLaw::kSurface,
+             .drag_law = resolved.hydrodynamics.drag,
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction,
@@ -97,13 +97,13 @@ std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygo
   return std::pair(std::move(floe), placed.pose);
 }
 
-std::optional<io::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
-                                                  double time) {
+std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
+                                                     double time) {
   auto made = make(polygon);
   if (!made) return std::nullopt;
   auto& [floe, pose] = *made;
   floe.id = next_id_++;
-  io::FloeRecord record{
+  model::FloeRecord record{
       .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
   const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
   insert(body, std::move(floe));
@@ -295,7 +295,7 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
   double taken = 0.0;
   for (const BodyId body : moving) {
     Floe& floe = at(body);
-    io::Rest& rest = floe.rest;
+    model::Rest& rest = floe.rest;
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
     if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;

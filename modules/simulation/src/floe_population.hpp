@@ -12,9 +12,9 @@
 #include "brash/geometry/polygon.hpp"
 #include "brash/hydrodynamics/structure_flow.hpp"
 #include "brash/hydrodynamics/water.hpp"
-#include "brash/io/case.hpp"
-#include "brash/io/checkpoint.hpp"
-#include "brash/io/results.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/checkpoint.hpp"
+#include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "kept_drag.hpp"
 #include "mean_pushes.hpp"
@@ -24,7 +24,7 @@ namespace brash::simulation {
 /// Of one floe's contacts in one step.
 struct ContactSums {
   std::array<double, 6> dipole{};  ///< symmetric part of arm x force (xx, yy, zz, xy, yz, zx) [N m]
-  io::Bearing bearing{};           ///< on the sheet's edge
+  model::Bearing bearing{};        ///< on the sheet's edge
 };
 
 /// A free piece of ice.
@@ -40,8 +40,8 @@ struct Floe {
   /// Mean stress (xx, yy, zz, xy, yz, zx) from contact forces, averaged over T_col; tension positive [Pa].
   std::array<double, 6> stress{};
   double peak_compression = 0.0;  ///< [Pa]
-  io::Bearing bearing{};          ///< on the sheet's edge, averaged over T_col
-  io::Rest rest{};
+  model::Bearing bearing{};       ///< on the sheet's edge, averaged over T_col
+  model::Rest rest{};
   double settled_height = 0.0;  ///< potential energy against floating at rest while it is settled [J]
   KeptDrag kept_drag{};
   Wrench drag{};           ///< of the last step, form and rotational, about the centre of mass
@@ -58,18 +58,18 @@ struct FloeState {
   Twist twist;
   std::array<double, 6> stress{};
   double peak_compression = 0.0;
-  io::Bearing bearing{};
-  io::Rest rest{};
+  model::Bearing bearing{};
+  model::Rest rest{};
   KeptDrag kept_drag{};
 };
 
 /// All floes present: births, water, the stress that decides about crushing, deaths.
 class FloePopulation {
  public:
-  explicit FloePopulation(const io::Case& resolved);
+  explicit FloePopulation(const model::Case& resolved);
 
   /// Gives `polygon` a body at rest in the level ice. @return its record, or nothing when it is too thin for a body.
-  std::optional<io::FloeRecord> add(rigid_body::World& world, const geometry::Polygon& polygon, double time);
+  std::optional<model::FloeRecord> add(rigid_body::World& world, const geometry::Polygon& polygon, double time);
 
   /// Gives a floe of an earlier run its body back; in the order of their bodies there.
   void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
@@ -146,7 +146,7 @@ class FloePopulation {
   /// Potential energy against floating at rest [J].
   double raised(const rigid_body::World& world, BodyId body, const Floe& floe) const;
 
-  const io::Case* case_;
+  const model::Case* case_;
   hydrodynamics::Water water_;
   std::optional<hydrodynamics::StructureFlow> flow_;
   std::vector<BodyId> due_;  ///< scratch of apply_water

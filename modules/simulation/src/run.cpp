@@ -7,8 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "brash/core/error.hpp"
@@ -29,13 +29,13 @@ std::vector<std::vector<Vec2>> rings_of(std::span<const geometry::Polygon> polyg
 /// Turns step reports into results: the bookkeeping around the loop.
 class Recorder {
  public:
-  Recorder(const io::Case& resolved, const Simulation& simulation)
+  Recorder(const model::Case& resolved, const Simulation& simulation)
       : frame_interval_(1.0 / resolved.output.frames_per_second) {
     results_.initial_sheet = rings_of(simulation.sheet());
     add_births(simulation.initial_births());
     results_.frames.push_back(simulation.frame());
   }
-  Recorder(const io::Case& resolved, io::RunResults so_far)
+  Recorder(const model::Case& resolved, model::RunResults so_far)
       : frame_interval_(1.0 / resolved.output.frames_per_second), results_(std::move(so_far)) {}
 
   void record(const Simulation& simulation, const StepReport& report) {
@@ -44,7 +44,7 @@ class Recorder {
     if (!report.events.empty()) results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);
     for (const FloeDeath& death : report.deaths) {
-      io::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];
+      model::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];
       floe.death = simulation.time();
       floe.end = death.cause;
       floe.peak_stress = death.peak_stress;
@@ -54,11 +54,11 @@ class Recorder {
       results_.frames.push_back(simulation.frame());
   }
 
-  const io::RunResults& so_far() const { return results_; }
+  const model::RunResults& so_far() const { return results_; }
 
-  io::RunResults finish(const Simulation& simulation) {
-    for (io::FloeRecord& floe : results_.floes)
-      if (floe.end == io::FloeEnd::kAlive) floe.death = simulation.time();
+  model::RunResults finish(const Simulation& simulation) {
+    for (model::FloeRecord& floe : results_.floes)
+      if (floe.end == model::FloeEnd::kAlive) floe.death = simulation.time();
     for (const auto& [floe, stress] : simulation.peak_stresses())
       results_.floes[static_cast<std::size_t>(floe)].peak_stress = stress;
     results_.final_sheet = rings_of(simulation.sheet());
@@ -66,12 +66,12 @@ class Recorder {
   }
 
  private:
-  void add_births(std::span<const io::FloeRecord> births) {
+  void add_births(std::span<const model::FloeRecord> births) {
     std::ranges::copy(births, std::back_inserter(results_.floes));
   }
 
   double frame_interval_;
-  io::RunResults results_;
+  model::RunResults results_;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -88,7 +88,7 @@ struct Progress {
   double last_checkpoint_seconds = 0.0;  ///< of them
   StageTimer timer{};
   Clock::time_point begun = Clock::now();
-  io::Checkpoint known{};  ///< a state of some steps ago, without results
+  model::Checkpoint known{};  ///< a state of some steps ago, without results
 };
 
 /// So many steps at most are made again to find the state before one that failed.
@@ -109,23 +109,23 @@ void visit_numbers(Counts& counts, Visitor&& visit) {
   visit("largest_last_change", counts.largest_last_change);
 }
 
-Progress begin(const io::Case& resolved, const RunOptions& options) {
-  if (!options.resume || !std::filesystem::exists(options.checkpoint_file)) {
+Progress begin(const model::Case& resolved, const RunOptions& options) {
+  std::optional<model::Checkpoint> saved = options.checkpoint.newest ? options.checkpoint.newest() : std::nullopt;
+  if (!saved) {
     Simulation simulation(resolved);
     Recorder recorder(resolved, simulation);
     return {std::move(simulation), std::move(recorder), {}};
   }
-  io::Checkpoint saved = io::read_checkpoint(options.checkpoint_file);
   try {
-    Progress progress{Simulation(resolved, saved), Recorder(resolved, std::move(saved.results)), {}};
+    Progress progress{Simulation(resolved, *saved), Recorder(resolved, std::move(saved->results)), {}};
     visit_counters(progress.counts,
-                   [&](const char* name, int& count) { count = static_cast<int>(saved.counters.at(name)); });
-    visit_numbers(progress.counts, [&](const char* name, double& number) { number = saved.numbers.at(name); });
+                   [&](const char* name, int& count) { count = static_cast<int>(saved->counters.at(name)); });
+    visit_numbers(progress.counts, [&](const char* name, double& number) { number = saved->numbers.at(name); });
     return progress;
   } catch (const InputError& error) {
-    throw InputError(options.checkpoint_file + ": " + error.what());
+    throw InputError(options.checkpoint.name + ": " + error.what());
   } catch (const std::logic_error& error) {  // a value that is missing, or a body that cannot be
-    throw InputError(Complaint{options.checkpoint_file, std::string("holds no state of a run: ") + error.what(),
+    throw InputError(Complaint{options.checkpoint.name, std::string("holds no state of a run: ") + error.what(),
                                "a checkpoint that this version of the program wrote",
                                "use an older checkpoint, or start the run again"});
   }
@@ -140,11 +140,11 @@ bool may_take_checkpoint(const Progress& progress) {
          kCheckpointShare * seconds_since(progress.begun);
 }
 
-void keep_checkpoint(const std::string& file, io::Checkpoint saved, const Progress& progress) {
+void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, const Progress& progress) {
   saved.results = progress.recorder.so_far();
   visit_counters(progress.counts, [&](const char* name, int count) { saved.counters[name] = count; });
   visit_numbers(progress.counts, [&](const char* name, double number) { saved.numbers[name] = number; });
-  io::write_checkpoint(file, saved);
+  store.keep(saved);
 }
 
 void count(RunSummary& counts, const StepReport& report) {
@@ -157,25 +157,25 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.largest_last_change = std::max(counts.largest_last_change, report.last_change);
 }
 
-std::int64_t steps_of(const io::Checkpoint& state) { return state.counters.at("n_steps"); }
+std::int64_t steps_of(const model::Checkpoint& state) { return state.counters.at("n_steps"); }
 
 /// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
 /// it to the bit. @return what to say of it.
-std::string keep_reproducer(const io::Case& resolved, const RunOptions& options, const Progress& progress,
+std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
                             std::int64_t n_steps) {
-  if (options.checkpoint_file.empty()) return {};
+  if (!options.checkpoint.keep) return {};
   try {
     Simulation again(resolved, progress.known);
     for (std::int64_t n = steps_of(progress.known); n < n_steps; ++n) static_cast<void>(again.step());
-    keep_checkpoint(options.checkpoint_file, again.checkpoint(), progress);
+    keep_checkpoint(options.checkpoint, again.checkpoint(), progress);
   } catch (const std::exception& error) {
     return fmt::format("\n  the state before it could not be kept: {}", error.what());
   }
-  return "\n  remedy:  the last good state is in " + options.checkpoint_file + ": --resume repeats the step";
+  return "\n  remedy:  the last good state is in " + options.checkpoint.name + ": --resume repeats the step";
 }
 
 /// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
-StepReport step(const io::Case& resolved, const RunOptions& options, Progress& progress) {
+StepReport step(const model::Case& resolved, const RunOptions& options, Progress& progress) {
   const double from = progress.simulation.time();
   const std::int64_t n_steps = std::llround(from / resolved.time.step);
   if (progress.known.counters.empty() || n_steps - steps_of(progress.known) >= kStepsAgain)
@@ -191,7 +191,7 @@ StepReport step(const io::Case& resolved, const RunOptions& options, Progress& p
 }
 
 /// Steps until the end or an interruption. @return whether the end was reached.
-bool advance(const io::Case& resolved, const RunOptions& options, Progress& progress) {
+bool advance(const model::Case& resolved, const RunOptions& options, Progress& progress) {
   const double dt = resolved.time.step;
   const auto n_steps = std::llround(resolved.time.duration / dt);
   const auto checkpoint_every = std::llround(resolved.output.checkpoint_interval / dt);
@@ -204,9 +204,9 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
     if (options.observer) options.observer(progress.simulation, report);
     const bool interrupted = options.interrupted && options.interrupted();
     const bool due = checkpoint_every > 0 && done % checkpoint_every == 0 && may_take_checkpoint(progress);
-    if (!options.checkpoint_file.empty() && (due || interrupted)) {
+    if (options.checkpoint.keep && (due || interrupted)) {
       const Clock::time_point start = Clock::now();
-      keep_checkpoint(options.checkpoint_file, progress.simulation.checkpoint(), progress);
+      keep_checkpoint(options.checkpoint, progress.simulation.checkpoint(), progress);
       progress.last_checkpoint_seconds = seconds_since(start);
       progress.checkpoint_seconds += progress.last_checkpoint_seconds;
     }
@@ -217,7 +217,7 @@ bool advance(const io::Case& resolved, const RunOptions& options, Progress& prog
 
 }  // namespace
 
-Run run(const io::Case& resolved, const RunOptions& options) {
+Run run(const model::Case& resolved, const RunOptions& options) {
   Run finished;
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   const Clock::time_point start = Clock::now();

@@ -16,11 +16,11 @@
 
 namespace brash::simulation {
 
-double collision_time(const io::Case& resolved, double mass) {
+double collision_time(const model::Case& resolved, double mass) {
   return 0.5 * kPi * std::sqrt((1.0 + resolved.hydrodynamics.added_mass) * mass / resolved.contact.stiffness);
 }
 
-double initial_crack_radius(const io::Case& resolved, const failure::IceProperties& ice,
+double initial_crack_radius(const model::Case& resolved, const failure::IceProperties& ice,
                             const failure::BendingCriterion& criterion) {
   if (resolved.field.initial_crack_radius > 0.0) return resolved.field.initial_crack_radius;
   const failure::LoadRatios ratios =
@@ -31,7 +31,7 @@ double initial_crack_radius(const io::Case& resolved, const failure::IceProperti
 namespace {
 
 /// What is to be asked about a run that is over before there is anything to tell.
-std::vector<std::string> duration_warnings(const io::Case& c) {
+std::vector<std::string> duration_warnings(const model::Case& c) {
   const double way = c.structure.speed * c.time.duration;
   const structure::Cone cone = cone_of(c);
   const Freeboard heights = freeboard(c);
@@ -54,18 +54,18 @@ std::vector<std::string> duration_warnings(const io::Case& c) {
 /// stress was 23 % off at three times the h / l_c it was trained with.
 constexpr double kThicknessScaled = 0.2;
 
-std::vector<std::string> thickness_warnings(const io::Case& c, double thickness_over_lc,
+std::vector<std::string> thickness_warnings(const model::Case& c, double thickness_over_lc,
                                             const failure::BendingCriterion& criterion) {
   const std::optional<double> trained = criterion.trained_thickness_over_lc();
   if (!trained || std::abs(thickness_over_lc / *trained - 1.0) <= kThicknessScaled) return {};
   return {
       fmt::format("failure.model = {} was trained with h/l_c = {:.3g}, and this ice has {:.3g}: take superposition, "
                   "which knows h/l_c, or train a network for this ice",
-                  c.failure.model, *trained, thickness_over_lc)};
+                  model::name_of(c.failure.model), *trained, thickness_over_lc)};
 }
 
 /// A run is a whole number of steps long, the one nearest to its duration.
-std::vector<std::string> step_warnings(const io::Case& c) {
+std::vector<std::string> step_warnings(const model::Case& c) {
   const double steps = c.time.duration / c.time.step;
   constexpr double kRounding = 1e-6;  // of a duration and a step as they are written
   if (std::abs(steps - std::round(steps)) <= kRounding * steps) return {};
@@ -78,7 +78,7 @@ std::vector<std::string> step_warnings(const io::Case& c) {
 
 /// A floe between the structure and what holds it comes nearer to its crushing bound by about m v a sweep
 /// (docs/theory/dynamics.md, "What this leaves out").
-std::vector<std::string> sweep_warnings(const io::Case& c, double piece) {
+std::vector<std::string> sweep_warnings(const model::Case& c, double piece) {
   const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * piece;
   const double face = c.ice.thickness * std::sqrt(piece);
   const double bound = c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * face;
@@ -92,7 +92,7 @@ std::vector<std::string> sweep_warnings(const io::Case& c, double piece) {
 
 }  // namespace
 
-DerivedScales derived_scales(const io::Case& resolved) {
+DerivedScales derived_scales(const model::Case& resolved) {
   const failure::IceProperties ice = ice_properties(resolved);
   const auto criterion = make_criterion(resolved, ice);
   DerivedScales scales;

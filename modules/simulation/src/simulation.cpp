@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "brash/io/case.hpp"
 #include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
@@ -16,7 +17,7 @@
 namespace brash::simulation {
 namespace {
 
-rigid_body::WorldSettings world_settings(const io::Case& c) {
+rigid_body::WorldSettings world_settings(const model::Case& c) {
   const double crushing = c.ice.compressive_strength * c.ice.crushing_factor;
   return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
@@ -60,7 +61,7 @@ class TimedCriterion final : public failure::BendingCriterion {
 
 }  // namespace
 
-Simulation::Impl::Impl(const io::Case& c, IceField laid)
+Simulation::Impl::Impl(const model::Case& c, IceField laid)
     : resolved(c),
       resolved_toml(io::to_toml(c)),
       ice(ice_properties(c)),
@@ -76,13 +77,13 @@ Simulation::Impl::Impl(const io::Case& c, IceField laid)
   structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
 }
 
-Simulation::Impl::Impl(const io::Case& c) : Impl(c, IceField(c.field.length, c.field.width)) {
+Simulation::Impl::Impl(const model::Case& c) : Impl(c, IceField(c.field.length, c.field.width)) {
   if (c.field.initial_crack) initial_crack();
   begin_watch();
 }
 
 void Simulation::Impl::begin_watch() {
-  io::LoadRow row;
+  model::LoadRow row;
   energy.report(world, floes, row);
   watchdog.begin({world, floes, energy, field.ledger(), row, {}});
 }
@@ -99,15 +100,15 @@ void Simulation::Impl::initial_crack() {
 }
 
 /// One circumferential crack with its radial cracks: sheet, floes and collision shapes follow.
-std::vector<io::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
+std::vector<model::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
   const StageTimer::Scope clock(timer, times.cutting);
   const geometry::Ring section = leading_section(edge_model(), centre);
   floes.sheet_broke(world, at, radius);
   const Broken broken =
       field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, section, resolved.failure.smallest_floe);
-  std::vector<io::FloeRecord> births;
+  std::vector<model::FloeRecord> births;
   for (const geometry::Polygon& piece : broken.floes) {
-    std::optional<io::FloeRecord> record = floes.add(world, piece, time());
+    std::optional<model::FloeRecord> record = floes.add(world, piece, time());
     if (!record) {
       field.floe_to_brash(geometry::area(piece));
       continue;
@@ -174,29 +175,29 @@ bool Simulation::Impl::crush_passed_ice() {
 /// ice an earlier one has just broken off is left to the next step.
 void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
   for (const EdgeContact& contact : contacts) {
-    const bool broken_off = std::ranges::any_of(report.events, [&](const io::CrackEvent& event) {
+    const bool broken_off = std::ranges::any_of(report.events, [&](const model::CrackEvent& event) {
       return norm(event.at - contact.region.midpoint) < event.breaking_length;
     });
     if (!contact.assessment.fails || broken_off) continue;
     const int n_wedges = draw_wedges();
-    io::CrackEvent event{.time = time(),
-                         .at = contact.region.midpoint,
-                         .depth = contact.wedge.depth,
-                         .contact_length = contact.region.contact_length,
-                         .angle = contact.wedge.angle,
-                         .fit_error = contact.wedge.error,
-                         .mu1 = contact.load.mu1,
-                         .mu2 = contact.load.mu2,
-                         .pressure = contact.load.pressure,
-                         .sigma_max = contact.assessment.sigma_max,
-                         .breaking_length = contact.assessment.breaking_length,
-                         .wedges = n_wedges,
-                         .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
-                         .area_before = field.ledger().sheet.square_metres(),
-                         .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
-                         .towards = contact.region.normal,
-                         .pressing_floe = contact.floe};
-    std::vector<io::FloeRecord> births =
+    model::CrackEvent event{.time = time(),
+                            .at = contact.region.midpoint,
+                            .depth = contact.wedge.depth,
+                            .contact_length = contact.region.contact_length,
+                            .angle = contact.wedge.angle,
+                            .fit_error = contact.wedge.error,
+                            .mu1 = contact.load.mu1,
+                            .mu2 = contact.load.mu2,
+                            .pressure = contact.load.pressure,
+                            .sigma_max = contact.assessment.sigma_max,
+                            .breaking_length = contact.assessment.breaking_length,
+                            .wedges = n_wedges,
+                            .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
+                            .area_before = field.ledger().sheet.square_metres(),
+                            .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
+                            .towards = contact.region.normal,
+                            .pressing_floe = contact.floe};
+    std::vector<model::FloeRecord> births =
         break_off(contact.region.midpoint, contact.assessment.breaking_length, n_wedges, report);
     event.pieces = static_cast<int>(births.size());
     event.area_after = field.ledger().sheet.square_metres();
@@ -222,7 +223,7 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
   }
   --report.n_substeps;
   break_ice(contacts_of_floes(report), report);
-  for (io::CrackEvent& event : report.events) event.substeps = report.n_substeps;
+  for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
   world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
 }
 
@@ -234,7 +235,7 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
     energy.remove(world, floes, body);
     const Floe floe = floes.remove(world, body);
     field.floe_to_deleted(floe.area);
-    report.deaths.push_back({floe.id, io::FloeEnd::kCrushed, floe.peak_compression});
+    report.deaths.push_back({floe.id, model::FloeEnd::kCrushed, floe.peak_compression});
   }
 }
 
@@ -242,7 +243,7 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
 /// @param origin  where the structure was when the contacts were found, about which they have their moments [m].
 void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report) {
   const StageTimer::Scope clock(timer, times.loads);
-  io::LoadRow& row = report.loads;
+  model::LoadRow& row = report.loads;
   row.time = time();
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
     if (contact.other != structure_body) continue;
@@ -306,17 +307,17 @@ StepReport Simulation::Impl::step() {
   return report;
 }
 
-Simulation::Simulation(const io::Case& resolved) : impl_(std::make_unique<Impl>(resolved)) {}
-Simulation::Simulation(const io::Case& resolved, const io::Checkpoint& checkpoint)
+Simulation::Simulation(const model::Case& resolved) : impl_(std::make_unique<Impl>(resolved)) {}
+Simulation::Simulation(const model::Case& resolved, const model::Checkpoint& checkpoint)
     : impl_(std::make_unique<Impl>(resolved, checkpoint)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 StepReport Simulation::step() { return impl_->step(); }
-io::Checkpoint Simulation::checkpoint() const { return impl_->checkpoint(); }
+model::Checkpoint Simulation::checkpoint() const { return impl_->checkpoint(); }
 double Simulation::time() const { return impl_->time(); }
-const std::vector<io::FloeRecord>& Simulation::initial_births() const { return impl_->initial_births; }
+const std::vector<model::FloeRecord>& Simulation::initial_births() const { return impl_->initial_births; }
 std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.sheet().polygons(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
@@ -327,8 +328,8 @@ std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
   return stresses;
 }
 
-io::Frame Simulation::frame() const {
-  io::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
+model::Frame Simulation::frame() const {
+  model::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
   std::vector<std::pair<BodyId, double>> forces;
   for (const rigid_body::ContactLoad& contact : impl_->world.contacts()) {
     if (contact.normal_force == 0.0) continue;

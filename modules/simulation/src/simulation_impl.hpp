@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brash/io/checkpoint.hpp"
+#include "brash/model/checkpoint.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "edge_contact.hpp"
 #include "energy_ledger.hpp"
@@ -18,7 +18,7 @@
 namespace brash::simulation {
 
 struct Simulation::Impl {
-  io::Case resolved;
+  model::Case resolved;
   std::string resolved_toml;  ///< the case as a checkpoint holds it
   StageTimes times;
   StageTimer timer;
@@ -35,12 +35,12 @@ struct Simulation::Impl {
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   EnergyLedger energy;
   Watchdog watchdog;
-  std::vector<io::FloeRecord> initial_births;
+  std::vector<model::FloeRecord> initial_births;
 
   /// Lays the sheet, cuts the initial crack and places the structure.
-  explicit Impl(const io::Case& c);
+  explicit Impl(const model::Case& c);
   /// Takes a run up where `checkpoint` left it.
-  Impl(const io::Case& c, const io::Checkpoint& checkpoint);
+  Impl(const model::Case& c, const model::Checkpoint& checkpoint);
 
   double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
   Pose structure_pose() const { return {{centre.x, centre.y, 0.0}, {}}; }
@@ -50,7 +50,7 @@ struct Simulation::Impl {
   void initial_crack();
   /// The state as it is becomes what the watchdog starts from.
   void begin_watch();
-  std::vector<io::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
+  std::vector<model::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
   void advance_through_ice(StepReport& report);
   std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
   bool crush_passed_ice();
@@ -60,10 +60,10 @@ struct Simulation::Impl {
   void remove_crushed_floes(StepReport& report);
   void collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report);
   StepReport step();
-  io::Checkpoint checkpoint() const;
+  model::Checkpoint checkpoint() const;
 
  private:
-  Impl(const io::Case& c, IceField laid);
+  Impl(const model::Case& c, IceField laid);
 };
 
 }  // namespace brash::simulation

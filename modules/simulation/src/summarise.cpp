@@ -20,14 +20,14 @@ constexpr std::array<double, 5> kQuantiles{0.05, 0.25, 0.5, 0.75, 0.95};
 
 /// Mean over the window of one component of the loads.
 template <typename Component>
-double mean(std::span<const io::LoadRow> rows, Component component) {
+double mean(std::span<const model::LoadRow> rows, Component component) {
   double sum = 0.0;
-  for (const io::LoadRow& row : rows) sum += component(row);
+  for (const model::LoadRow& row : rows) sum += component(row);
   return rows.empty() ? kUnknown : sum / static_cast<double>(rows.size());
 }
 
 template <typename Component>
-statistics::Summary summarise_component(std::span<const io::LoadRow> rows, double step, Component component) {
+statistics::Summary summarise_component(std::span<const model::LoadRow> rows, double step, Component component) {
   if (rows.size() < 2)
     return {.mean = kUnknown,
             .standard_deviation = kUnknown,
@@ -41,25 +41,25 @@ statistics::Summary summarise_component(std::span<const io::LoadRow> rows, doubl
             .effective_sample_size = kUnknown,
             .mean_95 = {kUnknown, kUnknown}};
   std::vector<double> samples;
-  for (const io::LoadRow& row : rows) samples.push_back(component(row));
+  for (const model::LoadRow& row : rows) samples.push_back(component(row));
   return statistics::summarise(samples, step);
 }
 
 template <typename Axis>
-LoadSplit split(std::span<const io::LoadRow> rows, Axis axis) {
-  return {mean(rows, [&](const io::LoadRow& r) { return axis(r.crushing.force); }),
-          mean(rows, [&](const io::LoadRow& r) { return axis(r.floe_normal.force); }),
-          mean(rows, [&](const io::LoadRow& r) { return axis(r.floe_friction.force); })};
+LoadSplit split(std::span<const model::LoadRow> rows, Axis axis) {
+  return {mean(rows, [&](const model::LoadRow& r) { return axis(r.crushing.force); }),
+          mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_normal.force); }),
+          mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_friction.force); })};
 }
 
 /// The largest speed of a floe between two frames [m/s]; nothing without them.
-std::optional<double> fastest(std::span<const io::Frame> frames) {
+std::optional<double> fastest(std::span<const model::Frame> frames) {
   if (frames.size() < 2) return std::nullopt;
   double speed = 0.0;
   std::map<std::int64_t, Vec3> before;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     std::map<std::int64_t, Vec3> now;
-    for (const io::FloePose& floe : frames[i].floes) {
+    for (const model::FloePose& floe : frames[i].floes) {
       now[floe.floe] = floe.pose.position;
       if (const auto last = before.find(floe.floe); last != before.end())
         speed = std::max(speed, norm(floe.pose.position - last->second) / (frames[i].time - frames[i - 1].time));
@@ -100,15 +100,15 @@ nlohmann::ordered_json json_of(const geometry::Ledger& ledger) {
           {"closes", ledger.closes()}};
 }
 
-EnergyBalance energy_balance(std::span<const io::LoadRow> rows) {
+EnergyBalance energy_balance(std::span<const model::LoadRow> rows) {
   if (rows.empty()) return {};
   double largest = 0.0;
   double before = 0.0;
-  for (const io::LoadRow& row : rows) {
+  for (const model::LoadRow& row : rows) {
     largest = std::max(largest, std::abs(row.energy_error - before));
     before = row.energy_error;
   }
-  const io::LoadRow& end = rows.back();
+  const model::LoadRow& end = rows.back();
   return {.work = end.work,
           .birth_energy = end.birth_energy,
           .kinetic_energy = end.kinetic_energy,
@@ -121,8 +121,8 @@ EnergyBalance energy_balance(std::span<const io::LoadRow> rows) {
 
 nlohmann::ordered_json json_of(const EnergyBalance& e) {
   nlohmann::ordered_json losses;
-  io::EnergyLosses::visit(
-      [&](const char* cause, const char*, double io::EnergyLosses::*loss) { losses[cause] = e.losses.*loss; });
+  model::EnergyLosses::visit(
+      [&](const char* cause, const char*, double model::EnergyLosses::*loss) { losses[cause] = e.losses.*loss; });
   return {{"work", e.work},
           {"birth_energy", e.birth_energy},
           {"kinetic_energy", e.kinetic_energy},
@@ -135,15 +135,15 @@ nlohmann::ordered_json json_of(const EnergyBalance& e) {
 
 }  // namespace
 
-RunSummary summarise(const io::Case& resolved, const io::RunResults& results, RunSummary s) {
+RunSummary summarise(const model::Case& resolved, const model::RunResults& results, RunSummary s) {
   s.statistics_from = statistics_from(resolved);
   const auto first =
-      std::ranges::find_if(results.loads, [&](const io::LoadRow& r) { return r.time > s.statistics_from; });
-  const std::span<const io::LoadRow> window(first, results.loads.end());
+      std::ranges::find_if(results.loads, [&](const model::LoadRow& r) { return r.time > s.statistics_from; });
+  const std::span<const model::LoadRow> window(first, results.loads.end());
   const auto x = [](Vec3 v) { return v.x; };
   const auto z = [](Vec3 v) { return v.z; };
-  const auto total_x = [](const io::LoadRow& r) { return r.total.force.x; };
-  const auto total_z = [](const io::LoadRow& r) { return r.total.force.z; };
+  const auto total_x = [](const model::LoadRow& r) { return r.total.force.x; };
+  const auto total_z = [](const model::LoadRow& r) { return r.total.force.z; };
   s.horizontal = summarise_component(window, resolved.time.step, total_x);
   s.vertical = summarise_component(window, resolved.time.step, total_z);
   s.horizontal_split = split(window, x);
@@ -154,7 +154,7 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
   s.n_breaks = static_cast<int>(results.events.size());
   std::vector<double> lengths;
   int n_in_window = 0;
-  for (const io::CrackEvent& event : results.events) {
+  for (const model::CrackEvent& event : results.events) {
     lengths.push_back(event.breaking_length);
     n_in_window += event.time > s.statistics_from ? 1 : 0;
   }
@@ -163,10 +163,10 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
   s.breaking_length_quantiles = statistics::quantiles(std::move(lengths), kQuantiles);
 
   std::vector<double> areas;
-  for (const io::FloeRecord& floe : results.floes) {
+  for (const model::FloeRecord& floe : results.floes) {
     areas.push_back(floe.area);
-    s.n_floes_crushed += floe.end == io::FloeEnd::kCrushed ? 1 : 0;
-    s.n_floes_present += floe.end == io::FloeEnd::kAlive ? 1 : 0;
+    s.n_floes_crushed += floe.end == model::FloeEnd::kCrushed ? 1 : 0;
+    s.n_floes_present += floe.end == model::FloeEnd::kAlive ? 1 : 0;
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
   s.mean_last_change =
@@ -177,7 +177,7 @@ RunSummary summarise(const io::Case& resolved, const io::RunResults& results, Ru
   return s;
 }
 
-double statistics_from(const io::Case& resolved) {
+double statistics_from(const model::Case& resolved) {
   return resolved.output.statistics_from.value_or(
       std::min(resolved.structure.start_distance / resolved.structure.speed, resolved.time.duration));
 }

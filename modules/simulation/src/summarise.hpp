@@ -6,6 +6,6 @@
 namespace brash::simulation {
 
 /// Completes `counts` (the counters and the ledger of the run) with the statistics of its results.
-RunSummary summarise(const io::Case& resolved, const io::RunResults& results, RunSummary counts);
+RunSummary summarise(const model::Case& resolved, const model::RunResults& results, RunSummary counts);
 
 }  // namespace brash::simulation

@@ -21,7 +21,7 @@ constexpr double kLeft = 1e-6;
 }  // namespace
 
 // A floe's own speeds are those of the structure, of its rise in the water and of the current.
-Watchdog::Watchdog(const io::Case& resolved)
+Watchdog::Watchdog(const model::Case& resolved)
     : case_(&resolved),
       travel_(resolved.time.step *
               (resolved.structure.speed + std::sqrt(kGravity * resolved.ice.thickness) + norm(resolved.water.current))),
@@ -47,7 +47,7 @@ void Watchdog::look(const Watched& now) {
 /// No floe is farther from the field than the field is large, or farther below or above the structure than the
 /// structure is high; its drift in a current aside.
 void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
-  const io::Case& c = *case_;
+  const model::Case& c = *case_;
   const double aside = c.field.length + c.field.width + norm(c.water.current) * time;
   const double keel = -c.structure.height_under_water;
   const bool in_plan =

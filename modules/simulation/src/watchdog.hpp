@@ -4,8 +4,8 @@
 #include <map>
 
 #include "brash/geometry/ledger.hpp"
-#include "brash/io/case.hpp"
-#include "brash/io/results.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "energy_ledger.hpp"
 #include "floe_population.hpp"
@@ -18,7 +18,7 @@ struct Watched {
   const FloePopulation& floes;
   const EnergyLedger& energy;
   const geometry::Ledger& area;
-  const io::LoadRow& row;  ///< what the step reports
+  const model::LoadRow& row;  ///< what the step reports
   Taken taken;
 };
 
@@ -26,7 +26,7 @@ struct Watched {
 /// only looks; nothing in a run depends on it.
 class Watchdog {
  public:
-  explicit Watchdog(const io::Case& resolved);
+  explicit Watchdog(const model::Case& resolved);
 
   /// Takes the state before the first step, or that of a checkpoint, as the start.
   void begin(const Watched& start);
@@ -45,7 +45,7 @@ class Watchdog {
   void look_at_losses(const Watched& now) const;
   void look_at_balance(const Watched& now) const;
 
-  const io::Case* case_;
+  const model::Case* case_;
   double travel_;                       ///< [m]
   double most_lift_;                    ///< F over the weight
   double booked_error_ = 0.0;           ///< of the energies at the start [J]

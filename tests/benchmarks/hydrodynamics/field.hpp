@@ -15,7 +15,7 @@ using simulation::FloePopulation;
 inline constexpr double kStep = 0.01;
 
 /// The ice and the water of the validation case.
-inline io::Case validation(const std::vector<std::string>& overrides) {
+inline model::Case validation(const std::vector<std::string>& overrides) {
   return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
 }
 
@@ -42,7 +42,7 @@ struct Field {
   }
   Field(const Field&) = delete;
 
-  io::Case ice;
+  model::Case ice;
   rigid_body::World world;
   FloePopulation floes;
 };

@@ -32,15 +32,15 @@ double allocated() {
   return static_cast<double>(heap.uordblks + heap.hblkhd);
 }
 
-io::GridRings rings_of(const geometry::Polygon& polygon) {
-  io::GridRings rings(1);
+model::GridRings rings_of(const geometry::Polygon& polygon) {
+  model::GridRings rings(1);
   for (const geometry::Point& p : polygon.outline) rings[0].push_back({p.x, p.y});
   return rings;
 }
 
 /// What Bullet's world needs of each floe.
-std::vector<io::CheckpointFloe> state(const Field& field) {
-  std::vector<io::CheckpointFloe> floes;
+std::vector<model::CheckpointFloe> state(const Field& field) {
+  std::vector<model::CheckpointFloe> floes;
   for (const auto& [body, floe] : field.floes.floes())
     floes.push_back({.id = floe.id,
                      .body = body,
@@ -65,7 +65,7 @@ void add(std::vector<double>& sums, const std::vector<double>& times) {
 /// Times of Bullet's steps from the state before each step of the program but the first.
 std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
   Field field(n_wanted, layers, {});
-  std::vector<std::vector<io::CheckpointFloe>> states;
+  std::vector<std::vector<model::CheckpointFloe>> states;
   for (int i = 0; i <= n_steps; ++i) {
     states.push_back(state(field));
     field.floes.apply_water(field.world, kStep, {});

@@ -12,11 +12,11 @@ namespace {
 
 using rigid_body::to_bullet;
 
-geometry::Polygon polygon_of(const io::GridRings& rings) {
+geometry::Polygon polygon_of(const model::GridRings& rings) {
   geometry::Polygon polygon;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     geometry::Ring ring;
-    for (const io::GridPoint p : rings[i]) ring.push_back({p.x, p.y});
+    for (const model::GridPoint p : rings[i]) ring.push_back({p.x, p.y});
     if (i == 0)
       polygon.outline = std::move(ring);
     else
@@ -27,7 +27,7 @@ geometry::Polygon polygon_of(const io::GridRings& rings) {
 
 }  // namespace
 
-BulletWorld::BulletWorld(const io::Case& c)
+BulletWorld::BulletWorld(const model::Case& c)
     : case_(c), dispatcher_(&configuration_), world_(&dispatcher_, &broad_phase_, &solver_, &configuration_) {
   world_.setGravity({0, 0, 0});  // the run's velocities are set before each step
   world_.getSolverInfo().m_numIterations = c.contact.iterations;
@@ -53,9 +53,9 @@ void BulletWorld::place_structure(const Pose& from, const Pose& to, Vec3 velocit
   structure_.body->setLinearVelocity(to_bullet(velocity));
 }
 
-void BulletWorld::set_floes(const std::vector<io::CheckpointFloe>& floes) {
+void BulletWorld::set_floes(const std::vector<model::CheckpointFloe>& floes) {
   std::map<std::int64_t, BulletBody> now;
-  for (const io::CheckpointFloe& floe : floes) {
+  for (const model::CheckpointFloe& floe : floes) {
     auto known = floes_.extract(floe.id);
     BulletBody body = known.empty() ? make_floe(floe) : std::move(known.mapped());
     body.body->setWorldTransform(to_bullet(floe.pose));
@@ -96,7 +96,7 @@ BulletBody BulletWorld::make(const std::vector<rigid_body::ConvexPart>& solids, 
   return made;
 }
 
-BulletBody BulletWorld::make_floe(const io::CheckpointFloe& floe) {
+BulletBody BulletWorld::make_floe(const model::CheckpointFloe& floe) {
   const geometry::Polygon polygon = polygon_of(floe.rings);
   std::vector<std::vector<Vec2>> parts;
   for (const geometry::Ring& part : geometry::convex_parts(polygon)) parts.push_back(simulation::to_metres(part));
@@ -111,9 +111,9 @@ BulletBody BulletWorld::make_floe(const io::CheckpointFloe& floe) {
   return made;
 }
 
-void BulletWorld::set_sheet(const std::vector<io::GridRings>& sheet, double bottom, double top) {
+void BulletWorld::set_sheet(const std::vector<model::GridRings>& sheet, double bottom, double top) {
   std::map<Outline, std::vector<BulletBody>> now;
-  for (const io::GridRings& rings : sheet)
+  for (const model::GridRings& rings : sheet)
     for (const geometry::Ring& part : geometry::convex_parts(polygon_of(rings))) {
       const std::vector<Vec2> ring = simulation::to_metres(part);
       Outline key;

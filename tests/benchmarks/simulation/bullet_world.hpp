@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "brash/io/case.hpp"
-#include "brash/io/checkpoint.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/checkpoint.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "convex_part.hpp"
 
@@ -28,16 +28,16 @@ struct BulletBody {
 /// structure of a state of the program.
 class BulletWorld {
  public:
-  explicit BulletWorld(const io::Case& c);
+  explicit BulletWorld(const model::Case& c);
   ~BulletWorld();
   BulletWorld(const BulletWorld&) = delete;
 
   void add_structure(const std::vector<Vec3>& hull, const Pose& pose);
   void place_structure(const Pose& from, const Pose& to, Vec3 velocity);
   /// Floes as they are before a step; those that are gone leave.
-  void set_floes(const std::vector<io::CheckpointFloe>& floes);
+  void set_floes(const std::vector<model::CheckpointFloe>& floes);
   /// The sheet, in convex parts; those that are known stay.
-  void set_sheet(const std::vector<io::GridRings>& sheet, double bottom, double top);
+  void set_sheet(const std::vector<model::GridRings>& sheet, double bottom, double top);
   void step(double dt) { world_.stepSimulation(dt, 0); }
   int n_points();
 
@@ -46,9 +46,9 @@ class BulletWorld {
 
   BulletBody make(const std::vector<rigid_body::ConvexPart>& solids, const rigid_body::MassProperties& mass,
                   const Pose& pose, double friction) const;
-  BulletBody make_floe(const io::CheckpointFloe& floe);
+  BulletBody make_floe(const model::CheckpointFloe& floe);
 
-  const io::Case& case_;
+  const model::Case& case_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broad_phase_;

@@ -31,7 +31,7 @@ struct Times {
   std::size_t n_floes = 0;
 };
 
-Times run(const io::Case& c, double seconds) {
+Times run(const model::Case& c, double seconds) {
   simulation::Simulation simulation(c);
   BulletWorld bullet(c);
   const double dt = c.time.step;
@@ -42,15 +42,15 @@ Times run(const io::Case& c, double seconds) {
                              .waterline_width = c.structure.waterline_width,
                              .height = c.structure.height,
                              .height_under_water = c.structure.height_under_water,
-                             .downward_breaking = c.structure.breaking == "downward",
+                             .downward_breaking = c.structure.breaking == model::Breaking::kDownward,
                              .facets = c.structure.facets};
   bullet.add_structure(structure::hull(cone), structure_at(0));
   const simulation::DerivedScales slab = simulation::derived_scales(c);
   Times times;
   const int n_steps = static_cast<int>(std::lround(seconds / dt));
-  std::vector<io::GridRings> sheet;
+  std::vector<model::GridRings> sheet;
   for (int i = 0; i < n_steps; ++i) {
-    io::Checkpoint state = simulation.checkpoint();
+    model::Checkpoint state = simulation.checkpoint();
     const double before = process_seconds();
     static_cast<void>(simulation.step());
     times.coupled += process_seconds() - before;
@@ -73,7 +73,7 @@ Times run(const io::Case& c, double seconds) {
 int main(int argc, char** argv) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 10.0;
   const int repetitions = argc > 2 ? std::atoi(argv[2]) : 5;
-  const io::Case c = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {});
+  const model::Case c = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {});
   std::string rows;
   for (int i = 0; i < repetitions; ++i) {
     const Times t = run(c, seconds);

@@ -10,6 +10,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "brash/statistics/random.hpp"
 #include "closed_forms.hpp"
@@ -62,7 +63,7 @@ LoadHistory every(double dt, const std::vector<double>& samples) {
   return load;
 }
 
-io::Case validation_cone() { return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml"); }
+model::Case validation_cone() { return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml"); }
 
 }  // namespace
 
@@ -117,9 +118,9 @@ BOOST_AUTO_TEST_CASE(what_is_earlier_than_from_is_left_out) {
 BOOST_AUTO_TEST_CASE(the_loads_of_a_run_are_read_from_its_netcdf_file_as_from_its_table) {
   const TemporaryFile place("");
   const std::string folder = std::filesystem::path(place.path()).parent_path().string();
-  io::RunResults results;
+  model::RunResults results;
   for (int i = 1; i <= 20; ++i) {
-    io::LoadRow row;
+    model::LoadRow row;
     row.time = 0.01 * i;
     row.total = {{1e5 + i, 0.0, -2.0 * i}, {0.0, 3.0 * i, 0.0}};
     row.crushing.force.z = 7.0 * i;
@@ -273,8 +274,8 @@ BOOST_AUTO_TEST_CASE(the_validation_cone_has_its_known_peaks) {
 
 BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
   const std::string cone = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
-  const io::Case ship = io::read_case(cone, {"hull.length=75.2", "hull.breadth=18", "hull.draught=6.5",
-                                             "hull.stem_angle=30 deg", "hull.waterline_angle=35 deg"});
+  const model::Case ship = io::read_case(cone, {"hull.length=75.2", "hull.breadth=18", "hull.draught=6.5",
+                                                "hull.stem_angle=30 deg", "hull.waterline_angle=35 deg"});
   const auto load = closed_form_loads(ship)["loads"].back();
   BOOST_TEST(load["source"].get<std::string>() == "Lindqvist 1989");
   const auto& parts = load["components"];
@@ -285,7 +286,7 @@ BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
 }
 
 BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {
-  io::Case c = validation_cone();
+  model::Case c = validation_cone();
   c.ice.friction_structure = 0.6;
   const auto loads = closed_form_loads(c);
   for (const auto& load : loads["loads"]) BOOST_TEST(load.contains("not_applicable"));
@@ -293,7 +294,7 @@ BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {
 }
 
 BOOST_AUTO_TEST_CASE(a_half_disc_in_one_piece_is_no_narrow_wedge) {
-  io::Case c = validation_cone();
+  model::Case c = validation_cone();
   c.failure.wedges = {1, 2};
   const auto loads = closed_form_loads(c)["loads"];
   BOOST_TEST_REQUIRE(loads.size() == 5U);

@@ -8,6 +8,7 @@
 
 using namespace brash;
 using namespace brash::io;
+using namespace brash::model;
 
 namespace {
 

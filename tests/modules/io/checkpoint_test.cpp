@@ -7,11 +7,13 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/io/results.hpp"
 #include "sample_results.hpp"
 #include "scratch.hpp"
 
 using namespace brash;
 using namespace brash::io;
+using namespace brash::model;
 
 namespace {
 

@@ -4,9 +4,10 @@
 #include "brash/io/results.hpp"
 
 /// A small run with every kind of thing in it: a floe with a hole, a deleted and an outside floe, frames without floes.
-inline brash::io::RunResults sample_results() {
+inline brash::model::RunResults sample_results() {
   using namespace brash;
   using namespace brash::io;
+using namespace brash::model;
   RunResults results;
   for (int i = 1; i <= 5; ++i) {
     LoadRow row;

@@ -11,11 +11,14 @@
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/io/case.hpp"
+#include "brash/io/results.hpp"
 #include "sample_results.hpp"
 #include "scratch.hpp"
 
 using namespace brash;
 using namespace brash::io;
+using namespace brash::model;
 
 namespace {
 

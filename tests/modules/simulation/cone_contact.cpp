@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(the_fixed_edge_met_head_on_is_loaded_by_0_511) {
   // a chord of a few centimetres ahead of the cone.
   simulation::Simulation run(ice_and_water({"failure.model=wedge", "field.initial_crack=false",
                                             "ice.flexural_strength=1e8", "time.step=0.001", "time.duration=1"}));
-  io::LoadRow row;
+  model::LoadRow row;
   while (norm(row.crushing.force) == 0.0) row = run.step().loads;
   const double found = row.crushing.force.z / row.crushing.force.x;
   BOOST_TEST_MESSAGE("first contact with the sheet: vertical / horizontal = " << found);

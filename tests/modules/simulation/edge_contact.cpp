@@ -5,6 +5,7 @@
 
 #include "bearing.hpp"
 #include "brash/core/constants.hpp"
+#include "brash/io/case.hpp"
 #include "ice_field.hpp"
 
 namespace {
@@ -27,7 +28,7 @@ class Listening final : public failure::BendingCriterion {
 };
 
 struct Scene {
-  io::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {});
+  model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {});
   structure::Cone cone{.angle = radians(61.4), .waterline_width = 13.6, .height = 9.08, .height_under_water = 5.68};
   failure::IceProperties ice = simulation::ice_properties(resolved);
   simulation::IceField field{50.0, 50.0};
@@ -71,16 +72,16 @@ BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_rig
     BOOST_TEST(point.y >= outline.front().y);
     BOOST_TEST(point.y <= outline.back().y);
   }
-  const auto plate = failure::make_criterion("plate-outline", "", scene.ice);
+  const auto plate = failure::make_criterion(model::FailureModel::kPlateOutline, "", scene.ice);
   failure::LoadCase heavy = load;
   heavy.pressure = 1e6;  // enough for the plate to be solved
   BOOST_TEST(!plate->assess(heavy).outline_refused);
 }
 
 /// A floe that presses evenly on 2 m of the straight edge around y = 1, over a thousand points.
-io::Bearing even_bearing(double normal, double downward) {
+model::Bearing even_bearing(double normal, double downward) {
   constexpr int kPoints = 1000;
-  io::Bearing bearing;
+  model::Bearing bearing;
   for (int i = 0; i < kPoints; ++i) {
     rigid_body::ContactLoad contact;
     contact.point = {0.0, 2.0 * (i + 0.5) / kPoints, 0.0};
@@ -103,7 +104,7 @@ BOOST_AUTO_TEST_CASE(an_even_bearing_is_the_line_load_that_it_is) {
 
 BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under_the_structure) {
   Scene scene;
-  const auto criterion = failure::make_criterion("superposition", "", scene.ice);
+  const auto criterion = failure::make_criterion(model::FailureModel::kSuperposition, "", scene.ice);
   const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, *criterion};
   const auto fails = [&](double normal, double downward) {
     return simulation::bearing_contact(model, scene.field.sheet(), 7, even_bearing(normal, downward))->assessment.fails;
@@ -128,8 +129,8 @@ BOOST_AUTO_TEST_CASE(a_floe_that_hardly_presses_is_not_looked_at) {
 }
 
 BOOST_AUTO_TEST_CASE(a_mean_bearing_approaches_what_stays) {
-  io::Bearing mean;
-  const io::Bearing now = even_bearing(8e4, 3e4);
+  model::Bearing mean;
+  const model::Bearing now = even_bearing(8e4, 3e4);
   for (int i = 0; i < 3; ++i) simulation::approach(mean, now, 0.5);
   BOOST_TEST(mean.weight == 0.875 * now.weight, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(simulation::line_load(mean).length == 2.0, boost::test_tools::tolerance(1e-6));

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "brash/core/constants.hpp"
+#include "brash/io/case.hpp"
 #include "brash/simulation/run.hpp"
 #include "pool.hpp"
 
@@ -18,7 +19,7 @@ BOOST_AUTO_TEST_CASE(what_a_drifting_floe_loses_is_the_power_of_its_drag) {
   const BodyId floe = pool.add({0, 0}, {3, 2}, {{0.9, 0, 0}, {}});
   const double before = pool.world.kinetic_energy();
   const double dt = 1e-4;
-  const io::LoadRow row = pool.step(dt);
+  const model::LoadRow row = pool.step(dt);
   const double draft = 0.33 * 900.0 / 1025.0;
   // Form drag on the front face, skin friction on the bottom and the two long sides.
   const double form = 0.5 * 1025.0 * 1.0 * (2.0 * draft) * std::pow(0.9, 3);
@@ -32,7 +33,7 @@ BOOST_AUTO_TEST_CASE(what_a_drifting_floe_loses_is_the_power_of_its_drag) {
 BOOST_AUTO_TEST_CASE(a_current_gives_a_resting_floe_its_energy) {
   Pool pool({"water.current=[0.5, 0.0]"});
   pool.add({0, 0}, {3, 2}, {});
-  io::LoadRow row;
+  model::LoadRow row;
   for (int i = 0; i < 100; ++i) row = pool.step(0.01);
   BOOST_TEST(row.losses.drag < 0.0);
   BOOST_TEST(row.losses.skin_friction < 0.0);
@@ -49,7 +50,7 @@ double error_of_a_crowd(double dt) {
       pool.add({1.0 * i, 1.0 * j}, {i + 0.98, j + 0.98},
                {{0.8 * (1 - i), 0.6 * (1 - j), 0.2 * ((i + j) % 3 - 1)}, {0.2 * (i - 1), -0.3 * (j - 1), 0.4}});
   const double before = pool.world.kinetic_energy();
-  io::LoadRow row;
+  model::LoadRow row;
   for (int i = 0; i < std::lround(1.0 / dt); ++i) row = pool.step(dt);
   BOOST_TEST(row.losses.floe_contact > 0.0);
   BOOST_TEST(row.losses.floe_friction > 0.0);
@@ -104,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_floe_born_with_energy_is_booked_and_a_deleted_one_takes_i
   pool.floes.apply_water(pool.world, 0.01, {});
   pool.world.step(0.01);
   pool.ledger.book_step(pool.world, pool.floes, 0, 0.01);
-  io::LoadRow row;
+  model::LoadRow row;
   pool.ledger.report(pool.world, pool.floes, row);
   // Given a velocity at birth, it brings that energy in; drag in the first step is no part of it.
   BOOST_TEST(row.birth_energy == energy, boost::test_tools::tolerance(1e-4));  // tilt by drag in the first step
@@ -118,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_floe_born_with_energy_is_booked_and_a_deleted_one_takes_i
 
 BOOST_AUTO_TEST_CASE(the_energies_of_a_run_account_for_the_work_of_the_structure) {
   const Run run = brash::simulation::run(io::read_case(kValidation, {"time.duration=3.5"}));
-  for (const io::LoadRow& row : run.results.loads) {
+  for (const model::LoadRow& row : run.results.loads) {
     const double accounted =
         row.kinetic_energy + row.potential_energy + row.losses.total() + row.removed_energy + row.energy_error;
     BOOST_TEST(std::abs(row.work + row.birth_energy - accounted) <= 1e-9 * (1.0 + row.work));  // rounding of the sum
@@ -131,13 +132,13 @@ BOOST_AUTO_TEST_CASE(the_energies_of_a_run_account_for_the_work_of_the_structure
   BOOST_TEST(e.largest_step_error < 10.0);
   // Floes are born at rest, afloat; what curvature of the potential hides in their first step is 1e-8 of the work.
   BOOST_TEST(std::abs(e.birth_energy) < 1e-6 * e.work);
-  io::EnergyLosses::visit([&](const char* cause, const char*, double io::EnergyLosses::*loss) {
+  model::EnergyLosses::visit([&](const char* cause, const char*, double model::EnergyLosses::*loss) {
     BOOST_TEST((e.losses.*loss > 0.0), cause);  // still water takes energy like everything else
   });
   // All the work against the edge is lost there.
   double edge = 0.0;
   double work = 0.0;
-  for (const io::LoadRow& row : run.results.loads) {
+  for (const model::LoadRow& row : run.results.loads) {
     edge += row.crushing.force.x * 1.202 * 0.01;
     work += row.total.force.x * 1.202 * 0.01;
   }

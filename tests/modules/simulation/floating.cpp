@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(the_roll_period_is_that_of_the_metacentric_height) {
 }
 
 /// Roll from `start` against V3: the largest deviation of 39 turning points and the loss of the first cycle.
-void check_roll_decay(const io::Case& resolved, double moment_per_square, double tolerance, const char* law) {
+void check_roll_decay(const model::Case& resolved, double moment_per_square, double tolerance, const char* law) {
   FloatingFloe floe(kLength, kBreadth, resolved);
   const double start = 0.01;
   floe.place(0.0, start);
@@ -171,7 +171,7 @@ void check_roll_decay(const io::Case& resolved, double moment_per_square, double
 BOOST_AUTO_TEST_CASE(roll_decays_by_the_rotational_drag_in_both_half_cycles) {
   std::vector<std::string> settings{"hydrodynamics.drag=paper", "hydrodynamics.form_drag=0",
                                     "hydrodynamics.skin_friction=0"};
-  const io::Case resolved = ice_and_water(settings);
+  const model::Case resolved = ice_and_water(settings);
   const FloatingFloe floe(kLength, kBreadth, resolved);
   const double l_avg = (kLength + kBreadth + floe.h()) / 3.0;
   const double wetted = kLength * kBreadth + 2.0 * (kLength + kBreadth) * floe.draft();
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(roll_decays_by_the_rotational_drag_in_both_half_cycles) {
 }
 
 BOOST_AUTO_TEST_CASE(roll_decays_by_the_drag_on_the_leading_half_of_bottom_and_sides) {
-  const io::Case resolved = ice_and_water({"hydrodynamics.skin_friction=0"});
+  const model::Case resolved = ice_and_water({"hydrodynamics.skin_friction=0"});
   const FloatingFloe floe(kLength, kBreadth, resolved);
   // V6: from the axis of roll the sides are b/2 away, the bottom h/2 down and the waterline w up.
   const double y = 0.5 * kBreadth, z = 0.5 * floe.h(), w = floe.draft() - z;
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(roll_decays_by_the_drag_on_the_leading_half_of_bottom_and_s
 BOOST_AUTO_TEST_CASE(a_floe_held_under_water_rises_as_tanh_to_its_terminal_velocity) {
   for (const double dt : {0.01, 0.001}) {
     FloatingFloe floe(kLength, kBreadth, ice_and_water());
-    const io::Case& c = floe.ice;
+    const model::Case& c = floe.ice;
     const double area = kLength * kBreadth;
     const double damping =
         0.5 * c.water.density *
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(a_floe_held_under_water_rises_as_tanh_to_its_terminal_veloc
 
 BOOST_AUTO_TEST_CASE(a_current_takes_a_floe_along_by_the_closed_form_of_quadratic_drag) {
   FloatingFloe floe(kLength, kBreadth, ice_and_water({"water.current=[0.5, 0]"}));
-  const io::Case& c = floe.ice;
+  const model::Case& c = floe.ice;
   const double bottom_and_sides = kLength * kBreadth + 2.0 * kLength * floe.draft();
   const double damping =
       0.5 * c.water.density *

@@ -14,7 +14,7 @@
 namespace brash::simulation::testing {
 
 /// The ice and the water of the validation case: 0.33 m of 900 kg/m3 on 1025 kg/m3.
-inline io::Case ice_and_water(const std::vector<std::string>& overrides = {}) {
+inline model::Case ice_and_water(const std::vector<std::string>& overrides = {}) {
   return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
 }
 
@@ -24,7 +24,7 @@ inline std::vector<std::string> without_drag() {
 
 /// World, water and one rectangular floe, coupled as Simulation::step couples them.
 struct FloatingFloe {
-  FloatingFloe(double length, double breadth, io::Case resolved)
+  FloatingFloe(double length, double breadth, model::Case resolved)
       : ice(std::move(resolved)), world({}), floes(ice), l(length), b(breadth) {
     const std::vector<Vec2> ring{{-0.5 * l, -0.5 * b}, {0.5 * l, -0.5 * b}, {0.5 * l, 0.5 * b}, {-0.5 * l, 0.5 * b}};
     floes.add(world, {geometry::ring(ring), {}}, 0.0);
@@ -52,7 +52,7 @@ struct FloatingFloe {
     world.set_state(body, {{0.0, 0.0, rest + heave}, {std::cos(0.5 * roll), std::sin(0.5 * roll), 0.0, 0.0}}, twist);
   }
 
-  io::Case ice;
+  model::Case ice;
   rigid_body::World world;
   FloePopulation floes;
   double l;

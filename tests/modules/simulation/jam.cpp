@@ -76,7 +76,7 @@ struct Basin {
 
   double length = kColumns * kPitch;
   double width = kRows * kPitch;
-  io::Case ice;
+  model::Case ice;
   World world;
   FloePopulation floes;
   BodyId wall;

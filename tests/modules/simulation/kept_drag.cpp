@@ -30,7 +30,7 @@ struct PackDrag {
 
 /// 6 x 6 floes of 1.4 m that run into the middle from gaps of 0.3 m, 1.5 s; `speed` [m/s] is that of the corners.
 PackDrag drag_of_closing_pack(double speed, const char* travel) {
-  const io::Case ice = ice_and_water({std::string("hydrodynamics.drag_travel=") + travel});
+  const model::Case ice = ice_and_water({std::string("hydrodynamics.drag_travel=") + travel});
   const double dt = 0.01, way = ice.hydrodynamics.drag_travel * ice.ice.thickness;
   rigid_body::World world({});
   simulation::FloePopulation floes(ice);

@@ -30,17 +30,17 @@ struct Pool {
   }
 
   /// Energies after a step of `dt`. The floes are not newborn.
-  io::LoadRow step(double dt) {
+  model::LoadRow step(double dt) {
     floes.apply_water(world, dt, {});
     world.step(dt);
     floes.notice_let_go(world);
     ledger.book_step(world, floes, floes.next_id(), dt);
-    io::LoadRow row;
+    model::LoadRow row;
     ledger.report(world, floes, row);
     return row;
   }
 
-  io::Case resolved;
+  model::Case resolved;
   rigid_body::World world;
   FloePopulation floes;
   EnergyLedger ledger;

@@ -10,6 +10,7 @@
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/scales.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 using namespace brash;
 
 /// The validation case, cut short: 3.5 s see the first dozens of breaks.
-io::Case short_case(std::vector<std::string> overrides = {}, double duration = 3.5) {
+model::Case short_case(std::vector<std::string> overrides = {}, double duration = 3.5) {
   overrides.push_back("time.duration=" + std::to_string(duration));
   return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
 }
@@ -31,11 +32,11 @@ struct Bytes {
 
 Bytes bytes_of(const simulation::Run& run) {
   Bytes bytes;
-  for (const io::LoadRow& row : run.results.loads)
+  for (const model::LoadRow& row : run.results.loads)
     for (const double value : {row.total.force.x, row.total.force.z, row.total.moment.y, row.kinetic_energy})
       bytes.loads.push_back(value);
-  for (const io::Frame& frame : run.results.frames)
-    for (const io::FloePose& floe : frame.floes)
+  for (const model::Frame& frame : run.results.frames)
+    for (const model::FloePose& floe : frame.floes)
       for (const double value :
            {floe.pose.position.x, floe.pose.position.y, floe.pose.position.z, floe.pose.rotation.w})
         bytes.poses.push_back(value);
@@ -60,8 +61,8 @@ BOOST_AUTO_TEST_CASE(a_step_reports_what_it_did) {
   std::set<std::int64_t> born;
   const auto look = [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
     n_breaks += static_cast<int>(report.events.size());
-    for (const io::FloeRecord& floe : report.births) BOOST_TEST(born.insert(floe.id).second);
-    for (const io::CrackEvent& event : report.events) {
+    for (const model::FloeRecord& floe : report.births) BOOST_TEST(born.insert(floe.id).second);
+    for (const model::CrackEvent& event : report.events) {
       BOOST_TEST(event.sigma_max > 539e3);  // the flexural strength
       BOOST_TEST(event.area_after < event.area_before);
       BOOST_TEST(event.breaking_length > 0.0);
@@ -74,15 +75,14 @@ BOOST_AUTO_TEST_CASE(a_step_reports_what_it_did) {
 }
 
 /// A run, and the same interrupted at one second and every 1.1 s from then on; `file` is left for more.
-std::pair<simulation::Run, simulation::Run> whole_and_resumed(const io::Case& resolved, const std::string& file) {
+std::pair<simulation::Run, simulation::Run> whole_and_resumed(const model::Case& resolved, const std::string& file) {
   std::filesystem::remove(file);
   simulation::Run whole = simulation::run(resolved);
   double stop_at = 1.0;
   double now = 0.0;
   const simulation::RunOptions options{
       .observer = [&](const simulation::Simulation& s, const simulation::StepReport&) { now = s.time(); },
-      .checkpoint_file = file,
-      .resume = true,
+      .checkpoint = recording::checkpoint_file(file, true),
       .interrupted = [&] { return now >= stop_at; }};
   simulation::Run resumed = simulation::run(resolved, options);
   for (; !resumed.complete; resumed = simulation::run(resolved, options)) stop_at += 1.1;
@@ -91,13 +91,13 @@ std::pair<simulation::Run, simulation::Run> whole_and_resumed(const io::Case& re
 
 BOOST_AUTO_TEST_CASE(a_resumed_run_with_floes_at_rest_is_the_uninterrupted_one_to_the_bit) {
   const std::string file = (std::filesystem::temp_directory_path() / "brash-test-settled.nc").string();
-  const io::Case narrow =
+  const model::Case narrow =
       short_case({"structure.waterline_width=3", "structure.height=2", "structure.height_under_water=1",
                   "structure.start_distance=1.6", "time.settle_speed=0.5"},
                  10.0);
   const auto [whole, resumed] = whole_and_resumed(narrow, file);
-  const auto n_settled = std::ranges::count_if(io::read_checkpoint(file).floes,
-                                               [](const io::CheckpointFloe& floe) { return floe.rest.settled == 1; });
+  const auto n_settled = std::ranges::count_if(
+      io::read_checkpoint(file).floes, [](const model::CheckpointFloe& floe) { return floe.rest.settled == 1; });
   BOOST_TEST(n_settled > 0);
   BOOST_TEST((resumed.results == whole.results));
   std::filesystem::remove(file);
@@ -106,13 +106,13 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_with_floes_at_rest_is_the_uninterrupted_one_t
 /// What a crack leaves of the sheet's edge far from it is rounded anew; the collision shapes there must follow, or a
 /// resumed run, which lays them all, has others.
 BOOST_AUTO_TEST_CASE(a_state_goes_on_to_the_bit_wherever_in_a_run_it_is_taken) {
-  const io::Case resolved = short_case({"failure.under_floes=true"}, 11.0);
+  const model::Case resolved = short_case({"failure.under_floes=true"}, 11.0);
   simulation::Simulation whole(resolved);
   std::vector<std::pair<simulation::Simulation, int>> twins;  // with the steps that are left to compare
   while (whole.time() < 11.0 - 1e-9) {
     if (std::lround(whole.time() / resolved.time.step) % 25 == 0)
       twins.emplace_back(simulation::Simulation(resolved, whole.checkpoint()), 10);
-    const io::LoadRow loads = whole.step().loads;
+    const model::LoadRow loads = whole.step().loads;
     for (auto& [twin, left] : twins) {
       --left;
       BOOST_REQUIRE((twin.step().loads == loads));
@@ -128,8 +128,9 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
   BOOST_TEST((bytes_of(resumed) == bytes_of(whole)));
   BOOST_TEST((resumed.results == whole.results));
   BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
-  BOOST_CHECK_THROW(simulation::run(short_case({"random.seed=2"}), {.checkpoint_file = file, .resume = true}),
-                    InputError);
+  BOOST_CHECK_THROW(
+      simulation::run(short_case({"random.seed=2"}), {.checkpoint = recording::checkpoint_file(file, true)}),
+      InputError);
   std::filesystem::remove(file);
 }
 
@@ -161,9 +162,9 @@ BOOST_AUTO_TEST_CASE(far_from_the_ice_nothing_loads_the_structure) {
 
 BOOST_AUTO_TEST_CASE(without_anything_near_the_floes_of_the_initial_crack_stay_where_they_are) {
   simulation::Simulation simulation(short_case({"structure.start_distance=20"}));
-  const io::Frame before = simulation.frame();
+  const model::Frame before = simulation.frame();
   for (int i = 0; i < 100; ++i) (void)simulation.step();
-  const io::Frame after = simulation.frame();
+  const model::Frame after = simulation.frame();
   BOOST_REQUIRE(before.floes.size() >= 3u);
   for (std::size_t i = 0; i < before.floes.size(); ++i)
     // Floating at rest to the rounding of weight against buoyancy, a second long.

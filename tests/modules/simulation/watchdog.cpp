@@ -7,6 +7,9 @@
 #include <limits>
 
 #include "brash/core/error.hpp"
+#include "brash/io/case.hpp"
+#include "brash/io/checkpoint.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "pool.hpp"
 
@@ -26,12 +29,12 @@ struct Guarded : Pool {
           add(corner, corner + Vec2{1, 1}, {{0.5 - 0.5 * corner.x, 0.3 - 0.4 * corner.y, 0}, {0, 0.1, 0.2}}));
     for (const auto& [body, floe] : floes.floes()) area.floes += floe.area;
     area.initial = area.floes;
-    io::LoadRow row;
+    model::LoadRow row;
     ledger.report(world, floes, row);
     watchdog.begin({world, floes, ledger, area, row, {}});
   }
-  void look(const io::LoadRow& row) { look(row, ledger.taken()); }
-  void look(const io::LoadRow& row, const Taken& taken) { watchdog.look({world, floes, ledger, area, row, taken}); }
+  void look(const model::LoadRow& row) { look(row, ledger.taken()); }
+  void look(const model::LoadRow& row, const Taken& taken) { watchdog.look({world, floes, ledger, area, row, taken}); }
   void steps(int n) {
     for (int i = 0; i < n; ++i) look(step(kStep));
   }
@@ -97,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_floe_outside_ends_the_run) {
 BOOST_AUTO_TEST_CASE(contacts_or_still_water_that_give_energy_end_the_run) {
   Guarded pool;
   pool.steps(50);
-  const io::LoadRow row = pool.step(kStep);
+  const model::LoadRow row = pool.step(kStep);
   const auto [contacts, water] = pool.ledger.taken();
   BOOST_CHECK_NO_THROW(pool.look(row, {contacts, water}));
   BOOST_CHECK_EXCEPTION(pool.look(row, {contacts - 1.0, water}), RunError, says("contacts gave the floes"));
@@ -106,7 +109,7 @@ BOOST_AUTO_TEST_CASE(contacts_or_still_water_that_give_energy_end_the_run) {
 
 BOOST_AUTO_TEST_CASE(the_first_step_is_watched_like_any_other) {
   Guarded pool;
-  const io::LoadRow row = pool.step(kStep);
+  const model::LoadRow row = pool.step(kStep);
   BOOST_CHECK_EXCEPTION(pool.look(row, {-1.0, 0.0}), RunError, says("contacts gave the floes"));
   Guarded kicked;
   kicked.kick({{0.0, 0.0, 0.7}, {}});
@@ -125,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_ends_the_run) {
   pool.area.sheet -= one_unit;
   BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("the ledger does not fit the floes"));
   pool.area = area;
-  io::LoadRow row = pool.step(kStep);
+  model::LoadRow row = pool.step(kStep);
   row.energy_error += 200.0;  // three floes of 2900 N, half of it along 30 mm: 130 J
   BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("the energies do not close"));
   row.energy_error = std::numeric_limits<double>::quiet_NaN();
@@ -134,24 +137,24 @@ BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_ends_the_run) {
 
 /// A run of the validation case to 2.5 s, where floes move; then `spoil` alters its checkpoint, and it goes on.
 struct Spoilt {
-  const io::Case resolved = io::read_case(kValidation, {"failure.model=wedge", "time.duration=3"});
+  const model::Case resolved = io::read_case(kValidation, {"failure.model=wedge", "time.duration=3"});
   const std::string file = (std::filesystem::temp_directory_path() / "brash-test-watchdog.nc").string();
-  io::Checkpoint good;
+  model::Checkpoint good;
 
   Spoilt() {
     std::filesystem::remove(file);
     double now = 0.0;
     (void)simulation::run(resolved, {.observer = [&](const Simulation& s, const StepReport&) { now = s.time(); },
-                                     .checkpoint_file = file,
+                                     .checkpoint = recording::checkpoint_file(file, false),
                                      .interrupted = [&] { return now >= 2.5; }});
     good = io::read_checkpoint(file);
     BOOST_REQUIRE(good.floes.size() > 5u);
   }
   ~Spoilt() { std::filesystem::remove(file); }
 
-  void resume(const io::Checkpoint& spoilt, const std::string& reason) {
+  void resume(const model::Checkpoint& spoilt, const std::string& reason) {
     io::write_checkpoint(file, spoilt);
-    const RunOptions options{.checkpoint_file = file, .resume = true};
+    const RunOptions options{.checkpoint = recording::checkpoint_file(file, true)};
     std::string first;
     const auto keep = [&](const RunError& error) {
       first = error.what();
@@ -166,7 +169,7 @@ struct Spoilt {
 
 BOOST_AUTO_TEST_CASE(a_failed_step_ends_the_run_and_leaves_the_state_that_repeats_it) {
   Spoilt run;
-  io::Checkpoint spoilt = run.good;
+  model::Checkpoint spoilt = run.good;
   spoilt.floes[3].pose.position.x += 1000.0;
   run.resume(spoilt, "floe 3 is at");
 

@@ -40,7 +40,7 @@ struct SettingValue {
 struct Setting {
   std::string name;                  ///< "angle-50deg_speed-0.5"; "base" without a grid
   std::vector<SettingValue> values;  ///< one a varied key
-  Case resolved;                     ///< its name keys the random streams
+  model::Case resolved;              ///< its name keys the random streams
 
   friend bool operator==(const Setting&, const Setting&) = default;
 };

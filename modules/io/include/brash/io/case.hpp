@@ -1,172 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "brash/core/vec.hpp"
+#include "brash/model/case.hpp"
 
 namespace brash::io {
-
-/// [ice]; SI throughout. Unit, range, default and source of every key are in case.schema.json; the defaults here are
-/// the same, and those without one are zero.
-struct IceSection {
-  double thickness = 0.0;
-  double density = 900.0;
-  double youngs_modulus = 0.0;
-  double poisson_ratio = 0.3;
-  double flexural_strength = 0.0;
-  double compressive_strength = 1.0e6;
-  double crushing_factor = 0.5;
-  double friction_structure = 0.027;
-  double friction_ice = 0.3;
-
-  friend bool operator==(const IceSection&, const IceSection&) = default;
-};
-
-/// [water]
-struct WaterSection {
-  double density = 1025.0;
-  Vec2 current{};  ///< `current = [0, 0]`
-
-  friend bool operator==(const WaterSection&, const WaterSection&) = default;
-};
-
-/// [structure]
-struct StructureSection {
-  std::string kind = "cone";
-  double angle = 0.0;  ///< rad
-  double waterline_width = 0.0;
-  double height = 0.0;
-  double height_under_water = 0.0;
-  std::string breaking = "downward";  ///< downward | upward
-  double speed = 0.0;
-  double start_distance = 0.0;
-  int facets = 64;
-
-  friend bool operator==(const StructureSection&, const StructureSection&) = default;
-};
-
-/// [field]
-struct FieldSection {
-  std::string kind = "level-ice";
-  double length = 0.0;
-  double width = 0.0;
-  bool initial_crack = true;
-  double initial_crack_radius = 0.0;  ///< 0: the breaking length of a straight edge
-
-  friend bool operator==(const FieldSection&, const FieldSection&) = default;
-};
-
-/// [failure]
-struct FailureSection {
-  /// network | deep-network | superposition | plate | plate-outline | wedge
-  std::string model = "superposition";
-  std::string file;                             ///< model file, absolute; empty: the model that comes with the program
-  std::string order = "circumferential-first";  ///< circumferential-first | radial-first
-  bool second_order = false;                    ///< the in-plane force acts on the bent plate
-  bool under_floes = true;                      ///< the sheet also breaks where floes press on it
-  std::array<int, 2> wedges{3, 5};
-  int arc_sides = 16;           ///< chords of a full breaking circle
-  int max_substeps = 8;         ///< when an input exceeds the model's range
-  double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
-
-  friend bool operator==(const FailureSection&, const FailureSection&) = default;
-};
-
-/// [contact]
-struct ContactSection {
-  double restitution = 0.0;
-  std::string area = "surface";  ///< surface | projected (physics: contact area A)
-  double margin = 0.005;
-  int iterations = 30;
-  double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
-  bool delete_crushed = true;
-
-  friend bool operator==(const ContactSection&, const ContactSection&) = default;
-};
-
-/// [hydrodynamics]
-struct HydrodynamicsSection {
-  std::string drag = "surface";  ///< surface | paper
-  bool shading = true;
-  double shading_gap = 0.5;  ///< in ice thicknesses
-  double drag_travel = 0.1;  ///< a floe's drag coefficients are kept for that way, in ice thicknesses
-  double form_drag = 1.0;
-  double rotational_drag = 1.0;
-  double skin_friction = 0.005;
-  double added_mass = 0.5;
-  bool structure_flow = false;  ///< the water gives way to the structure
-
-  friend bool operator==(const HydrodynamicsSection&, const HydrodynamicsSection&) = default;
-};
-
-/// [time]
-struct TimeSection {
-  double step = 0.01;
-  double duration = 0.0;
-  double settle_speed = 0.0;
-
-  friend bool operator==(const TimeSection&, const TimeSection&) = default;
-};
-
-/// [random]
-struct RandomSection {
-  std::uint64_t seed = 1;
-  std::uint64_t replicate = 0;
-
-  friend bool operator==(const RandomSection&, const RandomSection&) = default;
-};
-
-/// [output]
-struct OutputSection {
-  double frames_per_second = 15.0;
-  double checkpoint_interval = 5.0;       ///< simulated time between checkpoints [s]; 0 keeps none
-  std::optional<double> statistics_from;  ///< [s]; absent: when the structure's centre passes the initial edge
-
-  friend bool operator==(const OutputSection&, const OutputSection&) = default;
-};
-
-/// [reference]: a measured load to print beside the simulated one; the simulation does not see it.
-struct ReferenceSection {
-  std::optional<double> mean_horizontal;  ///< [N]
-  std::string source = "reference";
-
-  friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
-};
-
-/// [hull]: a ship for the closed form of Lindqvist; the simulation does not see it. All keys or none.
-struct HullSection {
-  std::optional<double> length;  ///< at the waterline
-  std::optional<double> breadth;
-  std::optional<double> draught;
-  std::optional<double> stem_angle;       ///< of the stem from the horizontal [rad]
-  std::optional<double> waterline_angle;  ///< of the waterline's entrance from the centre line [rad]
-
-  friend bool operator==(const HullSection&, const HullSection&) = default;
-};
-
-/// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
-struct Case {
-  std::string name;  ///< the file's stem
-  IceSection ice;
-  WaterSection water;
-  StructureSection structure;
-  FieldSection field;
-  FailureSection failure;
-  ContactSection contact;
-  HydrodynamicsSection hydrodynamics;
-  TimeSection time;
-  RandomSection random;
-  OutputSection output;
-  ReferenceSection reference;
-  HullSection hull;
-
-  friend bool operator==(const Case&, const Case&) = default;
-};
 
 /// Where failure.file may lead. A case file comes from anyone, so it names files in its own folder, or below; the
 /// command line names any, and so does what the program itself has resolved and written.
@@ -178,19 +18,19 @@ enum class ModelFile { kInItsFolder, kAnywhere };
 ///                   plain string, so that `ice.thickness=40 cm` needs no quotes.
 /// @throws InputError that lists everything wrong, each with file, line, column (or the override), key, value, what is
 ///         allowed, the nearest known name and the remedy.
-Case read_case(const std::string& path, const std::vector<std::string>& overrides = {},
-               ModelFile model_file = ModelFile::kInItsFolder);
+model::Case read_case(const std::string& path, const std::vector<std::string>& overrides = {},
+                      ModelFile model_file = ModelFile::kInItsFolder);
 
 /// The text of a case file.
 /// @throws InputError when it is unreadable or larger than 1 MiB.
 std::string read_case_text(const std::string& path);
 
 /// As read_case() for a text; `path` names it in messages, gives the case its name and is where a model file is sought.
-Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {},
-                ModelFile model_file = ModelFile::kInItsFolder);
+model::Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {},
+                       ModelFile model_file = ModelFile::kInItsFolder);
 
 /// The resolved case as TOML in SI, every key that has a value written; reading it gives the same case.
-std::string to_toml(const Case& resolved);
+std::string to_toml(const model::Case& resolved);
 
 /// The JSON Schema of a case file, with unit, default, range and meaning of every key.
 std::string case_schema();

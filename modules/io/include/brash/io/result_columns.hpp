@@ -14,7 +14,7 @@ template <typename Row>
 struct Columns;
 
 template <>
-struct Columns<LoadRow> {
+struct Columns<model::LoadRow> {
   static constexpr const char* dimension = "time";
   static constexpr const char* prefix = "";
 
@@ -22,16 +22,17 @@ struct Columns<LoadRow> {
   static void visit(Visit&& visit) {
     visit(
         "time", "s", "end of the step", [](auto& row) -> auto& { return row.time; });
-    visit_wrench("", "total load on the structure", &LoadRow::total, visit);
-    visit_wrench("crushing_", "crushing at the sheet's edge", &LoadRow::crushing, visit);
-    visit_wrench("floe_normal_", "normal contact forces of floes", &LoadRow::floe_normal, visit);
-    visit_wrench("floe_friction_", "friction of floes", &LoadRow::floe_friction, visit);
+    visit_wrench("", "total load on the structure", &model::LoadRow::total, visit);
+    visit_wrench("crushing_", "crushing at the sheet's edge", &model::LoadRow::crushing, visit);
+    visit_wrench("floe_normal_", "normal contact forces of floes", &model::LoadRow::floe_normal, visit);
+    visit_wrench("floe_friction_", "friction of floes", &model::LoadRow::floe_friction, visit);
     visit_state(visit);
   }
 
  private:
   template <typename Visit>
-  static void visit_wrench(const std::string& cause, const std::string& meaning, Wrench LoadRow::*w, Visit&& visit) {
+  static void visit_wrench(const std::string& cause, const std::string& meaning, Wrench model::LoadRow::*w,
+                           Visit&& visit) {
     visit(
         cause + "Fx", "N", meaning + ", force along x", [w](auto& row) -> auto& { return (row.*w).force.x; });
     visit(
@@ -54,7 +55,7 @@ struct Columns<LoadRow> {
     visit(
         "removed_energy", "J", "kinetic and potential energy of deleted floes",
         [](auto& row) -> auto& { return row.removed_energy; });
-    EnergyLosses::visit([&](const char* cause, const char* meaning, double EnergyLosses::*loss) {
+    model::EnergyLosses::visit([&](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
       visit(
           std::string("loss_") + cause, "J",
           std::string("energy lost since the start: ") + meaning, [loss](auto& row) -> auto& {
@@ -100,7 +101,7 @@ struct Columns<LoadRow> {
 };
 
 template <>
-struct Columns<CrackEvent> {
+struct Columns<model::CrackEvent> {
   static constexpr const char* dimension = "event";
   static constexpr const char* prefix = "event_";
 
@@ -180,7 +181,7 @@ void visit_pose(const std::string& of, Visit&& visit, PoseOf pose) {
 }
 
 template <>
-struct Columns<FloeRecord> {
+struct Columns<model::FloeRecord> {
   static constexpr const char* dimension = "floe";
   static constexpr const char* prefix = "floe_";
 
@@ -205,7 +206,7 @@ struct Columns<FloeRecord> {
 };
 
 template <>
-struct Columns<CrackedSheet> {
+struct Columns<model::CrackedSheet> {
   static constexpr const char* dimension = "cracked_sheet";
   static constexpr const char* prefix = "cracked_sheet_";
 
@@ -217,7 +218,7 @@ struct Columns<CrackedSheet> {
 };
 
 template <>
-struct Columns<Frame> {
+struct Columns<model::Frame> {
   static constexpr const char* dimension = "frame";
   static constexpr const char* prefix = "frame_";
 
@@ -231,7 +232,7 @@ struct Columns<Frame> {
 };
 
 template <>
-struct Columns<FloePose> {
+struct Columns<model::FloePose> {
   static constexpr const char* dimension = "pose";
   static constexpr const char* prefix = "pose_";
 

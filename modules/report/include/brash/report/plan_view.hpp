@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "brash/io/case.hpp"
-#include "brash/io/results.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/records.hpp"
 
 namespace brash::report {
 
 /// The end of a run seen from above, as SVG: the sheet with its channel, every floe where it floats (those under the
 /// sheet's level darker), the structure at its waterline, the points where the ice broke, and a scale.
-std::string plan_view(const io::Case& resolved, const io::RunResults& results);
+std::string plan_view(const model::Case& resolved, const model::RunResults& results);
 
 }  // namespace brash::report

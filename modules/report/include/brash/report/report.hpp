@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
 
 namespace brash::report {
 
@@ -12,7 +12,7 @@ bool has_page();
 
 /// The resolved case of the run in `directory`, from its manifest.
 /// @throws InputError when there is no manifest or it holds no case.
-io::Case case_of_run(const std::string& directory);
+model::Case case_of_run(const std::string& directory);
 
 /// Writes `directory`/report.html from the run's run.nc, summary.json and manifest.json: one file that needs no
 /// network.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brash/io/case.hpp"
+#include "brash/model/case.hpp"
 
 namespace brash::simulation {
 
@@ -21,9 +21,9 @@ struct DerivedScales {
 };
 
 /// @throws InputError when the failure model cannot be read.
-DerivedScales derived_scales(const io::Case& resolved);
+DerivedScales derived_scales(const model::Case& resolved);
 
 /// T_col = (pi/2) sqrt((1 + alpha) m / K) of a floe of `mass` [kg], Eqs. 11, 12 [s].
-double collision_time(const io::Case& resolved, double mass);
+double collision_time(const model::Case& resolved, double mass);
 
 }  // namespace brash::simulation

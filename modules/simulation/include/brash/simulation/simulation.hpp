@@ -8,24 +8,24 @@
 
 #include "brash/geometry/ledger.hpp"
 #include "brash/geometry/polygon.hpp"
-#include "brash/io/case.hpp"
-#include "brash/io/checkpoint.hpp"
-#include "brash/io/results.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/checkpoint.hpp"
+#include "brash/model/records.hpp"
 
 namespace brash::simulation {
 
 /// A floe that a step deleted, and why.
 struct FloeDeath {
   std::int64_t floe = 0;
-  io::FloeEnd cause = io::FloeEnd::kCrushed;
+  model::FloeEnd cause = model::FloeEnd::kCrushed;
   double peak_stress = 0.0;  ///< over its life [Pa]
 };
 
 /// What one step did.
 struct StepReport {
-  io::LoadRow loads;
-  std::vector<io::CrackEvent> events;
-  std::vector<io::FloeRecord> births;
+  model::LoadRow loads;
+  std::vector<model::CrackEvent> events;
+  std::vector<model::FloeRecord> births;
   std::vector<FloeDeath> deaths;
   int n_substeps = 1;          ///< parts the structure's move was cut into (Sec. 2.2.2)
   int n_outlines_refused = 0;  ///< assessments of the trapezoid because the outline could not be meshed
@@ -63,10 +63,10 @@ class Simulation {
  public:
   /// Lays the sheet, cuts the initial crack and places the structure.
   /// @throws InputError when the failure model cannot be read.
-  explicit Simulation(const io::Case& resolved);
+  explicit Simulation(const model::Case& resolved);
   /// Takes a run of the same case up where `checkpoint` left it; it goes on as if it had not been interrupted.
   /// @throws InputError when the checkpoint is of another case.
-  Simulation(const io::Case& resolved, const io::Checkpoint& checkpoint);
+  Simulation(const model::Case& resolved, const model::Checkpoint& checkpoint);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
@@ -76,15 +76,15 @@ class Simulation {
   [[nodiscard]] StepReport step();
 
   /// All that the next step depends on; `results` is left to the caller.
-  io::Checkpoint checkpoint() const;
+  model::Checkpoint checkpoint() const;
 
   double time() const;
   /// Floes made by the initial crack, before the first step.
-  const std::vector<io::FloeRecord>& initial_births() const;
+  const std::vector<model::FloeRecord>& initial_births() const;
   std::vector<geometry::Polygon> sheet() const;
   const geometry::Ledger& ledger() const;
   /// Poses of structure and floes, now.
-  io::Frame frame() const;
+  model::Frame frame() const;
   /// Largest mean compression so far of each floe present, by its id [Pa].
   std::vector<std::pair<std::int64_t, double>> peak_stresses() const;
   const StageTimes& stage_times() const;

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+
+namespace brash::model {
+
+/// Where the structure's work has gone since the start, besides into the floes' energies [J]. Positive: taken from the
+/// structure and the floes. Each is forces times velocities, none is a remainder (docs/theory/dynamics.md, (E1)).
+struct EnergyLosses {
+  double edge = 0.0;                ///< the structure's work against the sheet's edge: crushing and its friction
+  double structure_contact = 0.0;   ///< normal forces between floes and structure: crushing and impact
+  double structure_friction = 0.0;  ///< slip between floes and structure
+  double sheet_contact = 0.0;       ///< likewise between floes and the fixed sheet
+  double sheet_friction = 0.0;
+  double floe_contact = 0.0;  ///< likewise between floes
+  double floe_friction = 0.0;
+  double drag = 0.0;           ///< form and rotational drag; negative where a current pushes
+  double skin_friction = 0.0;  ///< of the water; negative where a current pulls
+
+  /// Calls `visit(name, meaning, member)` for each: one list serves files, checkpoints and sums.
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit("edge", "crushing and its friction at the sheet's edge", &EnergyLosses::edge);
+    visit("structure_contact", "crushing and impact between floes and structure", &EnergyLosses::structure_contact);
+    visit("structure_friction", "friction between floes and structure", &EnergyLosses::structure_friction);
+    visit("sheet_contact", "crushing and impact between floes and sheet", &EnergyLosses::sheet_contact);
+    visit("sheet_friction", "friction between floes and sheet", &EnergyLosses::sheet_friction);
+    visit("floe_contact", "crushing and impact between floes", &EnergyLosses::floe_contact);
+    visit("floe_friction", "friction between floes", &EnergyLosses::floe_friction);
+    visit("drag", "form and rotational drag of the water", &EnergyLosses::drag);
+    visit("skin_friction", "skin friction of the water", &EnergyLosses::skin_friction);
+  }
+  double total() const {
+    double sum = 0.0;
+    visit([&](const char*, const char*, double EnergyLosses::*loss) { sum += this->*loss; });
+    return sum;
+  }
+
+  friend bool operator==(const EnergyLosses&, const EnergyLosses&) = default;
+};
+
+/// Load on the structure over a step, in load axes: x as the ice drifts against the structure (against its motion),
+/// y to starboard, z upwards; moments about the structure's origin on the waterplane. The energies of a row satisfy
+///
+///   work + birth_energy = kinetic_energy + potential_energy + losses.total() + removed_energy + energy_error.
+struct LoadRow {
+  double time = 0.0;              ///< [s]
+  Wrench total;                   ///< [N], [N m]
+  Wrench crushing;                ///< crushing at the sheet's edge
+  Wrench floe_normal;             ///< normal contact forces of floes
+  Wrench floe_friction;           ///< friction of floes
+  double kinetic_energy = 0.0;    ///< of all floes [J]
+  double potential_energy = 0.0;  ///< of all floes in gravity and buoyancy, against floating at rest [J]
+  double work = 0.0;              ///< done by the structure on the ice since the start [J]
+  /// Of floes at their birth, and what they gained in their first step that no load explains, since the start [J].
+  double birth_energy = 0.0;
+  double removed_energy = 0.0;  ///< kinetic and potential energy of deleted floes since the start [J]
+  EnergyLosses losses;
+  /// What the balance lacks: errors of the integration in time since the start; positive where energy vanished [J].
+  double energy_error = 0.0;
+  /// The ledger in m2, as doubles of the exact areas.
+  double area_sheet = 0.0;
+  double area_floes = 0.0;
+  double area_crushed = 0.0;
+  double area_deleted = 0.0;
+  double area_brash = 0.0;
+  double area_snap = 0.0;
+  int n_floes = 0;
+  int n_contacts = 0;  ///< points at which floes bear on the structure
+
+  friend bool operator==(const LoadRow&, const LoadRow&) = default;
+};
+
+/// In place of a floe where the structure itself acts.
+constexpr std::int64_t kNoFloe = -1;
+
+/// One crack event; the columns of events.csv.
+struct CrackEvent {
+  double time = 0.0;
+  Vec2 at{};           ///< B [m]
+  double depth = 0.0;  ///< b [m]
+  double contact_length = 0.0;
+  double angle = 0.0;  ///< theta [rad]
+  double fit_error = 0.0;
+  double mu1 = 0.0;
+  double mu2 = 0.0;
+  double pressure = 0.0;
+  double sigma_max = 0.0;
+  double breaking_length = 0.0;
+  int wedges = 0;
+  int pieces = 0;
+  bool in_range = true;
+  int substeps = 1;
+  double area_before = 0.0;  ///< of the sheet [m2]
+  double area_after = 0.0;
+  Vec2 tip{};      ///< middle of the trapezoid's tip edge [m]
+  Vec2 towards{};  ///< unit vector from the tip into the ice, along the trapezoid's axis
+  std::int64_t pressing_floe = kNoFloe;
+
+  friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
+};
+
+enum class FloeEnd { kAlive, kCrushed };
+
+constexpr const char* name_of(FloeEnd end) { return end == FloeEnd::kAlive ? "alive" : "crushed"; }
+
+/// A floe's life; its outline in its body frame is stored once.
+struct FloeRecord {
+  std::int64_t id = 0;
+  std::vector<std::vector<Vec2>> rings;  ///< outline and holes, body frame [m]
+  double area = 0.0;                     ///< exact area as double [m2]
+  double birth = 0.0;                    ///< [s]
+  double death = 0.0;                    ///< [s], duration when alive at the end
+  FloeEnd end = FloeEnd::kAlive;
+  double peak_stress = 0.0;  ///< largest of the deletion criterion's stress [Pa]
+  Pose birth_pose{};         ///< where it lay in the level ice
+
+  friend bool operator==(const FloeRecord&, const FloeRecord&) = default;
+};
+
+/// Pose of one floe in one frame.
+struct FloePose {
+  std::int64_t floe = 0;  ///< FloeRecord::id
+  Pose pose;
+  double contact_force = 0.0;  ///< sum of the magnitudes of the normal forces on it in the step before [N]
+
+  friend bool operator==(const FloePose&, const FloePose&) = default;
+};
+
+/// One frame of the replay.
+struct Frame {
+  double time = 0.0;
+  Pose structure;
+  std::vector<FloePose> floes;
+
+  friend bool operator==(const Frame&, const Frame&) = default;
+};
+
+/// The sheet after the cracks of a step.
+struct CrackedSheet {
+  double time = 0.0;                     ///< [s]
+  std::vector<std::vector<Vec2>> rings;  ///< outline, then holes [m]
+
+  friend bool operator==(const CrackedSheet&, const CrackedSheet&) = default;
+};
+
+/// Everything a run leaves, filled while it goes.
+struct RunResults {
+  std::vector<LoadRow> loads;
+  std::vector<CrackEvent> events;
+  std::vector<FloeRecord> floes;
+  std::vector<Frame> frames;
+  std::vector<CrackedSheet> cracked_sheets;
+  std::vector<std::vector<Vec2>> initial_sheet;  ///< rings [m]
+  std::vector<std::vector<Vec2>> final_sheet;    ///< rings [m]
+
+  friend bool operator==(const RunResults&, const RunResults&) = default;
+};
+
+}  // namespace brash::model
