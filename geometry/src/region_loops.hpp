@@ -28,9 +28,9 @@ RegionLoops region_loops(const Polygon& polygon);
 
 /// True when `target` lies strictly inside the sector at `at` that runs counter-clockwise from `next` to `previous`:
 /// the inside of the region at a vertex of its boundary.
-constexpr bool is_in_sector(Point previous, Point at, Point next, Point target) {
-  if (turn(previous, at, next) > 0) return turn(at, next, target) > 0 && turn(at, previous, target) < 0;
-  return !(turn(at, previous, target) >= 0 && turn(at, next, target) <= 0);
+inline bool is_in_sector(Point previous, Point at, Point next, Point target) {
+  if (side(previous, at, next) > 0) return side(at, next, target) > 0 && side(at, previous, target) < 0;
+  return !(side(at, previous, target) >= 0 && side(at, next, target) <= 0);
 }
 
 }  // namespace brash::geometry
