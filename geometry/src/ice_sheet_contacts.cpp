@@ -83,7 +83,6 @@ ContactRegion contact_of(const Arrangement::Piece& piece) {
 
 std::vector<ContactRegion> IceSheet::contacts(std::span<const Point> section) const {
   expect_region(section);
-  BRASH_EXPECTS(is_convex(section), section.size(), section.front().x, section.front().y);
   const Noding noding(impl_->boundary, section, {});
   std::vector<ContactRegion> contacts;
   for (const Arrangement::Piece& piece : Arrangement(noding, impl_->boundary).pieces()) {

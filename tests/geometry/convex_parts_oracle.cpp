@@ -41,22 +41,26 @@ struct Counts {
 
 BOOST_AUTO_TEST_SUITE(parts_against_the_optimum)
 
-BOOST_AUTO_TEST_CASE(wedges_have_at_most_two_percent_more_parts_than_the_fewest) {
+BOOST_AUTO_TEST_CASE(wedges_have_the_fewest_parts) {
   std::mt19937_64 generator(11);
   Counts counts;
   for (int i = 0; i < 400; ++i) counts.add(shapes::wedge(generator));
-  BOOST_TEST_MESSAGE("wedges: " << counts.ours << " parts, the fewest are " << counts.fewest);
-  // 1.1 % more measured; the sample's own scatter is of the order of half a percent.
-  BOOST_TEST(static_cast<double>(counts.ours) <= 1.02 * static_cast<double>(counts.fewest));
+  BOOST_TEST(counts.ours == counts.fewest);
 }
 
-BOOST_AUTO_TEST_CASE(wild_stars_have_at_most_fifteen_percent_more_parts_than_the_fewest) {
+BOOST_AUTO_TEST_CASE(wild_stars_of_up_to_thirty_vertices_have_the_fewest_parts) {
   std::mt19937_64 generator(12);
   Counts counts;
   for (int i = 0; i < 200; ++i) counts.add(shapes::star(generator, 6 + i % 25, 0.25));
-  BOOST_TEST_MESSAGE("stars: " << counts.ours << " parts, the fewest are " << counts.fewest);
-  // 9 to 14 % more measured, growing with the number of vertices: such floes do not come out of cracks.
-  BOOST_TEST(static_cast<double>(counts.ours) <= 1.15 * static_cast<double>(counts.fewest));
+  BOOST_TEST(counts.ours == counts.fewest);
+}
+
+BOOST_AUTO_TEST_CASE(large_stars_are_divided_as_well_into_less_than_half_again_as_many) {
+  std::mt19937_64 generator(13);
+  Counts counts;
+  for (int i = 0; i < 5; ++i) counts.add(shapes::star(generator, 40, 0.25));
+  // Hertel and Mehlhorn guarantee four times the fewest; 1.4 measured on stars of up to 30 vertices.
+  BOOST_TEST(static_cast<double>(counts.ours) <= 1.5 * static_cast<double>(counts.fewest));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
