@@ -86,7 +86,14 @@ def without_the_inner_module(app, what, name, value, options, signature, returne
     return [text and text.replace("brash._brash.", "") for text in (signature, returned)]
 
 
+def without_field_numbers(app, what, name, value, options, lines):
+    """Fields of named tuples say nothing of themselves; their class does."""
+    if lines and lines[0].startswith("Alias for field number"):
+        lines.clear()
+
+
 def setup(app):
     app.connect("source-read", follow_links)
     app.connect("source-read", add_the_help_of_each_command)
+    app.connect("autodoc-process-docstring", without_field_numbers)
     app.connect("autodoc-process-signature", without_the_inner_module)
