@@ -27,7 +27,7 @@ class Release(unittest.TestCase):
             self.assertRegex(heading, r"^\d+\.\d+\.\d+ - \d{4}-\d\d-\d\d$")
         # Nothing has been cut before 0.2.0.
         if VERSION != "0.1.0":
-            self.assertEqual(HEADINGS[1], f"{VERSION} - {CITATION['date-released']}")
+            self.assertEqual(HEADINGS[1:2], [f"{VERSION} - {CITATION['date-released']}"])
         self.assertEqual(HEADINGS[1:], sorted(HEADINGS[1:], key=lambda h: [int(n) for n in h.split()[0].split(".")], reverse=True))
 
     def test_citation_and_metadata_say_the_same(self):

@@ -3,7 +3,7 @@
 
 Makes a Debian of debootstrap's smallest kind in a temporary folder, with the dependencies that the package names and no
 other. There it installs the package, runs the example and the Python module, removes the package, and compares the list of
-files with the list from before. Needs root, debootstrap and a mirror; exit code 77 where the first two are missing.
+files with the list from before. At the end it builds a C++ program with libbrash-dev. Needs root, debootstrap and a mirror; exit code 77 where the first two are missing.
 `./dev package --check` calls it.
 """
 import os
@@ -88,6 +88,15 @@ class Package(unittest.TestCase):
     def test_4_nothing_is_left_when_it_is_removed(self):
         self.root("apt-get purge -y -q brash")
         self.assertEqual(sorted(self.root.files() ^ self.before), [])
+
+    def test_5_a_program_of_others_is_built_with_libbrash_dev(self):
+        [development] = FOLDER.glob("libbrash-dev_*.deb")
+        shutil.copy(development, self.root.path / "packages")
+        shutil.copytree(pathlib.Path(__file__).parent / "consumer", self.root.path / "tmp/consumer")
+        self.root("apt-get install -y -q --no-install-recommends g++ cmake make "
+                  f"/packages/{development.name} /packages/{self.package.name}")
+        self.root("cmake -S /tmp/consumer -B /tmp/built && cmake --build /tmp/built")
+        self.assertEqual(self.root("BRASH_MODEL_PATH=/usr/share/brash/models /tmp/built/consumer"), "4 pieces, breaks: 1\n")
 
 
 if __name__ == "__main__":
