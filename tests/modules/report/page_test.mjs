@@ -244,6 +244,20 @@ test("a run without frames offers no replay, but its loads and cracks", async ()
   await shown.close();
 });
 
+test("the works to cite are given as BibTeX, with the versions of the manifest", async () => {
+  const text = await page.locator(".bibtex pre").evaluate((e) => e.textContent);
+  const manifest = JSON.parse(readFileSync(join(run, "manifest.json"), "utf8"));
+  const keys = [...text.matchAll(/^@\w+\{(\w+),$/gm)].map((found) => found[1]);
+  assert.deepEqual(keys.slice(0, 4), ["brash", "bullet", "cgal", "ndem_ann_2023"]);
+  assert.equal(new Set(keys).size, keys.length);
+  assert.ok(text.includes("doi = {10.3390/jmse11030469}"));
+  assert.ok(text.includes(`version = {${manifest.program.version}}`));
+  assert.ok(text.includes(`version = {${manifest.built_with.CGAL}}`));
+  assert.equal((text.match(/\{/g) ?? []).length, (text.match(/\}/g) ?? []).length);
+  const link = await page.locator(".bibtex a").evaluate((a) => [a.download, decodeURIComponent(a.href.split(",").slice(1).join(","))]);
+  assert.deepEqual(link, ["brash.bib", text]);
+});
+
 test("nothing hangs over the edge of a narrow page", async () => {
   await page.setViewportSize({ width: 400, height: 800 });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 400);
