@@ -22,7 +22,9 @@ rigid_body::WorldSettings world_settings(const model::Case& c) {
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
           .iterations = c.contact.iterations,
           .collision_margin = c.contact.margin,
-          .release_speed = c.time.settle_speed};
+          .release_speed = c.time.settle_speed,
+          .engine = c.contact.engine == model::ContactEngine::kBullet ? rigid_body::Engine::kBullet
+                                                                      : rigid_body::Engine::kBrash};
 }
 
 /// World axes to load axes and back: x as the ice drifts against the structure, z upwards (a half turn about z).

@@ -49,6 +49,19 @@ BOOST_AUTO_TEST_CASE(one_seed_gives_one_history_and_another_seed_another) {
   BOOST_TEST((first != bytes_of(simulation::run(short_case({"random.seed=2"})))));
 }
 
+BOOST_AUTO_TEST_CASE(stock_bullet_runs_the_case_by_choice_and_its_energies_close) {
+  const model::Case bullet = short_case({"contact.engine=bullet"});
+  const simulation::Run run = simulation::run(bullet);
+  BOOST_TEST(run.complete);
+  const model::LoadRow& last = run.results.loads.back();
+  BOOST_TEST(last.losses.structure_contact > 0.0);
+  BOOST_TEST(last.losses.floe_contact > 0.0);
+  // As close as the balance of the own engine: the time step leaves it open.
+  BOOST_TEST(std::abs(last.energy_error) < 1e-3 * last.work);
+  BOOST_TEST((bytes_of(run) == bytes_of(simulation::run(bullet))));
+  BOOST_TEST((bytes_of(run) != bytes_of(simulation::run(short_case()))));
+}
+
 BOOST_AUTO_TEST_CASE(the_ledger_closes_after_every_step) {
   const auto closes = [](const simulation::Simulation& simulation, const simulation::StepReport&) {
     BOOST_REQUIRE(simulation.ledger().closes());

@@ -71,6 +71,7 @@ struct FailureSection {
 
 /// [contact]
 struct ContactSection {
+  ContactEngine engine = ContactEngine::kBrash;
   double restitution = 0.0;
   ContactArea area = ContactArea::kSurface;
   double margin = 0.005;

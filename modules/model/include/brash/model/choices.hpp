@@ -27,6 +27,11 @@ enum class ContactArea {
   kSurface,   ///< of the structure's surface inside the ice
   kProjected  ///< of the overlap in plan
 };
+/// [contact] engine: what finds the contacts of the bodies and solves them.
+enum class ContactEngine {
+  kBrash,  ///< exact overlaps and a bounded solver, without a history
+  kBullet  ///< Bullet as it is, with the crushing bound
+};
 /// [hydrodynamics] drag: where the velocity of Eq. 13 is taken.
 enum class DragLaw {
   kSurface,  ///< on each element of the wetted surface; the same law brakes rotation
@@ -66,6 +71,9 @@ inline constexpr auto kNames<CrackOrder> = std::to_array<Named<CrackOrder>>(
 template <>
 inline constexpr auto kNames<ContactArea> = std::to_array<Named<ContactArea>>({{ContactArea::kSurface, "surface"},
                                                                                {ContactArea::kProjected, "projected"}});
+template <>
+inline constexpr auto kNames<ContactEngine> = std::to_array<Named<ContactEngine>>({{ContactEngine::kBrash, "brash"},
+                                                                                   {ContactEngine::kBullet, "bullet"}});
 template <>
 inline constexpr auto kNames<DragLaw> = std::to_array<Named<DragLaw>>({{DragLaw::kSurface, "surface"},
                                                                        {DragLaw::kPaper, "paper"}});
