@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "bearing.hpp"
-
 namespace brash::simulation {
 namespace {
 
@@ -172,7 +170,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 }
 
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const model::Bearing& bearing) {
+                                           const Bearing& bearing) {
   const double h = model.ice.thickness;
   // A cantilever of the width h and the length l_c does not break under less.
   const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));

@@ -5,11 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "bearing.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/model/case.hpp"
-#include "brash/model/checkpoint.hpp"
+#include "brash/model/records.hpp"
 #include "brash/structure/cone.hpp"
 
 namespace brash::simulation {
@@ -64,6 +65,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 /// vertical part. Its length c is that of an even load with the same second moment about its middle, at least h: plate
 /// theory says nothing of less. docs/theory/simulation.md, (S1).
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const model::Bearing& bearing);
+                                           const Bearing& bearing);
 
 }  // namespace brash::simulation

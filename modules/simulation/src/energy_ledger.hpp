@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
@@ -43,14 +42,14 @@ class EnergyLedger {
   /// Fills the energies of a row.
   void report(const rigid_body::World& world, const FloePopulation& floes, model::LoadRow& row) const;
 
-  /// Calls `visit(name, sum)` for every sum, by its name in a checkpoint.
+  /// Every sum.
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
-    visit("work", self.work_);
-    visit("birth_energy", self.birth_);
-    visit("removed_energy", self.removed_);
-    model::EnergyLosses::visit([&](const char* cause, const char*, double model::EnergyLosses::*loss) {
-      visit(std::string("loss_") + cause, self.losses_.*loss);
+    visit("work", "J", "work of the structure", self.work_);
+    visit("birth_energy", "J", "energy of floes at their birth", self.birth_);
+    visit("removed_energy", "J", "energy of floes that were deleted or fixed", self.removed_);
+    model::EnergyLosses::visit([&](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
+      visit(cause, "J", meaning, self.losses_.*loss);
     });
   }
 

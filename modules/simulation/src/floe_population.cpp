@@ -6,7 +6,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "bearing.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/simulation/cone_of.hpp"
@@ -76,8 +75,8 @@ FloePopulation::FloePopulation(const model::Case& resolved)
   flow_.emplace(0.5 * cone.waterline_width, structure::displaced_volume(cone));
 }
 
-std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygon& polygon) const {
-  const std::vector<geometry::Ring> parts = geometry::convex_parts(polygon);
+std::optional<Pose> FloePopulation::complete(Floe& floe) const {
+  const std::vector<geometry::Ring> parts = geometry::convex_parts(floe.outline);
   const bool has_shape = std::ranges::any_of(
       parts, [&](const geometry::Ring& part) { return !geometry::inset(part, case_->contact.margin).empty(); });
   if (!has_shape) return std::nullopt;
@@ -86,26 +85,29 @@ std::optional<std::pair<Floe, Pose>> FloePopulation::make(const geometry::Polygo
   for (const geometry::Ring& part : parts) parts_in_metres.push_back(to_metres(part));
   const double h = case_->ice.thickness;
   const double mid_height = h * (0.5 - case_->ice.density / case_->water.density);
-  rigid_body::PlacedPrism placed = rigid_body::place_prism(rings_in_metres(polygon), parts_in_metres, h, mid_height);
+  rigid_body::PlacedPrism placed =
+      rigid_body::place_prism(rings_in_metres(floe.outline), parts_in_metres, h, mid_height);
 
-  Floe floe{.outline = polygon, .prism = std::move(placed.prism), .area = geometry::area(polygon)};
+  floe.prism = std::move(placed.prism);
+  floe.area = geometry::area(floe.outline);
   const double mass = case_->ice.density * h * floe.area.square_metres();
   floe.weight = mass * kGravity;
   floe.rest_potential = potential(floe, placed.pose, water_.density);
   floe.inertia = rigid_body::mass_properties(floe.prism, case_->ice.density, case_->hydrodynamics.added_mass);
   floe.collision_time = collision_time(*case_, mass);
-  return std::pair(std::move(floe), placed.pose);
+  return placed.pose;
 }
 
 std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, const geometry::Polygon& polygon,
                                                      double time) {
-  auto made = make(polygon);
-  if (!made) return std::nullopt;
-  auto& [floe, pose] = *made;
+  Floe floe;
+  floe.outline = polygon;
+  const std::optional<Pose> pose = complete(floe);
+  if (!pose) return std::nullopt;
   floe.id = next_id_++;
   model::FloeRecord record{
-      .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
-  const BodyId body = world.add_floe(floe.prism, floe.inertia, pose);
+      .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = *pose};
+  const BodyId body = world.add_floe(floe.prism, floe.inertia, *pose);
   insert(body, std::move(floe));
   return record;
 }
@@ -116,35 +118,62 @@ void FloePopulation::insert(BodyId body, Floe floe) {
   by_body_[body.index] = &kept;
   area_ += kept.area;
   weight_ += kept.weight;
-  if (kept.rest.settled != 0) add_up_settled();
+  if (kept.rest.settled) add_up_settled();
 }
 
-void FloePopulation::restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state) {
-  auto made = make(polygon);
-  BRASH_EXPECTS(made.has_value(), state.id);
-  Floe& floe = made->first;
-  floe.id = state.id;
-  floe.stress = state.stress;
-  floe.peak_compression = state.peak_compression;
-  floe.bearing = state.bearing;
-  floe.rest = state.rest;
-  floe.kept_drag = state.kept_drag;
-  const BodyId body = world.add_floe(floe.prism, floe.inertia, state.pose, state.twist);
-  if (floe.rest.settled != 0) {
-    floe.settled_height = raised(world, body, floe);
-    world.set_settled(body, true);
-    pushed_.push_back(body);  // after the last look, perhaps
+void FloePopulation::save(const rigid_body::World& world, model::Checkpoint& checkpoint) const {
+  model::Table floes{"floe", {}};
+  for (const auto& [body, floe] : floes_) {
+    model::SavedRow row(floes);
+    Floe::visit(floe, row);
+    const Pose pose = world.pose(body);
+    const Twist twist = world.twist(body);
+    model::visit_pose(pose, row);
+    model::visit_twist(twist, row);
   }
-  insert(body, std::move(floe));
+  model::Table pushes{"push", {}};
+  for (const auto& [pair, force] : pushes_.pairs()) {
+    const FloePush push{at(pair.first).id, at(pair.second).id, force};
+    model::SavedRow row(pushes);
+    FloePush::visit(push, row);
+  }
+  checkpoint.tables.push_back(std::move(floes));
+  checkpoint.tables.push_back(std::move(pushes));
+  model::save(checkpoint, "births", *this);
 }
 
-void FloePopulation::restore_push(std::int64_t id, std::int64_t other, Vec3 force) {
-  const auto body_of = [&](std::int64_t wanted) {
-    const auto found = std::ranges::find_if(floes_, [&](const auto& entry) { return entry.second.id == wanted; });
-    BRASH_EXPECTS(found != floes_.end(), wanted);
-    return found->first;
-  };
-  pushes_.restore(body_of(id), body_of(other), force);
+void FloePopulation::restore(rigid_body::World& world, const model::Checkpoint& checkpoint) {
+  const model::Table& floes = checkpoint.table("floe");
+  for (std::size_t i = 0; i < floes.n_rows(); ++i) {
+    Floe floe;
+    Pose pose;
+    Twist twist;
+    model::RestoredRow row(floes, i);
+    Floe::visit(floe, row);
+    model::visit_pose(pose, row);
+    model::visit_twist(twist, row);
+    BRASH_EXPECTS(complete(floe).has_value(), floe.id);
+    const BodyId body = world.add_floe(floe.prism, floe.inertia, pose, twist);
+    if (floe.rest.settled) {
+      floe.settled_height = raised(world, body, floe);
+      world.set_settled(body, true);
+      pushed_.push_back(body);  // after the last look, perhaps
+    }
+    insert(body, std::move(floe));
+  }
+  restore_pushes(checkpoint.table("push"));
+  model::restore(checkpoint, "births", *this);
+}
+
+void FloePopulation::restore_pushes(const model::Table& table) {
+  std::map<std::int64_t, BodyId> bodies;
+  for (const auto& [body, floe] : floes_) bodies[floe.id] = body;
+  for (std::size_t i = 0; i < table.n_rows(); ++i) {
+    FloePush push;
+    model::RestoredRow row(table, i);
+    FloePush::visit(push, row);
+    pushes_.restore(bodies.at(push.floe), bodies.at(push.other), push.force);
+  }
 }
 
 hydrodynamics::Water FloePopulation::water_at(Vec3 position, Vec2 structure) const {
@@ -260,14 +289,14 @@ void FloePopulation::woken(BodyId body, Floe& floe) {
 
 void FloePopulation::notice_let_go(const rigid_body::World& world) {
   for (const BodyId body : world.moving())
-    if (Floe& floe = at(body); floe.rest.settled != 0) woken(body, floe);
+    if (Floe& floe = at(body); floe.rest.settled) woken(body, floe);
 }
 
 /// In the order of the bodies, so that the sum does not depend on what came to rest when.
 void FloePopulation::add_up_settled() {
   settled_height_ = 0.0;
   for (const auto& [body, floe] : floes_)
-    if (floe.rest.settled != 0) settled_height_ += floe.settled_height;
+    if (floe.rest.settled) settled_height_ += floe.settled_height;
 }
 
 void FloePopulation::push(BodyId body, Vec3 change) {
@@ -295,11 +324,11 @@ double FloePopulation::settle(rigid_body::World& world, double astern) {
   double taken = 0.0;
   for (const BodyId body : moving) {
     Floe& floe = at(body);
-    model::Rest& rest = floe.rest;
+    Rest& rest = floe.rest;
     const double kinetic = world.kinetic_energy(body);
     rest.slow_for = kinetic <= slow_energy(floe) ? rest.slow_for + dt : 0.0;
     if (rest.slow_for < kSettleTime || world.bounds(body).second.x >= astern) continue;
-    rest = {.slow_for = 0.0, .settled = 1, .push = {}};
+    rest = {.slow_for = 0.0, .settled = true, .push = {}};
     floe.bearing = {};
     floe.drag = floe.skin_friction = {};
     floe.settled_height = raised(world, body, floe);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bearing.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/geometry/polygon.hpp"
 #include "brash/hydrodynamics/structure_flow.hpp"
@@ -21,10 +22,24 @@
 
 namespace brash::simulation {
 
+/// How near a floe is to rest, and what would end it.
+struct Rest {
+  double slow_for = 0.0;  ///< it has been slower than time.settle_speed for so long [s]
+  bool settled = false;   ///< it is fixed where it is
+  Vec3 push{};            ///< by how much the mean force of other floes on it has changed since it was settled [N]
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("slow_for", "s", "time since it became slow", self.slow_for);
+    visit("settled", "1", "whether it is fixed where it is", self.settled);
+    visit("push_", "N", "change of the mean force of other floes since it was settled", self.push);
+  }
+};
+
 /// Of one floe's contacts in one step.
 struct ContactSums {
   std::array<double, 6> dipole{};  ///< symmetric part of arm x force (xx, yy, zz, xy, yz, zx) [N m]
-  model::Bearing bearing{};        ///< on the sheet's edge
+  Bearing bearing{};               ///< on the sheet's edge
 };
 
 /// A free piece of ice.
@@ -40,8 +55,8 @@ struct Floe {
   /// Mean stress (xx, yy, zz, xy, yz, zx) from contact forces, averaged over T_col; tension positive [Pa].
   std::array<double, 6> stress{};
   double peak_compression = 0.0;  ///< [Pa]
-  model::Bearing bearing{};       ///< on the sheet's edge, averaged over T_col
-  model::Rest rest{};
+  Bearing bearing{};              ///< on the sheet's edge, averaged over T_col
+  Rest rest{};
   double settled_height = 0.0;  ///< potential energy against floating at rest while it is settled [J]
   KeptDrag kept_drag{};
   Wrench drag{};           ///< of the last step, form and rotational, about the centre of mass
@@ -49,18 +64,23 @@ struct Floe {
   ContactSums in_step{};   ///< of the last step, while it moves
   /// Where it was last asked what the floe displaces, and that.
   mutable std::optional<std::pair<Pose, hydrodynamics::Displacement>> wet{};
-};
 
-/// What changes of a floe after its birth.
-struct FloeState {
-  std::int64_t id = 0;
-  Pose pose;
-  Twist twist;
-  std::array<double, 6> stress{};
-  double peak_compression = 0.0;
-  model::Bearing bearing{};
-  model::Rest rest{};
-  KeptDrag kept_drag{};
+  /// What follows from nothing else.
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("id", "1", "floe_id of the floe", self.id);
+    visit("outline", "1", "outline where it broke off, sheet frame", self.outline);
+    visit("stress_xx", "Pa", "mean stress", self.stress[0]);
+    visit("stress_yy", "Pa", "mean stress", self.stress[1]);
+    visit("stress_zz", "Pa", "mean stress", self.stress[2]);
+    visit("stress_xy", "Pa", "mean stress", self.stress[3]);
+    visit("stress_yz", "Pa", "mean stress", self.stress[4]);
+    visit("stress_zx", "Pa", "mean stress", self.stress[5]);
+    visit("peak_stress", "Pa", "largest compression so far", self.peak_compression);
+    Bearing::visit(self.bearing, visit);
+    Rest::visit(self.rest, visit);
+    KeptDrag::visit(self.kept_drag, visit);
+  }
 };
 
 /// All floes present: births, water, the stress that decides about crushing, deaths.
@@ -71,11 +91,9 @@ class FloePopulation {
   /// Gives `polygon` a body at rest in the level ice. @return its record, or nothing when it is too thin for a body.
   std::optional<model::FloeRecord> add(rigid_body::World& world, const geometry::Polygon& polygon, double time);
 
-  /// Gives a floe of an earlier run its body back; in the order of their bodies there.
-  void restore(rigid_body::World& world, const geometry::Polygon& polygon, const FloeState& state);
-
-  /// Once all floes are restored: the mean force of the floe `other` on the floe `id` [N].
-  void restore_push(std::int64_t id, std::int64_t other, Vec3 force);
+  void save(const rigid_body::World& world, model::Checkpoint& checkpoint) const;
+  /// Gives the floes of an earlier run their bodies back.
+  void restore(rigid_body::World& world, const model::Checkpoint& checkpoint);
 
   /// Weight, buoyancy and drag on every floe for the next step (Eqs. 13, 14).
   /// @param structure  its centre on the waterplane [m]; the water gives way to it (hydrodynamics.structure_flow).
@@ -116,13 +134,17 @@ class FloePopulation {
   /// Of all floes together.
   const geometry::ExactArea& area() const { return area_; }
   double weight() const { return weight_; }  ///< [N]
-  const MeanPushes& pushes() const { return pushes_; }
   std::int64_t next_id() const { return next_id_; }
-  void set_next_id(std::int64_t id) { next_id_ = id; }
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("next_id", "1", "floe_id of the next floe", self.next_id_);
+  }
 
  private:
-  /// The floe broken off as `polygon` and where its body then is; nothing when it is too thin for a body.
-  std::optional<std::pair<Floe, Pose>> make(const geometry::Polygon& polygon) const;
+  /// Completes a floe that has its outline. @return where its body was born; nothing when it is too thin for a body.
+  std::optional<Pose> complete(Floe& floe) const;
+  void restore_pushes(const model::Table& table);
 
   /// The kinetic energy of a floe at time.settle_speed [J].
   double slow_energy(const Floe& floe) const;

@@ -28,7 +28,66 @@ geometry::ExactArea total(std::span<const geometry::Polygon> polygons) {
   return sum;
 }
 
+/// A polygon of the sheet.
+struct SheetPart {
+  geometry::Polygon outline;
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("outline", "1", "polygons of the ice sheet, sheet frame", self.outline);
+  }
+};
+
+/// The ledger's members, for a checkpoint.
+struct Accounts {
+  geometry::Ledger ledger;
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    auto& ledger = self.ledger;
+    visit("initial", "1", "twice the area at the start, squared grid units", ledger.initial);
+    visit("sheet", "1", "likewise of the sheet", ledger.sheet);
+    visit("floes", "1", "likewise of the floes", ledger.floes);
+    visit("crushed", "1", "likewise crushed by the structure", ledger.crushed);
+    visit("deleted", "1", "likewise of deleted floes", ledger.deleted);
+    visit("brash", "1", "likewise of pieces without a body", ledger.brash);
+    visit("snap", "1", "likewise moved by rounding to the grid", ledger.snap);
+    visit("n_rounded", "1", "crossings rounded to the grid", ledger.n_rounded);
+  }
+};
+
+std::vector<geometry::Polygon> saved_sheet(const model::Checkpoint& checkpoint) {
+  const model::Table& table = checkpoint.table("sheet");
+  std::vector<geometry::Polygon> polygons;
+  for (std::size_t i = 0; i < table.n_rows(); ++i) {
+    SheetPart part;
+    model::RestoredRow row(table, i);
+    SheetPart::visit(part, row);
+    polygons.push_back(std::move(part.outline));
+  }
+  return polygons;
+}
+
+geometry::Ledger saved_ledger(const model::Checkpoint& checkpoint) {
+  Accounts accounts;
+  model::restore(checkpoint, "ledger", accounts);
+  return accounts.ledger;
+}
+
 }  // namespace
+
+IceField::IceField(const model::Checkpoint& checkpoint) : IceField(saved_sheet(checkpoint), saved_ledger(checkpoint)) {}
+
+void IceField::save(model::Checkpoint& checkpoint) const {
+  model::Table table{"sheet", {}};
+  for (geometry::Polygon& polygon : sheet_.polygons()) {
+    const SheetPart part{std::move(polygon)};
+    model::SavedRow row(table);
+    SheetPart::visit(part, row);
+  }
+  checkpoint.tables.push_back(std::move(table));
+  model::save(checkpoint, "ledger", Accounts{ledger_});
+}
 
 IceField::IceField(double length, double width) : sheet_(rectangle(length, width)) {
   ledger_.initial = ledger_.sheet = sheet_.area();

@@ -5,6 +5,7 @@
 
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/ledger.hpp"
+#include "brash/model/checkpoint.hpp"
 #include "plan.hpp"
 
 namespace brash::simulation {
@@ -21,7 +22,8 @@ class IceField {
   /// A rectangle of level ice: x from 0 to `length`, |y| <= width/2 [m].
   IceField(double length, double width);
   /// The ice and the accounts of a run that goes on.
-  IceField(std::span<const geometry::Polygon> sheet, const geometry::Ledger& ledger);
+  explicit IceField(const model::Checkpoint& checkpoint);
+  void save(model::Checkpoint& checkpoint) const;
 
   const geometry::IceSheet& sheet() const { return sheet_; }
   const geometry::Ledger& ledger() const { return ledger_; }
@@ -43,6 +45,7 @@ class IceField {
   void floe_to_deleted(geometry::ExactArea area);
 
  private:
+  IceField(std::span<const geometry::Polygon> sheet, const geometry::Ledger& ledger);
   void book_cut(const geometry::Cut& cut);
   std::vector<geometry::Polygon> carve(const geometry::Polygon& piece, std::span<const geometry::Point> section);
 

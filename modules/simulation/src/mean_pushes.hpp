@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <utility>
@@ -10,6 +11,20 @@
 #include "brash/rigid_body/world.hpp"
 
 namespace brash::simulation {
+
+/// The mean force of the floe `other` on the floe `floe`, both by Floe::id [N].
+struct FloePush {
+  std::int64_t floe = 0;
+  std::int64_t other = 0;
+  Vec3 force{};
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("floe", "1", "floe_id of the pushed floe", self.floe);
+    visit("other", "1", "floe_id of the pushing floe", self.other);
+    visit("force_", "N", "mean force", self.force);
+  }
+};
 
 /// Mean forces between floes that touch, for what fixes floes and lets them go (docs/theory/simulation.md, (S2)).
 /// Nothing is known of a pair while both are settled: it keeps the mean that it had, and costs a step nothing.

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "brash/io/case.hpp"
 #include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
@@ -63,7 +62,6 @@ class TimedCriterion final : public failure::BendingCriterion {
 
 Simulation::Impl::Impl(const model::Case& c, IceField laid)
     : resolved(c),
-      resolved_toml(io::to_toml(c)),
       ice(ice_properties(c)),
       cone(cone_of(c)),
       criterion(std::make_unique<TimedCriterion>(make_criterion(c, ice), timer, times.failure)),

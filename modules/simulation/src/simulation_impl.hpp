@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "brash/model/checkpoint.hpp"
@@ -19,7 +18,6 @@ namespace brash::simulation {
 
 struct Simulation::Impl {
   model::Case resolved;
-  std::string resolved_toml;  ///< the case as a checkpoint holds it
   StageTimes times;
   StageTimer timer;
   failure::IceProperties ice;
@@ -41,6 +39,13 @@ struct Simulation::Impl {
   explicit Impl(const model::Case& c);
   /// Takes a run up where `checkpoint` left it.
   Impl(const model::Case& c, const model::Checkpoint& checkpoint);
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("n_steps", "1", "steps done", self.n_steps);
+    visit("n_breaks", "1", "random streams used", self.n_breaks);
+    visit("centre_", "m", "place of the structure", self.centre);
+  }
 
   double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
   Pose structure_pose() const { return {{centre.x, centre.y, 0.0}, {}}; }

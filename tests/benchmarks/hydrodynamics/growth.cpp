@@ -32,22 +32,11 @@ double allocated() {
   return static_cast<double>(heap.uordblks + heap.hblkhd);
 }
 
-model::GridRings rings_of(const geometry::Polygon& polygon) {
-  model::GridRings rings(1);
-  for (const geometry::Point& p : polygon.outline) rings[0].push_back({p.x, p.y});
-  return rings;
-}
-
 /// What Bullet's world needs of each floe.
-std::vector<model::CheckpointFloe> state(const Field& field) {
-  std::vector<model::CheckpointFloe> floes;
+std::vector<FloeThen> state(const Field& field) {
+  std::vector<FloeThen> floes;
   for (const auto& [body, floe] : field.floes.floes())
-    floes.push_back({.id = floe.id,
-                     .body = body,
-                     .rings = rings_of(floe.outline),
-                     .thickness = field.ice.ice.thickness,
-                     .pose = field.world.pose(body),
-                     .twist = field.world.twist(body)});
+    floes.push_back({floe.id, floe.outline, field.world.pose(body), field.world.twist(body)});
   return floes;
 }
 
@@ -65,7 +54,7 @@ void add(std::vector<double>& sums, const std::vector<double>& times) {
 /// Times of Bullet's steps from the state before each step of the program but the first.
 std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
   Field field(n_wanted, layers, {});
-  std::vector<std::vector<model::CheckpointFloe>> states;
+  std::vector<std::vector<FloeThen>> states;
   for (int i = 0; i <= n_steps; ++i) {
     states.push_back(state(field));
     field.floes.apply_water(field.world, kStep, {});

@@ -79,9 +79,9 @@ BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_rig
 }
 
 /// A floe that presses evenly on 2 m of the straight edge around y = 1, over a thousand points.
-model::Bearing even_bearing(double normal, double downward) {
+simulation::Bearing even_bearing(double normal, double downward) {
   constexpr int kPoints = 1000;
-  model::Bearing bearing;
+  simulation::Bearing bearing;
   for (int i = 0; i < kPoints; ++i) {
     rigid_body::ContactLoad contact;
     contact.point = {0.0, 2.0 * (i + 0.5) / kPoints, 0.0};
@@ -129,8 +129,8 @@ BOOST_AUTO_TEST_CASE(a_floe_that_hardly_presses_is_not_looked_at) {
 }
 
 BOOST_AUTO_TEST_CASE(a_mean_bearing_approaches_what_stays) {
-  model::Bearing mean;
-  const model::Bearing now = even_bearing(8e4, 3e4);
+  simulation::Bearing mean;
+  const simulation::Bearing now = even_bearing(8e4, 3e4);
   for (int i = 0; i < 3; ++i) simulation::approach(mean, now, 0.5);
   BOOST_TEST(mean.weight == 0.875 * now.weight, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(simulation::line_load(mean).length == 2.0, boost::test_tools::tolerance(1e-6));

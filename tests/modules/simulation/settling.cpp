@@ -131,18 +131,9 @@ BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_restored_goes_on_to_the_last_bit) {
   const BodyId comes = pool.add({-7, -1}, {-5, 1}, {{0.8, 0, 0}, {}});
   (void)advance(pool, 3.0);
   BOOST_REQUIRE(pool.world.is_settled(rests));
-  for (const auto& [body, floe] : pool.floes.floes())
-    restored.floes.restore(restored.world, floe.outline,
-                           {.id = floe.id,
-                            .pose = pool.world.pose(body),
-                            .twist = pool.world.twist(body),
-                            .stress = floe.stress,
-                            .peak_compression = floe.peak_compression,
-                            .bearing = floe.bearing,
-                            .rest = floe.rest,
-                            .kept_drag = floe.kept_drag});
-  for (const auto& [pair, force] : pool.floes.pushes().pairs())
-    restored.floes.restore_push(pool.floes.floes().at(pair.first).id, pool.floes.floes().at(pair.second).id, force);
+  model::Checkpoint checkpoint;
+  pool.floes.save(pool.world, checkpoint);
+  restored.floes.restore(restored.world, checkpoint);
   for (Pool* each : {&pool, &restored}) (void)advance(*each, 8.0);
   for (const BodyId floe : {rests, comes}) BOOST_TEST((pool.world.pose(floe) == restored.world.pose(floe)));
   BOOST_TEST(speed(pool, rests) > 0.0);
