@@ -33,11 +33,12 @@ const std::map<std::string, Room> kRooms{
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
+    {"ice", {"modules/ice", {"core", "geometry", "failure", "model", "statistics"}, {}}},
     {"io", {"modules/io", {"core", "geometry", "model"}, {"toml", "netcdf", "udunits", "json", "valijson"}}},
     {"report", {"modules/report", {"core", "model", "io", "statistics"}, {"json", "zlib"}}},
     {"simulation",
      {"modules/simulation",
-      {"core", "geometry", "failure", "rigid_body", "hydrodynamics", "structure", "model", "io", "statistics"},
+      {"core", "geometry", "failure", "ice", "rigid_body", "hydrodynamics", "structure", "model", "io", "statistics"},
       {"Eigen", "json"}}},
     {"campaign", {"modules/campaign", {"core", "model", "io", "simulation", "statistics"}, {"json"}}},
 };
