@@ -235,7 +235,7 @@ NOT_MEASURED = """- Siconos and Yade on the pack of 174 floes that ODE steps abo
 - why floes of large packs cost more time. Counted in instructions, a step over 1000 floes takes 1.05 of what 100 floes take for each of them, over
   10^4 floes 1.10: floes at a pack's rim have fewer neighbours, which makes 7 to 8 % of it, and Bullet's tree of boxes grows by its
   logarithm (`valgrind --tool=callgrind --toggle-collect='brash::rigid_body::World::step*'
-  --toggle-collect='brash::simulation::FloePopulation::apply_water(*' build/valgrind/bin/bench_growth 4 N`, built by `./dev build valgrind`). The rest is memory: the solver
+  --toggle-collect='brash::simulation::FloeWater::apply(*' build/valgrind/bin/bench_growth 4 N`, built by `./dev build valgrind`). The rest is memory: the solver
   goes in each of its 30 sweeps through 64 bytes for each contact point, 260 more for each of the third or less that bears, and beyond some
   hundred floes finds them no longer in a core's own cache; what other passes fetch from memory adds as much. How far that shows depends on
   the processor's caches and on who shares them. Bullet's own world grows more. Tried: blocks of contacts that fit the cache, rows in

@@ -8,14 +8,14 @@ namespace brash::simulation {
 namespace {
 
 /// The ice of `checkpoint`, once it is known to be of this case.
-IceField field_of(const model::Case& resolved, const model::Checkpoint& checkpoint) {
+ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkpoint) {
   if (checkpoint.resolved != resolved)
     throw InputError(Complaint{"the checkpoint",
                                "is of case \"" + checkpoint.resolved.name + "\" with other values than this one",
                                "a checkpoint of this case with the same values",
                                "resume with the case file and the --set options of the interrupted run, or start again "
                                "without --resume"});
-  return IceField(checkpoint);
+  return {resolved.field, ice_properties(resolved), checkpoint};
 }
 
 }  // namespace
@@ -24,8 +24,10 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
   model::restore(checkpoint, "progress", *this);
   model::restore(checkpoint, "energy", energy);
   world.set_state(structure_body, structure_pose(), {});
-  floes.restore(world, checkpoint);
-  for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // a settled one may be run into at once
+  floes.restore(world, field.level_ice(), checkpoint);
+  bearings.restore(floes, checkpoint);
+  sleep.restore(floes, checkpoint);
+  for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // one asleep may be run into at once
   begin_watch();
 }
 
@@ -35,6 +37,8 @@ model::Checkpoint Simulation::Impl::checkpoint() const {
   model::save(saved, "energy", energy);
   field.save(saved);
   floes.save(world, saved);
+  bearings.save(floes, saved);
+  sleep.save(floes, saved);
   return saved;
 }
 

@@ -122,9 +122,11 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact
 
 }  // namespace
 
-Freeboard freeboard(const model::Case& resolved) {
-  const double draft = resolved.ice.thickness * resolved.ice.density / resolved.water.density;
-  return {resolved.ice.thickness - draft, -draft};
+Freeboard freeboard(const model::Case& resolved) { return freeboard(resolved, resolved.ice.thickness); }
+
+Freeboard freeboard(const model::Case& resolved, double thickness) {
+  const double draft = thickness * resolved.ice.density / resolved.water.density;
+  return {thickness - draft, -draft};
 }
 
 failure::IceProperties ice_properties(const model::Case& resolved) {

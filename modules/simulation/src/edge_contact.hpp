@@ -24,6 +24,7 @@ struct EdgeContact {
   Vec3 force{};                        ///< on the structure [N], Eq. 15 with friction; none where a floe presses
   Vec3 point{};                        ///< where it acts [m]
   std::int64_t floe = model::kNoFloe;  ///< that presses
+  int level_ice = 0;                   ///< number of the level ice that it is the edge of
 };
 
 /// What the edge contacts depend on besides the sheet.
@@ -40,6 +41,8 @@ struct Freeboard {
   double bottom = 0.0;
 };
 Freeboard freeboard(const model::Case& resolved);
+/// Likewise of ice of another thickness [m].
+Freeboard freeboard(const model::Case& resolved, double thickness);
 
 /// Ice as the failure criterion sees it.
 failure::IceProperties ice_properties(const model::Case& resolved);

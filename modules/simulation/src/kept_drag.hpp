@@ -13,7 +13,7 @@ namespace brash::simulation {
 struct KeptDrag {
   hydrodynamics::Drag drag;
   Twist velocity{};   ///< against the water at which it was taken, body frame
-  double left = 0.0;  ///< how far the floe may go on with it [m]; at 0 it is taken anew in the next step
+  double left = 0.0;  ///< how far the floe may go on with it [m]; at 0 the drag is recomputed in the next step
 
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
@@ -34,7 +34,7 @@ struct KeptDrag {
   }
 
   /// A step of `dt` [s] in which the floe moves at `now` against the water, body frame.
-  /// @return the drag at that velocity; nothing when it is to be taken anew.
+  /// @return the drag at that velocity; nothing when it is to be recomputed.
   std::optional<hydrodynamics::Drag> follow(const rigid_body::MassProperties& mass, const Twist& now, double dt);
 };
 

@@ -36,7 +36,7 @@ double allocated() {
 std::vector<FloeThen> state(const Field& field) {
   std::vector<FloeThen> floes;
   for (const auto& [body, floe] : field.floes.floes())
-    floes.push_back({floe.id, floe.outline, field.world.pose(body), field.world.twist(body)});
+    floes.push_back({floe.id, floe.plate.outline().front(), field.world.pose(body), field.world.twist(body)});
   return floes;
 }
 
@@ -57,7 +57,7 @@ std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
   std::vector<std::vector<FloeThen>> states;
   for (int i = 0; i <= n_steps; ++i) {
     states.push_back(state(field));
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
     field.world.step(kStep);
   }
   BulletWorld bullet(field.ice);
@@ -77,7 +77,7 @@ StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
   StepTimes times;
   for (int i = 0; i <= n_steps; ++i) {
     const double start = process_seconds();
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
     const double between = process_seconds();
     field.world.step(kStep);
     if (i == 0) continue;
@@ -88,7 +88,7 @@ StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
   for (const auto& [body, floe] : field.floes.floes()) field.world.set_settled(body, true);
   for (int i = 0; i < n_steps; ++i) {
     const double start = process_seconds();
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
     field.world.step(kStep);
     times.settled.push_back(process_seconds() - start);
   }
