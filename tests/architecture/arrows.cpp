@@ -26,10 +26,10 @@ const std::map<std::string, Room> kRooms{
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
     {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json"}}},
     {"database", {"failure/database", {"core", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
-    {"failure", {"failure/criterion", {"core", "plate", "meta_model"}, {}}},
+    {"failure", {"failure/criterion", {"core", "model", "plate", "meta_model"}, {}}},
     {"model", {"modules/model", {"core", "geometry"}, {}}},
     {"structure", {"modules/structure", {"core"}, {}}},
-    {"hydrodynamics", {"modules/hydrodynamics", {"core"}, {}}},
+    {"hydrodynamics", {"modules/hydrodynamics", {"core", "model"}, {}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
@@ -38,9 +38,10 @@ const std::map<std::string, Room> kRooms{
     {"report", {"modules/report", {"core", "model", "io", "statistics"}, {"json", "zlib"}}},
     {"simulation",
      {"modules/simulation",
-      {"core", "geometry", "failure", "ice", "rigid_body", "hydrodynamics", "structure", "model", "io", "statistics"},
+      {"core", "geometry", "failure", "ice", "rigid_body", "hydrodynamics", "structure", "model", "statistics"},
       {"Eigen", "json"}}},
-    {"campaign", {"modules/campaign", {"core", "model", "io", "simulation", "statistics"}, {"json"}}},
+    {"recording", {"modules/recording", {"core", "model", "io", "simulation", "failure"}, {}}},
+    {"campaign", {"modules/campaign", {"core", "model", "io", "recording", "simulation", "statistics"}, {"json"}}},
 };
 
 /// How the include line of each third-party library begins.

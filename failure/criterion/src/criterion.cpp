@@ -16,6 +16,9 @@
 #include "criteria.hpp"
 
 namespace brash::failure {
+
+using model::FailureModel;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,7 +61,8 @@ std::string shipped(const std::string& name) {
 
 std::unique_ptr<BendingCriterion> superposition(const std::string& file, const IceProperties& ice,
                                                 const BendingOptions& options) {
-  return make_superposition_criterion(model_path("superposition", file), shipped("superposition_split"), ice, options);
+  return make_superposition_criterion(model_path(FailureModel::kSuperposition, file), shipped("superposition_split"),
+                                      ice, options);
 }
 
 /// The stress of a split sheet is screened by that of the whole one.
@@ -69,19 +73,19 @@ std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exa
                                  ice.flexural_strength / margin);
 }
 
-void refuse_options(const std::string& model, const std::string& file, const BendingOptions& options) {
-  const bool splits = model == "plate" || (model == "superposition" && file.empty());
-  if (options.radial_first && !splits) {
+void refuse_options(FailureModel model, const std::string& file, const BendingOptions& options) {
+  const model::FailureOptions takes = model::options_of(model, !file.empty());
+  if (options.radial_first && !takes.radial_first) {
     throw InputError(Complaint{"failure.order",
-                               fmt::format("= \"radial-first\" is not for failure.model = \"{}\"{}", model,
+                               fmt::format("= \"radial-first\" is not for failure.model = \"{}\"{}", name_of(model),
                                            file.empty() ? "" : " with a file"),
                                "failure.model = \"plate\", or \"superposition\" without failure.file",
                                "take one of these models, or \"circumferential-first\""});
   }
-  if (options.second_order && model != "superposition" && model != "plate" && model != "plate-outline") {
-    throw InputError(Complaint{"failure.second_order", fmt::format("= true is not for failure.model = \"{}\"", model),
-                               "failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
-                               "take one of these models, or false"});
+  if (options.second_order && !takes.second_order) {
+    throw InputError(Complaint{
+        "failure.second_order", fmt::format("= true is not for failure.model = \"{}\"", name_of(model)),
+        "failure.model = \"superposition\", \"plate\" or \"plate-outline\"", "take one of these models, or false"});
   }
 }
 
@@ -118,25 +122,31 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
   return {.horizontal = N, .mu1 = P / N, .mu2 = mu * across / N};
 }
 
-std::string model_path(const std::string& model, const std::string& file) {
-  if (model != "network" && model != "deep-network" && model != "superposition") return "";
+std::string model_path(FailureModel model, const std::string& file) {
+  if (!model::options_of(model, !file.empty()).file) return "";
   if (!file.empty()) return file;
-  return shipped(model);
+  return shipped(std::string(name_of(model)));
 }
 
-std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
-                                                 const IceProperties& ice, const BendingOptions& options) {
+std::unique_ptr<BendingCriterion> make_criterion(FailureModel model, const std::string& file, const IceProperties& ice,
+                                                 const BendingOptions& options) {
   expect_valid(ice);
   refuse_options(model, file, options);
-  if (model == "network" || model == "deep-network") return make_network_criterion(model_path(model, file), ice);
-  if (model == "superposition") return superposition(file, ice, options);
-  if (model == "plate") return screened(make_plate_criterion(ice, options), ice, options, kPlateMargin);
-  if (model == "plate-outline") {
-    return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);
+  switch (model) {
+    case FailureModel::kNetwork:
+    case FailureModel::kDeepNetwork:
+      return make_network_criterion(model_path(model, file), ice);
+    case FailureModel::kSuperposition:
+      return superposition(file, ice, options);
+    case FailureModel::kPlate:
+      return screened(make_plate_criterion(ice, options), ice, options, kPlateMargin);
+    case FailureModel::kPlateOutline:
+      return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);
+    case FailureModel::kWedge:
+      return make_wedge_criterion(ice);
   }
-  if (model == "wedge") return make_wedge_criterion(ice);
-  throw InputError(Complaint{"failure.model", fmt::format("= \"{}\" is not known", model),
-                             "network, deep-network, superposition, plate, plate-outline, wedge", "take one of these"});
+  BRASH_EXPECTS(false, static_cast<int>(model));
+  return nullptr;
 }
 
 }  // namespace brash::failure

@@ -60,7 +60,8 @@ class SuperpositionResponse final : public ResponseModel {
 
 std::unique_ptr<ResponseModel> make_response_model(const std::string& model) {
   if (model == "fem") return std::make_unique<PlateResponse>();
-  const std::string shipped = model_path(model, "");
+  const auto known = model::named<model::FailureModel>(model);
+  const std::string shipped = known ? model_path(*known, "") : "";
   const std::string file = shipped.empty() ? model : shipped;
   if (std::error_code ignored; shipped.empty() && !std::filesystem::exists(model, ignored)) {
     throw InputError(Complaint{"model '" + model + "'", "neither a model of this name nor such a file is there",

@@ -9,7 +9,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
-#include "brash/simulation/run.hpp"
+#include "brash/recording/recording.hpp"
 
 namespace brash::campaign {
 namespace {
@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 /// How long a case waits for an earlier process that still writes its checkpoint [s].
 constexpr double kPatience = 10.0;
 
-simulation::Kept kept(const std::string& keep) {
-  if (keep == "summary") return simulation::Kept::kSummary;
-  return keep == "history" ? simulation::Kept::kHistory : simulation::Kept::kRun;
+recording::Kept kept(const std::string& keep) {
+  if (keep == "summary") return recording::Kept::kSummary;
+  return keep == "history" ? recording::Kept::kHistory : recording::Kept::kRun;
 }
 
 /// Removes a checkpoint that cannot be gone on from: the case begins again.
@@ -68,9 +68,10 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
   const std::string checkpoint = partial + "/checkpoint.nc";
   remove_if_damaged(checkpoint);
   const simulation::Run run = simulation::run(
-      resolved, {.observer = {}, .checkpoint_file = checkpoint, .resume = true, .interrupted = interrupted});
+      resolved,
+      {.observer = {}, .checkpoint = recording::checkpoint_file(checkpoint, true), .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;
-  simulation::write_run(partial, task.case_file, resolved, run, {}, kept(task.keep));
+  recording::write_run(partial, task.case_file, resolved, run, {}, kept(task.keep));
   fs::remove(checkpoint);
   publish(partial, task.folder);
   return CaseEnd::kDone;

@@ -34,7 +34,7 @@ tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(co
 
 tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const model::Case& c,
                                                                           standards::Yield yield) {
-  const bool downward = c.structure.breaking == "downward";
+  const bool downward = c.structure.breaking == model::Breaking::kDownward;
   const double slope_height =
       downward ? c.structure.height_under_water : c.structure.height - c.structure.height_under_water;
   standards::RalstonInput input;
@@ -114,7 +114,7 @@ ordered_json croasdale_json(const model::Case& c) {
 
 ordered_json ralston_json(const model::Case& c, standards::Yield yield) {
   const std::string method =
-      fmt::format("plastic cone, {} breaking, {}", c.structure.breaking,
+      fmt::format("plastic cone, {} breaking, {}", model::name_of(c.structure.breaking),
                   yield == standards::Yield::kTresca ? "Tresca (Y = 2.711)" : "Johansen (Y = 3.422)");
   constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Ralston)";
   const auto load = ralston_of(c, yield);

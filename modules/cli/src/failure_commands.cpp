@@ -178,7 +178,7 @@ void train_deep_network(const std::string& plan_file, const std::string& test_fi
         plan_file));
   }
   const database::Database test = database::read_database(test_file);
-  const std::string teacher = failure::model_path("superposition", "");
+  const std::string teacher = failure::model_path(model::FailureModel::kSuperposition, "");
   options.thickness_over_lc = plan.thickness_over_lc.from;
   options.data_sha256 = sha256_of_file(teacher);
   const auto samples = hump_samples(plan, meta_model::ProfileModel::read(teacher));

@@ -9,8 +9,7 @@
 namespace brash::cli {
 
 /// Runs a case as `options` say, with a line of progress on a terminal. Ctrl-C, a terminal that closes, or a request to
-/// end stops it after its step and, where `checkpoint_file` is not empty, keeps a checkpoint; the run is then not
-/// complete.
+/// end stops it after its step and, where there is a store, keeps a checkpoint; the run is then not complete.
 simulation::Run run_with_progress(const model::Case& resolved, simulation::RunOptions options);
 
 }  // namespace brash::cli

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "brash/io/case.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
@@ -37,7 +38,8 @@ void run_case(const RunOptions& options) {
   if (options.resume && !std::filesystem::exists(checkpoint))
     fmt::print(stderr, "warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   const simulation::Run run = run_with_progress(
-      resolved, {.begun = [&] { remove_run(directory); }, .checkpoint_file = checkpoint, .resume = options.resume});
+      resolved,
+      {.begun = [&] { remove_run(directory); }, .checkpoint = recording::checkpoint_file(checkpoint, options.resume)});
   if (!run.complete)
     throw Interrupted(
         fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,

@@ -5,6 +5,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/report/plan_view.hpp"
 #include "brash/report/report.hpp"
 #include "closed_forms.hpp"
@@ -39,14 +40,14 @@ FolderLock open_run_folder(const std::string& directory) {
 }
 
 void remove_run(const std::string& directory) {
-  simulation::remove_results(directory);
+  recording::remove_results(directory);
   for (const char* const name : {"report.html", "plan.svg"}) fs::remove(fs::path(directory) / name);
 }
 
 void write_run_folder(const std::string& directory, const std::string& case_file, const model::Case& resolved,
                       const simulation::Run& run) {
   write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
-  simulation::write_run(directory, case_file, resolved, run, {"plan.svg"});
+  recording::write_run(directory, case_file, resolved, run, {"plan.svg"});
   if (report::has_page()) write_report(directory);
 }
 

@@ -28,6 +28,10 @@ SettingValue value_of(bool value) { return {value ? "1" : "0", value ? 1.0 : 0.0
 SettingValue value_of(int value) { return {std::to_string(value), value}; }
 SettingValue value_of(std::uint64_t value) { return {std::to_string(value), static_cast<double>(value)}; }
 SettingValue value_of(const std::string& value) { return {value, {}}; }
+template <model::Choice Choice>
+SettingValue value_of(Choice value) {
+  return {std::string(model::name_of(value)), {}};
+}
 SettingValue value_of(const Vec2& value) { return {fmt::format("{} {}", value.x, value.y), {}}; }
 SettingValue value_of(const std::array<int, 2>& value) { return {fmt::format("{} {}", value[0], value[1]), {}}; }
 SettingValue value_of(const std::optional<double>& value) { return value ? value_of(*value) : SettingValue{}; }

@@ -16,6 +16,10 @@ std::string value_as_toml(double value) { return toml_number(value); }
 std::string value_as_toml(int value) { return std::to_string(value); }
 std::string value_as_toml(bool value) { return value ? "true" : "false"; }
 std::string value_as_toml(const std::string& value) { return toml_string(value); }
+template <model::Choice Choice>
+std::string value_as_toml(Choice value) {
+  return toml_string(std::string(model::name_of(value)));
+}
 std::string value_as_toml(const Vec2& value) {
   return fmt::format("[{}, {}]", toml_number(value.x), toml_number(value.y));
 }

@@ -62,7 +62,7 @@ void check_cone(const model::Case& c, Checks& checks) {
   if (above_water <= 0.0) return;
 
   // The narrow end: the keel when downward-breaking, the top when upward-breaking.
-  const bool downward = s.breaking == "downward";
+  const bool downward = s.breaking == model::Breaking::kDownward;
   const double to_narrow_end = downward ? s.height_under_water : above_water;
   const double narrow_width = s.waterline_width - 2.0 * to_narrow_end / std::tan(s.angle);
   checks.require(narrow_width > 0.0, {"structure", "waterline_width"}, {"structure", "angle"},
@@ -142,15 +142,14 @@ void check_rest(const model::Case& c, Checks& checks) {
                  {"time", "duration"}, "the statistics would begin after the run",
                  fmt::format("less than time.duration = {} s", c.time.duration),
                  "lower output.statistics_from or raise time.duration");
-  const bool radial_first = c.failure.order == "radial-first";
-  const bool splits = c.failure.model == "plate" || (c.failure.model == "superposition" && c.failure.file.empty());
-  checks.require(!radial_first || splits, {"failure", "order"}, {"failure", "model"},
-                 fmt::format("the model {} cannot split the sheet", c.failure.model),
+  const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
+  const std::string_view name = model::name_of(c.failure.model);
+  checks.require(c.failure.order != model::CrackOrder::kRadialFirst || takes.radial_first, {"failure", "order"},
+                 {"failure", "model"}, fmt::format("the model {} cannot split the sheet", name),
                  "radial-first with failure.model = \"plate\", or \"superposition\" without failure.file",
                  "take one of these models, or circumferential-first");
-  const bool compresses = splits || c.failure.model == "superposition" || c.failure.model == "plate-outline";
-  checks.require(!c.failure.second_order || compresses, {"failure", "second_order"}, {"failure", "model"},
-                 fmt::format("the model {} is of first order", c.failure.model),
+  checks.require(!c.failure.second_order || takes.second_order, {"failure", "second_order"}, {"failure", "model"},
+                 fmt::format("the model {} is of first order", name),
                  "true with failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
                  "take one of these models, or false");
   std::error_code ignored;

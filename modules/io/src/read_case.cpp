@@ -18,6 +18,13 @@ template <typename Value>
 void assign(Value& value, const Json& section, const char* key) {
   section.at(key).get_to(value);
 }
+template <model::Choice Choice>
+void assign(Choice& value, const Json& section, const char* key) {
+  const auto text = section.at(key).get<std::string>();
+  const auto known = model::named<Choice>(text);
+  BRASH_EXPECTS(known.has_value(), key, text);  // the schema has the same names
+  value = *known;
+}
 void assign(Vec2& value, const Json& section, const char* key) {
   value = {section.at(key).at(0).get<double>(), section.at(key).at(1).get<double>()};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brash/core/constants.hpp"
+#include "brash/core/error.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/failure/response_model.hpp"
 #include "case.hpp"
@@ -186,6 +187,12 @@ each row, about a third of a second), or the path of a model file.
           "(left out: that of the training rows; 0.1 for the plate). Returns a Response.");
 }
 
+model::FailureModel model_named(const std::string& name) {
+  if (const auto known = model::named<model::FailureModel>(name)) return *known;
+  throw InputError(Complaint{"model '" + name + "'", "is no failure model",
+                             "network, deep-network, superposition, plate, plate-outline, wedge", "take one of these"});
+}
+
 void add_criterion(py::module_& m) {
   const py::object assessment =
       named_tuple(m, "Assessment", "fails sigma_max breaking_length in_range",
@@ -197,9 +204,9 @@ model: network, deep-network, superposition, plate, plate-outline or wedge; left
       .def(py::init([](const Case& c, const py::object& model) {
              const model::FailureSection& section = c.resolved.failure;
              const failure::BendingOptions options{.second_order = section.second_order,
-                                                   .radial_first = section.order == "radial-first"};
+                                                   .radial_first = section.order == model::CrackOrder::kRadialFirst};
              if (model.is_none()) return failure::make_criterion(section.model, section.file, ice_of(c), options);
-             return failure::make_criterion(model.cast<std::string>(), "", ice_of(c));
+             return failure::make_criterion(model_named(model.cast<std::string>()), "", ice_of(c));
            }),
            py::arg("case"), py::arg("model") = py::none())
       .def(

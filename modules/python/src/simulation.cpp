@@ -97,8 +97,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume) {
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
   simulation::RunOptions options;
-  if (!directory.empty()) options.checkpoint_file = directory + "/checkpoint.nc";
-  options.resume = resume;
+  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume);
   options.begun = [&] {
     if (!directory.empty()) cli::remove_run(directory);
   };

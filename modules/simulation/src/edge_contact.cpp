@@ -82,7 +82,8 @@ std::vector<Vec2> outline_of(const geometry::IceSheet& sheet, const geometry::Co
 void load_contact(const EdgeModel& model, EdgeContact& contact) {
   const model::Case& c = model.resolved;
   const double plan_area = geometry::area(contact.region.overlap).square_metres();
-  const double area = c.contact.area == "projected" ? plan_area : plan_area / std::cos(c.structure.angle);
+  const double area =
+      c.contact.area == model::ContactArea::kProjected ? plan_area : plan_area / std::cos(c.structure.angle);
   const double normal_force = failure::crushing_force(model.ice, area);
 
   const Vec2 normal = contact.region.normal;
@@ -144,7 +145,7 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
   const model::FailureSection& section = resolved.failure;
   return failure::make_criterion(
       section.model, section.file, ice,
-      {.second_order = section.second_order, .radial_first = section.order == "radial-first"});
+      {.second_order = section.second_order, .radial_first = section.order == model::CrackOrder::kRadialFirst});
 }
 
 geometry::Ring leading_section(const EdgeModel& model, Vec2 centre) {

@@ -53,8 +53,7 @@ std::optional<Pose> FloePopulation::complete(Floe& floe) const {
   return placed.pose;
 }
 
-std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, ice::Plate&& plate,
-                                                     double time) {
+std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, ice::Plate&& plate, double time) {
   Floe floe{.id = next_id_, .plate = std::move(plate)};
   const std::optional<Pose> pose = complete(floe);
   if (!pose) {

@@ -11,7 +11,7 @@ using hydrodynamics::DragLaw;
 /// Water::shading_gap of a case [m].
 double shading_gap(const model::Case& resolved) {
   const model::HydrodynamicsSection& h = resolved.hydrodynamics;
-  return h.shading && h.drag == "surface" ? h.shading_gap * resolved.ice.thickness : 0.0;
+  return h.shading && h.drag == DragLaw::kSurface ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
 /// Applies weight and the load of `water` to a floe that has `drag` at its velocity.
@@ -37,7 +37,7 @@ FloeWater::FloeWater(const model::Case& resolved)
     : case_(&resolved),
       water_{.density = resolved.water.density,
              .current = {resolved.water.current.x, resolved.water.current.y, 0.0},
-             .drag_law = resolved.hydrodynamics.drag == "paper" ? DragLaw::kPaper : DragLaw::kSurface,
+             .drag_law = resolved.hydrodynamics.drag,
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction,

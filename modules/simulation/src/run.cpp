@@ -7,13 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 #include <new>
 #include <optional>
 #include <stdexcept>
 
 #include "brash/core/error.hpp"
-#include "brash/io/checkpoint.hpp"
 #include "plan.hpp"
 #include "stage_timer.hpp"
 #include "summarise.hpp"
@@ -116,20 +114,20 @@ struct Progress {
 constexpr std::int64_t kStepsAgain = 100;
 
 Progress begin(const model::Case& resolved, const RunOptions& options) {
-  if (!options.resume || !std::filesystem::exists(options.checkpoint_file)) {
+  std::optional<model::Checkpoint> saved = options.checkpoint.newest ? options.checkpoint.newest() : std::nullopt;
+  if (!saved) {
     Simulation simulation(resolved);
     Recorder recorder(resolved, simulation);
     return {std::move(simulation), std::move(recorder), {}};
   }
-  model::Checkpoint saved = io::read_checkpoint(options.checkpoint_file);
   try {
-    Progress progress{Simulation(resolved, saved), Recorder(resolved, std::move(saved.results)), {}};
-    model::restore(saved, "counts", progress.counts);
+    Progress progress{Simulation(resolved, *saved), Recorder(resolved, std::move(saved->results)), {}};
+    model::restore(*saved, "counts", progress.counts);
     return progress;
   } catch (const InputError& error) {
-    throw InputError(options.checkpoint_file + ": " + error.what());
+    throw InputError(options.checkpoint.name + ": " + error.what());
   } catch (const std::logic_error& error) {  // a value that is missing, or a body that cannot be
-    throw InputError(Complaint{options.checkpoint_file, std::string("holds no state of a run: ") + error.what(),
+    throw InputError(Complaint{options.checkpoint.name, std::string("holds no state of a run: ") + error.what(),
                                "a checkpoint that this version of the program wrote",
                                "use an older checkpoint, or start the run again"});
   }
@@ -144,10 +142,10 @@ bool may_take_checkpoint(const Progress& progress) {
          kCheckpointShare * seconds_since(progress.begun);
 }
 
-void keep_checkpoint(const std::string& file, model::Checkpoint saved, const Progress& progress) {
+void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, const Progress& progress) {
   saved.results = progress.recorder.so_far();
   model::save(saved, "counts", progress.counts);
-  io::write_checkpoint(file, saved);
+  store.keep(saved);
 }
 
 void count(RunSummary& counts, const StepReport& report) {
@@ -164,15 +162,15 @@ void count(RunSummary& counts, const StepReport& report) {
 /// it to the bit. @return what to say of it.
 std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
                             std::int64_t n_steps) {
-  if (options.checkpoint_file.empty()) return {};
+  if (!options.checkpoint.keep) return {};
   try {
     Simulation again(resolved, progress.known.value());
     for (std::int64_t n = progress.known_steps; n < n_steps; ++n) static_cast<void>(again.step());
-    keep_checkpoint(options.checkpoint_file, again.checkpoint(), progress);
+    keep_checkpoint(options.checkpoint, again.checkpoint(), progress);
   } catch (const std::exception& error) {
     return fmt::format("\n  the state before it could not be kept: {}", error.what());
   }
-  return "\n  remedy:  the last good state is in " + options.checkpoint_file + ": --resume repeats the step";
+  return "\n  remedy:  the last good state is in " + options.checkpoint.name + ": --resume repeats the step";
 }
 
 /// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
@@ -207,9 +205,9 @@ bool advance(const model::Case& resolved, const RunOptions& options, Progress& p
     if (options.observer) options.observer(progress.simulation, report);
     const bool interrupted = options.interrupted && options.interrupted();
     const bool due = checkpoint_every > 0 && done % checkpoint_every == 0 && may_take_checkpoint(progress);
-    if (!options.checkpoint_file.empty() && (due || interrupted)) {
+    if (options.checkpoint.keep && (due || interrupted)) {
       const Clock::time_point start = Clock::now();
-      keep_checkpoint(options.checkpoint_file, progress.simulation.checkpoint(), progress);
+      keep_checkpoint(options.checkpoint, progress.simulation.checkpoint(), progress);
       progress.last_checkpoint_seconds = seconds_since(start);
       progress.checkpoint_seconds += progress.last_checkpoint_seconds;
     }

@@ -61,7 +61,7 @@ std::vector<std::string> thickness_warnings(const model::Case& c, double thickne
   return {
       fmt::format("failure.model = {} was trained with h/l_c = {:.3g}, and this ice has {:.3g}: take superposition, "
                   "which knows h/l_c, or train a network for this ice",
-                  c.failure.model, *trained, thickness_over_lc)};
+                  model::name_of(c.failure.model), *trained, thickness_over_lc)};
 }
 
 /// A run is a whole number of steps long, the one nearest to its duration.

@@ -40,7 +40,7 @@ failure::LoadCase load_case(std::size_t i, double l_c) {
 }
 
 /// A network over range(0) rows in one call.
-void network_rows(benchmark::State& state, const std::string& model) {
+void network_rows(benchmark::State& state, model::FailureModel model) {
   const auto network = meta_model::read_network(failure::model_path(model, ""));
   std::vector<meta_model::Input> inputs;
   for (std::size_t i = 0; i < static_cast<std::size_t>(state.range(0)); ++i) inputs.push_back(network->clamp(input(i)));
@@ -51,21 +51,23 @@ void network_rows(benchmark::State& state, const std::string& model) {
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
-BENCHMARK_CAPTURE(network_rows, network, "network")->Arg(1'000'000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(network_rows, deep_network, "deep-network")->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(network_rows, network, model::FailureModel::kNetwork)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(network_rows, deep_network, model::FailureModel::kDeepNetwork)
+    ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond);
 
 /// One assessment, as a contact asks for it.
-void assess(benchmark::State& state, const std::string& model) {
+void assess(benchmark::State& state, model::FailureModel model) {
   const auto criterion = failure::make_criterion(model, "", kIce);
   const double l_c = failure::characteristic_length(kIce);
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(criterion->assess(load_case(i++, l_c)));
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK_CAPTURE(assess, network, "network");
-BENCHMARK_CAPTURE(assess, deep_network, "deep-network");
-BENCHMARK_CAPTURE(assess, wedge, "wedge");
-BENCHMARK_CAPTURE(assess, superposition, "superposition")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(assess, network, model::FailureModel::kNetwork);
+BENCHMARK_CAPTURE(assess, deep_network, model::FailureModel::kDeepNetwork);
+BENCHMARK_CAPTURE(assess, wedge, model::FailureModel::kWedge);
+BENCHMARK_CAPTURE(assess, superposition, model::FailureModel::kSuperposition)->Unit(benchmark::kMicrosecond);
 
 /// The plate itself (`--model fem`).
 void fem_row(benchmark::State& state) {

@@ -56,7 +56,7 @@ Times run(const model::Case& c, double seconds) {
                              .waterline_width = c.structure.waterline_width,
                              .height = c.structure.height,
                              .height_under_water = c.structure.height_under_water,
-                             .downward_breaking = c.structure.breaking == "downward",
+                             .downward_breaking = c.structure.breaking == model::Breaking::kDownward,
                              .facets = c.structure.facets};
   bullet.add_structure(structure::hull(cone), structure_at(0));
   const simulation::DerivedScales slab = simulation::derived_scales(c);

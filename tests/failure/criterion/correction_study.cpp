@@ -38,7 +38,8 @@ int main(int argc, char** argv) {
   const IceProperties ice{
       .thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
   const BendingOptions options{.second_order = std::atoi(argv[2]) == 1, .radial_first = std::atoi(argv[3]) == 1};
-  const auto fast = make_criterion("superposition", "", ice, options), exact = make_criterion("plate", "", ice, options);
+  const auto fast = make_criterion(model::FailureModel::kSuperposition, "", ice, options),
+             exact = make_criterion(model::FailureModel::kPlate, "", ice, options);
   const double l_c = characteristic_length(ice);
   std::mt19937_64 random(1);
   const auto uniform = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
@@ -54,8 +55,8 @@ int main(int argc, char** argv) {
     load = at_break(*fast, load);
     const Assessment a = fast->assess(load), b = exact->assess(load);
     const double error = b.buckled != a.buckled ? 1.0 : std::abs(a.sigma_max / b.sigma_max - 1.0);
-    std::printf("b %.3f c %.3f theta %5.1f p %.3f MPa  %.1f %.1f kPa  %.3f %.3f l_c  %s%s  %.2f %%\n", load.depth / l_c, c,
-                load.angle / brash::radians(1.0), load.pressure / 1e6, a.sigma_max / 1e3, b.sigma_max / 1e3,
+    std::printf("b %.3f c %.3f theta %5.1f p %.3f MPa  %.1f %.1f kPa  %.3f %.3f l_c  %s%s  %.2f %%\n", load.depth / l_c,
+                c, load.angle / brash::radians(1.0), load.pressure / 1e6, a.sigma_max / 1e3, b.sigma_max / 1e3,
                 a.breaking_length / l_c, b.breaking_length / l_c, a.split ? "split" : "whole", b.split ? "" : "/whole",
                 100.0 * error);
     stress.push_back(error);

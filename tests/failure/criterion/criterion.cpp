@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_vertical_wall_met_squarely_has_no_friction) {
 
 BOOST_AUTO_TEST_CASE(the_network_criterion_scales_by_equation_19) {
   const ModelFile model;
-  const auto criterion = make_criterion("network", model.file, ice());
+  const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, ice());
   const double l_c = characteristic_length(ice());
   const Assessment a = criterion->assess(load());
   const double expected = 4.0 * 0.511 * (0.5 / l_c) * 3e5 * 0.1 / (0.33 / l_c);
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(the_network_criterion_scales_by_equation_19) {
 
 BOOST_AUTO_TEST_CASE(failure_is_the_stress_above_the_flexural_strength) {
   const ModelFile model;
-  const auto criterion = make_criterion("network", model.file, ice());
+  const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, ice());
   LoadCase l = load();
   const double at_failure = l.pressure * 539e3 / criterion->assess(l).sigma_max;
   l.pressure = 0.999 * at_failure;
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(failure_is_the_stress_above_the_flexural_strength) {
 
 BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_keeps_its_force) {
   const ModelFile model;
-  const auto criterion = make_criterion("network", model.file, ice());
+  const auto criterion = make_criterion(model::FailureModel::kNetwork, model.file, ice());
   LoadCase l = load();
   l.contact_length = 0.1 * characteristic_length(ice());
   const double at_edge = criterion->assess(l).sigma_max;
@@ -139,15 +139,15 @@ BOOST_AUTO_TEST_CASE(inputs_outside_the_range_are_flagged_and_a_small_contact_ke
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_file_means_the_model_of_the_program_or_of_the_environment) {
-  BOOST_TEST(model_path("network", "mine.json") == "mine.json");
-  BOOST_TEST(model_path("plate", "") == "");
+  BOOST_TEST(model_path(model::FailureModel::kNetwork, "mine.json") == "mine.json");
+  BOOST_TEST(model_path(model::FailureModel::kPlate, "") == "");
   ::unsetenv("BRASH_MODEL_PATH");
-  BOOST_TEST(model_path("network", "") ==
+  BOOST_TEST(model_path(model::FailureModel::kNetwork, "") ==
              std::string(BRASH_SOURCE_DIR) + "/experiments/failure_database/cone_network.json");
   const ModelFile model;
   ::setenv("BRASH_MODEL_PATH", model.folder.c_str(), 1);
-  BOOST_TEST(model_path("network", "") == model.file.string());
-  BOOST_TEST(make_criterion("network", "", ice())->assess(load()).sigma_max > 0.0);
+  BOOST_TEST(model_path(model::FailureModel::kNetwork, "") == model.file.string());
+  BOOST_TEST(make_criterion(model::FailureModel::kNetwork, "", ice())->assess(load()).sigma_max > 0.0);
   ::unsetenv("BRASH_MODEL_PATH");
 }
 
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(the_wedge_is_the_solved_tapered_beam) {
   const double solved[][3] = {{0.002, 1.021436, 0.142445}, {0.02, 1.103970, 0.305157},   {0.1, 1.340142, 0.500775},
                               {0.4, 2.058701, 0.716854},   {1.0, 3.405134, 0.857379},    {3.0, 7.808851, 0.987608},
                               {12.0, 27.546300, 1.072527}, {200.0, 439.874885, 1.108233}};
-  const auto criterion = make_criterion("wedge", "", ice());
+  const auto criterion = make_criterion(model::FailureModel::kWedge, "", ice());
   const double l = characteristic_length(ice()) * std::pow(1.0 - 0.3 * 0.3, 0.25);
   for (const auto& [alpha, F, place] : solved) {
     LoadCase wedge = load();
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(the_wedge_is_the_solved_tapered_beam) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wedge_without_an_angle_is_hetenyis_strip) {
-  const auto criterion = make_criterion("wedge", "", ice());
+  const auto criterion = make_criterion(model::FailureModel::kWedge, "", ice());
   LoadCase strip = load();
   strip.angle = 0.0;
   const Assessment a = criterion->assess(strip);
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(the_plate_criterion_is_the_direct_solve) {
       plate::solve({.depth = 1.0 / l_c, .contact_length = 0.5 / l_c, .angle = radians(60.0), .thickness = 0.33 / l_c});
   BOOST_REQUIRE(profiles);
   const plate::Response r = plate::respond(*profiles, 0.33 / l_c, 0.511, 0.01);
-  const Assessment a = make_criterion("plate", "", ice())->assess(load());
+  const Assessment a = make_criterion(model::FailureModel::kPlate, "", ice())->assess(load());
   BOOST_TEST(a.sigma_max == r.sigma_over_p * 3e5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(a.breaking_length == r.lbreak_over_lc * l_c, boost::test_tools::tolerance(1e-12));
 }
@@ -227,8 +227,8 @@ BOOST_AUTO_TEST_CASE(the_superposition_is_the_plate_at_a_solved_geometry_for_eve
   meta_model::ProfileModel::fit(samples, "none").write(file);
   for (const bool second_order : {false, true}) {
     const BendingOptions options{.second_order = second_order};
-    const auto superposition = make_criterion("superposition", file, ice(), options),
-               plate = make_criterion("plate", "", ice(), options);
+    const auto superposition = make_criterion(model::FailureModel::kSuperposition, file, ice(), options),
+               plate = make_criterion(model::FailureModel::kPlate, "", ice(), options);
     for (const double mu1 : {0.3, 1.5}) {
       const meta_model::Geometry& g = samples[7].geometry;
       const LoadCase at{g.b_lc * l_c, g.c_lc * l_c, g.theta, mu1, 0.2, 4e5};
@@ -242,8 +242,8 @@ BOOST_AUTO_TEST_CASE(the_superposition_is_the_plate_at_a_solved_geometry_for_eve
 
 BOOST_AUTO_TEST_CASE(the_second_order_raises_the_stress_and_a_plate_that_buckles_fails) {
   LoadCase l = load();
-  const auto first = make_criterion("plate", "", ice()),
-             second = make_criterion("plate", "", ice(), {.second_order = true});
+  const auto first = make_criterion(model::FailureModel::kPlate, "", ice()),
+             second = make_criterion(model::FailureModel::kPlate, "", ice(), {.second_order = true});
   const Assessment a = first->assess(l), b = second->assess(l);
   BOOST_TEST(b.sigma_max > 1.02 * a.sigma_max);
   BOOST_TEST(!b.buckled);
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(the_second_order_raises_the_stress_and_a_plate_that_buckles
 BOOST_AUTO_TEST_CASE(a_radial_crack_comes_first_where_the_edge_stress_exceeds_the_strength) {
   // The straight edge of the table in docs/theory/failure.md: it breaks at 1.1 MPa whole, at 0.93 MPa split.
   const LoadCase straight{.contact_length = 0.5, .mu1 = 0.511, .mu2 = 0.01, .pressure = 1e6};
-  for (const char* model : {"plate", "superposition"}) {
+  for (const auto model : {model::FailureModel::kPlate, model::FailureModel::kSuperposition}) {
     const Assessment a = make_criterion(model, "", ice())->assess(straight);
     const Assessment b = make_criterion(model, "", ice(), {.radial_first = true})->assess(straight);
     BOOST_TEST(!a.split);
@@ -269,9 +269,10 @@ BOOST_AUTO_TEST_CASE(a_radial_crack_comes_first_where_the_edge_stress_exceeds_th
 }
 
 BOOST_AUTO_TEST_CASE(a_model_refuses_an_option_that_it_does_not_have) {
-  BOOST_CHECK_THROW(make_criterion("wedge", "", ice(), {.second_order = true}), InputError);
-  BOOST_CHECK_THROW(make_criterion("plate-outline", "", ice(), {.radial_first = true}), InputError);
-  BOOST_CHECK_THROW(make_criterion("superposition", "mine.json", ice(), {.radial_first = true}), InputError);
+  BOOST_CHECK_THROW(make_criterion(model::FailureModel::kWedge, "", ice(), {.second_order = true}), InputError);
+  BOOST_CHECK_THROW(make_criterion(model::FailureModel::kPlateOutline, "", ice(), {.radial_first = true}), InputError);
+  BOOST_CHECK_THROW(make_criterion(model::FailureModel::kSuperposition, "mine.json", ice(), {.radial_first = true}),
+                    InputError);
 }
 
 /// The free edge of load(): tip, sides and base line, from 6 m to starboard to 6 m to port.
@@ -283,9 +284,9 @@ std::vector<Vec2> trapezoid_outline() {
 BOOST_AUTO_TEST_CASE(the_outline_of_the_trapezoid_gives_what_the_trapezoid_gives) {
   LoadCase l = load();
   l.outline = trapezoid_outline();
-  const auto outline = make_criterion("plate-outline", "", ice());
+  const auto outline = make_criterion(model::FailureModel::kPlateOutline, "", ice());
   BOOST_TEST(outline->needs_outline());
-  const Assessment a = outline->assess(l), b = make_criterion("plate", "", ice())->assess(l);
+  const Assessment a = outline->assess(l), b = make_criterion(model::FailureModel::kPlate, "", ice())->assess(l);
   BOOST_TEST(!a.outline_refused);
   // Two meshes of the same plate: 0.2 % of stress; the peak is flat, its place known to 1 %.
   BOOST_TEST(a.sigma_max == b.sigma_max, boost::test_tools::tolerance(2e-3));
@@ -298,13 +299,13 @@ BOOST_AUTO_TEST_CASE(vertices_within_the_tolerance_of_the_outline_leave_no_trace
   // 0.05 m is below 0.02 l_c = 0.065 m and c / 4 = 0.125 m.
   ragged.outline.insert(ragged.outline.begin() + 1, {{0.95, -4.0}, {1.04, -3.0}});
   ragged.outline.insert(ragged.outline.end() - 1, {{1.05, 2.0}, {0.96, 2.5}});
-  const auto outline = make_criterion("plate-outline", "", ice());
+  const auto outline = make_criterion(model::FailureModel::kPlateOutline, "", ice());
   BOOST_TEST(outline->assess(ragged).sigma_max == outline->assess(plain).sigma_max);
 }
 
 BOOST_AUTO_TEST_CASE(an_outline_that_cannot_be_used_is_assessed_as_its_trapezoid_and_says_so) {
-  const auto outline = make_criterion("plate-outline", "", ice());
-  const double expected = make_criterion("plate", "", ice())->assess(load()).sigma_max;
+  const auto outline = make_criterion(model::FailureModel::kPlateOutline, "", ice());
+  const double expected = make_criterion(model::FailureModel::kPlate, "", ice())->assess(load()).sigma_max;
   LoadCase crossed = load(), missing = load();
   // The port arm comes back through the starboard side of the wedge.
   crossed.outline = {{1.0, -6.0}, {1.0, -0.8}, {0.0, -0.25}, {0.0, 0.25}, {0.5, 1.0}, {0.5, -2.0}, {2.0, 6.0}};
@@ -316,11 +317,10 @@ BOOST_AUTO_TEST_CASE(an_outline_that_cannot_be_used_is_assessed_as_its_trapezoid
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_model_a_missing_file_and_a_broken_load_case_are_refused) {
-  BOOST_CHECK_THROW(make_criterion("guess", "", ice()), InputError);
-  BOOST_CHECK_THROW(make_criterion("network", "/nonexistent.json", ice()), InputError);
+  BOOST_CHECK_THROW(make_criterion(model::FailureModel::kNetwork, "/nonexistent.json", ice()), InputError);
   LoadCase l = load();
   l.contact_length = 0.0;
-  BOOST_CHECK_THROW(make_criterion("wedge", "", ice())->assess(l), ContractViolation);
+  BOOST_CHECK_THROW(make_criterion(model::FailureModel::kWedge, "", ice())->assess(l), ContractViolation);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class Loads {
 
 /// Dismissed loads against their assessment. @return the largest stress of them over the strength.
 double compare(const IceProperties& ice, const BendingOptions& options) {
-  const auto criterion = make_criterion("superposition", "", ice, options);
+  const auto criterion = make_criterion(model::FailureModel::kSuperposition, "", ice, options);
   Loads loads(characteristic_length(ice));
   double largest = 0.0;
   int n_weak = 0, n_weak_dismissed = 0, n_wrong = 0;
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(no_load_is_dismissed_that_comes_near_the_strength) {
 }
 
 BOOST_AUTO_TEST_CASE(criteria_that_cost_little_dismiss_nothing) {
-  for (const char* model : {"network", "wedge"})
+  for (const auto model : {model::FailureModel::kNetwork, model::FailureModel::kWedge})
     BOOST_TEST(!make_criterion(model, "", ice_of(0.33))
                     ->dismiss({.contact_length = 0.3, .angle = 1.0, .mu1 = 0.5, .pressure = 1.0}));
 }

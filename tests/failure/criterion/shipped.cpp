@@ -22,7 +22,7 @@ using namespace brash;
 using namespace brash::failure;
 
 struct Case {
-  const char* model;
+  model::FailureModel model;
   double stress_tolerance;
   double length_tolerance;  ///< of l_c
 };
@@ -32,10 +32,11 @@ BOOST_AUTO_TEST_CASE(the_models_that_come_with_the_program_agree_with_the_plate_
   const IceProperties ice{
       .thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
   const double l_c = characteristic_length(ice);
-  const auto plate = make_criterion("plate", "", ice);
+  const auto plate = make_criterion(model::FailureModel::kPlate, "", ice);
   // The 95 % errors on geometries that neither model has seen: docs/theory/meta-model.md.
   for (const Case& c :
-       {Case{"network", 0.10, 0.163}, Case{"deep-network", 0.02, 0.042}, Case{"superposition", 0.01, 0.02}}) {
+       {Case{model::FailureModel::kNetwork, 0.10, 0.163}, Case{model::FailureModel::kDeepNetwork, 0.02, 0.042},
+        Case{model::FailureModel::kSuperposition, 0.01, 0.02}}) {
     const auto model = make_criterion(c.model, "", ice);
     for (const double depth : {0.3, 0.6, 1.2}) {
       for (const double angle : {60.0, 100.0}) {
@@ -75,7 +76,7 @@ std::vector<HeldOutRow> held_out_rows() {
 
 /// Errors that a model must not exceed on these rows; those of the model cards on all held-out rows are about the same.
 struct HeldOutErrors {
-  const char* model;
+  model::FailureModel model;
   double median, share_95, share_99;  ///< of the size of predicted / computed stress - 1
   double on_plateau;                  ///< share of the places
 };
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(the_models_that_come_with_the_program_have_the_errors_that_
 
 BOOST_AUTO_TEST_CASE(the_higher_of_the_two_humps_is_the_answer_of_the_superposition) {
   ::unsetenv("BRASH_MODEL_PATH");
-  const auto model = meta_model::ProfileModel::read(model_path("superposition", ""));
+  const auto model = meta_model::ProfileModel::read(model_path(model::FailureModel::kSuperposition, ""));
   std::array<int, 2> answers{};
   for (const HeldOutRow& row : held_out_rows()) {
     const meta_model::Input& x = row.input;

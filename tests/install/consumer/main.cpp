@@ -10,7 +10,8 @@ int main() {
       brash::geometry::from_wkt("POLYGON ((0 -20, 40 -20, 40 20, 0 20, 0 -20))").value());
   const brash::geometry::Cut cut = brash::geometry::cut_circumferential(*sheet, {0.0, 0.0}, 3.5, 4);
   const brash::failure::IceProperties ice{.thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3};
-  const auto criterion = brash::failure::make_criterion("superposition", "", ice);
-  const auto answer = criterion->assess({.depth = 1.0, .contact_length = 0.5, .angle = 1.0, .mu1 = 0.5, .pressure = 5e5});
+  const auto criterion = brash::failure::make_criterion(brash::model::FailureModel::kSuperposition, "", ice);
+  const auto answer =
+      criterion->assess({.depth = 1.0, .contact_length = 0.5, .angle = 1.0, .mu1 = 0.5, .pressure = 5e5});
   std::printf("%zu pieces, breaks: %d\n", cut.pieces.size(), answer.fails);
 }

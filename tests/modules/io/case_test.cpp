@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(the_validation_case_has_the_values_of_the_paper) {
   // The conversion factor pi/180 is rounded differently by UDUNITS: one unit in the last place.
   BOOST_TEST(std::abs(c.structure.angle - radians(61.4)) <= 2.3e-16);
   BOOST_TEST(c.structure.speed == 1.202);
-  BOOST_TEST(c.failure.model == "network");
+  BOOST_TEST((c.failure.model == FailureModel::kNetwork));
   BOOST_TEST(c.failure.wedges[0] == 3);
   BOOST_TEST(c.failure.wedges[1] == 5);
   BOOST_TEST(c.random.seed == 1u);
@@ -171,6 +171,29 @@ BOOST_AUTO_TEST_CASE(every_key_has_a_meaning_a_unit_and_limits_that_hold) {
         BOOST_TEST(refused(full_name, std::to_string(key["maximum"].get<double>() * 1.01)), full_name);
     }
   }
+}
+
+/// The names of a choice in the schema, in its order.
+std::vector<std::string> names_in_schema(const char* section, const char* key) {
+  const auto schema = nlohmann::json::parse(case_schema());
+  return schema.at("properties").at(section).at("properties").at(key).at("enum");
+}
+
+template <typename Choice>
+std::vector<std::string> names_in_model() {
+  std::vector<std::string> names;
+  for (const auto& entry : kNames<Choice>) names.emplace_back(entry.name);
+  return names;
+}
+
+BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
+  BOOST_TEST(names_in_schema("structure", "kind") == names_in_model<StructureKind>());
+  BOOST_TEST(names_in_schema("structure", "breaking") == names_in_model<Breaking>());
+  BOOST_TEST(names_in_schema("field", "kind") == names_in_model<FieldKind>());
+  BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
+  BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
+  BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
+  BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

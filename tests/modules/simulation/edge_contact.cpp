@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_rig
     BOOST_TEST(point.y >= outline.front().y);
     BOOST_TEST(point.y <= outline.back().y);
   }
-  const auto plate = failure::make_criterion("plate-outline", "", scene.ice);
+  const auto plate = failure::make_criterion(model::FailureModel::kPlateOutline, "", scene.ice);
   failure::LoadCase heavy = load;
   heavy.pressure = 1e6;  // enough for the plate to be solved
   BOOST_TEST(!plate->assess(heavy).outline_refused);
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(an_even_bearing_is_the_line_load_that_it_is) {
 
 BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under_the_structure) {
   Scene scene;
-  const auto criterion = failure::make_criterion("superposition", "", scene.ice);
+  const auto criterion = failure::make_criterion(model::FailureModel::kSuperposition, "", scene.ice);
   const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, *criterion};
   const auto fails = [&](double normal, double downward) {
     return simulation::bearing_contact(model, scene.sheet(), 7, even_bearing(normal, downward))->assessment.fails;

@@ -10,6 +10,7 @@
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/scales.hpp"
 
@@ -81,8 +82,7 @@ std::pair<simulation::Run, simulation::Run> whole_and_resumed(const model::Case&
   double now = 0.0;
   const simulation::RunOptions options{
       .observer = [&](const simulation::Simulation& s, const simulation::StepReport&) { now = s.time(); },
-      .checkpoint_file = file,
-      .resume = true,
+      .checkpoint = recording::checkpoint_file(file, true),
       .interrupted = [&] { return now >= stop_at; }};
   simulation::Run resumed = simulation::run(resolved, options);
   for (; !resumed.complete; resumed = simulation::run(resolved, options)) stop_at += 1.1;
@@ -129,8 +129,9 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
   BOOST_TEST((bytes_of(resumed) == bytes_of(whole)));
   BOOST_TEST((resumed.results == whole.results));
   BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
-  BOOST_CHECK_THROW(simulation::run(short_case({"random.seed=2"}), {.checkpoint_file = file, .resume = true}),
-                    InputError);
+  BOOST_CHECK_THROW(
+      simulation::run(short_case({"random.seed=2"}), {.checkpoint = recording::checkpoint_file(file, true)}),
+      InputError);
   std::filesystem::remove(file);
 }
 

@@ -9,6 +9,7 @@
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "pool.hpp"
 
@@ -144,7 +145,7 @@ struct Spoilt {
     std::filesystem::remove(file);
     double now = 0.0;
     (void)simulation::run(resolved, {.observer = [&](const Simulation& s, const StepReport&) { now = s.time(); },
-                                     .checkpoint_file = file,
+                                     .checkpoint = recording::checkpoint_file(file, false),
                                      .interrupted = [&] { return now >= 2.5; }});
     good = io::read_checkpoint(file);
     BOOST_REQUIRE(good.floes.size() > 5u);
@@ -153,7 +154,7 @@ struct Spoilt {
 
   void resume(const model::Checkpoint& spoilt, const std::string& reason) {
     io::write_checkpoint(file, spoilt);
-    const RunOptions options{.checkpoint_file = file, .resume = true};
+    const RunOptions options{.checkpoint = recording::checkpoint_file(file, true)};
     std::string first;
     const auto keep = [&](const RunError& error) {
       first = error.what();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/core/vec.hpp"
+#include "brash/model/choices.hpp"
 
 namespace brash::failure {
 
@@ -119,14 +120,14 @@ struct BendingOptions {
 ///
 /// @param file  of the network (of either kind) or of the superposition; empty: the model that comes with the program,
 /// see model_path().
-/// @throws InputError for an unknown name, an unreadable file, or an option that the model does not have.
-std::unique_ptr<BendingCriterion> make_criterion(const std::string& model, const std::string& file,
+/// @throws InputError for an unreadable file, or an option that the model does not have.
+std::unique_ptr<BendingCriterion> make_criterion(model::FailureModel model, const std::string& file,
                                                  const IceProperties& ice, const BendingOptions& options = {});
 
 /// The model file that `make_criterion(model, file, ...)` reads; empty when that model reads none.
 ///
 /// With an empty `file` it is `cone_<model>.json` in the folder that the environment variable BRASH_MODEL_PATH names,
 /// else with the sources for a program in the build tree and in share/brash/models for an installed one.
-std::string model_path(const std::string& model, const std::string& file);
+std::string model_path(model::FailureModel model, const std::string& file);
 
 }  // namespace brash::failure

@@ -7,14 +7,11 @@
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
 #include "brash/hydrodynamics/damping.hpp"
+#include "brash/model/choices.hpp"
 
 namespace brash::hydrodynamics {
 
-/// Where the velocity of Eq. 13 is taken.
-enum class DragLaw {
-  kSurface,  ///< on each element of the wetted surface; rotation is braked by the same law
-  kPaper     ///< at the centre of buoyancy for the whole floe; rotation is braked by Eq. 14
-};
+using model::DragLaw;
 
 /// The water: free surface at z = 0.
 struct Water {

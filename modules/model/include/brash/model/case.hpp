@@ -7,6 +7,7 @@
 #include <string>
 
 #include "brash/core/vec.hpp"
+#include "brash/model/choices.hpp"
 
 namespace brash::model {
 
@@ -36,12 +37,12 @@ struct WaterSection {
 
 /// [structure]
 struct StructureSection {
-  std::string kind = "cone";
+  StructureKind kind = StructureKind::kCone;
   double angle = 0.0;  ///< rad
   double waterline_width = 0.0;
   double height = 0.0;
   double height_under_water = 0.0;
-  std::string breaking = "downward";  ///< downward | upward
+  Breaking breaking = Breaking::kDownward;
   double speed = 0.0;
   double start_distance = 0.0;
   int facets = 64;
@@ -51,7 +52,7 @@ struct StructureSection {
 
 /// [field]
 struct FieldSection {
-  std::string kind = "level-ice";
+  FieldKind kind = FieldKind::kLevelIce;
   double length = 0.0;
   double width = 0.0;
   bool initial_crack = true;
@@ -60,17 +61,13 @@ struct FieldSection {
   friend bool operator==(const FieldSection&, const FieldSection&) = default;
 };
 
-/// How ice cracks where it fails in bending.
-enum class CrackPattern { kCircumferential };
-
 /// [failure]
 struct FailureSection {
-  /// network | deep-network | superposition | plate | plate-outline | wedge
-  std::string model = "superposition";
-  std::string file;                             ///< model file, absolute; empty: the model that comes with the program
-  std::string order = "circumferential-first";  ///< circumferential-first | radial-first
-  bool second_order = false;                    ///< the in-plane force acts on the bent plate
-  bool under_floes = true;                      ///< the sheet also breaks where floes press on it
+  FailureModel model = FailureModel::kSuperposition;
+  std::string file;  ///< model file, absolute; empty: the model that comes with the program
+  CrackOrder order = CrackOrder::kCircumferentialFirst;
+  bool second_order = false;  ///< the in-plane force acts on the bent plate
+  bool under_floes = true;    ///< the sheet also breaks where floes press on it
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
@@ -83,7 +80,7 @@ struct FailureSection {
 /// [contact]
 struct ContactSection {
   double restitution = 0.0;
-  std::string area = "surface";  ///< surface | projected (physics: contact area A)
+  ContactArea area = ContactArea::kSurface;
   double margin = 0.005;
   int iterations = 30;
   double stiffness = 1.0e6;  ///< K of Eq. 11 [N/m]
@@ -94,7 +91,7 @@ struct ContactSection {
 
 /// [hydrodynamics]
 struct HydrodynamicsSection {
-  std::string drag = "surface";  ///< surface | paper
+  DragLaw drag = DragLaw::kSurface;
   bool shading = true;
   double shading_gap = 0.5;  ///< in ice thicknesses
   double drag_travel = 0.1;  ///< a floe's drag coefficients are kept for that way, in ice thicknesses

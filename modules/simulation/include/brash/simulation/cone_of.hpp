@@ -13,7 +13,7 @@ inline structure::Cone cone_of(const model::Case& resolved) {
           .waterline_width = s.waterline_width,
           .height = s.height,
           .height_under_water = s.height_under_water,
-          .downward_breaking = s.breaking == "downward",
+          .downward_breaking = s.breaking == model::Breaking::kDownward,
           .facets = s.facets};
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "brash/statistics/summary.hpp"
@@ -70,16 +71,21 @@ struct Run {
   bool complete = false;      ///< false: interrupted; there are results so far, and no summary
 };
 
+/// Where a run keeps its newest state, and takes it up again. Without functions it keeps nothing and starts at 0 s.
+struct CheckpointStore {
+  std::string name{};                                          ///< in messages: a file
+  std::function<void(const model::Checkpoint&)> keep{};        ///< replaces the state kept before
+  std::function<std::optional<model::Checkpoint>()> newest{};  ///< to go on from; nothing: start at 0 s
+};
+
 /// What surrounds the loop of a run.
 struct RunOptions {
   /// Called once, when the state that the run begins with is there and before its first step.
   std::function<void()> begun{};
   /// Called after every step.
   std::function<void(const Simulation&, const StepReport&)> observer{};
-  /// Where the newest checkpoint is kept, every `output.checkpoint_interval`; empty: nowhere.
-  std::string checkpoint_file{};
-  /// Goes on from `checkpoint_file` where it exists, instead of from the start.
-  bool resume = false;
+  /// Takes a checkpoint every `output.checkpoint_interval`.
+  CheckpointStore checkpoint{};
   /// Asked after every step; when true the run keeps a checkpoint and stops.
   std::function<bool()> interrupted{};
 };
@@ -88,27 +94,12 @@ struct RunOptions {
 /// @throws InputError when the checkpoint is of another case.
 /// @throws RunError when a step fails or is no physics (docs/theory/simulation.md): the step, the reason, and where the
 ///         state before it is kept.
-/// @throws StorageError when a checkpoint cannot be written; std::bad_alloc when there is not enough memory. The last
+/// @throws whatever `checkpoint` throws, and std::bad_alloc when there is not enough memory. The last
 ///         checkpoint then remains.
 Run run(const model::Case& resolved, const RunOptions& options = {});
 
-/// What is kept of a run: its summary, its load history as well, or all results.
-enum class Kept { kSummary, kHistory, kRun };
-
-/// Writes run.nc, history.csv, events.csv, summary.json and, last, manifest.json into `directory`, made if missing.
-/// @param case_file  path of the case as given, hashed into the manifest like the failure model's file.
-/// @param pictures   names of files already in `directory` that belong to the run.
-/// @param kept       which of the results to write; summary.json and manifest.json always.
-/// @throws RunError naming the file and the system's reason.
-void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved, const Run& run,
-               const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
-
 /// The summary as JSON, SI units.
 std::string to_json(const RunSummary& summary);
-
-/// Removes from `directory` the results that write_run writes, of an earlier run: none of them may pass for those of
-/// the run that begins.
-void remove_results(const std::string& directory);
 
 /// Where the statistics of a run begin [s]: as given, or when the structure's centre passes the initial edge.
 double statistics_from(const model::Case& resolved);

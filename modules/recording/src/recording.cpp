@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/recording/recording.hpp"
+
 #include <chrono>
 #include <filesystem>
 #include <map>
 
 #include "brash/core/write_file.hpp"
 #include "brash/failure/criterion.hpp"
+#include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
-#include "brash/simulation/run.hpp"
 
-namespace brash::simulation {
+namespace brash::recording {
 
-void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved, const Run& run,
-               const std::vector<std::string>& pictures, Kept kept) {
+simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume) {
+  simulation::CheckpointStore store{.name = path,
+                                    .keep = [path](const model::Checkpoint& c) { io::write_checkpoint(path, c); }};
+  if (resume)
+    store.newest = [path]() -> std::optional<model::Checkpoint> {
+      if (!std::filesystem::exists(path)) return std::nullopt;
+      return io::read_checkpoint(path);
+    };
+  return store;
+}
+
+void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved,
+               const simulation::Run& run, const std::vector<std::string>& pictures, Kept kept) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::string> outputs{"summary.json"};
   if (kept == Kept::kRun) {
@@ -21,14 +34,14 @@ void write_run(const std::string& directory, const std::string& case_file, const
     io::write_history(directory, run.results);
     outputs = {"history.csv", "summary.json"};
   }
-  write_file(directory + "/summary.json", to_json(run.summary));
+  write_file(directory + "/summary.json", simulation::to_json(run.summary));
 
   std::vector<std::string> inputs{case_file};
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   if (!model.empty()) inputs.push_back(model);
   outputs.insert(outputs.end(), pictures.begin(), pictures.end());
   std::map<std::string, double> stage_seconds;
-  visit_stages(run.stage_times, [&](const char* name, double seconds) { stage_seconds[name] = seconds; });
+  simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) { stage_seconds[name] = seconds; });
   stage_seconds["recording"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   io::write_manifest(directory, resolved, inputs, outputs,
                      {.started_at = run.started_at,
@@ -43,4 +56,4 @@ void remove_results(const std::string& directory) {
     std::filesystem::remove(std::filesystem::path(directory) / name);
 }
 
-}  // namespace brash::simulation
+}  // namespace brash::recording

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+
+namespace brash::model {
+
+/// The choices of a case, each an enum with its names in files: readers, writers and messages share the one list.
+/// `case.schema.json` states the same names; a test compares the two.
+
+/// [structure] kind
+enum class StructureKind { kCone };
+/// [structure] breaking: the way the ice bends.
+enum class Breaking { kDownward, kUpward };
+/// [field] kind
+enum class FieldKind { kLevelIce };
+/// [failure] model: the criterion that says whether the ice fails in bending, failure::make_criterion().
+enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
+/// [failure] order: which crack may come first.
+enum class CrackOrder { kCircumferentialFirst, kRadialFirst };
+/// How ice cracks where it fails in bending, ice::make_crack_pattern(). No key chooses it while there is but one.
+enum class CrackPattern { kCircumferential };
+/// [contact] area: the area A of Eq. 15.
+enum class ContactArea {
+  kSurface,   ///< of the structure's surface inside the ice
+  kProjected  ///< of the overlap in plan
+};
+/// [hydrodynamics] drag: where the velocity of Eq. 13 is taken.
+enum class DragLaw {
+  kSurface,  ///< on each element of the wetted surface; the same law brakes rotation
+  kPaper     ///< at the centre of buoyancy for the whole floe; Eq. 14 brakes rotation
+};
+
+/// One value of a choice and its name.
+template <typename Choice>
+struct Named {
+  Choice value;
+  std::string_view name;
+};
+
+/// All values of a choice, in the order of the schema.
+template <typename Choice>
+inline constexpr std::array<Named<Choice>, 0> kNames{};
+
+template <>
+inline constexpr auto kNames<StructureKind> = std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"}});
+template <>
+inline constexpr auto kNames<Breaking> = std::to_array<Named<Breaking>>({{Breaking::kDownward, "downward"},
+                                                                         {Breaking::kUpward, "upward"}});
+template <>
+inline constexpr auto kNames<FieldKind> = std::to_array<Named<FieldKind>>({{FieldKind::kLevelIce, "level-ice"}});
+template <>
+inline constexpr auto kNames<FailureModel> =
+    std::to_array<Named<FailureModel>>({{FailureModel::kNetwork, "network"},
+                                        {FailureModel::kDeepNetwork, "deep-network"},
+                                        {FailureModel::kSuperposition, "superposition"},
+                                        {FailureModel::kPlate, "plate"},
+                                        {FailureModel::kPlateOutline, "plate-outline"},
+                                        {FailureModel::kWedge, "wedge"}});
+template <>
+inline constexpr auto kNames<CrackOrder> = std::to_array<Named<CrackOrder>>(
+    {{CrackOrder::kCircumferentialFirst, "circumferential-first"}, {CrackOrder::kRadialFirst, "radial-first"}});
+template <>
+inline constexpr auto kNames<ContactArea> = std::to_array<Named<ContactArea>>({{ContactArea::kSurface, "surface"},
+                                                                               {ContactArea::kProjected, "projected"}});
+template <>
+inline constexpr auto kNames<DragLaw> = std::to_array<Named<DragLaw>>({{DragLaw::kSurface, "surface"},
+                                                                       {DragLaw::kPaper, "paper"}});
+
+template <typename T>
+concept Choice = std::is_enum_v<T> &&(kNames<T>.size() > 0);
+
+/// The name of a value in files.
+template <Choice T>
+constexpr std::string_view name_of(T value) {
+  for (const Named<T>& entry : kNames<T>)
+    if (entry.value == value) return entry.name;
+  return {};
+}
+
+/// The value called `name`; nothing when there is none.
+template <Choice T>
+constexpr std::optional<T> named(std::string_view name) {
+  for (const Named<T>& entry : kNames<T>)
+    if (entry.name == name) return entry.value;
+  return std::nullopt;
+}
+
+/// Which options a failure model takes: the one table that readers, the criterion and Python ask.
+struct FailureOptions {
+  bool file = false;          ///< it reads a model file
+  bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
+  bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
+};
+
+/// @param own_file  the model file is not the one that comes with the program; only that one knows the split sheet.
+constexpr FailureOptions options_of(FailureModel model, bool own_file) {
+  switch (model) {
+    case FailureModel::kNetwork:
+    case FailureModel::kDeepNetwork:
+      return {.file = true};
+    case FailureModel::kSuperposition:
+      return {.file = true, .second_order = true, .radial_first = !own_file};
+    case FailureModel::kPlate:
+      return {.second_order = true, .radial_first = true};
+    case FailureModel::kPlateOutline:
+      return {.second_order = true};
+    case FailureModel::kWedge:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace brash::model

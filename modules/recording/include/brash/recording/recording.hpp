@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brash/model/case.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace brash::recording {
+
+/// The checkpoint file `path` as the store of a run: each state replaces the older one, by rename when whole.
+/// @param resume  the run goes on from the file, if it is there.
+/// Its functions throw InputError for a file that holds no state of a run, StorageError when it cannot be written.
+simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume);
+
+/// What is kept of a run: its summary, its load history as well, or all results.
+enum class Kept { kSummary, kHistory, kRun };
+
+/// Writes run.nc, history.csv, events.csv, summary.json and, last, manifest.json into `directory`, made if missing.
+/// @param case_file  path of the case as given, hashed into the manifest like the failure model's file.
+/// @param pictures   names of files already in `directory` that belong to the run.
+/// @param kept       which of the results to write; summary.json and manifest.json always.
+/// @throws RunError naming the file and the system's reason.
+void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved,
+               const simulation::Run& run, const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
+
+/// Removes from `directory` the results that write_run writes, of an earlier run: none of them may pass for those of
+/// the run that begins.
+void remove_results(const std::string& directory);
+
+}  // namespace brash::recording
