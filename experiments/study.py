@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the experiments that are campaigns share: running a plan, collecting its numbers, recording and checking them.
+"""Tools of the experiments that are campaigns: they run a plan, collect its numbers, record and check them.
 
 An experiment is a folder with `plan.toml`, `run.py`, `recorded.csv` (one row a case), `closed_forms.csv` (one row a
-setting) and `quick.csv` (what the tests compare with). Its folder `corrected` holds what the corrected algorithm gives.
+setting) and `quick.csv` (the reference of the tests). Its folder `corrected` holds the corrected algorithm's results.
 """
 import argparse
 import csv
@@ -94,7 +94,7 @@ def content_of(frequency, density):
 
 
 def collect(brash, output):
-    """Rows of campaign.csv with what the spectrum of each case's horizontal force adds."""
+    """Rows of campaign.csv, with two numbers from the spectrum of each case's horizontal force."""
     rows = read_rows(output / "campaign.csv")
     for row in rows:
         folder = output / "cases" / row["case"]
@@ -166,7 +166,7 @@ QUICK_DEVIATIONS, QUICK_SHARE = 4.0, 0.02
 
 
 def check_quick(rows, recorded):
-    """Lines that say what is outside four recorded deviations; empty when all is well."""
+    """Lines that name numbers outside four recorded deviations. Empty if there are none."""
     wrong = []
     for row in rows:
         known = [r for r in recorded if r["setting"] == row["setting"]]

@@ -4,9 +4,9 @@
 
 run.py                  the campaign, its table and pictures in results/angle_velocity
 run.py --record         also rewrites the recorded numbers and pictures here
-run.py --quick          what the tests run: two angles at two speeds, compared with quick.csv
+run.py --quick          the short variant of the tests: two angles at two speeds, compared with quick.csv
 
-The row of 61.4 degrees is read from what the experiment `velocity` recorded.
+The row of 61.4 degrees is read from the recorded numbers of the experiment `velocity`.
 """
 import math
 import sys

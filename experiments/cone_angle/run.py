@@ -4,7 +4,7 @@
 
 run.py                  the campaign, its table and pictures in results/cone_angle
 run.py --record         also rewrites the recorded numbers and pictures here
-run.py --quick          what the tests run: two settings, compared with quick.csv
+run.py --quick          the short variant of the tests: two settings, compared with quick.csv
 """
 import sys
 from pathlib import Path

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plots what the models predict against what the plate solver computed.
+"""Plots the predictions of the models against the solutions of the plate solver.
 
 usage: plot.py DATABASE.nc NETWORK.json DEEP-NETWORK.json SUPERPOSITION.json BRASH OUTPUT.png
-The rows are those of the database; the network's test rows are not told apart here, its model card does that. The
-superposition passes through all geometries of the database, so it is shown for a design that it has not seen when
-DATABASE.nc is another one than it was made from. A second picture, OUTPUT-range.png, shows the errors over the range.
+The picture has all rows of the database. The network's model card lists its test rows apart. The superposition passes
+through all geometries of its own database. So give another DATABASE.nc to show it for a design that it has not seen. A
+second picture, OUTPUT-range.png, shows the errors over the range.
 """
 import csv
 import io

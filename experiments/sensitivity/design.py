@@ -3,8 +3,8 @@
 """Writes plan.toml: Morris's trajectories through the open inputs. design.py [TRAJECTORIES]
 
 Each trajectory starts at a random point of a grid of 4 levels and changes one input after the other, in random order,
-by 2/3 of its range (M. D. Morris, Technometrics 33 (1991) 161). Of many random sets of trajectories the one with the
-largest spread is taken (F. Campolongo, J. Cariboni, A. Saltelli, Environ. Modell. Softw. 22 (2007) 1509).
+by 2/3 of its range (M. D. Morris, Technometrics 33 (1991) 161). Many random sets of trajectories are drawn, and the set
+with the largest spread is taken (F. Campolongo, J. Cariboni, A. Saltelli, Environ. Modell. Softw. 22 (2007) 1509).
 """
 import json
 import sys

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the loads are sensitive to: Morris's screening of the open inputs, noise of the replicates kept apart.
+"""Sensitivity of the loads: Morris's screening of the open inputs, with the noise of the replicates kept apart.
 
 run.py                  the campaign of plan.toml (written by design.py), table and picture in results/sensitivity
 run.py --record         also rewrites recorded.csv, effects.csv and the picture here
-run.py --quick          what the tests run: two short cases, compared with quick.csv
+run.py --quick          the short variant of the tests: two short cases, compared with quick.csv
 
-An effect is the change of a load over the whole range of an input. For each input: the mean of its effects with the
-95 % interval that the noise leaves, the mean of their magnitudes (the ranking), and their deviation beyond the noise,
-which interactions and curvature make.
+An effect is the change of a load over the whole range of an input. The table has three numbers for each input: the
+mean of its effects with the 95 % interval of the noise, the mean of their magnitudes (the ranking), and their deviation
+beyond the noise. Interactions and curvature make that deviation.
 """
 import math
 import sys

@@ -62,7 +62,7 @@ def read_recorded():
 
 
 def check(row, recorded):
-    """Names what is off; the differences from the finest step are recorded for readers, not checked."""
+    """Names numbers that are off. The differences from the finest step are recorded for readers, not checked."""
     known = recorded[row["case"], row["step"]]
     return [f"{row['case']} at {row['step']} s: {key} is {row[key]:.6g}, recorded {known[key]}"
             for key in ("peak_kN", "peak_time", "impulse_kNs")

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record|--check]
 
-Reads what the experiments beside this one recorded, of the paper's algorithm and, where all have it, of the corrected one,
-and runs nothing but `brash trend`. The claims, and what would confirm or refute them, are those of README.md. p-values of an algorithm
-are adjusted together by Holm's method.
+Reads the recorded numbers of the experiments beside this one, and runs only `brash trend`. It takes the paper's algorithm
+and, if all experiments have it, the corrected one. README.md lists the claims and their verdicts. Holm's method adjusts
+the p-values of an algorithm together.
 """
 import argparse
 import json
@@ -31,7 +31,7 @@ FREQUENCY, CONTENT = "mean_frequency", "high_frequency_deviation"
 
 
 class Runs:
-    """What the experiments recorded of one algorithm."""
+    """Recorded numbers of one algorithm."""
 
     def __init__(self, brash, corrected):
         self.brash, self.corrected = brash, corrected
@@ -64,7 +64,7 @@ def interval(value, error, freedom, confidence=0.95):
 
 
 class Claim:
-    """A trend with its p-value and what the value would mean if it is significant."""
+    """A trend with its p-value, and the meaning of its value if it is significant."""
 
     def __init__(self, experiment, text, p, effect, holds):
         self.experiment, self.text, self.p, self.effect, self.holds = experiment, text, p, effect, holds
@@ -114,7 +114,7 @@ def steepens(experiment, text, groups, knee):
 
 
 def stronger(experiment, text, strong, weak):
-    """Is the relative rise of one row above that of another? Each is (first, last); two-sided."""
+    """Is the relative rise of one row above the rise of another? Each is (first, last); two-sided."""
     a, b = log_ratio(strong[1], strong[0]), log_ratio(weak[1], weak[0])
     value, error = a[0] - b[0], math.hypot(a[1], b[1])
     freedom = error**4 / (a[1] ** 4 / a[2] + b[1] ** 4 / b[2])
@@ -192,13 +192,13 @@ def holm(p):
     return adjusted
 
 
-def ratio_text(runs):
+def ratio_row(runs):
+    """Load of the 50 degree cone over the one of 70 degrees, and whether its interval holds the paper's ratio."""
     groups = list(study.groups(runs.rows("angle_velocity"), ANGLE, FORCE, structure__speed=2.0).values())
     value, error, freedom = log_ratio(groups[0], groups[-1])
     low, high = (math.exp(x) for x in interval(value, error, freedom))
     excluded = "excluded" if not low <= PAPER_RATIO <= high else "not excluded"
-    return (f"{math.exp(value):.3f} (95 % interval {low:.3f} to {high:.3f}) by {ALGORITHMS[runs.corrected]}: "
-            f"the paper's {PAPER_RATIO} is {excluded}")
+    return f"| {ALGORITHMS[runs.corrected]} | {math.exp(value):.3f} | {low:.3f} to {high:.3f} | {excluded} |"
 
 
 def cells(listed):
@@ -215,7 +215,9 @@ def table(brash):
              "|---|---|" + "---|---|---|" * len(run)]
     for claim, *row in zip(listed[0], *map(cells, listed)):
         lines.append(f"| {claim.experiment} | {claim.text} | {' | '.join(row)} |")
-    return "\n".join(lines + ["", f"50 deg over 70 deg at 2.0 m/s: {'; '.join(map(ratio_text, run))}."]) + "\n"
+    lines += ["", "The next table compares the load at 50 degrees with the load at 70 degrees, at 2.0 m/s.", "",
+              f"| algorithm | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
+    return "\n".join(lines + [ratio_row(runs) for runs in run]) + "\n"
 
 
 def main():

@@ -222,7 +222,7 @@ std::vector<std::vector<Vec2>> in_frame(std::span<const std::vector<Vec2>> edges
 }  // namespace
 
 Trapezoid fit_trapezoid(std::span<const std::vector<Vec2>> edges, const FitRequest& request) {
-  BRASH_EXPECTS(std::isfinite(request.reach) && request.reach > 0.0, request.reach);
+  BRASH_EXPECTS(std::isfinite(request.reach) && request.reach >= kGridUnit, request.reach);
   BRASH_EXPECTS(request.contact_length >= 0.0, request.contact_length);
   // A unit vector from a square root and a division is within a few roundings of 1.
   BRASH_EXPECTS(std::abs(norm(request.towards) - 1.0) < 1e-9, request.towards.x, request.towards.y);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/reference/case-file.md from case.schema.json; with --check, fails when the page is not what it would write."""
+"""Writes docs/reference/case-file.md from case.schema.json; with --check, fails when the page differs."""
 import json
 import pathlib
 import sys
@@ -12,19 +12,20 @@ INTRODUCTION = """\
 <!-- Written by modules/io/case_reference.py from modules/io/case.schema.json; change those. -->
 # The case file
 
-A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, below each of them lines `key = value`.
+A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and below them lines `key = value`.
 
-- A bare number is in the unit of the table below (SI). A string is a quantity with a unit, read by UDUNITS-2:
+- **Units.** A bare number is in the unit of the table below (SI). A string is a quantity with a unit, read by UDUNITS-2:
   `thickness = 0.33` is `thickness = "33 cm"`, an angle is `"61.4 deg"`.
-- Unlike UDUNITS alone, `nmi` is the nautical mile and `ppt` parts per thousand; exponents must be whole numbers
-  (`"0.1 MPa m^0.5"` is refused), and angles and ratios do not convert into each other.
-- The file is strict: an unknown, missing or doubled key, a wrong unit, a value out of range or not finite ends the
-  command with exit code 2 and a message with file, line, column, key, value, what is allowed and the remedy.
-- `--set section.key=value` on the command line wins over the file; the value is TOML, or else a plain string, so
-  `--set 'ice.thickness=40 cm'` needs no inner quotes.
-- `brash schema --template` prints a case with every key, `brash check CASE.toml` prints a case in SI with all defaults.
+- **Differences from UDUNITS.** `nmi` is the nautical mile and `ppt` parts per thousand. Exponents must be whole numbers:
+  `"0.1 MPa m^0.5"` is refused. Angles and ratios do not convert into each other.
+- **Errors.** The file is strict. An unknown, missing or doubled key ends the command with exit code 2, and so does a wrong
+  unit or a value out of range. The message names file, line, column, key, value, the allowed values and the remedy.
+- **Overrides.** `--set section.key=value` on the command line wins over the file. The value is TOML, or else a plain
+  string, so `--set 'ice.thickness=40 cm'` needs no inner quotes.
+- **Templates.** `brash schema --template` prints a case with every key. `brash check CASE.toml` prints a case in SI with all
+  defaults.
 
-"paper" in the sources is the article whose model the program follows.
+In the sources, "paper" is the article whose model the program follows.
 """
 
 
@@ -58,12 +59,22 @@ def allowed(key):
 def page():
     schema = json.loads((HERE / "case.schema.json").read_text(encoding="utf-8"))
     lines = [INTRODUCTION]
-    for section, content in schema["properties"].items():
+    sections = {}
+    for name, content in schema["properties"].items():
+        keys = content["properties"]
+        sections[name] = content
+        sections |= {f"{name}.{key}": inner for key, inner in keys.items() if "properties" in inner}
+    for section, content in sections.items():
         lines += [f"## `[{section}]`", "", content["description"], "",
                   "| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
         for name, key in content["properties"].items():
-            required = name in content.get("required", [])
+            if "properties" in key:
+                continue
+            depends = ("x-kinds" in key or "x-short-for" in key) and "default" not in key
+            required = depends or name in content.get("required", [])
             default = "**required**" if required else f"`{toml(key['default'])}`" if "default" in key else "absent"
+            if "x-presets" in key:
+                default += "".join(f"; {preset}: `{toml(value)}`" for preset, value in key["x-presets"].items())
             unit = key.get("x-unit", "")
             lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {key['description']} |")
         lines.append("")
@@ -72,6 +83,6 @@ def page():
 
 if sys.argv[1:] == ["--check"]:
     if not PAGE.exists() or PAGE.read_text(encoding="utf-8") != page():
-        sys.exit(f"{PAGE}: is not what the schema says; run modules/io/case_reference.py")
+        sys.exit(f"{PAGE}: differs from the schema; run modules/io/case_reference.py")
 else:
     PAGE.write_text(page(), encoding="utf-8")

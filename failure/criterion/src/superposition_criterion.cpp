@@ -76,6 +76,10 @@ class SuperpositionCriterion final : public BendingCriterion {
     return answer;
   }
 
+  std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
+    return std::pair(whole_.range()[0].h_lc, whole_.range()[1].h_lc);
+  }
+
  private:
   /// A load case as the model can answer it.
   struct Placed {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "brash/core/error.hpp"
@@ -58,6 +60,58 @@ std::vector<Record> solve_geometries(const Plan& plan, const std::vector<DesignP
   return records;
 }
 
+bool has_digits(const std::string& name, std::size_t from, std::size_t to) {
+  return from < to &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(from), name.begin() + static_cast<std::ptrdiff_t>(to),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+/// Whether a build, and nobody else, gives this name to what it puts beside its chunks.
+bool is_name_of_a_build(const std::string& name) {
+  const bool is_chunk = name.size() == 9 && name.ends_with(".nc") && has_digits(name, 0, 6);
+  const bool is_part =
+      name.size() > 9 && name.substr(6).starts_with(".nc.") && has_digits(name, 0, 6) && name.ends_with(".part");
+  return is_chunk || is_part || name == "lock" || name == "slurm";
+}
+
+/// What Slurm's rounds leave: the script, the lists of jobs, what the jobs printed.
+bool is_name_of_a_round(const std::string& name) {
+  return name == "exec.sh" || name == "submitted.json" || name.ends_with(".txt") || name.ends_with(".part") ||
+         (name.starts_with("round-") && name.ends_with(".json"));
+}
+
+template <typename IsOwn>
+void remove_files(const fs::path& folder, IsOwn is_own) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (!entry.is_symlink(ignored) && entry.is_regular_file(ignored) && is_own(entry.path().filename().string()))
+      fs::remove(entry.path(), ignored);
+}
+
+/// Removes the chunks, and their folder once it is empty: the holder of the lock in it removes it otherwise.
+void remove_chunks(const std::string& path) {
+  const fs::path folder = path + ".chunks", rounds = folder / "slurm";
+  std::error_code is_not_empty;
+  if (!fs::is_symlink(rounds, is_not_empty)) remove_files(rounds, is_name_of_a_round);
+  fs::remove(rounds, is_not_empty);
+  remove_files(folder, [](const std::string& name) { return name != "lock" && is_name_of_a_build(name); });
+  fs::remove(folder, is_not_empty);
+}
+
+/// @throws InputError when the folder of the chunks holds what no build left, or is a link.
+void refuse_files_of_others(const std::string& path) {
+  const fs::path folder = path + ".chunks";
+  std::error_code ignored;
+  const auto refuse = [](const fs::path& found) {
+    throw InputError(Complaint{found.string(), "is there, but no build of a database left it",
+                               "no folder of this name, or one with the chunks of this database",
+                               "move it away, or give the database another name"});
+  };
+  if (fs::is_symlink(folder, ignored)) refuse(folder);
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.is_symlink(ignored) || !is_name_of_a_build(entry.path().filename().string())) refuse(entry.path());
+}
+
 }  // namespace
 
 std::string chunk_file(const std::string& path, int first) { return fmt::format("{}.chunks/{:06}.nc", path, first); }
@@ -67,6 +121,7 @@ std::vector<int> missing_chunks(const Plan& plan, const std::string& path) {
   const std::string plan_sha256 = empty_part(plan).plan_sha256;
   Database there;
   if (read_if_there(path, plan_sha256, there)) return missing;
+  refuse_files_of_others(path);
   for (int first = 0; first < plan.geometries; first += kChunk)
     if (!read_if_there(chunk_file(path, first), plan_sha256, there)) missing.push_back(first);
   return missing;
@@ -89,6 +144,7 @@ Progress build(const Plan& plan, const std::string& path, const std::function<bo
     return progress;
   }
 
+  refuse_files_of_others(path);
   fs::create_directories(path + ".chunks");
   for (int first = 0; first < plan.geometries; first += kChunk) {
     Database chunk = empty_part(plan);
@@ -102,7 +158,7 @@ Progress build(const Plan& plan, const std::string& path, const std::function<bo
   }
 
   write_database(path, whole);
-  fs::remove_all(path + ".chunks");
+  remove_chunks(path);
   return progress;
 }
 

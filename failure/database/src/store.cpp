@@ -5,18 +5,16 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <netcdf_mem.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
+#include <cstdlib>
 #include <functional>
 #include <limits>
-#include <system_error>
+#include <memory>
+#include <optional>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
@@ -24,6 +22,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/netcdf/open.hpp"
 
 namespace brash::database {
 namespace {
@@ -107,14 +106,12 @@ void resize(UnitProfiles& p, std::size_t n) {
 template <typename Error>
 class File {
  public:
-  explicit File(std::string path) : path_(std::move(path)) {
-    check(nc_open(path_.c_str(), NC_NOWRITE, &id_), "file");
-    open_ = true;
-  }
+  explicit File(std::string path) : path_(std::move(path)), source_(std::in_place, path_), id_(source_->id()) {}
   struct New {};
-  /// One that is made. Until it is closed it is in memory: its bytes are written at once, and a failure has a reason.
+  /// One that is made, in memory: HDF5 does not survive a disk that is full, not even to its exit.
   File(std::string path, New) : path_(std::move(path)) {
-    check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER | NC_DISKLESS | NC_PERSIST, &id_), "file");
+    constexpr std::size_t kFirstBytes = 1 << 20;  // it grows
+    check(nc_create_mem(netcdf::kNameInMemory, NC_NETCDF4, kFirstBytes, &id_), "file");
     open_ = true;
   }
   ~File() {
@@ -132,9 +129,13 @@ class File {
                                          "check folder and space, and compute or copy the database again"});
     throw Error(complaint.what());
   }
-  void close() {
+  /// The bytes of the whole file that was made.
+  std::string finish() {
     open_ = false;
-    check(nc_close(id_), "close");
+    NC_memio image{};
+    check(nc_close_memio(id_, &image), "close");
+    const std::unique_ptr<void, decltype(&std::free)> memory(image.memory, &std::free);
+    return {static_cast<const char*>(image.memory), image.size};
   }
   int id() const { return id_; }
 
@@ -161,7 +162,7 @@ class File {
     std::size_t size = 0;
     check(nc_inq_dimid(id_, name, &dimension), name);
     check(nc_inq_dimlen(id_, dimension, &size), name);
-    if (size > most_values_in(std::filesystem::file_size(path_)))
+    if (size > most_values_in(source_->n_bytes()))
       refuse(name, fmt::format("states {} values, more than the file's bytes can hold", size));
     return size;
   }
@@ -181,7 +182,7 @@ class File {
       check(nc_inq_dimlen(id_, dimensions[i], &length), name);
       held *= length;
     }
-    if (held != size || size > most_values_in(std::filesystem::file_size(path_)))
+    if (held != size || size > most_values_in(source_->n_bytes()))
       refuse(name, fmt::format("has not the {} values that the dimensions ask for", size));
   }
   std::vector<double> doubles(const char* name, std::size_t size) const {
@@ -198,9 +199,11 @@ class File {
   }
 
  private:
+  netcdf::Lock lock_;
   std::string path_;
+  std::optional<netcdf::Source> source_;  ///< of a file that is read
   int id_ = 0;
-  bool open_ = false;
+  bool open_ = false;  ///< a file that is made
 };
 
 using Writer = File<RunError>;
@@ -335,7 +338,9 @@ void read_values(const Reader& file, std::vector<Record>& records) {
   }
 }
 
-void write_netcdf(const std::string& path, const Database& database) {
+}  // namespace
+
+void write_database(const std::string& path, const Database& database) {
   const Shape shape = shape_of(database);
   Writer file(path, Writer::New{});
   define_variables(file, shape);
@@ -347,40 +352,7 @@ void write_netcdf(const std::string& path, const Database& database) {
   file.check(nc_enddef(file.id()), "definitions");
   put_integers(file, database.records);
   put_records(file, database.records, shape);
-  file.close();
-}
-
-/// write_netcdf in a process of its own: HDF5 does not survive a disk that is full, not even to its exit.
-/// @return 0, or the system's error number.
-int write_apart(const std::string& path, const Database& database) {
-  const pid_t writer = ::fork();
-  if (writer < 0) return errno;
-  if (writer == 0) {
-    errno = 0;
-    try {
-      write_netcdf(path, database);
-    } catch (const std::exception&) {
-      ::_exit(errno > 0 && errno < 256 ? errno : EIO);
-    }
-    ::_exit(0);
-  }
-  int ended = 0;
-  while (::waitpid(writer, &ended, 0) < 0)
-    if (errno != EINTR) return errno;
-  return WIFEXITED(ended) ? WEXITSTATUS(ended) : EIO;
-}
-
-}  // namespace
-
-void write_database(const std::string& path, const Database& database) {
-  const std::string part = part_of(path);
-  if (const int status = write_apart(part, database); status != 0) {
-    std::remove(part.c_str());
-    throw StorageError(
-        fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space", path,
-                    std::generic_category().message(status)));
-  }
-  publish(part, path);
+  write_file(path, file.finish());
 }
 
 Database read_database(const std::string& path) {

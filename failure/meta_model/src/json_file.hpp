@@ -32,12 +32,15 @@ class Place {
   }
   Place operator[](std::size_t index) const { return {file_, value_.at(index), fmt::format("{}/{}", pointer_, index)}; }
   double number() const {
-    if (!value_.is_number() || !std::isfinite(value_.get<double>()))
-      refuse("is " + shown() + ", must be a finite number");
+    constexpr double kMost = 1e9;  // the largest number of the models that come with the program is 6e3
+    if (!value_.is_number() || !(std::abs(value_.get<double>()) <= kMost))
+      refuse(fmt::format("is {}, must be a finite number within +-{:g}", shown(), kMost));
     return value_.get<double>();
   }
   double positive() const {
+    constexpr double kLeast = 1e-9;
     if (!(number() > 0.0)) refuse("is " + shown() + ", must be > 0");
+    if (number() < kLeast) refuse(fmt::format("is {}, must be at least {:g}", shown(), kLeast));
     return number();
   }
   /// A whole number in [1, 1e6]; more is beyond any use.

@@ -27,14 +27,14 @@ std::string range_table(const Range& r) {
 constexpr const char* kMustNot = R"(
 ## Must not be used for
 
-- inputs outside the range above: the program clamps them and says so in its results; the errors do not hold there;
-- ice with h / l_c far from the value above: Eq. 19 scales the bending stress only, neither the membrane stress nor the
-  shear flexibility; solve the plate (`model = "plate"`) instead;
-- anything within about one ice thickness of the contact: plate theory means nothing there;
-- radial cracks, cracks from the re-entrant roots, splitting or crushing: the outputs are the circumferential crack only;
-- the place of the crack where two humps of the stress compete (mostly b < 0.25 l_c): the peak jumps from one to the
-  other and the network, which is smooth, can answer with a place between them; see the share of rows on the plateau;
-- large in-plane loads: the data are linear plate theory without the second-order effect of N.
+- **Inputs outside the range above.** The program clamps them and says so in its results. The errors do not hold there.
+- **Ice with h / l_c far from the value above.** Eq. 19 scales the bending stress only, neither the membrane stress nor the
+  shear flexibility. Solve the plate (`model = "plate"`) instead.
+- **Anything within about one ice thickness of the contact.** Plate theory means nothing there.
+- **Radial cracks, cracks from the re-entrant roots, splitting or crushing.** The outputs are the circumferential crack only.
+- **The place of the crack where two humps of the stress compete**, mostly at b < 0.25 l_c. The peak jumps from one hump to
+  the other. The network is smooth and can answer with a place between them. See the share of rows on the plateau.
+- **Large in-plane loads.** The data are linear plate theory without the second-order effect of N.
 )";
 
 }  // namespace
@@ -43,9 +43,9 @@ std::string model_card(const Network& network, const TrainingReport& report, con
                        const CardContext& context) {
   std::string text = fmt::format("# Model card: {}\n\n", context.model_file);
   text += fmt::format(
-      "Eq. 17 with {} logistic hidden units{}: the largest principal stress on the centre line over\n"
-      "the contact pressure, sigma/p, and the place of it, l_break/l_c, of a trapezoidal protrusion of a floating "
-      "plate.\n\n",
+      "Eq. 17 with {} logistic hidden units{}. It answers for a trapezoidal protrusion of a\n"
+      "floating plate. The outputs are the largest principal stress on the centre line over the contact pressure, "
+      "sigma/p, and its\nplace, l_break/l_c.\n\n",
       options.hidden, options.separate ? " for each of the two outputs" : " and two outputs");
   text += fmt::format("- content hash of the model (SHA-256): `{}`\n", context.content_sha256);
   text += fmt::format("- training data: `{}`, SHA-256 `{}`\n", context.database_file, network.parameters().data_sha256);
@@ -58,10 +58,10 @@ std::string model_card(const Network& network, const TrainingReport& report, con
   }
   text += "\n## Range\n\n" + range_table(network.range());
   text +=
-      "\n## Errors\n\nStress: predicted / computed - 1 [%], and predicted - computed sigma/p (absolute); length: "
-      "predicted - computed l_break / l_c. `on plateau` is "
-      "the share [%] of\nrows whose predicted place has at least 99 % of the peak stress. Geometries of the test part "
-      "took no part in training\nor stopping.\n\n";
+      "\n## Errors\n\nThe stress error is predicted / computed - 1 [%]. The absolute one is predicted - computed "
+      "sigma/p. The length error is\npredicted - computed l_break / l_c. `on plateau` is the share [%] of rows whose "
+      "predicted place has at least 99 % of the\npeak stress. Geometries of the test part took no part in training or "
+      "stopping.\n\n";
   text +=
       "| rows of | rows | geometries | stress bias | rms | median | 95 % | max | absolute 95 % | length median | 95 % "
       "| on plateau |\n"

@@ -163,6 +163,24 @@ HumpParameters to_hump_parameters(const Place& place) {
   return p;
 }
 
+/// Refuses weights whose answers at the corners and in the middle of the range are no stresses and lengths.
+template <typename Model>
+Model expect_ordinary(const Place& place, Model model) {
+  constexpr double kMostStress = 1e6, kMostLength = 1e3;  // over p and l_c; trained models stay below 1e2 and 1e1
+  const auto lower = to_array(model.range().lower), upper = to_array(model.range().upper);
+  for (int corner = 0; corner <= 1 << kInputs; ++corner) {
+    auto x = lower;
+    for (int i = 0; i < kInputs; ++i)
+      x[i] = corner == 1 << kInputs ? 0.5 * (lower[i] + upper[i]) : (corner >> i & 1) != 0 ? upper[i] : lower[i];
+    const Output y = model.predict(to_input(x));
+    if (std::abs(y.sigma_over_p) <= kMostStress && std::abs(y.lbreak_over_lc) <= kMostLength) continue;
+    place.refuse(
+        fmt::format("its weights are absurd: within its range they give sigma/p = {:.3g}, l_break/l_c = {:.3g}",
+                    y.sigma_over_p, y.lbreak_over_lc));
+  }
+  return model;
+}
+
 }  // namespace
 
 std::unique_ptr<ResponseNetwork> read_network(const std::string& path) {
@@ -172,7 +190,8 @@ std::unique_ptr<ResponseNetwork> read_network(const std::string& path) {
 
 HumpNetwork HumpNetwork::read(const std::string& path) {
   const Json model = read_model(path, kHumpFormat, kHumpVersion);
-  return HumpNetwork(to_hump_parameters(Place(path, model, "")));
+  const Place place(path, model, "");
+  return expect_ordinary(place, HumpNetwork(to_hump_parameters(place)));
 }
 
 std::string HumpNetwork::write(const std::string& path) const {
@@ -181,7 +200,8 @@ std::string HumpNetwork::write(const std::string& path) const {
 
 Network Network::read(const std::string& path) {
   const Json model = read_model(path, kNetworkFormat, kNetworkVersion);
-  return Network(to_parameters(Place(path, model, "")));
+  const Place place(path, model, "");
+  return expect_ordinary(place, Network(to_parameters(place)));
 }
 
 std::string Network::write(const std::string& path) const {

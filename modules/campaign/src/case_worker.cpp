@@ -7,8 +7,8 @@
 #include "brash/core/error.hpp"
 #include "brash/core/folder_lock.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
+#include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
 
 namespace brash::campaign {
@@ -53,6 +53,10 @@ void publish(const std::string& partial, const std::string& folder) {
 CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted) {
   const std::string partial = task.folder + ".part";
   std::error_code reason;
+  for (const std::string& folder : {task.folder, partial})
+    if (fs::is_symlink(folder, reason))
+      throw InputError(Complaint{folder, "is a link, and a campaign follows none in its folder", "a folder",
+                                 "remove the link, or give another folder"});
   fs::create_directories(partial, reason);
   if (reason) throw StorageError(fmt::format("{}: cannot be made: {}", partial, reason.message()));
   const std::optional<FolderLock> lock = FolderLock::take(partial + "/lock", kPatience);
@@ -63,15 +67,16 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
   if (!lock) return CaseEnd::kInterrupted;
 
   remove_parts(partial);
-  const model::Case resolved =
-      io::read_case(task.case_file, {fmt::format("random.replicate={}", task.replicate)}, io::ModelFile::kAnywhere);
+  const recording::Inputs inputs = recording::read_inputs(
+      task.case_file, {fmt::format("random.replicate={}", task.replicate)}, io::ModelFile::kAnywhere);
   const std::string checkpoint = partial + "/checkpoint.nc";
   remove_if_damaged(checkpoint);
-  const simulation::Run run = simulation::run(
-      resolved,
-      {.observer = {}, .checkpoint = recording::checkpoint_file(checkpoint, true), .interrupted = interrupted});
+  const simulation::Run run =
+      simulation::run(inputs.resolved, {.begun = [&] { recording::expect_unchanged(inputs); },
+                                        .checkpoint = recording::checkpoint_file(checkpoint, true),
+                                        .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;
-  recording::write_run(partial, task.case_file, resolved, run, {}, kept(task.keep));
+  recording::write_run(partial, inputs, run, {}, kept(task.keep));
   fs::remove(checkpoint);
   publish(partial, task.folder);
   return CaseEnd::kDone;

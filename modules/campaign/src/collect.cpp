@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/core/write_file.hpp"
@@ -17,6 +20,7 @@
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
 #include "columns.hpp"
+#include "crate.hpp"
 
 namespace brash::campaign {
 namespace {
@@ -30,15 +34,18 @@ struct Row {
   CaseKey key;
   bool failed = false;
   std::vector<double> values;
+  std::vector<std::string> warnings;  ///< their ids
 };
 
 std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, const Schedule& schedule) {
   std::vector<Row> rows;
   for (const auto& [key, state] : schedule.cases()) {
-    Row row{key, state == CaseState::kFailed, std::vector<double>(plan.columns.size(), kMissing)};
+    Row row{key, state == CaseState::kFailed, std::vector<double>(plan.columns.size(), kMissing), {}};
     if (!row.failed) {
       const std::string path = folder.case_folder(key) + "/summary.json";
-      const auto numbers = columns_of(path, read_text(path));
+      const std::string text = read_text(path);
+      const auto numbers = columns_of(path, text);
+      row.warnings = warnings_in(text);
       for (std::size_t i = 0; i < plan.columns.size(); ++i)
         if (const auto found = numbers.find(plan.columns[i]); found != numbers.end()) row.values[i] = found->second;
     }
@@ -47,26 +54,33 @@ std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, c
   return rows;
 }
 
-/// A cell of a CSV file: quoted where it has to be.
+/// Whether a spreadsheet takes a text for a formula. Numbers, also several, are none.
+bool is_formula(const std::string& text) {
+  if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
+  return text.find_first_not_of("0123456789+-.eE ") != std::string::npos;
+}
+
+/// A cell of a CSV file: quoted where it has to be. One that a spreadsheet would compute begins with an apostrophe.
 std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
+  const bool formula = is_formula(text);
+  if (!formula && text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = formula ? "\"'" : "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
 }
 
 std::string csv(const io::CampaignPlan& plan, const Folder& folder, const std::vector<Row>& rows) {
   std::string text = "case,setting,replicate,status";
-  for (const io::VariedKey& key : plan.keys) text += ',' + key.name;
-  for (const std::string& column : plan.columns) text += ',' + column;
-  text += '\n';
+  for (const io::VariedKey& key : plan.keys) text += ',' + cell(key.name);
+  for (const std::string& column : plan.columns) text += ',' + cell(column);
+  text += ",warnings\n";
   for (const Row& row : rows) {
     const io::Setting& setting = plan.settings[row.key.setting];
-    text +=
-        fmt::format("{},{},{},{}", folder.id(row.key), setting.name, row.key.replicate, row.failed ? "failed" : "done");
+    text += fmt::format("{},{},{},{}", cell(folder.id(row.key)), cell(setting.name), row.key.replicate,
+                        row.failed ? "failed" : "done");
     for (const io::SettingValue& value : setting.values) text += ',' + cell(value.text);
     for (const double value : row.values) text += std::isnan(value) ? "," : fmt::format(",{}", value);
-    text += '\n';
+    text += fmt::format(",{}\n", fmt::join(row.warnings, " "));
   }
   return text;
 }
@@ -125,14 +139,17 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
   std::vector<std::vector<double>> by_column(plan.columns.size());
   int n_failed = 0;
   int n_done = 0;
+  std::map<std::string, int> warnings;
   for (const Row& row : rows) {
     if (row.key.setting != setting) continue;
     ++(row.failed ? n_failed : n_done);
+    for (const std::string& id : row.warnings) ++warnings[id];
     for (std::size_t c = 0; c < plan.columns.size(); ++c)
       if (std::isfinite(row.values[c])) by_column[c].push_back(row.values[c]);
   }
   out["n_done"] = n_done;
   out["n_failed"] = n_failed;
+  out["warnings"] = warnings;
   out["stopped_by"] = !plan.stop ? "replicates" : schedule.is_narrow_enough(setting) ? "half_width" : "most_replicates";
   out["statistics"] = Json::object();
   for (std::size_t c = 0; c < plan.columns.size(); ++c) out["statistics"][plan.columns[c]] = statistic(by_column[c]);
@@ -154,8 +171,10 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
   Json all = Json::array();
   for (const Row& row : rows) {
     if (row.failed) continue;
-    const Json manifest =
-        Json::parse(read_text(folder.case_folder(row.key) + "/manifest.json"), nullptr, /*allow_exceptions=*/false);
+    const std::string path = folder.case_folder(row.key) + "/manifest.json";
+    const std::string text = read_text(path);
+    refuse_deep_json(text, path, "the manifest of a run");
+    const Json manifest = Json::parse(text, nullptr, /*allow_exceptions=*/false);
     // The first input is the setting's file, the second the failure model's. What is not there is null.
     const auto at = [&](const char* pointer) {
       const Json::json_pointer place(pointer);
@@ -173,11 +192,18 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
   return all;
 }
 
-void write_campaign_manifest(const Folder& folder, const std::string& plan_file, const std::vector<Row>& rows) {
+void write_campaign_manifest(const Folder& folder, const Campaign& campaign, const std::vector<Row>& rows) {
+  // Hashed as they were read; the folder has the copies.
+  Json inputs = Json::array();
+  for (const io::SourceText& source : campaign.plan.sources)
+    inputs.push_back({{"path", source.path},
+                      {"sha256", sha256(source.text)},
+                      {"copy", "inputs/" + std::filesystem::path(source.path).filename().string()}});
   Json manifest{{"format", kManifestFormat},
                 {"program", {{"name", "brash"}, {"version", kVersion}}},
                 {"glibc", gnu_get_libc_version()},
-                {"plan", {{"path", plan_file}, {"sha256", sha256_of_file(plan_file)}}},
+                {"plan", {{"path", campaign.plan_file}, {"sha256", sha256(campaign.plan.sources.front().text)}}},
+                {"inputs", std::move(inputs)},
                 {"cases_made_by", makers(folder, rows)},
                 {"outputs", Json::array()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
@@ -195,7 +221,8 @@ void collect(const Campaign& campaign, const Folder& folder, const Schedule& sch
   write_file(campaign.directory + "/campaign.csv", csv(plan, folder, rows));
   io::write_table(campaign.directory + "/campaign.nc", table(plan, rows));
   write_file(campaign.directory + "/summary.json", summary(plan, rows, schedule));
-  write_campaign_manifest(folder, campaign.plan_file, rows);
+  write_campaign_manifest(folder, campaign, rows);
+  write_crate(campaign.directory);
 }
 
 }  // namespace brash::campaign

@@ -8,6 +8,7 @@
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::campaign {
@@ -49,6 +50,8 @@ const std::vector<std::string>& known_columns() {
   static const std::vector<std::string> names = [] {
     simulation::RunSummary summary;
     const std::size_t n_levels = Json::parse(simulation::to_json(summary)).at("quantile_levels").size();
+    // Enough samples for an interval, so that its ends are numbers.
+    summary.horizontal.effective_sample_size = summary.vertical.effective_sample_size = 1e3;
     summary.piece_area_quantiles.resize(n_levels);
     summary.breaking_length_quantiles.resize(n_levels);
     std::vector<std::string> all;
@@ -58,7 +61,17 @@ const std::vector<std::string>& known_columns() {
   return names;
 }
 
+std::vector<std::string> warnings_in(const std::string& summary) {
+  std::vector<std::string> ids;
+  const Json json = Json::parse(summary, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || !json.contains("warnings") || !json["warnings"].is_array()) return ids;
+  for (const Json& warning : json["warnings"])
+    if (warning.is_object() && warning.contains("id") && warning["id"].is_string()) ids.push_back(warning["id"]);
+  return ids;
+}
+
 std::map<std::string, double> columns_of(const std::string& path, const std::string& summary) {
+  refuse_deep_json(summary, path, "the summary of a run");
   try {
     const Walk walk(Json::parse(summary));
     return {walk.found.begin(), walk.found.end()};

@@ -3,11 +3,15 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace brash::campaign {
 
 /// The numbers of a run's summary (JSON text) by their columns' names.
 /// @throws InputError naming `path` when the text is no JSON.
 std::map<std::string, double> columns_of(const std::string& path, const std::string& summary);
+
+/// The ids of the warnings in a run's summary.
+std::vector<std::string> warnings_in(const std::string& summary);
 
 }  // namespace brash::campaign

@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/folder_lock.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
@@ -18,20 +19,50 @@ namespace brash::campaign {
 namespace fs = std::filesystem;
 
 std::string read_text(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return {};
+  try {
+    return read_text_file(path.string(), "a file of a campaign");
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 namespace {
 
-/// The folder of a run has files of the same names, which would be lost.
-void refuse_other_results(const std::string& directory) {
+[[noreturn]] void refuse_folder(const std::string& path, const std::string& what) {
+  throw InputError(Complaint{path, what, "a folder that is new, empty or of this campaign", "give another folder"});
+}
+
+/// Whether the manifest in `directory` is a campaign's; nothing when there is none.
+std::optional<bool> has_campaign_manifest(const std::string& directory) {
   const std::string path = directory + "/manifest.json";
-  if (!fs::exists(path)) return;
-  const auto manifest = nlohmann::json::parse(read_text(path), nullptr, /*allow_exceptions=*/false);
-  if (manifest.is_object() && manifest.contains("format") && manifest["format"] == kManifestFormat) return;
-  throw InputError(Complaint{directory, "holds results that are not a campaign's, as its manifest.json says",
-                             "a folder that is new, empty or of this campaign", "give another folder"});
+  if (!fs::exists(fs::symlink_status(path))) return {};
+  try {
+    const auto manifest = nlohmann::json::parse(read_json_text(path, "a manifest"), nullptr, false);
+    return manifest.is_object() && manifest.contains("format") && manifest["format"] == kManifestFormat;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Nothing that is written or removed may lie elsewhere.
+void refuse_links(const std::string& directory) {
+  std::error_code ignored;
+  const auto refuse = [](const fs::path& path) {
+    refuse_folder(path.string(), "is a link, and a campaign follows none in its folder");
+  };
+  for (const char* const name : {"cases", "settings", "slurm", "inputs"}) {
+    const fs::path folder = fs::path(directory) / name;
+    if (fs::is_symlink(folder, ignored)) refuse(folder);
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+      if (entry.is_symlink(ignored)) refuse(entry.path());
+  }
+}
+
+bool holds_something(const fs::path& folder) {
+  std::error_code is_not_there;
+  return fs::is_directory(folder, is_not_there) && !fs::is_empty(folder, is_not_there);
 }
 
 }  // namespace
@@ -53,8 +84,47 @@ std::optional<double> Folder::value(const CaseKey& key, const std::string& colum
   return found == columns.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// The folder of a run, or of somebody else, has files of the same names, which would be lost.
+void Folder::refuse_files_of_others() const {
+  const std::optional<bool> manifest = has_campaign_manifest(directory_);
+  if (manifest == false)
+    refuse_folder(directory_, "holds results that are not a campaign's, as its manifest.json says");
+  bool is_own = manifest.has_value();
+  for (std::size_t i = 0; i < plan_.settings.size(); ++i) {
+    const std::string path = setting_file(i);
+    if (!fs::exists(path)) continue;
+    if (read_text(path) != io::to_toml(plan_.settings[i].resolved)) {
+      throw InputError(
+          fmt::format("{}: is not what the plan makes of the setting {} now\n  allowed: the campaign that the "
+                      "folder was begun with; settings and replicates may be added\n  remedy:  give another "
+                      "folder, or undo the change of the plan or its case",
+                      path, plan_.settings[i].name));
+    }
+    is_own = true;
+  }
+  if (is_own) return;
+  for (const char* const name : {"campaign.csv", "campaign.nc", "summary.json", "report.html"})
+    if (fs::exists(fs::symlink_status(fs::path(directory_) / name)))
+      refuse_folder(directory_ + "/" + name, "is there, but no campaign left it, and this one would replace it");
+  for (const char* const name : {"cases", "settings", "slurm", "inputs"})
+    if (holds_something(fs::path(directory_) / name))
+      refuse_folder(directory_ + "/" + name, "holds files, but none of this campaign");
+}
+
+/// The plan, the base case and the models as they were read.
+void Folder::write_inputs() const {
+  const fs::path inputs = fs::path(directory_) / "inputs";
+  for (const io::SourceText& source : plan_.sources)
+    write_file((inputs / fs::path(source.path).filename()).string(), source.text);
+  for (const io::Setting& setting : plan_.settings)
+    if (const fs::path model = setting.resolved.failure.file; !model.empty())
+      write_file((inputs / "model" / model.filename()).string(),
+                 read_text_file(model.string(), "the file of a failure model"));
+}
+
 void Folder::prepare(bool resume) const {
-  refuse_other_results(directory_);
+  refuse_links(directory_);
+  refuse_files_of_others();
   std::error_code reason;
   const fs::path cases = fs::path(directory_) / "cases";
   fs::create_directories(cases, reason);
@@ -70,20 +140,11 @@ void Folder::prepare(bool resume) const {
     remove_parts(written_to);
   // A worker that was killed just after it gave the folder of a case its name left the lock there.
   for (const auto& entry : fs::directory_iterator(cases))
-    if (entry.path().extension() != ".part") fs::remove(entry.path() / "lock", reason);
-  for (std::size_t i = 0; i < plan_.settings.size(); ++i) {
-    const std::string text = io::to_toml(plan_.settings[i].resolved);
-    const std::string path = setting_file(i);
-    if (!fs::exists(path)) {
-      write_file(path, text);
-    } else if (read_text(path) != text) {
-      throw InputError(
-          fmt::format("{}: is not what the plan makes of the setting {} now\n  allowed: the campaign that the "
-                      "folder was begun with; settings and replicates may be added\n  remedy:  give another "
-                      "folder, or undo the change of the plan or its case",
-                      path, plan_.settings[i].name));
-    }
-  }
+    if (entry.path().extension() != ".part") FolderLock::remove_stale((entry.path() / "lock").string());
+  write_inputs();
+  for (std::size_t i = 0; i < plan_.settings.size(); ++i)
+    if (const std::string path = setting_file(i); !fs::exists(path))
+      write_file(path, io::to_toml(plan_.settings[i].resolved));
 }
 
 Job Folder::job_of(const CaseKey& key, const std::string& program) const {

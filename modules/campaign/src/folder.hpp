@@ -10,9 +10,6 @@
 
 namespace brash::campaign {
 
-/// What the manifest of a campaign says that it is.
-constexpr const char* kManifestFormat = "brash-campaign-manifest-1";
-
 /// Where a case stands in its campaign.
 struct CaseKey {
   std::size_t setting = 0;
@@ -40,17 +37,20 @@ class Folder {
 
   /// Makes the folder and its settings.
   /// @throws InputError when a setting of that name is there already and differs, when cases are there and `resume`
-  ///         is false, or when there are results of something else.
+  ///         is false, or when there are files of something else, or links.
   void prepare(bool resume) const;
   /// The process that runs a case.
   Job job_of(const CaseKey& key, const std::string& program) const;
 
  private:
+  void refuse_files_of_others() const;
+  void write_inputs() const;
+
   const io::CampaignPlan& plan_;
   std::string directory_;
 };
 
-/// The bytes of a file; "" when it cannot be read.
+/// The bytes of a file; "" when it is none, or cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace brash::campaign

@@ -86,7 +86,8 @@ class Streams {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, messages.c_str(),
+                                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
   }
   ~Streams() { posix_spawn_file_actions_destroy(&actions_); }
   Streams(const Streams&) = delete;
@@ -102,6 +103,9 @@ pid_t start(const Job& job, const sigset_t& mask) {
   for (const std::string& argument : job.command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
   const Attributes attributes(mask);
+  // What an earlier process of the same number left, or a link: never opened.
+  std::error_code is_not_there;
+  fs::remove(job.messages, is_not_there);
   const Streams streams(job.messages);
   pid_t process = 0;
   const int status =

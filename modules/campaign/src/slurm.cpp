@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "folder.hpp"
@@ -103,7 +104,7 @@ Json parts(const std::vector<Job>& jobs, std::size_t n) {
 Json read_rounds(const std::string& folder) {
   const std::string path = folder + "/submitted.json";
   if (!fs::exists(path)) return Json::array();
-  const Json rounds = Json::parse(read_text(path), nullptr, /*allow_exceptions=*/false);
+  const Json rounds = Json::parse(read_json_text(path, "what was submitted to Slurm"), nullptr, false);
   const auto is_round = [](const Json& round) {
     return round.is_object() && round.value("array", Json()).is_string() &&
            round.value("collector", Json()).is_string() && round.value("n_jobs", Json()).is_number_unsigned() &&
@@ -174,12 +175,16 @@ bool is_in_queue(const std::string& folder) {
 }
 
 bool run_chunk(const std::string& list_file, std::size_t chunk) {
-  const Json list = Json::parse(read_text(list_file), nullptr, /*allow_exceptions=*/false);
+  const Json list = Json::parse(read_json_text(list_file, "a list of jobs"), nullptr, /*allow_exceptions=*/false);
   if (!list.is_array() || chunk >= list.size())
     throw InputError(fmt::format("{}: has no part {} of a list of jobs", list_file, chunk));
   std::vector<Job> jobs;
-  for (const Json& job : list[chunk])
-    jobs.push_back({0, job.at("command"), job.at("messages"), job.at("folder"), job.at("result"), job.at("record")});
+  try {
+    for (const Json& job : list[chunk])
+      jobs.push_back({0, job.at("command"), job.at("messages"), job.at("folder"), job.at("result"), job.at("record")});
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: part {} is no list of jobs: {}", list_file, chunk, error.what()));
+  }
   return run_jobs(1, jobs);
 }
 

@@ -7,11 +7,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -19,8 +19,10 @@
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/report/report.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "requests_to_end.hpp"
 #include "run_folder.hpp"
 
@@ -54,9 +56,9 @@ void print_status(const Counts& counts, bool as_json) {
                                       {"n_done", counts.n_done},
                                       {"n_failed", counts.n_failed},
                                       {"n_missing", counts.n_missing()}};
-    fmt::print("{}\n", json.dump(2));
+    print_data(json.dump(2) + "\n");
   } else {
-    fmt::print("{}\n", counts_text(counts));
+    print("{}\n", counts_text(counts));
   }
 }
 
@@ -64,7 +66,7 @@ void print_status(const Counts& counts, bool as_json) {
 class CampaignProgress {
  public:
   ~CampaignProgress() {
-    if (on_terminal_) fmt::print(stderr, "\r\033[K");
+    if (on_terminal_) cli::show("\r\033[K");
   }
   void show(const Counts& counts, std::size_t n_running) {
     if (!on_terminal_) return;
@@ -72,9 +74,9 @@ class CampaignProgress {
     const int finished = counts.n_done + counts.n_failed;
     if (first_finished_ < 0) first_finished_ = finished;
     const double wall = std::chrono::duration<double>(steady_clock::now() - start_).count();
-    fmt::print(stderr, "\r\033[K{}, {} running", counts_text(counts), n_running);
+    cli::show(fmt::format("\r\033[K{}, {} running", counts_text(counts), n_running));
     if (finished > first_finished_)
-      fmt::print(stderr, ", {:.0f} s left", wall * counts.n_missing() / (finished - first_finished_));
+      cli::show(fmt::format(", {:.0f} s left", wall * counts.n_missing() / (finished - first_finished_)));
   }
 
  private:
@@ -99,7 +101,7 @@ std::string without_mean(const std::string& name, const nlohmann::ordered_json& 
 
 /// The means of each setting, of the two columns that people look at first.
 std::string means_table(const std::string& summary_file) {
-  const auto summary = nlohmann::ordered_json::parse(std::ifstream(summary_file));
+  const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
   std::string text = fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
   for (const auto& setting : summary.at("settings")) {
     const std::string name = setting.at("setting");
@@ -116,6 +118,9 @@ std::string means_table(const std::string& summary_file) {
       shown.clear();
     }
     text += without_mean(shown, setting);
+    if (setting.contains("warnings"))
+      for (const auto& [id, n] : setting.at("warnings").items())
+        text += fmt::format("{:<36} {:>4}  warning: {}\n", "", n.get<int>(), id);
   }
   return text;
 }
@@ -182,17 +187,17 @@ void run_campaign(const CampaignOptions& options) {
   const bool here = options.on == "local";
   const Counts counts = here ? run_here(campaign, options.n_jobs) : run_under_slurm(campaign, options);
   if (counts.n_missing() > 0 && !here && !options.wait) {
-    fmt::print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
+    print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
     return;
   }
   const std::string summary = campaign.directory + "/summary.json";
   if (counts.n_missing() > 0 || !std::filesystem::exists(summary))
     throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
-  if (!options.json) fmt::print("{}\n", means_table(summary));
+  if (!options.json) print("{}\n", means_table(summary));
   print_status(counts, options.json);
-  if (!options.json) fmt::print("results in {}\n", options.directory);
+  if (!options.json) print("results in {}\n", options.directory);
   const std::string page = report::has_page() ? write_report(options.directory) : "";
-  if (!options.json && !page.empty()) fmt::print("report in  {}\n", page);
+  if (!options.json && !page.empty()) print("report in  {}\n", page);
   if (counts.n_failed > 0)
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }
@@ -212,6 +217,15 @@ void run_one_case(const campaign::CaseTask& task) {
   }
 }
 
+/// The number of a Slurm task.
+std::size_t number_of(const std::string& task) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(task.data(), task.data() + task.size(), number);
+  if (error != std::errc{} || end != task.data() + task.size())
+    throw InputError("campaign-chunk: SLURM_ARRAY_TASK_ID is no number");
+  return number;
+}
+
 void add_chunk_command(CLI::App& app) {
   auto list_file = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("campaign-chunk", "Run the part of a list of jobs that a Slurm task has");
@@ -220,7 +234,7 @@ void add_chunk_command(CLI::App& app) {
   command->callback([list_file] {
     const char* const task = std::getenv("SLURM_ARRAY_TASK_ID");
     if (task == nullptr) throw InputError("campaign-chunk: is run by the tasks of a Slurm array");
-    if (!campaign::run_chunk(*list_file, std::stoul(task))) throw Interrupted("interrupted");
+    if (!campaign::run_chunk(*list_file, number_of(task))) throw Interrupted("interrupted");
   });
 }
 

@@ -8,6 +8,8 @@
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
+#include "table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -15,14 +17,16 @@ namespace {
 void check_case(const std::string& path, const std::vector<std::string>& overrides) {
   const model::Case resolved = io::read_case(path, overrides);
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
-  fmt::print("{}\n# derived\n", io::to_toml(resolved));
-  fmt::print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
-  fmt::print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
-  fmt::print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
-  fmt::print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
-  fmt::print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
-  fmt::print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
-  for (const std::string& warning : scales.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  print_data(io::to_toml(resolved));
+  const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));
+  print("\n# set by algorithm.preset = \"{}\": {}\n\n# derived\n", model::name_of(resolved.algorithm.preset), keys);
+  print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
+  print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
+  print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
+  print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
+  print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
+  print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
+  print_warnings(scales.warnings);
 }
 
 }  // namespace
@@ -51,9 +55,7 @@ void add_schema_command(CLI::App& app) {
   command->add_flag("--plan", options->of_plan, "the schema of a campaign's plan instead")->excludes(as_template);
   command->footer("Example: brash schema --template > mine.toml");
   command->callback([options] {
-    fmt::print("{}", options->as_template ? io::case_template()
-                     : options->of_plan   ? io::plan_schema()
-                                          : io::case_schema());
+    print("{}", options->as_template ? io::case_template() : options->of_plan ? io::plan_schema() : io::case_schema());
   });
 }
 

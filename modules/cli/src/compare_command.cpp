@@ -11,7 +11,9 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "history_comparison.hpp"
+#include "messages.hpp"
 #include "stats_commands.hpp"
+#include "time_span.hpp"
 
 namespace brash::cli {
 namespace {
@@ -63,13 +65,13 @@ void compare(CompareOptions& options) {
   const nlohmann::ordered_json comparison = compare_histories(run, measured);
   write_file(options.picture, comparison_picture(run, measured, comparison));
   if (options.json) {
-    fmt::print("{}\n", comparison.dump(2));
+    print_data(comparison.dump(2) + "\n");
   } else {
-    fmt::print("{}picture in {}\n", comparison_text(comparison), options.picture);
+    print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
   if (measured.unit.empty())
-    fmt::print(stderr, "note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.column),
-               run.unit.empty() ? "that of the run" : run.unit);
+    say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.column),
+        run.unit.empty() ? "that of the run" : run.unit);
 }
 
 }  // namespace
@@ -85,9 +87,9 @@ void add_compare_command(CLI::App& app) {
   CLI::Option* from = command->add_option("--from", options->of_run.from, "of the run [s] [as its summary]");
   CLI::Option* measured_from = command->add_option("--measured-from", options->of_measured.from, "[s] [its start]");
   command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
-      ->check(CLI::PositiveNumber);
+      ->check(time_span());
   command->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is no gap")
-      ->check(CLI::PositiveNumber);
+      ->check(time_span());
   command->add_option("-o,--output", options->picture, "picture, SVG")->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash compare results/cone measured.csv --measured-column force -o comparison.svg");

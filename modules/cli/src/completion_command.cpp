@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.hpp"
+#include "messages.hpp"
 
 namespace brash::cli {
 namespace {
@@ -58,7 +59,7 @@ complete -o default -F _brash brash
 void add_completion_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("completion", "Print the completion of commands and options for bash");
   command->footer("Example: source <(brash completion)");
-  command->callback([&app] { fmt::print("{}", bash_completion(app)); });
+  command->callback([&app] { print("{}", bash_completion(app)); });
 }
 
 }  // namespace brash::cli

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <system_error>
 
 #include "brash/campaign/slurm.hpp"
 #include "brash/core/folder_lock.hpp"
@@ -17,6 +19,7 @@
 #include "brash/database/database.hpp"
 #include "commands.hpp"
 #include "failure_commands.hpp"
+#include "messages.hpp"
 #include "requests_to_end.hpp"
 
 namespace brash::cli {
@@ -54,9 +57,9 @@ std::vector<campaign::Job> missing_jobs(const database::Plan& plan, const Databa
 void solve_in_processes(const std::vector<campaign::Job>& jobs, int n_workers) {
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   const bool whole = campaign::run_jobs(n_workers, jobs, [&](std::size_t n_ended) {
-    if (terminal) fmt::print(stderr, "\r{} of {} missing chunks", n_ended, jobs.size());
+    if (terminal) show(fmt::format("\r{} of {} missing chunks", n_ended, jobs.size()));
   });
-  if (terminal) fmt::print(stderr, "\n");
+  if (terminal) show("\n");
   const auto n_done = std::ranges::count_if(jobs, [](const auto& job) { return std::filesystem::exists(job.result); });
   if (!whole || n_done < std::ssize(jobs)) stop(static_cast<int>(n_done), static_cast<int>(jobs.size()), "chunks");
 }
@@ -66,13 +69,13 @@ void build_here(const database::Plan& plan, const std::string& output) {
   catch_requests_to_end();
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   const database::Progress progress = database::build(plan, output, [terminal](const database::Progress& now) {
-    if (terminal) fmt::print(stderr, "\r{} of {} geometries, {} not solved", now.done, now.total, now.failed);
+    if (terminal) show(fmt::format("\r{} of {} geometries, {} not solved", now.done, now.total, now.failed));
     return !is_asked_to_end();
   });
-  if (terminal) fmt::print(stderr, "\n");
+  if (terminal) show("\n");
   if (progress.done < progress.total) stop(progress.done, progress.total, "geometries");
-  fmt::print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, sha256_of_file(output),
-             progress.total, progress.failed);
+  print("database    {}\nsha256      {}\ngeometries  {}\nnot solved  {}\n", output, sha256_of_file(output),
+        progress.total, progress.failed);
 }
 
 /// Submits the missing chunks; the collector is this command again.
@@ -89,15 +92,40 @@ void submit_chunks(const std::vector<campaign::Job>& jobs, const DatabaseOptions
                                                                 .n_tasks = n_tasks,
                                                                 .sbatch = options.sbatch,
                                                                 .collector = collector});
-  fmt::print("{} chunks submitted as Slurm's jobs {} and {}\n", jobs.size(), submitted.array, submitted.collector);
+  print("{} chunks submitted as Slurm's jobs {} and {}\n", jobs.size(), submitted.array, submitted.collector);
 }
+
+/// The folder of the chunks, this process's alone; removed when it is empty in the end, unless it was somebody's empty
+/// folder before.
+class ChunkFolder {
+ public:
+  explicit ChunkFolder(const std::string& path)
+      : path_(path), was_empty_(is_empty(path)), lock_(FolderLock::take_or_refuse(path, "lock")) {}
+  ~ChunkFolder() {
+    lock_.reset();
+    std::error_code has_content;
+    if (!was_empty_) std::filesystem::remove(path_, has_content);
+  }
+  ChunkFolder(const ChunkFolder&) = delete;
+  ChunkFolder& operator=(const ChunkFolder&) = delete;
+
+ private:
+  static bool is_empty(const std::string& path) {
+    std::error_code is_not_there;
+    return std::filesystem::is_empty(path, is_not_there) && !is_not_there;
+  }
+
+  std::string path_;
+  bool was_empty_;
+  std::optional<FolderLock> lock_;
+};
 
 void compute_database(DatabaseOptions options) {
   const database::Plan plan = database::read_plan(options.plan);
   refuse_missing_folder(options.output);
   refuse_overwriting(options.output, {options.plan});
   if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
-  const FolderLock lock = FolderLock::take_or_refuse(options.output + ".chunks", "lock");
+  const ChunkFolder folder(options.output + ".chunks");
   if (options.on == "slurm") {
     // The tasks run in folders of their own choice.
     for (std::string* const path : {&options.plan, &options.output})

@@ -17,6 +17,7 @@
 #include "brash/meta_model/training.hpp"
 #include "database_command.hpp"
 #include "failure_rows.hpp"
+#include "messages.hpp"
 #include "profile_card.hpp"
 
 namespace brash::cli {
@@ -60,9 +61,9 @@ std::vector<meta_model::Sample> to_samples(const std::string& file, const databa
 }
 
 void print_errors(const char* name, const meta_model::Errors& e) {
-  fmt::print("{:<11} {:>6} {:>6} {:>10.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.4f} {:>11.1f}\n", name, e.n_geometries,
-             e.n_rows, 100 * e.stress_rms, 100 * e.stress_median, 100 * e.stress_95, e.length_median, e.length_95,
-             100 * e.length_on_plateau);
+  print("{:<11} {:>6} {:>6} {:>10.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.4f} {:>11.1f}\n", name, e.n_geometries,
+        e.n_rows, 100 * e.stress_rms, 100 * e.stress_median, 100 * e.stress_95, e.length_median, e.length_95,
+        100 * e.length_on_plateau);
 }
 
 /// The file of a model's card, beside that of the model.
@@ -94,12 +95,12 @@ void train_network(const std::string& database_file, const std::string& output, 
                                                                      {fs::path(output).filename().string(), hash,
                                                                       fs::path(database_file).filename().string()}));
 
-  fmt::print("{:<11} {:>6} {:>6} {:>10} {:>10} {:>10} {:>12} {:>12} {:>11}\n", "part", "geom.", "rows", "stress rms",
-             "median [%]", "95 % [%]", "length med.", "95 % [l_c]", "plateau [%]");
+  print("{:<11} {:>6} {:>6} {:>10} {:>10} {:>10} {:>12} {:>12} {:>11}\n", "part", "geom.", "rows", "stress rms",
+        "median [%]", "95 % [%]", "length med.", "95 % [l_c]", "plateau [%]");
   print_errors("training", trained.report.train);
   print_errors("validation", trained.report.validation);
   print_errors("test", trained.report.test);
-  fmt::print("model       {}\nsha256      {}\ncard        {}\n", output, hash, card);
+  print("model       {}\nsha256      {}\ncard        {}\n", output, hash, card);
 }
 
 std::vector<meta_model::ProfileSample> to_profile_samples(const std::vector<const database::Record*>& records) {
@@ -151,8 +152,8 @@ void fit_profiles(const std::string& database_file, const std::string& test_file
                                        .data_sha256 = hash,
                                        .test = name,
                                        .n_learned = records.size()}));
-  fmt::print("{}modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", summary(rows), model.n_modes(),
-             output, content, card);
+  print("{}modes       {}\nmodel       {}\nsha256      {}\ncard        {}\n", summary(rows), model.n_modes(), output,
+        content, card);
 }
 
 /// The points of `plan`, answered by `teacher`.
@@ -195,10 +196,10 @@ void train_deep_network(const std::string& plan_file, const std::string& test_fi
                                                         fs::path(test_file).filename().string()),
                                     .n_learned = samples.size()}));
   for (const meta_model::LayeredFit& fit : trained.fits) {
-    fmt::print("{:<38} {:>4} iterations ({}), loss {:.4g} training, {:.4g} validation\n", fit.name, fit.iterations,
-               fit.ended, fit.training_loss, fit.validation_loss);
+    print("{:<38} {:>4} iterations ({}), loss {:.4g} training, {:.4g} validation\n", fit.name, fit.iterations,
+          fit.ended, fit.training_loss, fit.validation_loss);
   }
-  fmt::print("{}model       {}\nsha256      {}\ncard        {}\n", summary(rows), output, content, card);
+  print("{}model       {}\nsha256      {}\ncard        {}\n", summary(rows), output, content, card);
 }
 
 void add_train_command(CLI::App& failure) {

@@ -19,6 +19,7 @@
 #include "brash/failure/response_model.hpp"
 #include "brash/meta_model/network.hpp"
 #include "brash/plate/plate.hpp"
+#include "messages.hpp"
 
 namespace brash::cli {
 
@@ -139,10 +140,10 @@ void predict_rows(const PredictOptions& options) {
   std::vector<failure::ModelResponse> answers;
   for (const PredictedRow& row : rows)
     answers.push_back(model->respond(row.input, row.lc_over_h > 0.0 ? 1.0 / row.lc_over_h : 0.0));
-  fmt::print("{},sigma_over_p,lbreak_over_lc,in_range\n", header);
+  print("{},sigma_over_p,lbreak_over_lc,in_range\n", header);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    fmt::print("{},{:.6g},{:.6g},{}\n", rows[i].text, answers[i].sigma_over_p, answers[i].lbreak_over_lc,
-               answers[i].in_range);
+    print("{},{:.6g},{:.6g},{}\n", rows[i].text, answers[i].sigma_over_p, answers[i].lbreak_over_lc,
+          answers[i].in_range);
   }
 }
 

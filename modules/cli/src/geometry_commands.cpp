@@ -19,6 +19,7 @@
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/results.hpp"
 #include "crack_events.hpp"
+#include "messages.hpp"
 
 namespace brash::cli {
 namespace {
@@ -166,6 +167,14 @@ struct CrackOptions {
   bool release_detached = false;
 };
 
+/// The vertices of a circle of `sides` chords must not fall together on the grid.
+void refuse_small_circle(const std::string& path, double radius, int sides) {
+  const double least = geometry::kGridUnit * std::max(8, sides);
+  if (radius >= least) return;
+  throw InputError(Complaint{path, fmt::format("radius = {} m is too small for --sides {}", radius, sides),
+                             fmt::format("at least {:.3g} m", least), "enlarge the radius, or take fewer sides"});
+}
+
 void crack(const CrackOptions& options) {
   if (options.events.empty() == options.cutters.empty()) {
     throw InputError(Complaint{"crack", options.events.empty() ? "nothing to cut with" : "two things to cut with",
@@ -177,6 +186,7 @@ void crack(const CrackOptions& options) {
   if (!options.events.empty()) {
     for (const CrackEvent& event :
          read_crack_events(options.events, read_text_file(options.events, "crack events (CSV)", kMostMebibytes))) {
+      refuse_small_circle(options.events, event.radius, options.sides);
       run.apply(event, options.sides);
       if (options.release_detached) run.release();
     }
@@ -187,7 +197,7 @@ void crack(const CrackOptions& options) {
     }
   }
   if (!options.output.empty()) write_file(options.output, geometry::to_geojson(run.features()));
-  fmt::print("{}\n", ledger_text(run));
+  print_data(ledger_text(run) + "\n");
   if (!run.ledger().closes()) {
     throw RunError(fmt::format("crack: the ledger misses {} m2", run.ledger().missing().to_string()));
   }
@@ -221,8 +231,10 @@ Vec2 to_vector(const std::string& option, const std::string& text) {
 }
 
 void fit(const FitOptions& options) {
-  if (!(options.reach > 0.0 && options.reach <= geometry::kMaxCoordinate)) {
-    refuse_option("--reach", fmt::format("{}", options.reach), "is out of range", "metres above 0");
+  constexpr double kLeastReach = 1e-6;  // [m], a thousand units of the grid
+  if (!(options.reach >= kLeastReach && options.reach <= geometry::kMaxCoordinate)) {
+    refuse_option("--reach", fmt::format("{}", options.reach), "is out of range",
+                  fmt::format("metres from {} to {}", kLeastReach, geometry::kMaxCoordinate));
   }
   if (!(options.contact_length >= 0.0 && std::isfinite(options.contact_length))) {
     refuse_option("--contact-length", fmt::format("{}", options.contact_length), "is out of range",
@@ -250,7 +262,7 @@ void fit(const FitOptions& options) {
                                     {"theta", found.angle},  {"theta_deg", degrees(found.angle)},
                                     {"error", found.error},  {"reidentified", found.reidentified},
                                     {"reach", options.reach}};
-  fmt::print("{}\n", json.dump(2));
+  print_data(json.dump(2) + "\n");
 }
 
 }  // namespace

@@ -36,6 +36,26 @@ void require_rising(const io::Series& series, const std::vector<double>& times) 
   }
 }
 
+/// Beyond these a sum of squares is no number any more, or a time no time.
+void require_ordinary(const io::Series& series, std::size_t column) {
+  constexpr double kMostLoad = 1e30;   // in the unit of the column
+  constexpr double kMostTime = 1e12;   // [s]
+  constexpr double kLeastStep = 1e-9;  // [s]
+  const auto refuse = [&](std::size_t row, double value, const std::string& allowed) {
+    throw InputError(Complaint{series.place(row), fmt::format("{:.6g} is absurd", value), allowed,
+                               "check the column's unit, and that the file is whole"});
+  };
+  for (std::size_t row = 0; row < series.columns[column].size(); ++row) {
+    if (const double value = series.columns[column][row]; std::abs(value) > kMostLoad)
+      refuse(row, value, fmt::format("loads within +-{:g}", kMostLoad));
+    if (!series.time) continue;
+    const std::vector<double>& times = series.columns[*series.time];
+    if (std::abs(times[row]) > kMostTime) refuse(row, times[row], fmt::format("times within +-{:g} s", kMostTime));
+    if (row > 0 && times[row] - times[row - 1] < kLeastStep)
+      refuse(row, times[row] - times[row - 1], fmt::format("steps of {:g} s or more between two times", kLeastStep));
+  }
+}
+
 }  // namespace
 
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
@@ -45,7 +65,9 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   if (choice.dt > 0.0) series.time.reset();
   if (choice.dt <= 0.0 && !series.time)
     throw InputError(
-        Complaint{path, "one column, so no times", "a column of times, or --dt", "give the time step with --dt"});
+        Complaint{path, "has no column of times: none is named time or t, or has a unit of time",
+                  "a column `time [s]` or the like, or --dt",
+                  "name the column of times and its unit, begin a preamble with #, or give the time step with --dt"});
   const auto time_of = [&](std::size_t row) {
     return series.time ? series.columns[*series.time][row] : choice.dt * static_cast<double>(row);
   };
@@ -53,6 +75,7 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
 
   LoadHistory load;
   const std::size_t column = load_column(series, choice.column, path);
+  require_ordinary(series, column);
   load.column = series.names[column];
   load.unit = series.units[column];
   const std::vector<double>& values = series.columns[column];

@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "brash/core/text.hpp"
 #include "brash/io/case.hpp"
 #include "closed_forms.hpp"
+#include "messages.hpp"
 #include "stats_commands.hpp"
 
 namespace brash::cli {
@@ -27,7 +29,7 @@ void add_loads_command(CLI::App& app) {
   command->footer("Example: brash loads experiments/validation/cone.toml");
   command->callback([options] {
     const ordered_json loads = closed_form_loads(io::read_case(options->case_file, options->overrides));
-    fmt::print("{}", options->json ? loads.dump(2) + '\n' : loads_text(loads));
+    print_data(options->json ? loads.dump(2) + "\n" : escaped_lines(loads_text(loads)));
   });
 }
 

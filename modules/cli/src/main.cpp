@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <system_error>
 
 #include "brash/campaign/campaign.hpp"
@@ -15,9 +16,12 @@
 #include "commands.hpp"
 #include "failure_commands.hpp"
 #include "geometry_commands.hpp"
+#include "messages.hpp"
 #include "stats_commands.hpp"
 
 namespace {
+
+using brash::cli::say;
 
 constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
@@ -27,13 +31,17 @@ constexpr int kInterrupted = 3;
 int run(CLI::App& app, int argc, char** argv) {
   int code = 0;
   if (argc < 2) {
-    fmt::print(stderr, "{}", app.help());
+    say("{}", app.help());
     return kBadInput;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    code = app.exit(error) == 0 ? 0 : kBadInput;
+    std::ostringstream out;
+    std::ostringstream err;
+    code = app.exit(error, out, err) == 0 ? 0 : kBadInput;
+    brash::cli::say_text(err.str());
+    brash::cli::print_text(out.str());
   } catch (const std::system_error&) {
     if (std::ferror(stdout) == 0) throw;
   }
@@ -42,12 +50,19 @@ int run(CLI::App& app, int argc, char** argv) {
                                         std::generic_category().message(errno)));
 }
 
+/// "0.2.0 (commit 1a2b3c4d5e6f)"
+std::string version_text() {
+  const std::string commit = brash::kCommit;
+  return brash::kVersion + (commit.empty() ? "" : " (commit " + commit + ")");
+}
+
 }  // namespace
 
 /// Exit codes: 0 done, 1 failed while running, 2 bad input, 3 interrupted and resumable.
 int main(int argc, char** argv) {
+  brash::cli::secure_streams();
   CLI::App app{"brash: how a structure breaks level ice", "brash"};
-  app.set_version_flag("--version", brash::kVersion);
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(0, 1);  // a word that is none is then named
   app.footer("Example: brash run experiments/validation/cone.toml -o results/validation");
   brash::cli::add_run_command(app);
@@ -68,21 +83,20 @@ int main(int argc, char** argv) {
   try {
     return run(app, argc, argv);
   } catch (const brash::InputError& error) {
-    fmt::print(stderr, "brash: {}\n", error.what());
+    say("brash: {}\n", error.what());
     return kBadInput;
   } catch (const brash::cli::Interrupted& stop) {
-    fmt::print(stderr, "brash: {}\n", stop.what());
+    say("brash: {}\n", stop.what());
     return kInterrupted;
   } catch (const brash::cli::CaseNotStored& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    say("{}\n", error.what());
     return brash::campaign::kStorageExit;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
-               "brash: there is not enough memory\n  remedy:  free some, or raise its limit; where the "
-               "command has `--resume`, that goes on from what it has kept\n");
+    say("brash: there is not enough memory\n  remedy:  free some, or raise its limit; where the "
+        "command has `--resume`, that goes on from what it has kept\n");
     return kFailed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "brash: {}\n", error.what());
+    say("brash: {}\n", error.what());
     return kFailed;
   }
 }

@@ -62,9 +62,9 @@ constexpr std::array<std::pair<const char*, Part>, 14> kParts{{
 
 std::string error_tables(const std::vector<JudgedRow>& rows, const std::string& test) {
   std::string text = fmt::format(
-      "\n## Errors\n\nOn {}. Stress: size of predicted / computed - 1 [%];\nlength: size of predicted - computed "
-      "l_break / l_c. `on plateau` is the share [%] of rows whose predicted place has at\nleast 99 % of the peak "
-      "stress.\n\n"
+      "\n## Errors\n\nThe errors are on {}. The stress error is the size of predicted /\ncomputed - 1 [%]. The length "
+      "error is the size of predicted - computed l_break / l_c. `on plateau` is the share [%] of\nrows whose predicted "
+      "place has at least 99 % of the peak stress.\n\n"
       "| rows of | rows | geometries | stress median | 95 % | 99 % | max | length median | 95 % | 99 % | on plateau |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|\n",
       test);
@@ -79,16 +79,16 @@ std::string error_tables(const std::vector<JudgedRow>& rows, const std::string& 
 constexpr const char* kMustNot = R"(
 ## Must not be used for
 
-- inputs outside the range above: the program clamps them and says so; the errors do not hold there;
-- a Poisson ratio other than that of the database, 0.3;
-- anything within about one ice thickness of the contact: plate theory means nothing there;
-- radial cracks, cracks from the re-entrant roots, splitting or crushing.
+- **Inputs outside the range above.** The program clamps them and says so. The errors do not hold there.
+- **Another Poisson ratio** than the 0.3 of the database.
+- **Anything within about one ice thickness of the contact.** Plate theory means nothing there.
+- **Radial cracks, cracks from the re-entrant roots, splitting or crushing.**
 )";
 
 constexpr const char* kMustNotAsNetwork =
-    R"(- ice with h / l_c far from the value above: Eq. 19 scales the bending stress only, neither the membrane stress nor the
-  shear flexibility; take the superposition, which knows h / l_c;
-- large in-plane loads: the data are linear plate theory without the second-order effect of N.
+    R"(- **Ice with h / l_c far from the value above.** Eq. 19 scales the bending stress only, neither the membrane stress nor the
+  shear flexibility. Take the superposition, which knows h / l_c.
+- **Large in-plane loads.** The data are linear plate theory without the second-order effect of N.
 )";
 
 }  // namespace
@@ -149,8 +149,8 @@ std::string profile_card(const meta_model::ProfileModel& model, const std::vecto
                          const CardFacts& facts) {
   std::string text = fmt::format("# Model card: {}\n\n", facts.model_file);
   text +=
-      "Unit profiles on the centre line of a trapezoidal protrusion of a floating plate, interpolated between solved\n"
-      "geometries and superposed for mu1, mu2 and l_c / h.\n\n";
+      "Unit profiles on the centre line of a trapezoidal protrusion of a floating plate. They are interpolated "
+      "between\nsolved geometries and superposed for mu1, mu2 and l_c / h.\n\n";
   text += fmt::format("- content hash of the model (SHA-256): `{}`\n- data: `{}`, SHA-256 `{}`\n", facts.content_sha256,
                       facts.database_file, facts.data_sha256);
   const auto& [low, high] = model.range();
@@ -167,11 +167,10 @@ std::string hump_card(const meta_model::TrainedHumps& trained, const std::vector
   const meta_model::HumpParameters& p = trained.network.parameters();
   std::string text = fmt::format(
       "# Model card: {}\n\n"
-      "A network with the inputs and outputs of Eq. 17. The largest principal stress on the centre line over the "
-      "contact\n"
-      "pressure, sigma/p, and its place, l_break/l_c, of a trapezoidal protrusion of a floating plate: one of each "
-      "for\n"
-      "the hump beside the load and for the one beyond {} l_c; the larger stress answers.\n\n"
+      "A network with the inputs and outputs of Eq. 17. It answers for a trapezoidal protrusion of a floating plate. "
+      "The outputs\nare the largest principal stress on the centre line over the contact pressure, sigma/p, and its "
+      "place, l_break/l_c. The\nhump beside the load and the hump beyond {} l_c have an answer each, and the larger "
+      "stress counts.\n\n"
       "- content hash of the model (SHA-256): `{}`\n- trained on {} rows answered by `{}`, SHA-256 `{}`\n"
       "- h / l_c of these rows: {}\n- hidden layers of each of the four networks: {} logistic units, {} weights\n",
       facts.model_file, meta_model::kHumpBoundary, facts.content_sha256, facts.n_learned, facts.database_file,

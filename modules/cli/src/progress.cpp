@@ -6,6 +6,7 @@
 
 #include <chrono>
 
+#include "messages.hpp"
 #include "requests_to_end.hpp"
 
 namespace brash::cli {
@@ -16,7 +17,7 @@ class ProgressLine {
  public:
   explicit ProgressLine(double duration) : duration_(duration), on_terminal_(isatty(STDERR_FILENO) != 0) {}
   ~ProgressLine() {
-    if (on_terminal_) fmt::print(stderr, "\r\033[K");
+    if (on_terminal_) cli::show("\r\033[K");
   }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -27,8 +28,8 @@ class ProgressLine {
     if (!on_terminal_ || now - shown_ < std::chrono::milliseconds(200)) return;
     shown_ = now;
     const double wall = std::chrono::duration<double>(now - start_).count();
-    fmt::print(stderr, "\r\033[K{:5.1f} of {:.1f} s  {:3.0f} %  {} floes  {:.0f} s left", time, duration_,
-               100.0 * time / duration_, n_floes, wall * (duration_ - time) / time);
+    cli::show(fmt::format("\r\033[K{:5.1f} of {:.1f} s  {:3.0f} %  {} floes  {:.0f} s left", time, duration_,
+                          100.0 * time / duration_, n_floes, wall * (duration_ - time) / time));
   }
 
  private:

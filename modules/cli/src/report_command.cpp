@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "messages.hpp"
 #include "run_folder.hpp"
 
 namespace brash::cli {
@@ -15,7 +16,7 @@ void add_report_command(CLI::App& app) {
       app.add_subcommand("report", "Write report.html of a run or a campaign: one file for any browser");
   command->add_option("directory", *directory, "folder of a run or a campaign")->required();
   command->footer("Example: brash report results/validation");
-  command->callback([directory] { fmt::print("{}\n", write_report(*directory)); });
+  command->callback([directory] { print("{}\n", write_report(*directory)); });
 }
 
 }  // namespace brash::cli

@@ -7,15 +7,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/text.hpp"
-#include "brash/core/write_file.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
+#include "brash/recording/inputs.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 
@@ -29,6 +31,7 @@ using nlohmann::json;
 struct Recorded {
   std::string path;
   std::string sha256;
+  std::string copy;  ///< in the folder of the run; empty: none
 };
 
 /// What a manifest names is written and compared in one folder: a name, and no path.
@@ -52,8 +55,21 @@ struct Manifest {
 
 std::vector<Recorded> files_of(const json& list) {
   std::vector<Recorded> files;
-  for (const json& file : list) files.push_back({file.at("path"), file.at("sha256")});
+  for (const json& file : list) files.push_back({file.at("path"), file.at("sha256"), file.value("copy", "")});
   return files;
+}
+
+/// The inputs, whose copies lie in the folder's `inputs`.
+std::vector<Recorded> inputs_of(const json& list, const std::string& manifest) {
+  std::vector<Recorded> inputs = files_of(list);
+  for (const Recorded& input : inputs) {
+    const fs::path copy(input.copy);
+    if (input.copy.empty() || (*copy.begin() == "inputs" && copy.lexically_normal() == copy)) continue;
+    throw InputError(Complaint{manifest,
+                               fmt::format("inputs.copy = '{}' leads out of the folder", printable(input.copy)),
+                               "a name below inputs/", "name a manifest.json that `brash run` wrote"});
+  }
+  return inputs;
 }
 
 Manifest read_manifest(const std::string& path) {
@@ -70,7 +86,7 @@ Manifest read_manifest(const std::string& path) {
             .case_toml = m.at("case").at("toml"),
             .program_version = m.at("program").at("version"),
             .program_sha256 = m.at("program").value("sha256", ""),
-            .inputs = files_of(m.at("inputs")),
+            .inputs = inputs_of(m.at("inputs"), path),
             .outputs = std::move(outputs)};
   } catch (const json::exception& error) {
     throw InputError(Complaint{path, fmt::format("is not the manifest of a run: {}", error.what()), kAllowed,
@@ -91,22 +107,17 @@ std::vector<std::string> changes_since(const Manifest& manifest, const model::Ca
     if (was != is) changes.push_back(fmt::format("{}\n    was {}\n    is  {}", escaped(what), printable(was), is));
   };
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
-  const std::string model_hash = model.empty() ? "" : hash_of(model);
-  bool knows_model = model.empty();
   for (const Recorded& input : manifest.inputs) {
-    const bool is_model = !model.empty() && fs::path(input.path).filename() == fs::path(model).filename();
-    knows_model = knows_model || is_model;
-    // Relative paths are those of the folder where the run was started; the files may have moved with its results.
-    const bool here = fs::exists(input.path);
-    const fs::path file = is_model ? fs::path(model) : here ? fs::path(input.path) : manifest.folder / input.path;
-    expect((is_model ? "model " : "input ") + file.string(), input.sha256, is_model ? model_hash : hash_of(file));
+    // The original may have changed or gone: the run has its copy. A model that comes with the program has none.
+    const fs::path file = input.copy.empty() ? fs::path(model) : manifest.folder / input.copy;
+    if (!input.copy.empty() && !fs::exists(file)) continue;  // of a campaign, which has it; the case is in the manifest
+    expect((input.copy.empty() ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
   }
   // Results may have been cleared away; those that are there must be the run's own.
   for (const Recorded& output : manifest.outputs) {
     const fs::path file = manifest.folder / output.path;
     if (fs::exists(file)) expect("output " + file.string(), output.sha256, hash_of(file));
   }
-  if (!knows_model) changes.push_back(fmt::format("model {}: the run used another one", model));
   if (!manifest.program_sha256.empty())
     expect(fmt::format("program brash {}", manifest.program_version), manifest.program_sha256, io::sha256_of_program());
   return changes;
@@ -131,33 +142,46 @@ class TemporaryFolder {
   std::string path_;
 };
 
-void run_into(const std::string& folder, const model::Case& resolved, const Manifest& manifest) {
-  const FolderLock lock = open_run_folder(folder);
-  const simulation::Run run = run_with_progress(resolved, {});
-  if (!run.complete) throw Interrupted("interrupted; nothing is kept");
-  const std::string case_file = folder + "/" + manifest.case_name + ".toml";
-  write_file(case_file, manifest.case_toml);
-  write_run_folder(folder, case_file, resolved, run);
+/// Where the copies of the inputs are: in the folder of the run, or of the campaign that it is a case of.
+fs::path base_of(const Manifest& manifest, const std::string& copy) {
+  const fs::path campaign = fs::absolute(manifest.folder).parent_path().parent_path();
+  return fs::exists(manifest.folder / copy) || !fs::exists(campaign / copy) ? manifest.folder : campaign;
 }
 
-model::Case case_in(const Manifest& manifest, const std::string& path) {
+/// The case and what it read, from the manifest and the copies.
+recording::Inputs inputs_in(const Manifest& manifest, const std::string& path) {
   try {
-    return io::parse_case(manifest.case_toml, manifest.case_name + ".toml", {}, io::ModelFile::kAnywhere);
+    const std::string copy = manifest.inputs.empty() ? "" : manifest.inputs.back().copy;
+    const fs::path base = fs::absolute(base_of(manifest, copy));
+    const std::string name = manifest.case_name + ".toml";
+    const model::Case resolved =
+        io::parse_case(manifest.case_toml, (base / name).string(), {}, io::ModelFile::kAnywhere);
+    return recording::inputs_of(name, manifest.case_toml, resolved);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: the case in it:\n{}", escaped(path), error.what()));
   }
+}
+
+void run_into(const std::string& folder, const recording::Inputs& inputs) {
+  const FolderLock lock = open_run_folder(folder);
+  const simulation::Run run =
+      run_with_progress(inputs.resolved, {.begun = [&] { recording::expect_unchanged(inputs); }});
+  if (!run.complete) throw Interrupted("interrupted; nothing is kept");
+  write_run_folder(folder, inputs, run);
 }
 
 struct RerunOptions {
   std::string manifest;
   std::string output;
   bool anyway = false;
+  bool of_campaign = false;  ///< one of its cases
 };
 
-void rerun(const RerunOptions& options) {
+/// @return whether every result is as it was.
+bool rerun_run(const RerunOptions& options) {
   const Manifest manifest = read_manifest(options.manifest);
-  const model::Case resolved = case_in(manifest, options.manifest);
-  const std::vector<std::string> changes = changes_since(manifest, resolved);
+  const recording::Inputs inputs = inputs_in(manifest, options.manifest);
+  const std::vector<std::string> changes = changes_since(manifest, inputs.resolved);
   std::string text;
   for (const std::string& change : changes) text += "\n  " + change;
   if (!changes.empty() && !options.anyway)
@@ -165,25 +189,63 @@ void rerun(const RerunOptions& options) {
         fmt::format("{}: not what it was:{}\n  allowed: the bytes that the manifest has the hashes of"
                     "\n  remedy:  put them back, or repeat the run with --anyway",
                     escaped(options.manifest), text));
-  if (!changes.empty()) fmt::print("not what it was:{}\n", text);
+  if (!changes.empty()) print("not what it was:{}\n", text);
 
   const TemporaryFolder temporary;
   const std::string folder = options.output.empty() ? temporary.path() : options.output;
-  run_into(folder, resolved, manifest);
+  run_into(folder, inputs);
   std::string different;
   for (const Recorded& output : manifest.outputs) {
     const bool same = hash_of(fs::path(folder) / output.path) == output.sha256;
-    fmt::print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
+    print("{:<14} {}\n", output.path, same ? "identical" : "DIFFERENT");
     if (!same) different += " " + output.path;
   }
-  if (!different.empty()) throw RunError("the repeated run differs in" + escaped(different));
+  if (!different.empty() && !options.of_campaign) throw RunError("the repeated run differs in" + escaped(different));
+  return different.empty();
+}
+
+/// Repeats every case of the campaign that wrote `manifest`, each with its own manifest.
+void rerun_campaign(const RerunOptions& options) {
+  const fs::path cases = fs::path(options.manifest).parent_path() / "cases";
+  std::vector<fs::path> manifests;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(cases, missing))
+    if (fs::is_regular_file(entry.path() / "manifest.json")) manifests.push_back(entry.path() / "manifest.json");
+  if (manifests.empty())
+    throw InputError(Complaint{options.manifest, "is a campaign's, and its folder has no case with a manifest",
+                               "the manifest.json in the whole folder of a campaign",
+                               "copy the folder with its cases"});
+  std::ranges::sort(manifests);
+  std::size_t n_different = 0;
+  for (const fs::path& manifest : manifests) {
+    const std::string name = manifest.parent_path().filename().string();
+    print("{}\n", name);
+    n_different += rerun_run({.manifest = manifest.string(),
+                              .output = options.output.empty() ? "" : options.output + "/" + name,
+                              .anyway = options.anyway,
+                              .of_campaign = true})
+                       ? 0
+                       : 1;
+  }
+  print("{} of {} cases identical\n", manifests.size() - n_different, manifests.size());
+  if (n_different > 0) throw RunError(fmt::format("{} of {} cases differ", n_different, manifests.size()));
+}
+
+void rerun(const RerunOptions& options) {
+  const json manifest = json::parse(read_json_text(options.manifest, "the manifest.json of a run or a campaign"),
+                                    nullptr, /*allow_exceptions=*/false);
+  if (manifest.is_object() && manifest.contains("format") && manifest["format"] == campaign::kManifestFormat)
+    rerun_campaign(options);
+  else
+    rerun_run(options);
 }
 
 }  // namespace
 
 void add_rerun_command(CLI::App& app) {
   auto options = std::make_shared<RerunOptions>();
-  CLI::App* command = app.add_subcommand("rerun", "Check every hash of a run, repeat it and compare the results");
+  CLI::App* command =
+      app.add_subcommand("rerun", "Check every hash of a run or a campaign, repeat it and compare the results");
   command->add_option("manifest", options->manifest, "manifest.json of the run")->required();
   command->add_option("-o,--output", options->output, "folder to keep the results in [they are not kept]");
   command->add_flag("--anyway", options->anyway,

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "brash/io/case.hpp"
+#include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
 #include "table.hpp"
@@ -24,29 +25,35 @@ struct RunOptions {
   std::int64_t seed = 0;
   bool has_seed = false;
   bool resume = false;
+  bool replace = false;
 };
 
 void run_case(const RunOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
-  const model::Case resolved = io::read_case(options.case_file, overrides);
-  for (const std::string& warning : simulation::derived_scales(resolved).warnings)
-    fmt::print(stderr, "warning: {}\n", warning);
+  const recording::Inputs inputs = recording::read_inputs(options.case_file, overrides);
+  const model::Case& resolved = inputs.resolved;
+  print_warnings(simulation::derived_scales(resolved).warnings);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = open_run_folder(directory);
+  if (!options.resume && !options.replace) refuse_replacing(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";
   if (options.resume && !std::filesystem::exists(checkpoint))
-    fmt::print(stderr, "warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
-  const simulation::Run run = run_with_progress(
-      resolved,
-      {.begun = [&] { remove_run(directory); }, .checkpoint = recording::checkpoint_file(checkpoint, options.resume)});
+    say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
+  const simulation::Run run =
+      run_with_progress(resolved, {.begun =
+                                       [&] {
+                                         recording::expect_unchanged(inputs);
+                                         remove_run(directory);
+                                       },
+                                   .checkpoint = recording::checkpoint_file(checkpoint, options.resume)});
   if (!run.complete)
     throw Interrupted(
         fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,
                     run.results.loads.back().time));
-  write_run_folder(directory, options.case_file, resolved, run);
-  fmt::print("{}\nresults in {}\n", run_table(resolved, run), directory);
-  if (report::has_page()) fmt::print("report in  {}/report.html\n", directory);
+  write_run_folder(directory, inputs, run);
+  print("{}\nresults in {}\n", run_table(resolved, run), directory);
+  if (report::has_page()) print("report in  {}/report.html\n", directory);
 }
 
 }  // namespace
@@ -60,7 +67,10 @@ void add_run_command(CLI::App& app) {
   command->add_option("--set", options->overrides, "section.key=value, in place of the case file's")
       ->take_all()
       ->allow_extra_args(false);
-  command->add_flag("--resume", options->resume, "go on from the newest checkpoint in the folder of the results");
+  CLI::Option* resume =
+      command->add_flag("--resume", options->resume, "go on from the newest checkpoint in the folder of the results");
+  command->add_flag("--replace", options->replace, "begin at 0 s where the folder holds a run already")
+      ->excludes(resume);
   command->footer("Example: brash run cone.toml -o results/cone --seed 2 --set \"ice.thickness='0.4 m'\"");
   command->callback([options, seed] {
     options->has_seed = seed->count() > 0;

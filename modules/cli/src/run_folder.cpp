@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.hpp"
 
+#include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/report/plan_view.hpp"
@@ -15,16 +18,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run replaces what an earlier one left, and nothing else.
+/// Whether a file is a checkpoint of some version, whole or not: a name proves nothing.
+bool is_checkpoint(const fs::path& file) {
+  try {
+    constexpr std::size_t kMostMebibytes = 8192;
+    return read_text_file(file.string(), "a checkpoint", kMostMebibytes).find("brash-checkpoint-") != std::string::npos;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Whether a file is the manifest of a run of some version.
+bool is_manifest(const fs::path& file) {
+  try {
+    const auto manifest = nlohmann::json::parse(read_json_text(file.string(), "a manifest"), nullptr, false);
+    return manifest.is_object() && manifest.value("format", nlohmann::json()).is_string() &&
+           manifest["format"].get<std::string>().starts_with("brash-manifest-");
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// A run replaces what an earlier one left, and nothing else. A folder has no place under the name of a file.
 void refuse_files_of_others(const fs::path& directory) {
-  const auto has = [&](const char* name) { return fs::exists(directory / name); };
-  if (has("checkpoint.nc") || (has("manifest.json") && has("summary.json"))) return;
-  for (const char* const name :
-       {"history.csv", "events.csv", "summary.json", "manifest.json", "run.nc", "plan.svg", "report.html"})
-    if (has(name))
-      throw InputError(Complaint{(directory / name).string(),
-                                 "is there, but no run left it, and a run would replace it",
-                                 "a folder that is new, empty or of a run", "give another folder, or move the file"});
+  constexpr std::array kNames{"history.csv", "events.csv", "summary.json", "manifest.json",
+                              "run.nc",      "plan.svg",   "report.html",  "checkpoint.nc"};
+  std::error_code ignored;
+  const auto refuse = [&](const char* name, const char* what) {
+    throw InputError(Complaint{(directory / name).string(), what, "a folder that is new, empty or of a run",
+                               "give another folder, or move the file"});
+  };
+  for (const char* const name : kNames)
+    if (fs::is_directory(directory / name, ignored)) refuse(name, "is a folder, and a run writes a file of this name");
+  const auto has = [&](const char* name) { return fs::exists(fs::symlink_status(directory / name, ignored)); };
+  const bool has_checkpoint = has("checkpoint.nc") && is_checkpoint(directory / "checkpoint.nc");
+  if (has("checkpoint.nc") && !has_checkpoint)
+    refuse("checkpoint.nc", "is there, but no run left it, and a run would replace it");
+  if (has_checkpoint || (has("summary.json") && is_manifest(directory / "manifest.json"))) return;
+  for (const char* const name : kNames)
+    if (has(name)) refuse(name, "is there, but no run left it, and a run would replace it");
+  if (has("inputs")) refuse("inputs", "is there, but no run left it, and a run would write into it");
 }
 
 }  // namespace
@@ -39,15 +72,26 @@ FolderLock open_run_folder(const std::string& directory) {
   return lock;
 }
 
+void refuse_replacing(const std::string& directory) {
+  const auto refuse = [&](const char* what, const char* remedy) {
+    throw InputError(Complaint{directory, what, "a folder without results of a run", remedy});
+  };
+  const fs::path folder(directory);
+  if (fs::exists(folder / "manifest.json") && fs::exists(folder / "summary.json"))
+    refuse("holds a finished run, which a new run would replace", "give another folder, or add --replace");
+  if (fs::exists(folder / "checkpoint.nc"))
+    refuse("holds an interrupted run, which a new run would replace",
+           "go on from its checkpoint with --resume, give another folder, or add --replace");
+}
+
 void remove_run(const std::string& directory) {
   recording::remove_results(directory);
   for (const char* const name : {"report.html", "plan.svg"}) fs::remove(fs::path(directory) / name);
 }
 
-void write_run_folder(const std::string& directory, const std::string& case_file, const model::Case& resolved,
-                      const simulation::Run& run) {
-  write_file(directory + "/plan.svg", report::plan_view(resolved, run.results));
-  recording::write_run(directory, case_file, resolved, run, {"plan.svg"});
+void write_run_folder(const std::string& directory, const recording::Inputs& inputs, const simulation::Run& run) {
+  write_file(directory + "/plan.svg", report::plan_view(inputs.resolved, run.results));
+  recording::write_run(directory, inputs, run, {"plan.svg"});
   if (report::has_page()) write_report(directory);
 }
 
@@ -58,7 +102,7 @@ std::string write_report(const std::string& directory) {
   if (!report::is_campaign(directory)) return report_run(directory);
   std::error_code no_cases;
   for (const auto& entry : fs::directory_iterator(directory + "/cases", no_cases))
-    if (fs::exists(entry.path() / "run.nc")) report_run(entry.path().string());
+    if (!entry.is_symlink() && fs::exists(entry.path() / "run.nc")) report_run(entry.path().string());
   return report::write_campaign_report(directory);
 }
 

@@ -5,6 +5,7 @@
 
 #include "brash/core/folder_lock.hpp"
 #include "brash/model/case.hpp"
+#include "brash/recording/inputs.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::cli {
@@ -15,13 +16,15 @@ namespace brash::cli {
 /// left. @throws StorageError when it cannot be written.
 FolderLock open_run_folder(const std::string& directory);
 
+/// Refuses to begin a run at 0 s where a finished or an interrupted one lies.
+/// @throws InputError naming `--resume` and `--replace`.
+void refuse_replacing(const std::string& directory);
+
 /// Removes everything that write_run_folder wrote into `directory` for an earlier run.
 void remove_run(const std::string& directory);
 
 /// Writes everything that a finished run leaves into `directory`: pictures, results, summary, manifest.
-/// @param case_file  path of the case as given.
-void write_run_folder(const std::string& directory, const std::string& case_file, const model::Case& resolved,
-                      const simulation::Run& run);
+void write_run_folder(const std::string& directory, const recording::Inputs& inputs, const simulation::Run& run);
 
 /// Writes report.html of the run in `directory`, or of the campaign and of every run that it kept whole.
 /// @return its path. @throws InputError naming a file that is missing. @throws RunError in a build without the page.

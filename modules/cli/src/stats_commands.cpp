@@ -9,9 +9,12 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "history_statistics.hpp"
+#include "messages.hpp"
+#include "time_span.hpp"
 
 namespace brash::cli {
 namespace {
@@ -49,7 +52,7 @@ void add_stats_command(CLI::App& app) {
   command->add_option("--column", options->choice.column, "which column [the first that is not the time]");
   CLI::Option* from = command->add_option("--from", options->choice.from, "leave out what is earlier [s]");
   const auto seconds = [&](const char* name, double& target, const char* meaning) {
-    return command->add_option(name, target, meaning)->check(CLI::PositiveNumber);
+    return command->add_option(name, target, meaning)->check(time_span());
   };
   seconds("--dt", options->choice.dt, "time step of a file without times [s]");
   seconds("--gap", options->choice.longest_interval, "longest step that is no gap [s] [5 x the median step]");
@@ -70,7 +73,7 @@ void add_stats_command(CLI::App& app) {
     const LoadHistory load = read_history(options->file, options->choice);
     if (!options->spectrum.empty()) write_spectrum(options->spectrum, load, options->settings.segment);
     const ordered_json out = statistics_of(load, options->settings);
-    fmt::print("{}", options->json ? out.dump(2) + '\n' : statistics_text(out));
+    print_data(options->json ? out.dump(2) + "\n" : escaped_lines(statistics_text(out)));
   });
 }
 

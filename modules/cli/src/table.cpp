@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "brash/simulation/warnings.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
+#include "messages.hpp"
 
 namespace brash::cli {
 namespace {
@@ -14,10 +16,12 @@ namespace {
 constexpr double kKilo = 1e3;
 
 std::string load_row(const char* name, const statistics::Summary& s, const simulation::LoadSplit& split) {
-  return fmt::format("  {:<11}{:>8.1f}  [{:.1f}, {:.1f}]{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
-                     s.mean / kKilo, s.mean_95.lower / kKilo, s.mean_95.upper / kKilo, s.standard_deviation / kKilo,
-                     s.quantile_99 / kKilo, s.maximum / kKilo, split.crushing / kKilo, split.floe_normal / kKilo,
-                     split.floe_friction / kKilo);
+  const std::string interval = s.effective_sample_size < simulation::kFewSamples
+                                   ? "[too few samples]"
+                                   : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / kKilo, s.mean_95.upper / kKilo);
+  return fmt::format("  {:<11}{:>8.1f}  {}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name, s.mean / kKilo,
+                     interval, s.standard_deviation / kKilo, s.quantile_99 / kKilo, s.maximum / kKilo,
+                     split.crushing / kKilo, split.floe_normal / kKilo, split.floe_friction / kKilo);
 }
 
 std::string loads(const simulation::RunSummary& s) {
@@ -109,13 +113,24 @@ std::string speed(const model::Case& resolved, const simulation::Run& run) {
   return text + "\n";
 }
 
+/// What is to be known before the numbers are used.
+std::string warnings_text(const std::vector<model::Warning>& warnings) {
+  std::string text;
+  for (const model::Warning& warning : warnings) text += fmt::format("  {}: {}\n", warning.id, warning.text);
+  return text.empty() ? "" : "warnings\n" + text;
+}
+
 }  // namespace
+
+void print_warnings(const std::vector<model::Warning>& warnings) {
+  for (const model::Warning& warning : warnings) say("warning: {}: {}\n", warning.id, warning.text);
+}
 
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
-         loads(run.summary) + comparison(resolved) + ice(run.summary) + ledger(run.summary.ledger) +
-         energy(run.summary.energy) + speed(resolved, run);
+         warnings_text(run.summary.warnings) + loads(run.summary) + comparison(resolved) + ice(run.summary) +
+         ledger(run.summary.ledger) + energy(run.summary.energy) + speed(resolved, run);
 }
 
 }  // namespace brash::cli

@@ -19,6 +19,7 @@
 #include "brash/core/text.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
+#include "messages.hpp"
 #include "stats_commands.hpp"
 
 namespace brash::cli {
@@ -187,7 +188,7 @@ void add_trend_command(CLI::App& app) {
       trends.push_back(trend_of(groups_of(table, options->along, of, options->where), of));
     adjust(trends);
     const ordered_json out{{"along", options->along}, {"where", options->where}, {"trends", trends}};
-    fmt::print("{}", options->json ? out.dump(2) + '\n' : trend_text(out));
+    print_data(options->json ? out.dump(2) + "\n" : escaped_lines(trend_text(out)));
   });
 }
 

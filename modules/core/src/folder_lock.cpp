@@ -13,10 +13,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
 #include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
 
 namespace brash {
 namespace {
@@ -27,6 +29,22 @@ std::string this_process() {
   return fmt::format("process {} on {}\n", ::getpid(), host.data());
 }
 
+/// Whether a file is one that a process wrote as its lock, or that it had only just made.
+bool is_lock(int file) {
+  struct stat held {};
+  if (::fstat(file, &held) != 0 || !S_ISREG(held.st_mode) || held.st_nlink > 1) return false;
+  constexpr std::string_view kBegin = "process ";
+  std::array<char, kBegin.size()> begin{};
+  return held.st_size == 0 ||
+         (held.st_size < 512 && ::pread(file, begin.data(), begin.size(), 0) == static_cast<ssize_t>(begin.size()) &&
+          std::string_view(begin.data(), begin.size()) == kBegin);
+}
+
+[[noreturn]] void refuse_other_file(const std::string& path) {
+  throw InputError(Complaint{path, "has the name of a lock and is none: a link, or a file of something else",
+                             "a file that this program made, or none", "move it away, or give another folder"});
+}
+
 }  // namespace
 
 /// Whether the file that is held is still the one named `path`: its last holder may have removed it meanwhile, or its
@@ -34,8 +52,14 @@ std::string this_process() {
 bool FolderLock::is_at(const std::string& path) const {
   struct stat held {};
   struct stat named {};
-  return ::fstat(file_, &held) == 0 && ::stat(path.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
+  return ::fstat(file_, &held) == 0 && ::lstat(path.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
          held.st_ino == named.st_ino;
+}
+
+void FolderLock::remove_stale(const std::string& path) {
+  FolderLock lock(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (lock.file_ < 0 || !is_lock(lock.file_) || ::flock(lock.file_, LOCK_EX | LOCK_NB) != 0) return;
+  lock.path_ = path;  // what is held is removed in the end
 }
 
 std::optional<FolderLock> FolderLock::take(const std::string& path, double patience) {
@@ -46,9 +70,11 @@ std::optional<FolderLock> FolderLock::take(const std::string& path, double patie
   using std::chrono::steady_clock;
   const auto end = steady_clock::now() + std::chrono::duration<double>(patience);
   while (true) {
-    FolderLock lock(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    FolderLock lock(::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666));
     if (lock.file_ < 0 && errno == ENOENT) return {};  // who held it has given its folder another name
+    if (lock.file_ < 0 && (errno == ELOOP || errno == EISDIR || errno == ENXIO)) refuse_other_file(path);
     if (lock.file_ < 0) refuse(errno);
+    if (!is_lock(lock.file_)) refuse_other_file(path);
     while (::flock(lock.file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK && errno != EINTR) refuse(errno);
       if (steady_clock::now() >= end) return {};
@@ -82,7 +108,7 @@ FolderLock FolderLock::take_or_refuse(const std::string& folder, const std::stri
   std::ifstream stream(path);
   const std::string holder{std::istreambuf_iterator<char>(stream), {}};
   throw InputError(fmt::format("{}: is in use by {}  remedy:  wait until it is over, or give another folder", folder,
-                               holder.empty() ? "another process\n" : holder));
+                               holder.empty() ? "another process\n" : escaped_lines(holder)));
 }
 
 FolderLock::~FolderLock() {

@@ -42,8 +42,13 @@ std::string read_text_file(const std::string& path, const std::string& kind, std
 }
 
 std::string read_json_text(const std::string& path, const std::string& kind) {
-  constexpr int kDeepest = 64;
   std::string text = read_text_file(path, kind, 64);
+  refuse_deep_json(text, path, kind);
+  return text;
+}
+
+void refuse_deep_json(const std::string& text, const std::string& path, const std::string& kind) {
+  constexpr int kDeepest = 64;
   int depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -62,7 +67,6 @@ std::string read_json_text(const std::string& path, const std::string& kind) {
                                  "check that it is the right file"});
     }
   }
-  return text;
 }
 
 void refuse_overwriting(const std::string& output, std::initializer_list<std::string> inputs) {

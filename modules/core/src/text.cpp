@@ -24,22 +24,65 @@ std::size_t character_length(const std::string& text, std::size_t at) {
   return length;
 }
 
+/// The number of a character of `length` bytes of UTF-8.
+unsigned code_point(const std::string& text, std::size_t at, std::size_t length) {
+  const auto first = static_cast<unsigned char>(text[at]);
+  unsigned code = length == 1 ? first : first & (0x7fU >> length);
+  for (std::size_t i = at + 1; i < at + length; ++i) code = code << 6 | (static_cast<unsigned char>(text[i]) & 0x3fU);
+  return code;
+}
+
+/// Controls (C0, DEL, C1), and what turns the direction of writing or hides in a line: the marks, embeddings,
+/// overrides and isolates of Unicode's bidirectional algorithm, its line and paragraph separators.
+bool steers(unsigned code) {
+  return code < 0x20 || (code >= 0x7f && code <= 0x9f) || code == 0x61c || (code >= 0x200b && code <= 0x200f) ||
+         (code >= 0x2028 && code <= 0x202e) || (code >= 0x2060 && code <= 0x206f) || code == 0xfeff;
+}
+
+std::string escaped_but(const std::string& text, std::string_view kept) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string shown;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(character_length(text, i), 1);
+    if (kept.find(text[i]) != std::string_view::npos || !steers_output(text, i)) {
+      shown += text.substr(i, length);
+    } else {
+      for (std::size_t k = i; k < i + length; ++k) {
+        const auto byte = static_cast<unsigned char>(text[k]);
+        shown += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+      }
+    }
+    i += length;
+  }
+  return shown;
+}
+
 }  // namespace
 
-std::string escaped(const std::string& text) {
+bool steers_output(const std::string& text, std::size_t at) {
+  const std::size_t length = character_length(text, at);
+  return length == 0 || steers(code_point(text, at, length));
+}
+
+std::string escaped(const std::string& text) { return escaped_but(text, ""); }
+
+std::string escaped_as_unicode(const std::string& text) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string shown;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text, i);
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (length == 0 || byte < 0x20 || byte == 0x7f)
-      shown += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+    const unsigned code = length == 0 ? 0U : code_point(text, i, length);
+    if (length > 0 && text[i] != '\n' && steers(code))
+      shown +=
+          {'\\', 'u', kDigits[code >> 12 & 15], kDigits[code >> 8 & 15], kDigits[code >> 4 & 15], kDigits[code & 15]};
     else
-      shown += text.substr(i, length);
+      shown += text.substr(i, std::max<std::size_t>(length, 1));
     i += std::max<std::size_t>(length, 1);
   }
   return shown;
 }
+
+std::string escaped_lines(const std::string& text) { return escaped_but(text, "\n\t"); }
 
 std::string printable(const std::string& text) {
   constexpr std::size_t kLongest = 80;

@@ -17,7 +17,9 @@ namespace {
 
 /// Creates `path` with `text` in it. @return 0, or the system's error number.
 int write_part(const std::string& path, const std::string& text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  // A name may be left by an earlier process of the same number, or be a trap: what is there is never opened.
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return errno;
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (file < 0) return errno;
   int status = 0;
   for (std::size_t written = 0; written < text.size() && status == 0;) {
@@ -36,7 +38,7 @@ int write_part(const std::string& path, const std::string& text) {
 /// Waits until the bytes of `path` are on the disk and not only in the system's memory: a crash may not leave a file's
 /// final name with half of them. @return 0, or the system's error number.
 int to_disk(const std::string& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int file = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0) return errno;
   const int status = ::fsync(file) == 0 ? 0 : errno;
   return ::close(file) == 0 || status != 0 ? status : errno;
@@ -82,7 +84,8 @@ void write_file(const std::string& path, const std::string& text) {
 void remove_parts(const std::string& folder) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-    if (is_part(entry.path().filename().string())) std::filesystem::remove(entry.path(), ignored);
+    if (is_part(entry.path().filename().string()) && !entry.is_directory(ignored))
+      std::filesystem::remove(entry.path(), ignored);
 }
 
 }  // namespace brash

@@ -117,16 +117,18 @@ geometry::Extent Field::crush(Plate& plate, std::span<const geometry::Point> sec
   return crushed.changed;
 }
 
-/// What is left of a piece outside `section`; the rest is crushed.
-std::vector<geometry::Polygon> Field::carve(Plate piece, std::span<const geometry::Point> section) {
-  const geometry::Cut crushed = piece.sheet().cut(section);
-  ledger_.crushed += total(crushed.pieces);
-  ledger_.snap += crushed.snap;
-  ledger_.n_rounded += crushed.n_rounded;
+/// What is left of a piece outside `structure`; the rest is crushed.
+std::vector<geometry::Polygon> Field::carve(Plate piece, std::span<const geometry::Ring> structure) {
+  for (const geometry::Ring& outline : structure) {
+    const geometry::Cut crushed = piece.sheet().cut(outline);
+    ledger_.crushed += total(crushed.pieces);
+    ledger_.snap += crushed.snap;
+    ledger_.n_rounded += crushed.n_rounded;
+  }
   return piece.outline();
 }
 
-Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Point> section,
+Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
                         double smallest_floe) {
   geometry::Cut broken = cut(plate, plan.cracked.region, plan.cracked.cracks);
   Broken result{.pieces = {}, .changed = broken.changed};
@@ -136,7 +138,7 @@ Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geo
     broken.pieces.push_back(std::move(detached));
   }
   for (const geometry::Polygon& whole : broken.pieces) {
-    for (geometry::Polygon& carved : carve(plate.piece(whole), section)) {
+    for (geometry::Polygon& carved : carve(plate.piece(whole), structure)) {
       const geometry::ExactArea area = geometry::area(carved);
       if (area.square_metres() < smallest_floe) {
         ledger_.brash += area;

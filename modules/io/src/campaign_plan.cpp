@@ -48,7 +48,7 @@ SettingValue value_in(const model::Case& resolved, const std::string& name) {
 class PlanReader {
  public:
   PlanReader(const std::string& path, const PlanOptions& options)
-      : path_(path), options_(options), source_(read_source(path, {}, "plan")) {}
+      : path_(path), options_(options), source_(parse_source(text_of(path, "plan"), path, {})) {}
 
   CampaignPlan read() {
     const Json document = validated(source_, schema_of_plans());
@@ -153,11 +153,21 @@ class PlanReader {
            "remove it; campaign.replicates says how many there are");
   }
 
-  /// The base case as it was written; read again for each setting, so that messages can say where.
-  CaseSource base() const {
-    if (const auto named = source_.tree["campaign"]["case"].value<std::string>())
-      return read_source((fs::path(path_).parent_path() / *named).string(), {});
-    CaseSource whole = read_source(path_, {}, "plan");
+  /// The text of a file, read once: what is vouched for later is what was read.
+  const std::string& text_of(const std::string& path, const std::string& kind) {
+    const auto known = std::ranges::find(plan_.sources, path, &SourceText::path);
+    if (known != plan_.sources.end()) return known->text;
+    plan_.sources.push_back({path, read_text(path, kind)});
+    return plan_.sources.back().text;
+  }
+
+  /// The base case as it was written; parsed again for each setting, so that messages can say where.
+  CaseSource base() {
+    if (const auto named = source_.tree["campaign"]["case"].value<std::string>()) {
+      const std::string path = (fs::path(path_).parent_path() / *named).string();
+      return parse_source(text_of(path, "case file"), path, {});
+    }
+    CaseSource whole = parse_source(text_of(path_, "plan"), path_, {});
     return {path_, std::move(*whole.tree["case"].as_table()), {}};
   }
 
@@ -223,18 +233,18 @@ class PlanReader {
   }
 
   static std::string unit_of(const std::string& name) {
-    const std::size_t dot = name.find('.');
+    const std::size_t dot = name.rfind('.');
     return schema_of_cases().keys(name.substr(0, dot)).at(name.substr(dot + 1)).value("x-unit", "1");
   }
 
   const std::string path_;
   const PlanOptions& options_;
+  CampaignPlan plan_;
   const CaseSource source_;
   std::vector<Assignment> set_;
   std::vector<Axis> axes_;
   std::vector<Assignment> quick_set_;
   std::vector<Problem> problems_;
-  CampaignPlan plan_;
 };
 
 }  // namespace

@@ -42,18 +42,22 @@ std::string sha256_of_program() {
   return sha256_of_file(std::filesystem::read_symlink(kLink, ignored) == path ? kLink : path.string());
 }
 
-void write_manifest(const std::string& directory, const model::Case& resolved, const std::vector<std::string>& inputs,
+void write_manifest(const std::string& directory, const model::Case& resolved, const std::vector<HashedFile>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context) {
   const std::filesystem::path folder(directory);
   Json manifest;
   manifest["format"] = "brash-manifest-1";
-  manifest["program"] = {{"name", "brash"}, {"version", kVersion}, {"sha256", sha256_of_program()}};
+  manifest["program"] = {
+      {"name", "brash"}, {"version", kVersion}, {"commit", kCommit}, {"sha256", sha256_of_program()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   manifest["glibc"] = gnu_get_libc_version();
   manifest["case"] = {{"name", resolved.name}, {"toml", to_toml(resolved)}};
   manifest["seeds"] = {{"seed", resolved.random.seed}, {"replicate", resolved.random.replicate}};
   manifest["inputs"] = Json::array();
-  for (const std::string& input : inputs) manifest["inputs"].push_back(described(input, input));
+  for (const HashedFile& input : inputs) {
+    manifest["inputs"].push_back({{"path", input.path}, {"bytes", input.n_bytes}, {"sha256", input.sha256}});
+    if (!input.copy.empty()) manifest["inputs"].back()["copy"] = input.copy;
+  }
   manifest["outputs"] = Json::array();
   for (const std::string& output : outputs) manifest["outputs"].push_back(described(folder / output, output));
   manifest["volatile"] = {{"started_at", context.started_at},

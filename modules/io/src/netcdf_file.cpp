@@ -6,7 +6,6 @@
 #include <netcdf_mem.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -49,7 +48,7 @@ void ask_for_memory(std::size_t n_bytes) {
 
 NetcdfWriter::NetcdfWriter(std::string shown) : shown_(std::move(shown)) {
   ask_for_memory(kFirstBytes);
-  check(nc_create_mem(shown_.c_str(), NC_NETCDF4, kFirstBytes, &file_), "file");
+  check(nc_create_mem(netcdf::kNameInMemory, NC_NETCDF4, kFirstBytes, &file_), "file");
   check(nc_set_fill(file_, NC_NOFILL, nullptr), "file");
 }
 
@@ -171,20 +170,14 @@ std::string NetcdfWriter::finish() {
   return {static_cast<const char*>(image.memory), image.size};
 }
 
-NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
-  check(nc_open(path.c_str(), NC_NOWRITE, &file_), "file");
-  std::error_code unknown;
-  most_values_ = most_values_in(std::filesystem::file_size(path, unknown));
-}
+NetcdfReader::NetcdfReader(const std::string& path)
+    : path_(path), source_(path), most_values_(most_values_in(source_.n_bytes())), file_(source_.id()) {}
 
 NetcdfReader::NetcdfReader(const std::string& path, std::string bytes)
-    : path_(path), bytes_(std::move(bytes)), most_values_(most_values_in(bytes_.size())) {
-  check(nc_open_mem(path.c_str(), NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "file");
-}
-
-NetcdfReader::~NetcdfReader() {
-  if (file_ >= 0) nc_close(file_);
-}
+    : path_(path),
+      source_(path, std::move(bytes)),
+      most_values_(most_values_in(source_.n_bytes())),
+      file_(source_.id()) {}
 
 void NetcdfReader::refuse(const std::string& what) const {
   throw InputError(

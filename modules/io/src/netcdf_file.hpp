@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "brash/netcdf/open.hpp"
+
 namespace brash::io {
 
 /// What a netCDF variable means.
@@ -54,6 +56,7 @@ class NetcdfWriter {
   int dimension(const std::string& name, std::size_t length);
   void check(int status, const std::string& what) const;
 
+  netcdf::Lock lock_;
   std::string shown_;
   int file_ = -1;
   /// Values wait until all variables are there: each turn from making a variable to writing one would go through all of
@@ -69,10 +72,6 @@ class NetcdfReader {
   explicit NetcdfReader(const std::string& path);
   /// Reads the file's `bytes`, which came from `path`.
   NetcdfReader(const std::string& path, std::string bytes);
-  ~NetcdfReader();
-  NetcdfReader(const NetcdfReader&) = delete;
-  NetcdfReader& operator=(const NetcdfReader&) = delete;
-
   std::string attribute(const std::string& name) const;
   /// Never more than the file's bytes can hold.
   std::size_t length(const std::string& dimension) const;
@@ -93,7 +92,7 @@ class NetcdfReader {
   void check(int status, const std::string& what) const;
 
   std::string path_;
-  std::string bytes_;
+  netcdf::Source source_;
   std::size_t most_values_ = 0;
   int file_ = -1;
 };

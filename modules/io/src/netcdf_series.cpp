@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
+#include "brash/netcdf/open.hpp"
 #include "series.hpp"
 
 namespace brash::io {
@@ -17,10 +17,7 @@ namespace {
 /// Any netCDF file, read without knowing what is in it.
 class OpenFile {
  public:
-  explicit OpenFile(const std::string& path) : path_(path) { check(nc_open(path.c_str(), NC_NOWRITE, &id_), "file"); }
-  ~OpenFile() { nc_close(id_); }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
+  explicit OpenFile(const std::string& path) : path_(path), source_(path), id_(source_.id()) {}
 
   struct Variable {
     int id = -1;
@@ -61,7 +58,7 @@ class OpenFile {
   std::vector<double> values(const Variable& variable) const {
     std::size_t length = 0;
     check(nc_inq_dimlen(id_, variable.dimension, &length), variable.name);
-    if (length > most_values_in(std::filesystem::file_size(path_))) {
+    if (length > most_values_in(source_.n_bytes())) {
       refuse(variable.name, fmt::format("states {} values, more than the file's bytes can hold", length));
     }
     std::vector<double> result(length);
@@ -105,6 +102,7 @@ class OpenFile {
   }
 
   std::string path_;
+  netcdf::Source source_;
   int id_ = -1;
 };
 

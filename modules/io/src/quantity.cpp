@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
 
 namespace brash::io {
 namespace {
@@ -72,13 +73,13 @@ std::string spelling_error(std::string_view unit) {
     if (!is_letter(unit[i])) return fmt::format("'{}' is not part of a unit", unit[i]);
     while (i < unit.size() && is_letter(unit[i])) ++i;
     symbol_expected = false;
-    // An exponent: ^ and sign are optional, one or two digits.
+    // An exponent: ^ and sign are optional, one digit. UDUNITS would raise kilo to the ninety-ninth.
     if (i < unit.size() && unit[i] == '^') ++i;
     if (i < unit.size() && unit[i] == '(') return "an exponent must be a whole number";
     if (i < unit.size() && unit[i] == '-') ++i;
     const std::size_t first_digit = i;
     while (i < unit.size() && is_digit(unit[i])) ++i;
-    if (i - first_digit > 2) return "an exponent is too large";
+    if (i - first_digit > 1) return "an exponent is too large";
     if (i == first_digit && i > 0 && (unit[i - 1] == '^' || unit[i - 1] == '-')) return "an exponent is missing";
     if (i + 1 < unit.size() && unit[i] == '.' && is_digit(unit[i + 1])) return "an exponent must be a whole number";
   }
@@ -128,12 +129,13 @@ tl::expected<double, QuantityError> convert_units(double value, const std::strin
   ut_system* const system = unit_system();
   const Unit target(ut_parse(system, to.c_str(), UT_UTF8));
   const Unit unit(ut_parse(system, from.c_str(), UT_UTF8));
-  if (!unit) return error(fmt::format("the unit {} is not known", from), "use a unit that UDUNITS-2 knows");
+  if (!unit) return error(fmt::format("the unit {} is not known", printable(from)), "use a unit that UDUNITS-2 knows");
   if (ut_are_convertible(unit.get(), target.get()) == 0 || has_angle(unit.get()) != has_angle(target.get()))
-    return error(fmt::format("the unit {} does not convert to {}", from, to),
+    return error(fmt::format("the unit {} does not convert to {}", printable(from), to),
                  fmt::format("write a quantity that converts to {}", to));
   const Converter converter(ut_get_converter(unit.get(), target.get()));
-  if (!converter) return error(fmt::format("the unit {} does not convert to {}", from, to), "use another unit");
+  if (!converter)
+    return error(fmt::format("the unit {} does not convert to {}", printable(from), to), "use another unit");
   return convert(converter.get(), value);
 }
 
@@ -154,7 +156,7 @@ tl::expected<double, QuantityError> read_quantity(const std::string& text, const
     return error("the string has no unit",
                  fmt::format("write the number without quotes (SI) or with a unit that converts to {}", unit));
   if (const std::string spelling = spelling_error(from); !spelling.empty())
-    return error(fmt::format("the unit {} cannot be read: {}", from, spelling),
+    return error(fmt::format("the unit {} cannot be read: {}", printable(from), spelling),
                  "write the unit as symbols with whole exponents, such as kg/m3 or m s^-1");
   const auto converted = convert_units(value, from, unit);
   if (converted && !std::isfinite(*converted)) return error("the number is too large", "write a finite number");

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "case_keys.hpp"
 #include "cross_checks.hpp"
@@ -34,14 +37,13 @@ void assign(std::optional<double>& value, const Json& section, const char* key) 
 
 model::Case case_from(const Json& document) {
   model::Case result;
-  std::size_t n_read = 0;
+  std::set<std::pair<std::string, std::string>> read;
   visit_keys(result, [&](const char* section, const char* key, auto& value) {
     assign(value, document.at(section), key);
-    ++n_read;
+    read.emplace(section, key);
   });
-  std::size_t n_known = 0;
-  for (const OrderedJson& section : schema_of_cases().sections()) n_known += section.at("properties").size();
-  BRASH_EXPECTS(n_read == n_known, n_read, n_known);
+  for (const auto& [section, keys] : document.items())
+    for (const auto& [key, value] : keys.items()) BRASH_EXPECTS(read.contains({section, key}), section, key);
   return result;
 }
 
@@ -52,6 +54,14 @@ std::string resolve_file(const std::string& file, const CaseSource& source) {
   const std::filesystem::path base =
       named.override_text.empty() ? std::filesystem::path(named.file).parent_path() : std::filesystem::path();
   return std::filesystem::absolute(base / file).lexically_normal().string();
+}
+
+/// A default that the chosen failure model does not take is no wish of the user.
+void drop_options_not_taken(model::Case& c, const CaseSource& source) {
+  const auto is_written = [&](const char* key) { return source.tree["failure"][key].node() != nullptr; };
+  const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
+  if (!takes.radial_first && !is_written("order")) c.failure.order = model::CrackOrder::kCircumferentialFirst;
+  if (!takes.second_order && !is_written("second_order")) c.failure.second_order = false;
 }
 
 /// What is wrong with a model file outside the folder of the file that names it.
@@ -72,11 +82,22 @@ model::Case resolve(const CaseSource& source, const std::string& name, ModelFile
   model::Case result = case_from(validated(source, schema_of_cases()));
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
+  drop_options_not_taken(result, source);
   std::vector<Problem> problems;
   if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source);
   if (problems.empty()) problems = cross_check(result, source);
   if (!problems.empty()) refuse(std::move(problems));
   return result;
+}
+
+std::vector<std::string> keys_set_by_preset(const std::string& path, const std::vector<std::string>& overrides) {
+  const CaseSource source = parse_source(read_case_text(path), path, overrides);
+  std::vector<std::string> keys;
+  for (const auto& [section, part] : schema_of_cases().sections().items())
+    for (const auto& [key, key_schema] : part.at("properties").items())
+      if (key_schema.contains("x-presets") && source.tree[section][key].node() == nullptr)
+        keys.push_back(section + "." + key);
+  return keys;
 }
 
 model::Case read_case(const std::string& path, const std::vector<std::string>& overrides, ModelFile model_file) {
@@ -87,7 +108,11 @@ std::string read_case_text(const std::string& path) { return read_text(path, "ca
 
 model::Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
                        ModelFile model_file) {
-  return resolve(parse_source(text, path, overrides), std::filesystem::path(path).stem().string(), model_file);
+  // "...toml" would name its results "..".
+  const std::string name = std::filesystem::path(path).stem().string();
+  if (name.empty() || name == "." || name == "..")
+    throw InputError(Complaint{path, "gives its case no name", "a file name such as cone.toml", "rename the file"});
+  return resolve(parse_source(text, path, overrides), name, model_file);
 }
 
 }  // namespace brash::io

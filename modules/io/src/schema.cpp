@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "brash/core/text.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
 #include "schema_text.hpp"
@@ -21,7 +22,29 @@ bool lists(const OrderedJson& schema, const std::string& name) {
 
 }  // namespace
 
-Schema::Schema(std::string kind, const char* text) : kind_(std::move(kind)), tree_(OrderedJson::parse(text)) {}
+Schema::Schema(std::string kind, const char* text) : kind_(std::move(kind)), tree_(OrderedJson::parse(text)) {
+  OrderedJson sections = OrderedJson::object();
+  for (auto& [name, section] : tree_.at("properties").items()) {
+    OrderedJson subsections = OrderedJson::object(), keys = OrderedJson::object();
+    if (section.contains("properties")) {
+      for (auto& [key, key_schema] : section.at("properties").items()) {
+        const bool is_subsection = key_schema.contains("properties");
+        (is_subsection ? subsections[name + "." + key] : keys[key]) = key_schema;
+      }
+      section.at("properties") = std::move(keys);
+    }
+    sections[name] = section;
+    sections.update(subsections);
+  }
+  tree_.at("properties") = std::move(sections);
+}
+
+bool Schema::has_key(const std::string& section, const std::string& key, const std::string& kind) const {
+  const OrderedJson& key_schema = keys(section).at(key);
+  if (!key_schema.contains("x-kinds")) return true;
+  const OrderedJson& kinds = key_schema.at("x-kinds");
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
 
 bool Schema::is_free(const OrderedJson& part) {
   const std::string type = value_type(part);
@@ -29,10 +52,24 @@ bool Schema::is_free(const OrderedJson& part) {
          (type == "array" && value_type(part.at("items")) == "object");
 }
 
+std::string Schema::preset_of(const nlohmann::json& document) const {
+  if (!sections().contains("algorithm")) return "";
+  const OrderedJson& key = keys("algorithm").at("preset");
+  return document.value("algorithm", nlohmann::json::object()).value("preset", key.at("default").get<std::string>());
+}
+
+const OrderedJson& Schema::default_in(const OrderedJson& key_schema, const std::string& preset) {
+  if (key_schema.contains("x-presets") && key_schema.at("x-presets").contains(preset))
+    return key_schema.at("x-presets").at(preset);
+  return key_schema.at("default");
+}
+
 bool Schema::requires_section(const std::string& section) const { return lists(tree_, section); }
 
 bool Schema::requires_key(const std::string& section, const std::string& key) const {
-  return lists(sections().at(section), key);
+  const OrderedJson& key_schema = keys(section).at(key);
+  const bool depends = key_schema.contains("x-kinds") || key_schema.contains("x-short-for");
+  return lists(sections().at(section), key) || (depends && !key_schema.contains("default"));
 }
 
 const Schema& schema_of_cases() {
@@ -68,7 +105,7 @@ std::string toml_string(const std::string& text) {
       quoted += c;
     }
   }
-  return quoted + '"';
+  return escaped_as_unicode(quoted) + '"';
 }
 
 std::string toml_text(const OrderedJson& value) {
@@ -95,10 +132,19 @@ std::string range_text(const OrderedJson& key_schema) {
   return bounds.empty() ? "" : fmt::format(" {}", fmt::join(bounds, " and "));
 }
 
+/// " (5 to 89 degrees)"
+std::string degrees_text(const OrderedJson& key_schema) {
+  constexpr double kDegrees = 57.29577951308232;
+  if (!key_schema.contains("minimum") || !key_schema.contains("maximum")) return "";
+  return fmt::format(" ({:.4g} to {:.4g} degrees)", kDegrees * key_schema.at("minimum").get<double>(),
+                     kDegrees * key_schema.at("maximum").get<double>());
+}
+
 std::string number_text(const OrderedJson& key_schema) {
   const std::string unit = key_schema.at("x-unit").get<std::string>();
   std::string text = "a finite number" + range_text(key_schema);
   if (unit == "1") return text;
+  if (unit == "rad") text += degrees_text(key_schema);
   text += " in " + unit + ", or a string with a unit that converts to " + unit;
   if (key_schema.contains("examples")) text += ", such as " + key_schema.at("examples").front().dump();
   return text;

@@ -16,6 +16,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "quantity.hpp"
+#include "series_head.hpp"
 
 namespace brash::io {
 namespace {
@@ -81,17 +82,11 @@ std::optional<double> number(std::string_view cell, Layout& layout) {
   return value;
 }
 
-/// A head such as "time [ms]" as name and unit.
-std::pair<std::string, std::string> name_and_unit(const std::string& head) {
-  const std::size_t open = head.find_first_of("[(");
-  if (open == std::string::npos || !(head.back() == ']' || head.back() == ')')) return {head, ""};
-  return {std::string(without_blanks(head.substr(0, open))), head.substr(open + 1, head.size() - open - 2)};
-}
-
 /// The first line: names, or values of columns that are then called 1, 2, ...
 /// @return whether it held names.
 bool begin(Series& series, const std::vector<std::string_view>& cells, Layout& layout) {
-  const bool named = std::ranges::any_of(cells, [&](std::string_view cell) { return !number(cell, layout); });
+  const bool named =
+      std::ranges::any_of(cells, [&](std::string_view cell) { return !number(cell, layout) && !iso_time(cell); });
   if (named) layout.decimal_mark = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     series.heads.push_back(named ? std::string(cells[i]) : std::to_string(i + 1));
@@ -103,10 +98,18 @@ bool begin(Series& series, const std::vector<std::string_view>& cells, Layout& l
   return named;
 }
 
+/// Where the times may be: the column with such a name, else the first of several.
 std::optional<std::size_t> time_column(const std::vector<std::string>& names) {
-  const auto found = std::ranges::find_if(names, [](const std::string& name) { return is_time_name(name); });
+  const auto found = std::ranges::find_if(names, [](const std::string& name) { return is_text_time_name(name); });
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   return names.size() > 1 ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+/// Whether a column with a name holds times: its name or its unit says so. A first line of anything else may be a
+/// preamble, or of places.
+bool holds_times(const Series& series, std::size_t column) {
+  return is_text_time_name(series.names[column]) ||
+         (!series.units[column].empty() && read_quantity("1 " + series.units[column], "s"));
 }
 
 /// Takes a line of units under the names, when the one of the times is a unit of time.
@@ -126,15 +129,30 @@ bool take_units(Series& series, const std::vector<std::string_view>& cells) {
   return true;
 }
 
-void add_row(Series& series, const std::vector<std::string_view>& cells, std::size_t line, Layout& layout) {
+/// Times that are written as dates: seconds after the first of them.
+struct Dates {
+  std::optional<double> first;
+
+  std::optional<double> seconds(std::string_view cell, bool is_first_row) {
+    const std::optional<double> time = iso_time(cell);
+    if (time && is_first_row) first = time;
+    if (!time || !first) return std::nullopt;
+    return *time - *first;
+  }
+};
+
+void add_row(Series& series, const std::vector<std::string_view>& cells, std::size_t line, Layout& layout,
+             Dates& dates) {
   series.rows.push_back(line);
   const auto place = [&] { return series.place(series.rows.size() - 1); };
   if (cells.size() != series.names.size())
-    throw InputError(Complaint{place(),
-                               fmt::format("{} values in a table of {} columns", cells.size(), series.names.size()),
-                               "as many values in each line as in the first", "correct the line; # begins a comment"});
+    throw InputError(Complaint{
+        place(), fmt::format("{} values in a table of {} columns", cells.size(), series.names.size()),
+        "as many values in each line as in the first", "correct the line; a preamble before the table begins with #"});
+  const auto times = time_column(series.names);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::optional<double> value = number(cells[i], layout);
+    std::optional<double> value = number(cells[i], layout);
+    if (!value && times == i) value = dates.seconds(cells[i], series.rows.size() == 1);
     if (!value)
       throw InputError(
           Complaint{place(),
@@ -142,15 +160,21 @@ void add_row(Series& series, const std::vector<std::string_view>& cells, std::si
                                 printable(std::string(cells[i]))),
                     "numbers with a decimal point, or all with a decimal comma between semicolons or tabs; "
                     "nothing, NaN, NA or - where a value is missing",
-                    "correct the value; a line that is no part of the table begins with #"});
+                    "correct the value; a line that is no part of the table, such as a preamble, begins with #"});
     series.columns[i].push_back(*value);
   }
 }
 
-void find_times(Series& series, const std::string& path) {
+void find_times(Series& series, const std::string& path, bool named, const Dates& dates) {
   series.time = time_column(series.names);
   if (!series.time) return;
   std::string& unit = series.units[*series.time];
+  if (named && !dates.first && !holds_times(series, *series.time)) {
+    // Seconds that nobody named would be a guess.
+    series.time.reset();
+    return;
+  }
+  if (dates.first) unit = "s";
   const double factor = seconds_in(unit, fmt::format("{}, column '{}'", path, printable(series.heads[*series.time])));
   unit = "s";
   std::vector<double>& times = series.columns[*series.time];
@@ -167,6 +191,8 @@ Series read_text_series(const std::string& path) {
   Series series;
   series.row_prefix = path + ":";
   std::optional<Layout> layout;
+  Dates dates;
+  bool named = false;
   bool units_may_follow = false;
   std::size_t line_number = 0;
   for (std::string line; std::getline(file, line);) {
@@ -179,17 +205,18 @@ Series read_text_series(const std::string& path) {
       throw InputError(Complaint{fmt::format("{}:{}", path, line_number), "has more columns than a history has",
                                  fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});
     if (series.names.empty() && begin(series, cells, *layout)) {
+      named = true;
       units_may_follow = true;
       continue;
     }
     if (!std::exchange(units_may_follow, false) || !take_units(series, cells))
-      add_row(series, cells, line_number, *layout);
+      add_row(series, cells, line_number, *layout, dates);
   }
   if (series.rows.size() < 2)
     throw InputError(Complaint{path, fmt::format("{} rows of numbers", series.rows.size()),
                                "lines of numbers, 2 at least, after one of names",
                                "check that it is the right file and whole"});
-  find_times(series, path);
+  find_times(series, path, named, dates);
   convert_to_si(series);
   return series;
 }

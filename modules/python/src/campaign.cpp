@@ -60,7 +60,7 @@ py::dict run(const py::object& plan, const py::object& output, int jobs, bool re
   campaign::Counts counts;
   bool interrupted = false;
   {
-    const py::gil_scoped_release release;
+    const Released release;
     try {
       counts = campaign::run_local(campaign, n_workers, progress);
     } catch (const Interrupted&) {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
+#include "brash/structure/hull.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
 
@@ -16,16 +21,18 @@ Case read(std::string text, std::string path, bool has_file, std::vector<std::st
   return {std::move(text), std::move(path), has_file, std::move(overrides), std::move(resolved)};
 }
 
-/// A Python value as TOML: true, 0.4, "40 cm", [3, 5].
-std::string toml_value(py::handle value) {
+/// A Python value as TOML: true, 0.4, "40 cm", [3, 5]. A list that holds itself has no end, and is refused.
+std::string toml_value(py::handle value, int depth = 0) {
+  constexpr int kDeepest = 8;
+  if (depth > kDeepest) throw InputError(fmt::format("a list is nested deeper than {}, or holds itself", kDeepest));
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<py::str>(value))
     return py::str(py::module_::import("json").attr("dumps")(value, py::arg("ensure_ascii") = false));
   if (py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value)) return py::repr(value);
-  if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")());
+  if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")(), depth + 1);
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
     std::string items;
-    for (const py::handle item : value) items += (items.empty() ? "" : ", ") + toml_value(item);
+    for (const py::handle item : value) items += (items.empty() ? "" : ", ") + toml_value(item, depth + 1);
     return "[" + items + "]";
   }
   throw py::type_error("a case takes bool, int, float, str and lists of them, not " +
@@ -66,11 +73,33 @@ py::dict derived(const Case& c) {
   out["draft"] = s.draft;
   out["collision_time"] = s.collision_time;
   out["initial_crack_radius"] = s.initial_crack_radius;
-  out["warnings"] = s.warnings;
+  py::list warnings;
+  for (const model::Warning& warning : s.warnings) warnings.append(warning.text);
+  out["warnings"] = warnings;
   return out;
 }
 
-void update(Case& c, const py::dict& changes) { c = read(c.text, c.path, c.has_file, changed(c.overrides, changes)); }
+py::tuple mesh(const Case& c) {
+  const auto hull = structure::make_hull(c.resolved.structure.shape);
+  const auto& [vertices, triangles] = hull->mesh();
+  py::array_t<double> places({static_cast<py::ssize_t>(vertices.size()), py::ssize_t{3}});
+  py::array_t<int> corners({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
+  auto place = places.mutable_unchecked<2>();
+  auto corner = corners.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < place.shape(0); ++i) {
+    const Vec3& v = vertices[static_cast<std::size_t>(i)];
+    place(i, 0) = v.x, place(i, 1) = v.y, place(i, 2) = v.z;
+  }
+  for (py::ssize_t i = 0; i < corner.shape(0); ++i)
+    for (py::ssize_t k = 0; k < 3; ++k)
+      corner(i, k) = triangles[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  return py::make_tuple(std::move(places), std::move(corners));
+}
+
+void update(Case& c, const py::dict& changes) {
+  if (c.runs.n > 0) throw std::runtime_error("this case is running: change a copy of it, case.copy()");
+  c = read(c.text, c.path, c.has_file, changed(c.overrides, changes));
+}
 
 }  // namespace
 
@@ -108,6 +137,9 @@ void add_case(py::module_& m) {
       .def("to_dict", &to_dict, "All keys with their values, section by section.")
       .def(
           "to_toml", [](const Case& c) { return io::to_toml(c.resolved); }, "The resolved case as a case file.")
+      .def("mesh", &mesh,
+           "The structure as a closed mesh: vertices [m], shape=(n, 3), z upwards from the waterplane, and triangles,\n"
+           "shape=(m, 3), counter-clockwise from outside.")
       .def("derived", &derived, "Lengths [m] and times [s] that follow from the case, and warnings, as `brash check`.")
       .def(
           "copy", [](const Case& c) { return c; }, "An independent case with the same keys.")

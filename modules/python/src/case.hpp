@@ -8,6 +8,15 @@
 
 namespace brash::python {
 
+/// How many runs of a case go on. A copy of the case begins without any.
+struct RunsNow {
+  int n = 0;
+
+  RunsNow() = default;
+  RunsNow(const RunsNow&) {}
+  RunsNow& operator=(const RunsNow&) { return *this; }
+};
+
 /// A case with what it was made from, so that a change is checked as the command line checks it.
 struct Case {
   std::string text;  ///< of the case file
@@ -15,6 +24,7 @@ struct Case {
   bool has_file = false;
   std::vector<std::string> overrides;
   model::Case resolved;
+  mutable RunsNow runs{};  ///< the GIL guards it
 };
 
 }  // namespace brash::python

@@ -10,6 +10,7 @@
 #include "convert.hpp"
 #include "polygons.hpp"
 #include "rooms.hpp"
+#include "signals.hpp"
 
 namespace brash::python {
 namespace {
@@ -25,7 +26,7 @@ constexpr int kMostSides = 100000;
 IceSheet make_sheet(const py::object& polygons) {
   const std::vector<Polygon> ice = to_polygons(polygons, "polygons");
   auto sheet = [&] {
-    const py::gil_scoped_release release;
+    const Released release;
     return IceSheet::from_polygons(ice);
   }();
   if (!sheet) throw InputError("polygons: " + sheet.error().what);
@@ -37,11 +38,14 @@ double expect_range(double value, double least, double most, const char* name) {
   throw InputError(fmt::format("{} = {}: a number from {} to {} is expected", name, value, least, most));
 }
 
-/// A circle that stays on the grid.
-double expect_radius(double radius, Vec2 centre, const char* name) {
+/// Circles and windows are no smaller: a thousand units of the grid [m].
+constexpr double kLeastRadius = 1e-6;
+
+/// A circle that stays on the grid, of at least `least` [m].
+double expect_radius(double radius, Vec2 centre, const char* name, double least = kLeastRadius) {
   const double room = geometry::kMaxCoordinate - std::max(std::abs(centre.x), std::abs(centre.y));
-  if (radius > 0.0 && radius <= room) return radius;
-  throw InputError(fmt::format("{} = {}: metres above 0 that keep within +-{} m are expected", name, radius,
+  if (radius >= least && radius <= room) return radius;
+  throw InputError(fmt::format("{} = {}: metres from {:g} that keep within +-{} m are expected", name, radius, least,
                                geometry::kMaxCoordinate));
 }
 
@@ -62,9 +66,10 @@ Cut cut(IceSheet& sheet, const py::object& region, const py::object& cracks) {
 Cut cut_circumferential(IceSheet& sheet, const py::object& centre, double radius, int wedges, const py::object& angles,
                         int sides) {
   const Vec2 at = point(centre, "centre");
-  expect_radius(radius, at, "radius");
   expect_range(wedges, 1, kMostWedges, "wedges");
   expect_range(sides, 3, kMostSides, "sides");
+  // The vertices of the circle must not fall together on the grid.
+  expect_radius(radius, at, "radius", std::max(kLeastRadius, geometry::kGridUnit * sides));
   if (angles.is_none()) return geometry::cut_circumferential(sheet, at, radius, wedges, sides);
   const Array radians = samples(angles, "angles");
   expect_range(static_cast<double>(radians.size()), 0, kMostWedges, "number of angles");
@@ -205,14 +210,8 @@ py::object contains(const IceSheet& sheet, const py::object& where) {
   const std::vector<Vec2> all = points(array, "points");
   py::array_t<bool> inside(static_cast<py::ssize_t>(all.size()));
   auto view = inside.mutable_unchecked<1>();
-  for (std::size_t i = 0; i < all.size(); ++i) view(static_cast<py::ssize_t>(i)) = sheet.contains(all[i]);
+  without_gil(all.size(), [&](std::size_t i) { view(static_cast<py::ssize_t>(i)) = sheet.contains(all[i]); });
   return inside;
-}
-
-std::vector<geometry::ContactRegion> contacts(const IceSheet& sheet, const py::object& section) {
-  const geometry::Ring ring = to_ring(section, "section");
-  if (!geometry::is_convex(ring)) throw InputError("section: is not convex; give a convex outline");
-  return sheet.contacts(ring);
 }
 
 py::list free_edge(const IceSheet& sheet, const py::object& at, double radius) {
@@ -255,7 +254,10 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
            "into `wedges`, or at `angles` [rad], counter-clockwise from x. `sides`: chords of the full circle.")
       .def("release_detached", &IceSheet::release_detached,
            "Takes every part but the largest out of the sheet and returns them.")
-      .def("contacts", &contacts, py::arg("section"), "Overlaps of a convex section with the ice.")
+      .def(
+          "contacts",
+          [](const IceSheet& s, const py::object& section) { return s.contacts(to_ring(section, "section")); },
+          py::arg("section"), "Overlaps of a simple section with the ice; a hollow one may have several.")
       .def(
           "within", [](const IceSheet& s, const py::object& window) { return s.within(to_ring(window, "window")); },
           py::arg("window"), "The ice inside the window as polygons, without taking it.")

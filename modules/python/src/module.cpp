@@ -3,6 +3,26 @@
 
 #include "brash/core/version.hpp"
 #include "rooms.hpp"
+#include "signals.hpp"
+
+namespace {
+
+/// Refuses objects whose __init__ never ran: made by T.__new__(T), they have no value behind them.
+void* refuse_half_made(std::size_t) {
+  throw pybind11::type_error("this object was not made: call its class, not __new__");
+}
+
+void refuse_half_made_objects(const pybind11::module_& m) {
+  namespace py = pybind11;
+  for (const auto& [name, value] : m.attr("__dict__").cast<py::dict>()) {
+    if (!py::isinstance<py::type>(value)) continue;
+    auto* const info = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(value.ptr()));
+    // pybind11 asks for memory, and leaves it empty, where a value is missing when it is used.
+    if (info != nullptr) info->operator_new = &refuse_half_made;
+  }
+}
+
+}  // namespace
 
 PYBIND11_MODULE(_brash, m) {
   using namespace brash::python;
@@ -26,4 +46,6 @@ PYBIND11_MODULE(_brash, m) {
   add_failure(m);
   add_statistics(m);
   add_standards(m);
+  refuse_half_made_objects(m);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&Released::wait_for_calls));
 }

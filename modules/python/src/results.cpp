@@ -6,6 +6,7 @@
 #include "brash/io/results.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
+#include "signals.hpp"
 
 namespace brash::python {
 namespace {
@@ -104,7 +105,9 @@ void add_results(py::module_& m) {
   m.def(
       "read_results",
       [](const py::object& path) {
-        return io::read_results(py::module_::import("os").attr("fspath")(path).cast<std::string>());
+        const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+        const Released release;
+        return io::read_results(name);
       },
       py::arg("path"), "Reads a run.nc.");
 }

@@ -5,6 +5,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/interruption.hpp"
 
 namespace brash::python {
 
@@ -24,9 +25,16 @@ void add_failure(pybind11::module_& m);
 void add_statistics(pybind11::module_& m);
 void add_standards(pybind11::module_& m);
 
-/// Calls a function all of whose contracts are about its arguments: what breaks them is the caller's input.
+/// Lets Python see Ctrl-C, with the GIL held. @throws pybind11::error_already_set what its handler raises.
+inline void raise_signals() {
+  if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+}
+
+/// Calls a function all of whose contracts are about its arguments: what breaks them is the caller's input. Ctrl-C ends
+/// it.
 template <typename Call>
 auto with_arguments_of(const char* function, Call call) {
+  const CheckedForInterruption checked(&raise_signals);
   try {
     return call();
   } catch (const ContractViolation& broken) {

@@ -3,10 +3,46 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
 #include <stdexcept>
+#include <thread>
 
 namespace brash::python {
+
+/// Lets go of the GIL while it lives. An interpreter that ends waits for those that live (see wait_for_calls()): a
+/// thread that asks an ended one for the GIL would end the process.
+class Released {
+ public:
+  Released() = default;
+  Released(const Released&) = delete;
+  Released& operator=(const Released&) = delete;
+
+  /// Whether the interpreter is about to end.
+  static bool is_closing() { return closing; }
+  /// Has all calls end soon, and waits for them, a minute at most. For atexit; holds the GIL.
+  static void wait_for_calls() {
+    closing = true;
+    const pybind11::gil_scoped_release release;
+    for (int i = 0; i < 6000 && n_calls > 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+
+ private:
+  struct Count {
+    Count() {
+      if (closing) throw std::runtime_error("the interpreter is about to end");
+      ++n_calls;
+    }
+    Count(const Count&) = delete;
+    Count& operator=(const Count&) = delete;
+    ~Count() { --n_calls; }
+  };
+  static inline std::atomic<bool> closing = false;
+  static inline std::atomic<int> n_calls = 0;
+
+  Count count_;
+  pybind11::gil_scoped_release release_;  ///< goes first
+};
 
 /// Lets Python see Ctrl-C during a long call that has released the GIL.
 class SignalPoll {
@@ -17,6 +53,10 @@ class SignalPoll {
     if (now - asked_ < std::chrono::milliseconds(100)) return false;
     asked_ = now;
     const pybind11::gil_scoped_acquire gil;
+    if (Released::is_closing()) {
+      PyErr_SetString(PyExc_RuntimeError, "the interpreter is about to end");
+      return true;
+    }
     return PyErr_CheckSignals() != 0;
   }
 
@@ -29,7 +69,7 @@ template <typename Piece>
 void without_gil(std::size_t n, Piece piece) {
   bool raised = false;
   {
-    const pybind11::gil_scoped_release release;
+    const Released release;
     SignalPoll poll;
     for (std::size_t i = 0; i < n && !raised; ++i) {
       piece(i);

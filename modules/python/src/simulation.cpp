@@ -8,8 +8,12 @@
 #include <optional>
 
 #include "../../cli/src/run_folder.hpp"
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
+#include "brash/recording/inputs.hpp"
+#include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "case.hpp"
 #include "convert.hpp"
@@ -84,33 +88,50 @@ py::list deaths_of(const Steps& steps) {
   return out;
 }
 
-/// Path of the case file that a run's manifest names; a case without a file gets one in the folder of the results.
-std::string case_file_of(const Case& c, const std::string& directory) {
-  if (c.has_file) return c.path;
-  const std::string file = directory + "/case.toml";
-  write_file(file, io::to_toml(c.resolved));
-  return file;
+/// While it lives, the case cannot be changed. Made and ended with the GIL.
+class Frozen {
+ public:
+  explicit Frozen(const Case& c) : case_(c) { ++case_.runs.n; }
+  Frozen(const Frozen&) = delete;
+  Frozen& operator=(const Frozen&) = delete;
+  ~Frozen() { --case_.runs.n; }
+
+ private:
+  const Case& case_;
+};
+
+/// What a run of this case reads; a case without a file is recorded as the text that gives it.
+recording::Inputs inputs_of(const Case& c) {
+  if (c.has_file) return recording::inputs_of(c.path, c.text, c.resolved);
+  return recording::inputs_of("case.toml", io::to_toml(c.resolved), c.resolved);
 }
 
-simulation::Run run(const Case& c, const py::object& output, bool resume) {
+simulation::Run run(const Case& c, const py::object& output, bool resume, bool replace) {
   if (resume && output.is_none()) throw InputError("resume: name the folder of the interrupted run as output");
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
+  const recording::Inputs inputs = inputs_of(c);
   simulation::RunOptions options;
   if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume);
   options.begun = [&] {
-    if (!directory.empty()) cli::remove_run(directory);
+    if (!directory.empty()) {
+      recording::expect_unchanged(inputs);
+      cli::remove_run(directory);
+    }
   };
   SignalPoll poll;
   options.interrupted = [&] { return poll.raised(); };
   simulation::Run finished;
+  const Frozen frozen(c);
   {
-    const py::gil_scoped_release release;
+    const Released release;
     std::optional<FolderLock> lock;
-    if (!directory.empty()) lock.emplace(cli::open_run_folder(directory));
+    if (!directory.empty()) {
+      lock.emplace(cli::open_run_folder(directory));
+      if (!resume && !replace) cli::refuse_replacing(directory);
+    }
     finished = simulation::run(c.resolved, options);
-    if (finished.complete && !directory.empty())
-      cli::write_run_folder(directory, case_file_of(c, directory), c.resolved, finished);
+    if (finished.complete && !directory.empty()) cli::write_run_folder(directory, inputs, finished);
   }
   if (!finished.complete) throw py::error_already_set();
   return finished;
@@ -132,7 +153,9 @@ void add_run(py::module_& m) {
       .def_readonly("wall_seconds", &Run::wall_seconds);
   m.attr("Case").attr("run") = py::cpp_function(
       &run, py::name("run"), py::is_method(m.attr("Case")), py::arg("output") = py::none(), py::arg("resume") = false,
+      py::arg("replace") = false,
       "Runs the case to its end and returns a Run; with `output` it leaves there what `brash run` leaves.\n\n"
+      "A folder that holds a run already is refused without replace=True. "
       "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there.");
 }
 

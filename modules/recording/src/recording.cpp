@@ -6,7 +6,6 @@
 #include <map>
 
 #include "brash/core/write_file.hpp"
-#include "brash/failure/criterion.hpp"
 #include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
 
@@ -23,9 +22,10 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
   return store;
 }
 
-void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved,
-               const simulation::Run& run, const std::vector<std::string>& pictures, Kept kept) {
+void write_run(const std::string& directory, const Inputs& inputs, const simulation::Run& run,
+               const std::vector<std::string>& pictures, Kept kept) {
   const auto start = std::chrono::steady_clock::now();
+  const model::Case resolved = inputs.recorded();
   std::vector<std::string> outputs{"summary.json"};
   if (kept == Kept::kRun) {
     io::write_results(directory, resolved, run.results);
@@ -36,14 +36,15 @@ void write_run(const std::string& directory, const std::string& case_file, const
   }
   write_file(directory + "/summary.json", simulation::to_json(run.summary));
 
-  std::vector<std::string> inputs{case_file};
-  const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
-  if (!model.empty()) inputs.push_back(model);
+  // Of a campaign's case the campaign has the copies.
+  if (kept == Kept::kRun) write_copies(inputs, directory);
+  std::vector<io::HashedFile> read;
+  for (const InputFile& file : inputs.files) read.push_back({file.path, file.sha256, file.n_bytes, file.copy});
   outputs.insert(outputs.end(), pictures.begin(), pictures.end());
   std::map<std::string, double> stage_seconds;
   simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) { stage_seconds[name] = seconds; });
   stage_seconds["recording"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  io::write_manifest(directory, resolved, inputs, outputs,
+  io::write_manifest(directory, resolved, read, outputs,
                      {.started_at = run.started_at,
                       .wall_seconds = run.wall_seconds,
                       .host_cpu = {},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bundles the page of a report into one HTML text and writes it as C++: build.mjs PACKAGES_FOLDER PAGE.cpp
+import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
@@ -24,8 +25,11 @@ const { outputFiles } = await build({
 const script = outputFiles[0].text;
 const style = readFileSync(join(here, "style.css"), "utf8");
 const uplot = readFileSync(join(packages, "node_modules/uplot/dist/uPlot.min.css"), "utf8");
+// The policy allows this script and no other: the data of a report cannot bring one along.
+const hash = `sha256-${createHash("sha256").update(script).digest("base64")}`;
 // Functions as replacements: a `$&` in the script would mean something in a text.
 const page = readFileSync(join(here, "page.html"), "utf8")
+  .replace("SCRIPT-HASH", () => hash)
   .replace("/*STYLE*/", () => uplot + style)
   .replace("/*SCRIPT*/", () => script);
 

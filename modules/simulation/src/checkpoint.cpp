@@ -18,12 +18,30 @@ ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkp
   return {resolved.field, ice_properties(resolved), checkpoint};
 }
 
+/// What the motion of the structure depends on, a column each.
+model::Table saved_motion(const structure::Motion& motion) {
+  structure::Numbers numbers;
+  motion.save(numbers);
+  model::Table table{"structure", {}};
+  model::SavedRow row(table);
+  for (const auto& [name, number] : numbers) row(name, "1", "motion of the structure, SI", number);
+  return table;
+}
+
+void restore_motion(structure::Motion& motion, const model::Table& table) {
+  structure::Numbers numbers;
+  model::RestoredRow row(table, 0);
+  for (const model::Column& column : table.columns) row(column.name, "", "", numbers[column.name]);
+  motion.restore(numbers);
+}
+
 }  // namespace
 
 Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint) : Impl(c, field_of(c, checkpoint)) {
   model::restore(checkpoint, "progress", *this);
   model::restore(checkpoint, "energy", energy);
-  world.set_state(structure_body, structure_pose(), {});
+  restore_motion(*motion, checkpoint.table("structure"));
+  world.set_state(structure_body, motion->now().pose, {});
   floes.restore(world, field.level_ice(), checkpoint);
   bearings.restore(floes, checkpoint);
   sleep.restore(floes, checkpoint);
@@ -34,6 +52,7 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
 model::Checkpoint Simulation::Impl::checkpoint() const {
   model::Checkpoint saved{.resolved = resolved, .tables = {}, .results = {}};
   model::save(saved, "progress", *this);
+  saved.tables.push_back(saved_motion(*motion));
   model::save(saved, "energy", energy);
   field.save(saved);
   floes.save(world, saved);

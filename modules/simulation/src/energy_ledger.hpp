@@ -20,8 +20,9 @@ struct Taken {
 /// step (docs/theory/dynamics.md, (E1), (E3)). It only looks; nothing in a run depends on it.
 class EnergyLedger {
  public:
-  /// The structure moved by `advance` [m] against `edge_force` from the sheet's edge and `floe_force` from floes [N].
-  void book_structure(double edge_force, double floe_force, double advance);
+  /// The ice moved by `passage` past the structure [m], [rad], under the loads `edge` of the sheet's edge and `floes`
+  /// on it; all in the same axes.
+  void book_structure(const Wrench& edge, const Wrench& floes, const Twist& passage);
 
   /// Contacts and water in the world's last step, `dt` [s] long. Floes from id `first_newborn` on were born before it.
   /// Afterwards received() is what the step gave each moving floe.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "floe_water.hpp"
 
-#include "brash/simulation/cone_of.hpp"
+#include "brash/structure/hull.hpp"
 
 namespace brash::simulation {
 namespace {
@@ -43,17 +43,18 @@ FloeWater::FloeWater(const model::Case& resolved)
              .skin_friction = resolved.hydrodynamics.skin_friction,
              .shading_gap = shading_gap(resolved)} {
   if (!resolved.hydrodynamics.structure_flow) return;
-  const structure::Cone cone = cone_of(resolved);
-  flow_.emplace(0.5 * cone.waterline_width, structure::displaced_volume(cone));
+  const structure::Displacement hull = structure::make_hull(resolved.structure.shape)->displaced({});
+  flow_.emplace(hull.waterplane.radius, hull.volume);
 }
 
-hydrodynamics::Water FloeWater::at(Vec3 position, Vec2 structure) const {
+hydrodynamics::Water FloeWater::at(Vec3 position, const structure::State& structure) const {
   hydrodynamics::Water water = water_;
-  if (flow_) water.current += flow_->at(position - Vec3{structure.x, structure.y, 0.0}, {case_->structure.speed, 0.0});
+  const Vec3 origin{structure.pose.position.x, structure.pose.position.y, 0.0};
+  if (flow_) water.current += flow_->at(position - origin, plan(structure.twist.linear));
   return water;
 }
 
-void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt, Vec2 structure) {
+void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure) {
   due_.clear();
   for (const BodyId body : world.moving()) {
     Floe& floe = floes.at(body);
@@ -72,7 +73,8 @@ void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt
   renew_drag(world, floes, dt, structure);
 }
 
-void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, double dt, Vec2 structure) {
+void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, double dt,
+                           const structure::State& structure) {
   const double travel = case_->hydrodynamics.drag_travel * case_->ice.thickness;
   const auto renew = [&](BodyId body, std::span<const Solid> neighbours) {
     Floe& floe = floes.at(body);

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "brash/core/error.hpp"
+#include "brash/simulation/warnings.hpp"
 #include "plan.hpp"
 #include "stage_timer.hpp"
 #include "summarise.hpp"
@@ -228,7 +229,11 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   finished.complete = advance(resolved, options, progress);
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.summary.ledger = progress.simulation.ledger();
-  if (finished.complete) finished.summary = summarise(resolved, finished.results, progress.counts.summary);
+  if (finished.complete) {
+    finished.summary = summarise(resolved, finished.results, progress.counts.summary);
+    finished.summary.warnings = progress.simulation.warnings();
+    std::ranges::move(warnings_of(finished.summary), std::back_inserter(finished.summary.warnings));
+  }
   finished.stage_times = progress.simulation.stage_times();
   finished.stage_times.recording = progress.recording_seconds;
   finished.wall_seconds = seconds_since(start);

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
 #include "initial_crack.hpp"
@@ -25,10 +24,10 @@ rigid_body::WorldSettings world_settings(const model::Case& c) {
           .release_speed = c.time.settle_speed};
 }
 
-/// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).
-Wrench in_load_axes(const Wrench& w) {
-  return {{-w.force.x, -w.force.y, w.force.z}, {-w.moment.x, -w.moment.y, w.moment.z}};
-}
+/// World axes to load axes and back: x as the ice drifts against the structure, z upwards (a half turn about z).
+Vec3 in_load_axes(Vec3 v) { return {-v.x, -v.y, v.z}; }
+Wrench in_load_axes(const Wrench& w) { return {in_load_axes(w.force), in_load_axes(w.moment)}; }
+Twist in_load_axes(const Twist& t) { return {in_load_axes(t.linear), in_load_axes(t.angular)}; }
 
 void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.n_above_range += assessment.above_range ? 1 : 0;
@@ -51,6 +50,10 @@ class TimedCriterion final : public failure::BendingCriterion {
     return criterion_->dismiss(load);
   }
   bool needs_outline() const override { return criterion_->needs_outline(); }
+  std::optional<double> trained_thickness_over_lc() const override { return criterion_->trained_thickness_over_lc(); }
+  std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
+    return criterion_->thickness_over_lc_range();
+  }
 
  private:
   std::unique_ptr<failure::BendingCriterion> criterion_;
@@ -62,7 +65,8 @@ class TimedCriterion final : public failure::BendingCriterion {
 
 Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
     : resolved(c),
-      cone(cone_of(c)),
+      hull(structure::make_hull(c.structure.shape)),
+      motion(structure::make_motion(c.structure, c.time.step)),
       field(std::move(laid)),
       pattern(ice::make_crack_pattern(c.failure)),
       world(world_settings(c)),
@@ -70,12 +74,10 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
       floes(resolved),
       water(resolved),
       sleep(resolved),
-      centre{-c.structure.start_distance, 0.0},
-      watchdog(resolved) {
+      structure_body(world.add_structure(hull->parts(), motion->now().pose)),
+      watchdog(resolved, hull->bounds()) {
   for (const ice::Plate& plate : field.level_ice())
     criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
-  const std::vector<Vec3> hull = structure::hull(cone);
-  structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
 }
 
 Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c))) {
@@ -84,13 +86,13 @@ Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_p
 }
 
 EdgeModel Simulation::Impl::edge_model(const ice::Plate& plate) const {
-  return {cone, resolved, plate.ice(), *criteria[static_cast<std::size_t>(plate.level_ice())]};
+  return {*hull, resolved, plate.ice(), *criteria[static_cast<std::size_t>(plate.level_ice())]};
 }
 
 void Simulation::Impl::begin_watch() {
   model::LoadRow row;
   energy.report(world, floes, row);
-  watchdog.begin({world, floes, energy, field.ledger(), row, {}});
+  watchdog.begin({world, floes, energy, field.ledger(), row, {}, motion->now().twist});
 }
 
 /// Fig. 5: the ice has broken once before the structure comes.
@@ -112,8 +114,8 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   const ice::CrackPlan plan = pattern->plan(plate, contact.region, contact.assessment, random);
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
   sleep.wake_within(world, floes, plan.centre, plan.reach);
-  ice::Broken broken =
-      field.break_off(plate, plan, leading_section(edge_model(plate), centre), resolved.failure.smallest_floe);
+  ice::Broken broken = field.break_off(plate, plan, leading_outlines(edge_model(plate), motion->now().pose),
+                                       resolved.failure.smallest_floe);
   Break made{.n_wedges = plan.n_wedges, .births = {}};
   for (ice::Plate& piece : broken.pieces) {
     const double mass_per_area = resolved.ice.density * piece.ice().thickness;
@@ -130,11 +132,11 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   return made;
 }
 
-/// Every contact of the structure with level ice, were the structure at `place`.
-std::vector<EdgeContact> Simulation::Impl::contacts_at(Vec2 place) const {
+/// Every contact of the structure with level ice, were the structure in `state`.
+std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state) const {
   std::vector<EdgeContact> contacts;
   for (const ice::Plate& plate : field.level_ice()) {
-    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), place)) {
+    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), state)) {
       contact.level_ice = plate.level_ice();
       contacts.push_back(std::move(contact));
     }
@@ -144,12 +146,11 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(Vec2 place) const {
 
 /// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
 /// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
-/// above already: the step is then left whole. What the trailing section then covers is crushed, so the contacts are
+/// above already: the step is then left whole. What the trailing outlines then cover is crushed, so the contacts are
 /// those of the state that is reached, however short or long the step.
 std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
-  const Vec2 whole_step{resolved.structure.speed * resolved.time.step, 0.0};
-  const auto contacts_after = [&](double part) { return contacts_at(centre + part * whole_step); };
+  const auto contacts_after = [&](double part) { return contacts_at(motion->after(part)); };
   const auto above_range = [](const std::vector<EdgeContact>& contacts) {
     return std::ranges::any_of(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
   };
@@ -161,8 +162,8 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, Step
     } while (0.5 * share >= shortest && above_range(contacts));
   }
 
-  centre += share * whole_step;
-  if (crush_passed_ice()) contacts = contacts_at(centre);
+  motion->advance(share);
+  if (crush_passed_ice()) contacts = contacts_at(motion->now());
   for (const EdgeContact& contact : contacts) count_range(contact.assessment, report);
   return contacts;
 }
@@ -184,14 +185,16 @@ std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report)
   return contacts;
 }
 
-/// The structure has penetrated the whole thickness of the ice that the trailing section covers. This ice is crushed
+/// The structure has penetrated the whole thickness of the ice that the trailing outlines cover. This ice is crushed
 /// and leaves its plate. @return whether there was any.
 bool Simulation::Impl::crush_passed_ice() {
   const StageTimer::Scope clock(timer, times.cutting);
   bool any = false;
   for (const ice::Plate& level : field.level_ice()) {
     ice::Plate& plate = field.level_ice(level.level_ice());
-    const geometry::Extent changed = field.crush(plate, trailing_section(edge_model(plate), centre));
+    geometry::Extent changed;
+    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), motion->now().pose))
+      changed.add(field.crush(plate, outline));
     tiles.renew(plate, world, changed);
     any = any || !changed.is_empty();
   }
@@ -241,15 +244,15 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
     const std::vector<EdgeContact> contacts = move_within_range(share, report);
     done += share;
     for (const EdgeContact& contact : contacts) {
-      const Vec3 arm = contact.point - structure_pose().position;
-      report.loads.crushing += in_load_axes({share * contact.force, share * cross(arm, contact.force)});
+      const Vec3 arm = contact.point - motion->now().pose.position;
+      report.loads.crushing += in_load_axes(Wrench{share * contact.force, share * cross(arm, contact.force)});
     }
     break_ice(contacts, report);
   }
   --report.n_substeps;
   break_ice(contacts_of_floes(report), report);
   for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
-  world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
+  world.move_structure(structure_body, motion->now().pose, motion->now().twist);
 }
 
 /// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.
@@ -263,16 +266,18 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, St
     const Vec3 arm = contact.point - origin;
     const Vec3 normal = -contact.normal_force * contact.normal;
     const Vec3 friction = -contact.friction_force;
-    row.floe_normal += in_load_axes({normal, cross(arm, normal)});
-    row.floe_friction += in_load_axes({friction, cross(arm, friction)});
+    row.floe_normal += in_load_axes(Wrench{normal, cross(arm, normal)});
+    row.floe_friction += in_load_axes(Wrench{friction, cross(arm, friction)});
     ++row.n_contacts;
   }
   row.total = row.crushing;
   row.total += row.floe_normal;
   row.total += row.floe_friction;
   const double dt = resolved.time.step;
-  energy.book_structure(row.crushing.force.x, row.floe_normal.force.x + row.floe_friction.force.x,
-                        resolved.structure.speed * dt);
+  Wrench floe_load = row.floe_normal;
+  floe_load += row.floe_friction;
+  const Twist& twist = motion->now().twist;
+  energy.book_structure(row.crushing, floe_load, in_load_axes(Twist{-dt * twist.linear, -dt * twist.angular}));
   energy.book_step(world, floes, first_newborn, dt);
   energy.report(world, floes, row);
 
@@ -296,7 +301,7 @@ void Simulation::Impl::lay_sheet_near(BodyId body) {
 void Simulation::Impl::load_by_water() {
   const StageTimer::Scope clock(timer, times.water);
   for (const BodyId body : world.moving()) lay_sheet_near(body);
-  water.apply(world, floes, resolved.time.step, centre);
+  water.apply(world, floes, resolved.time.step, motion->now());
 }
 
 void Simulation::Impl::step_bodies(StepReport& report) {
@@ -306,9 +311,16 @@ void Simulation::Impl::step_bodies(StepReport& report) {
   report.last_change = world.last_change();
 }
 
+/// Floes fall asleep a structure's width behind it.
+HalfPlane Simulation::Impl::astern() const {
+  const Vec2 ahead = normalized(motion->course());
+  const double width = 2.0 * hull->displaced(motion->now().pose).waterplane.radius;
+  return {ahead, dot(ahead, plan(motion->now().pose.position)) - width};
+}
+
 void Simulation::Impl::fall_asleep_or_wake() {
   const StageTimer::Scope clock(timer, times.loads);
-  energy.book_fallen_asleep(sleep.update(world, floes, centre.x - cone.waterline_width));
+  energy.book_fallen_asleep(sleep.update(world, floes, astern()));
 }
 
 /// Contact forces averaged over each floe's collision time: its stress, and what it presses on level ice.
@@ -337,7 +349,7 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
 
 void Simulation::Impl::watch(const StepReport& report) {
   const StageTimer::Scope clock(timer, times.loads);
-  watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken()});
+  watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken(), motion->now().twist});
 }
 
 // A step goes through these stages, each a function of the state that the one before it left. What happens in a step
@@ -351,10 +363,11 @@ void Simulation::Impl::watch(const StepReport& report) {
 //  6. Slow floes fall asleep, pushed ones wake.
 //  7. Contact forces are averaged: stress of the floes, and what they press on level ice in the next step.
 //  8. Floes with more stress than sigma_c leave.
+//  9. The structure bears the load in its next motion.
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
-  const Vec3 origin = structure_pose().position;
+  const Vec3 origin = motion->now().pose.position;
   ++n_steps;
   advance_through_ice(report);
   load_by_water();
@@ -364,6 +377,7 @@ StepReport Simulation::Impl::step() {
   fall_asleep_or_wake();
   average_contacts();
   remove_crushed_floes(report);
+  motion->bear(in_load_axes(report.loads.total));
   return report;
 }
 
@@ -381,6 +395,9 @@ const std::vector<model::FloeRecord>& Simulation::initial_births() const { retur
 std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.outlines(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
+std::vector<model::Warning> Simulation::warnings() const {
+  return derived_scales(impl_->resolved, *impl_->criteria.front()).warnings;
+}
 
 std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
   std::vector<std::pair<std::int64_t, double>> stresses;
@@ -389,7 +406,7 @@ std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
 }
 
 model::Frame Simulation::frame() const {
-  model::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
+  model::Frame frame{.time = time(), .structure = impl_->motion->now().pose, .floes = {}};
   std::vector<std::pair<BodyId, double>> forces;
   for (const rigid_body::ContactLoad& contact : impl_->world.contacts()) {
     if (contact.normal_force == 0.0) continue;

@@ -30,7 +30,8 @@ struct Simulation::Impl {
   model::Case resolved;
   StageTimes times;
   StageTimer timer;
-  structure::Cone cone;
+  std::unique_ptr<const structure::Hull> hull;
+  std::unique_ptr<structure::Motion> motion;
   ice::Field field;
   std::vector<std::unique_ptr<failure::BendingCriterion>> criteria;  ///< of each level ice
   std::unique_ptr<ice::CrackPattern> pattern;
@@ -41,7 +42,6 @@ struct Simulation::Impl {
   Bearings bearings;
   Sleep sleep;
   BodyId structure_body;
-  Vec2 centre;  ///< of the structure [m]
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   EnergyLedger energy;
@@ -57,11 +57,9 @@ struct Simulation::Impl {
   static void visit(Self& self, Visit&& visit) {
     visit("n_steps", "1", "steps done", self.n_steps);
     visit("n_breaks", "1", "random streams used", self.n_breaks);
-    visit("centre_", "m", "place of the structure", self.centre);
   }
 
   double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
-  Pose structure_pose() const { return {{centre.x, centre.y, 0.0}, {}}; }
   EdgeModel edge_model(const ice::Plate& plate) const;
 
   void initial_crack();
@@ -79,12 +77,13 @@ struct Simulation::Impl {
   void remove_crushed_floes(StepReport& report);
 
   std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
-  std::vector<EdgeContact> contacts_at(Vec2 place) const;
+  std::vector<EdgeContact> contacts_at(const structure::State& state) const;
   std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
   bool crush_passed_ice();
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);
   void lay_sheet_near(BodyId body);
+  HalfPlane astern() const;
   model::Checkpoint checkpoint() const;
 
  private:

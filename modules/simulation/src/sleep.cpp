@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace brash::simulation {
 namespace {
@@ -11,6 +12,13 @@ namespace {
 constexpr double kTimeToSleep = 2.0;
 /// A mean push is forgotten when it is this share of the push that would wake a cube of the ice [-].
 constexpr double kNoPush = 1e-3;
+
+/// Whether a box is wholly in the half plane.
+bool is_within(const HalfPlane& half, const std::pair<Vec3, Vec3>& box) {
+  const auto& [lower, upper] = box;
+  const Vec2 farthest{half.along.x < 0.0 ? lower.x : upper.x, half.along.y < 0.0 ? lower.y : upper.y};
+  return dot(half.along, farthest) < half.limit;
+}
 
 }  // namespace
 
@@ -61,7 +69,7 @@ void Sleep::wake_pushed(rigid_body::World& world, FloePopulation& floes) {
   pushed_.clear();
 }
 
-double Sleep::update(rigid_body::World& world, FloePopulation& floes, double astern) {
+double Sleep::update(rigid_body::World& world, FloePopulation& floes, const HalfPlane& astern) {
   if (case_->time.settle_speed == 0.0) return 0.0;
   const double dt = case_->time.step;
   const double cube = case_->ice.density * std::pow(case_->ice.thickness, 3);
@@ -74,7 +82,7 @@ double Sleep::update(rigid_body::World& world, FloePopulation& floes, double ast
     Floe& floe = floes.at(body);
     const double kinetic = world.kinetic_energy(body);
     floe.rest.slow_for = kinetic <= slow_energy(floe) ? floe.rest.slow_for + dt : 0.0;
-    if (floe.rest.slow_for < kTimeToSleep || world.bounds(body).second.x >= astern) continue;
+    if (floe.rest.slow_for < kTimeToSleep || !is_within(astern, world.bounds(body))) continue;
     floes.put_to_sleep(world, body);
     taken += kinetic;
   }

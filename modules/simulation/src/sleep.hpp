@@ -8,6 +8,12 @@
 
 namespace brash::simulation {
 
+/// The points of the plan whose way along a direction is less than a limit.
+struct HalfPlane {
+  Vec2 along{};        ///< unit
+  double limit = 0.0;  ///< [m]
+};
+
 /// Puts floes to sleep that have been slow for long, and wakes them; for time.settle_speed > 0.
 /// docs/theory/simulation.md, (S2).
 class Sleep {
@@ -19,9 +25,9 @@ class Sleep {
 
   /// Wakes the floes that others push on more, or less, than when they fell asleep. Puts those to sleep that have been
   /// slow for long.
-  /// @param astern  only floes wholly below this x fall asleep [m].
+  /// @param astern  only floes wholly in it fall asleep.
   /// @return the kinetic energy that this took [J].
-  double update(rigid_body::World& world, FloePopulation& floes, double astern);
+  double update(rigid_body::World& world, FloePopulation& floes, const HalfPlane& astern);
 
   /// Level ice has broken within `radius` of `at`, and may have held floes there.
   void wake_within(rigid_body::World& world, FloePopulation& floes, Vec2 at, double radius);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "brash/simulation/warnings.hpp"
 #include "brash/statistics/quantile.hpp"
 
 namespace brash::simulation {
@@ -69,9 +70,15 @@ std::optional<double> fastest(std::span<const model::Frame> frames) {
   return speed;
 }
 
+/// An interval of a mean; null where there are too few samples for one.
+nlohmann::ordered_json interval_of(const statistics::Summary& s) {
+  if (s.effective_sample_size < kFewSamples) return {nullptr, nullptr};
+  return {s.mean_95.lower, s.mean_95.upper};
+}
+
 nlohmann::ordered_json json_of(const statistics::Summary& s, const LoadSplit& by_cause) {
   return {{"mean", s.mean},
-          {"mean_95", {s.mean_95.lower, s.mean_95.upper}},
+          {"mean_95", interval_of(s)},
           {"standard_deviation", s.standard_deviation},
           {"minimum", s.minimum},
           {"maximum", s.maximum},
@@ -179,11 +186,14 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
 
 double statistics_from(const model::Case& resolved) {
   return resolved.output.statistics_from.value_or(
-      std::min(resolved.structure.start_distance / resolved.structure.speed, resolved.time.duration));
+      std::min(resolved.structure.start_distance / model::speed(resolved.structure.motion), resolved.time.duration));
 }
 
 std::string to_json(const RunSummary& s) {
+  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
+  for (const model::Warning& warning : s.warnings) warnings.push_back({{"id", warning.id}, {"text", warning.text}});
   const nlohmann::ordered_json json{
+      {"warnings", std::move(warnings)},
       {"units", "SI; Fx positive against the structure's motion, Fz positive upwards on the structure"},
       {"statistics_from", s.statistics_from},
       {"horizontal", json_of(s.horizontal, s.horizontal_split)},

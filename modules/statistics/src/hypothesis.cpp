@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/interruption.hpp"
 #include "gsl_checked.hpp"
 #include "samples.hpp"
 
@@ -64,8 +65,10 @@ Concordance concordance(std::span<const double> x, std::span<const double> y) {
   BRASH_EXPECTS(x.size() == y.size() && x.size() >= 2, x.size(), y.size());
   BRASH_EXPECTS(all_finite(x) && all_finite(y));
   std::int64_t score = 0;
-  for (std::size_t i = 1; i < x.size(); ++i)
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    look_for_interruption();
     for (std::size_t j = 0; j < i; ++j) score += sign(x[i] - x[j]) * sign(y[i] - y[j]);
+  }
   return {static_cast<double>(x.size()), static_cast<double>(score), ties(x), ties(y)};
 }
 
@@ -77,6 +80,7 @@ double exact_kendall(std::size_t n, double score) {
   std::vector<double> share(inversions + 1, 0.0);
   share[0] = 1.0;
   for (std::size_t m = 2; m <= n; ++m) {
+    look_for_interruption();
     std::vector<double> next(inversions + 1, 0.0);
     for (std::size_t k = 0; k <= inversions; ++k)
       for (std::size_t added = 0; added < m && added <= k; ++added)
@@ -94,6 +98,7 @@ Shares mann_whitney_shares(std::size_t m, std::size_t n) {
   std::vector<Shares> of(n + 1, Shares{1.0});
   for (std::size_t i = 1; i <= m; ++i) {
     for (std::size_t j = 1; j <= n; ++j) {
+      look_for_interruption();
       const double first = static_cast<double>(i) / static_cast<double>(i + j);
       Shares next(i * j + 1, 0.0);
       for (std::size_t u = 0; u < of[j].size(); ++u) next[u + j] += first * of[j][u];
@@ -248,6 +253,7 @@ TestResult kolmogorov_smirnov(std::span<const double> a, std::span<const double>
   // Chance that a random order of m and n values never comes that far: over the lattice of (i, j).
   std::vector<double> inside(static_cast<std::size_t>(n) + 1, 0.0);
   for (std::int64_t row = 0; row <= m; ++row) {
+    look_for_interruption();
     for (std::int64_t column = 0; column <= n; ++column) {
       const auto k = static_cast<std::size_t>(column);
       const double steps = static_cast<double>(row + column);
@@ -269,8 +275,10 @@ TestResult mann_whitney(std::span<const double> a, std::span<const double> b) {
   BRASH_EXPECTS(all_finite(a) && all_finite(b));
   quiet_gsl();
   double u = 0.0;
-  for (const double x : a)
+  for (const double x : a) {
+    look_for_interruption();
     for (const double y : b) u += 0.5 * (1 + sign(x - y));
+  }
   std::vector<double> all(a.begin(), a.end());
   all.insert(all.end(), b.begin(), b.end());
   const auto n_a = static_cast<double>(a.size()), n_b = static_cast<double>(b.size()), n = n_a + n_b;

@@ -14,7 +14,7 @@
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/simulation/simulation.hpp"
-#include "brash/structure/cone.hpp"
+#include "brash/structure/hull.hpp"
 #include "bullet_world.hpp"
 
 namespace {
@@ -49,16 +49,11 @@ Times run(const model::Case& c, double seconds) {
   simulation::Simulation simulation(c);
   BulletWorld bullet(c);
   const double dt = c.time.step;
+  const double speed = model::speed(c.structure.motion);
   const auto structure_at = [&](int step) {
-    return Pose{{-c.structure.start_distance + step * dt * c.structure.speed, 0.0, 0.0}, {}};
+    return Pose{{-c.structure.start_distance + step * dt * speed, 0.0, 0.0}, {}};
   };
-  const structure::Cone cone{.angle = c.structure.angle,
-                             .waterline_width = c.structure.waterline_width,
-                             .height = c.structure.height,
-                             .height_under_water = c.structure.height_under_water,
-                             .downward_breaking = c.structure.breaking == model::Breaking::kDownward,
-                             .facets = c.structure.facets};
-  bullet.add_structure(structure::hull(cone), structure_at(0));
+  bullet.add_structure(structure::make_hull(c.structure.shape)->parts().front(), structure_at(0));
   const simulation::DerivedScales slab = simulation::derived_scales(c);
   Times times;
   const int n_steps = static_cast<int>(std::lround(seconds / dt));
@@ -72,7 +67,7 @@ Times run(const model::Case& c, double seconds) {
 
     if (sheet_now != sheet) bullet.set_sheet(sheet = std::move(sheet_now), -slab.draft, slab.freeboard);
     bullet.set_floes(floes);
-    bullet.place_structure(structure_at(i), structure_at(i + 1), {c.structure.speed, 0.0, 0.0});
+    bullet.place_structure(structure_at(i), structure_at(i + 1), {speed, 0.0, 0.0});
     const double ready = process_seconds();
     bullet.step(dt);
     times.bullet += process_seconds() - ready;

@@ -47,6 +47,32 @@ BOOST_AUTO_TEST_CASE(a_lock_in_a_folder_that_got_another_name_leaves_the_new_one
   BOOST_TEST(!FolderLock::take(scratch.path("part/lock")).has_value());
 }
 
+BOOST_AUTO_TEST_CASE(a_link_or_a_file_of_something_else_is_neither_taken_nor_changed) {
+  const Scratch scratch;
+  scratch.write("diary", "dear diary");
+  std::filesystem::create_symlink(scratch.path("diary"), scratch.path("link"));
+  std::filesystem::create_symlink(scratch.path("nowhere"), scratch.path("dangling"));
+  std::filesystem::create_hard_link(scratch.path("diary"), scratch.path("second"));
+  std::filesystem::create_directory(scratch.path("folder"));
+  for (const char* const name : {"link", "dangling", "second", "diary", "folder"}) {
+    BOOST_CHECK_THROW(FolderLock::take(scratch.path(name)), InputError);
+    FolderLock::remove_stale(scratch.path(name));
+    BOOST_TEST(std::filesystem::exists(std::filesystem::symlink_status(scratch.path(name))), name);
+  }
+  BOOST_TEST(read_bytes(scratch.path("diary")) == "dear diary");
+  BOOST_TEST(!std::filesystem::exists(scratch.path("nowhere")));
+}
+
+BOOST_AUTO_TEST_CASE(a_lock_that_nobody_holds_is_removed_and_one_that_is_held_stays) {
+  const Scratch scratch;
+  scratch.write("lock", "process 1 on a machine that is gone\n");
+  FolderLock::remove_stale(scratch.path("lock"));
+  BOOST_TEST(!std::filesystem::exists(scratch.path("lock")));
+  const std::optional<FolderLock> held = FolderLock::take(scratch.path("lock"));
+  FolderLock::remove_stale(scratch.path("lock"));
+  BOOST_TEST(std::filesystem::exists(scratch.path("lock")));
+}
+
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named) {
   const Scratch scratch;
   scratch.write("file", "");

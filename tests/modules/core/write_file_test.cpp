@@ -31,6 +31,17 @@ BOOST_AUTO_TEST_CASE(a_written_file_has_its_text_and_leaves_nothing_beside_it) {
   BOOST_TEST(n_files(scratch.folder()) == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(a_link_under_the_name_of_a_part_is_not_followed) {
+  const Scratch scratch;
+  scratch.write("diary", "dear diary");
+  std::filesystem::create_symlink(scratch.path("diary"), part_of(scratch.path("a.txt")));
+  write_file(scratch.path("a.txt"), "text");
+  BOOST_TEST(read_bytes(scratch.path("diary")) == "dear diary");
+  BOOST_TEST(read_bytes(scratch.path("a.txt")) == "text");
+  BOOST_TEST(std::filesystem::is_regular_file(std::filesystem::symlink_status(scratch.path("a.txt"))));
+  BOOST_TEST(n_files(scratch.folder()) == 2u);
+}
+
 BOOST_AUTO_TEST_CASE(a_folder_that_is_missing_is_made) {
   const Scratch scratch;
   write_file(scratch.path("x/y/a.txt"), "text");

@@ -15,10 +15,10 @@ using namespace brash::ice;
 using namespace brash::ice::testing;
 
 /// Breaks a circle off the first level ice.
-Broken break_circle(Field& field, Vec2 at, double radius, int n_wedges, const geometry::Ring& section = kFarAway,
-                    double smallest_floe = 0.01) {
+Broken break_circle(Field& field, Vec2 at, double radius, int n_wedges,
+                    const std::vector<geometry::Ring>& structure = kFarAway, double smallest_floe = 0.01) {
   Plate& plate = field.level_ice(0);
-  return field.break_off(plate, circle(plate, at, radius, n_wedges), section, smallest_floe);
+  return field.break_off(plate, circle(plate, at, radius, n_wedges), structure, smallest_floe);
 }
 
 BOOST_AUTO_TEST_SUITE(fields)
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(breaking_moves_area_from_the_sheet_to_the_floes_exactly) {
 BOOST_AUTO_TEST_CASE(no_floe_is_born_inside_the_structure) {
   Field field = level_ice(50.0, 50.0);
   const geometry::Ring section = geometry::disc({-6.0, 0.0}, 6.8, 64);
-  for (Plate& piece : break_circle(field, {0.0, 0.0}, 3.0, 5, section).pieces)
+  for (Plate& piece : break_circle(field, {0.0, 0.0}, 3.0, 5, {section}).pieces)
     BOOST_TEST(piece.sheet().cut(section).pieces.empty());
   BOOST_TEST(field.ledger().crushed.square_metres() > 0.0);
   BOOST_TEST(field.ledger().closes());

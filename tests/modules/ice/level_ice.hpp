@@ -7,7 +7,7 @@
 
 namespace brash::ice::testing {
 
-inline const geometry::Ring kFarAway = geometry::disc({-100.0, 0.0}, 1.0, 8);
+inline const std::vector<geometry::Ring> kFarAway{geometry::disc({-100.0, 0.0}, 1.0, 8)};
 
 inline failure::IceProperties properties() { return {.thickness = 0.33, .flexural_strength = 539e3}; }
 

@@ -178,7 +178,8 @@ BOOST_AUTO_TEST_CASE(the_manifest_says_what_repeats_the_run) {
   const Case resolved = validation();
   const std::string input = scratch.write("abc.txt", "abc");
   write_results(scratch.path("out"), resolved, sample_results());
-  write_manifest(scratch.path("out"), resolved, {input}, {"run.nc", "history.csv"}, {"2026-01-01T00:00:00Z", 1.5, ""});
+  write_manifest(scratch.path("out"), resolved, {{input, sha256_of_file(input), 3, "inputs/input"}},
+                 {"run.nc", "history.csv"}, {"2026-01-01T00:00:00Z", 1.5, ""});
   const auto manifest = nlohmann::json::parse(read_bytes(scratch.path("out/manifest.json")));
   BOOST_TEST(manifest["program"]["version"] == kVersion);
   BOOST_TEST(manifest["built_with"].contains("compiler"));
@@ -189,6 +190,7 @@ BOOST_AUTO_TEST_CASE(the_manifest_says_what_repeats_the_run) {
   BOOST_TEST(manifest["inputs"][0]["sha256"] == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   BOOST_TEST(manifest["inputs"][0]["path"] == input);
   BOOST_TEST(manifest["inputs"][0]["bytes"] == 3);
+  BOOST_TEST(manifest["inputs"][0]["copy"] == "inputs/input");
   BOOST_TEST(manifest["outputs"][1]["path"] == "history.csv");
   BOOST_TEST(manifest["outputs"][0]["sha256"] == sha256_of_file(scratch.path("out/run.nc")));
   BOOST_TEST(manifest["volatile"]["wall_seconds"] == 1.5);

@@ -29,7 +29,7 @@ class Listening final : public failure::BendingCriterion {
 
 struct Scene {
   model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {});
-  structure::Cone cone{.angle = radians(61.4), .waterline_width = 13.6, .height = 9.08, .height_under_water = 5.68};
+  std::unique_ptr<const structure::Hull> hull = structure::make_hull(resolved.structure.shape);
   failure::IceProperties ice = simulation::ice_properties(resolved);
   brash::ice::Field field{resolved.field, ice};
 
@@ -38,7 +38,8 @@ struct Scene {
   /// Of the last contact.
   failure::LoadCase load(bool wants_outline, Vec2 centre = {-6.7, 0.0}) {
     const Listening criterion(wants_outline);
-    const auto contacts = simulation::edge_contacts({cone, resolved, ice, criterion}, sheet(), centre);
+    const structure::State state{{{centre.x, centre.y, 0.0}, {}}, {{1.202, 0.0, 0.0}, {}}};
+    const auto contacts = simulation::edge_contacts({*hull, resolved, ice, criterion}, sheet(), state);
     BOOST_REQUIRE(!contacts.empty());
     return criterion.heard;
   }
@@ -66,9 +67,9 @@ BOOST_AUTO_TEST_CASE(the_outline_of_a_straight_edge_is_the_edge_with_the_chord_i
 
 BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_right) {
   Scene scene;
-  ice::Plate& plate = scene.field.level_ice(0);
-  const ice::CrackPlan circle{geometry::circumferential(plate.sheet(), {}, 3.0, 4), {}, 3.0, 4};
-  (void)scene.field.break_off(plate, circle, geometry::disc({-100.0, 0.0}, 1.0, 8), 0.01);
+  ice::Plate& level_ice = scene.field.level_ice(0);
+  const ice::CrackPlan circle{geometry::circumferential(level_ice.sheet(), {}, 3.0, 4), {}, 3.0, 4};
+  (void)scene.field.break_off(level_ice, circle, {}, 0.01);
   const failure::LoadCase load = scene.load(true, {-3.9, 0.4});
   const auto& outline = load.outline;
   BOOST_REQUIRE(outline.size() > 4u);
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(an_even_bearing_is_the_line_load_that_it_is) {
 BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under_the_structure) {
   Scene scene;
   const auto criterion = failure::make_criterion(model::FailureModel::kSuperposition, "", scene.ice);
-  const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, *criterion};
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, *criterion};
   const auto fails = [&](double normal, double downward) {
     return simulation::bearing_contact(model, scene.sheet(), 7, even_bearing(normal, downward))->assessment.fails;
   };
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under
 BOOST_AUTO_TEST_CASE(a_floe_that_hardly_presses_is_not_looked_at) {
   Scene scene;
   const Listening criterion(false);
-  const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, criterion};
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, criterion};
   BOOST_TEST(!simulation::bearing_contact(model, scene.sheet(), 0, even_bearing(500.0, 0.0)).has_value());
   BOOST_TEST(!simulation::bearing_contact(model, scene.sheet(), 0, {}).has_value());
 }

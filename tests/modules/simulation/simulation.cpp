@@ -180,62 +180,6 @@ BOOST_AUTO_TEST_CASE(scales_of_the_validation_case_are_those_of_the_paper) {
 }
 
 /// Of the validation case with another value.
-std::vector<std::string> warnings(const char* override_text, const char* breaking = "downward") {
-  return simulation::derived_scales(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
-                                                  {override_text, std::string("structure.breaking=") + breaking}))
-      .warnings;
-}
-
-BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
-  BOOST_TEST(warnings("ice.thickness=0.5 m").empty());  // h/l_c = 0.112
-  const std::vector<std::string> thick = warnings("ice.youngs_modulus=90 GPa");
-  BOOST_REQUIRE(thick.size() == 1u);
-  BOOST_TEST(thick[0].find("failure.model = network was trained with h/l_c = 0.1, and this ice has 0.0252") == 0u);
-}
-
-BOOST_AUTO_TEST_CASE(a_structure_too_slow_for_the_sweeps_of_a_step_is_warned_of) {
-  const auto warnings = [](const char* speed, const char* iterations) {
-    return simulation::derived_scales(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
-                                                    {speed, iterations, "time.duration=10000"}))
-        .warnings;
-  };
-  // A piece of 2.7 m2 has 1.2 t and yields at 2.7 kN s in 10 ms: 114 sweeps at 2 cm/s.
-  const auto slow = warnings("structure.speed=0.02", "contact.iterations=30");
-  BOOST_TEST_REQUIRE(slow.size() == 1u);
-  BOOST_TEST(slow[0].find("contact.iterations = 30 are too few for a piece of 2.7 m2") == 0u);
-  BOOST_TEST(slow[0].find("it needs about 114, or steps of 0.0026 s") != std::string::npos);
-  BOOST_TEST(warnings("structure.speed=0.02", "contact.iterations=114").empty());
-  BOOST_TEST(warnings("structure.speed=0.08", "contact.iterations=30").empty());
-}
-
-BOOST_AUTO_TEST_CASE(a_run_that_is_over_too_early_is_warned_of) {
-  const auto says = [&](const char* override_text, const char* words) {
-    const auto all = warnings(override_text);
-    return all.size() == 1 && all[0].find(words) != std::string::npos;
-  };
-  // The cone is 0.18 m from the ice, its axis 7 m, and moves 1.202 m in a second.
-  BOOST_TEST(says("time.duration=0.14", "does not reach the ice"));
-  BOOST_TEST(says("time.duration=0.2", "over before its statistics begin"));
-  BOOST_TEST(says("time.duration=5.8", "over before its statistics begin"));
-  BOOST_TEST(warnings("time.duration=5.9").empty());
-  // Breaking upward it is widest at the ice's bottom, 0.29 m down, and 0.04 m away.
-  BOOST_TEST(warnings("time.duration=0.14", "upward").at(0).find("statistics begin") != std::string::npos);
-}
-
-BOOST_AUTO_TEST_CASE(a_duration_that_is_no_whole_number_of_steps_is_warned_of) {
-  const auto warnings = [](const char* duration, const char* step) {
-    return simulation::derived_scales(
-               io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {duration, step}))
-        .warnings;
-  };
-  const auto all = warnings("time.duration=10", "time.step=0.03");
-  BOOST_TEST_REQUIRE(all.size() == 1u);
-  BOOST_TEST(all[0].find("the run ends at 9.99 s") != std::string::npos);
-  BOOST_TEST(all[0].find("9.99 and 10.02 s") != std::string::npos);
-  // A quotient that is not whole only by round-off.
-  BOOST_TEST(warnings("time.duration=8.7", "time.step=0.003").empty());
-}
-
 BOOST_AUTO_TEST_CASE(without_a_steady_part_there_are_no_statistics_of_it) {
   const simulation::RunSummary summary = simulation::run(short_case()).summary;
   BOOST_TEST(std::isnan(summary.horizontal.mean));

@@ -20,7 +20,7 @@ double advance(Pool& pool, double seconds, double astern = kEverywhere) {
   double taken = 0.0;
   for (int i = 0; i < std::lround(seconds / kStep); ++i) {
     (void)pool.step(kStep);
-    taken += pool.sleep.update(pool.world, pool.floes, astern);
+    taken += pool.sleep.update(pool.world, pool.floes, {{1.0, 0.0}, astern});
   }
   return taken;
 }

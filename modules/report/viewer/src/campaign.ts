@@ -131,7 +131,8 @@ function settingRow(setting: CampaignSetting, columns: string[]): (string | HTML
     const interval = c?.mean_95 ? ` (${number(c.mean_95[0] * scale, 4)} to ${number(c.mean_95[1] * scale, 4)})` : "";
     return c?.mean === null || c?.mean === undefined ? "–" : `${number(c.mean * scale, 4)}${interval}`;
   });
-  return [setting.setting, String(setting.n_done), String(setting.n_failed), ...cells];
+  const warnings = Object.entries(setting.warnings ?? {}).map(([id, n]) => `${id} (${n})`).join(", ");
+  return [setting.setting, String(setting.n_done), String(setting.n_failed), ...cells, warnings];
 }
 
 /** Rows of a CSV file as the campaign writes it; cells may be in quotes. */
@@ -207,7 +208,7 @@ export function showCampaign(data: CampaignData, parent: HTMLElement): void {
   parent.append(
     section("settings", "Settings",
       withoutMean(settings),
-      table(["setting", "done", "failed", ...shown.map(titleOf)], settings.map((s) => settingRow(s, shown)), { id: "settings-table" })),
+      table(["setting", "done", "failed", ...shown.map(titleOf), "warnings"], settings.map((s) => settingRow(s, shown)), { id: "settings-table" })),
     section("all-runs", "Every run", runsTable(data, rows, shown)),
     section("inputs", "Origin", manifestTables(data.manifest)),
   );

@@ -16,12 +16,25 @@ function figure(value: string, unit: string, name: string, note = ""): HTMLEleme
   return el("div", { class: "figure" }, el("b", {}, value, unit && el("small", {}, ` ${unit}`)), el("span", {}, name), note && el("em", {}, note));
 }
 
+/** What is to be known before the numbers are used; nothing where there is nothing. */
+function warnings(run: Run): HTMLElement | null {
+  const all = run.data.summary.warnings ?? [];
+  if (all.length === 0) return null;
+  return el("div", { class: "warnings", role: "note" }, el("b", {}, "Warnings"),
+    el("ul", {}, ...all.map(({ id, text }) => el("li", {}, el("code", {}, id), ` ${text}`))));
+}
+
+/** An interval of a mean, or why there is none. */
+function interval([lower, upper]: [number | null, number | null]): string {
+  return lower === null || upper === null ? "too few samples for an interval" : `95 %: ${kN(lower)} to ${kN(upper)}`;
+}
+
 function keyFigures(run: Run): HTMLElement {
   const s = run.data.summary;
   const measured = run.input("reference", "mean_horizontal");
   return el("div", { class: "figures" },
-    figure(kN(s.horizontal.mean), "kN", "mean horizontal", `95 %: ${kN(s.horizontal.mean_95[0])} to ${kN(s.horizontal.mean_95[1])}`),
-    figure(kN(s.vertical.mean), "kN", "mean vertical", `95 %: ${kN(s.vertical.mean_95[0])} to ${kN(s.vertical.mean_95[1])}`),
+    figure(kN(s.horizontal.mean), "kN", "mean horizontal", interval(s.horizontal.mean_95)),
+    figure(kN(s.vertical.mean), "kN", "mean vertical", interval(s.vertical.mean_95)),
     figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${seconds(s.statistics_from)} s on; deviation ${kN(s.horizontal.standard_deviation)}`),
     Number.isFinite(measured)
       ? figure(kN(measured), "kN", "reference mean", `this run: ${deviation(s.horizontal.mean, measured)}`)
@@ -66,6 +79,8 @@ export function showRun(run: Run, parent: HTMLElement): RunReport {
   const replay = hasReplay(run.data) ? makeReplay(run, player) : null;
   const loads = new LoadHistory(run, player, (peak) => choose(peak.event, peak));
 
+  const flagged = warnings(run);
+  if (flagged) parent.append(flagged);
   parent.append(
     keyFigures(run),
     ...(replay

@@ -48,6 +48,8 @@ export interface RunSummary {
   horizontal: LoadSummary;
   vertical: LoadSummary;
   mean_whole_history: { horizontal: number; vertical: number };
+  /** Absent in files of earlier versions. */
+  warnings?: { id: string; text: string }[];
   n_breaks: number;
   breaking_frequency: number | null;
   breaking_length_quantiles: number[];
@@ -120,6 +122,8 @@ export interface CampaignSetting {
   n_done: number;
   n_failed: number;
   stopped_by?: string;
+  /** How many of its runs have a warning, by its id. */
+  warnings?: Record<string, number>;
   statistics: Record<string, CampaignColumn>;
 }
 

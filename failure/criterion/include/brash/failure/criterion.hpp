@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brash/core/vec.hpp"
@@ -93,6 +94,8 @@ class BendingCriterion {
   virtual bool needs_outline() const { return false; }
   /// The one h / l_c that its model was trained with; nothing where the model knows h / l_c or needs none.
   virtual std::optional<double> trained_thickness_over_lc() const { return std::nullopt; }
+  /// Least and largest h / l_c that the model holds for; nothing for one without limits.
+  virtual std::optional<std::pair<double, double>> thickness_over_lc_range() const { return std::nullopt; }
 };
 
 /// What goes beyond the paper's criterion. docs/theory/failure.md, (4)

@@ -10,6 +10,9 @@
 
 namespace brash::campaign {
 
+/// What the manifest of a campaign says that it is.
+constexpr const char* kManifestFormat = "brash-campaign-manifest-1";
+
 /// The numbers that the summary of a run has, by their names in campaign.csv.
 const std::vector<std::string>& known_columns();
 

@@ -18,6 +18,10 @@ std::string read_text_file(const std::string& path, const std::string& kind, std
 /// @throws InputError as above, or naming the byte.
 std::string read_json_text(const std::string& path, const std::string& kind);
 
+/// Refuses a JSON `text` that is nested deeper than 64, before anyone parses it.
+/// @throws InputError naming `path` and the byte.
+void refuse_deep_json(const std::string& text, const std::string& path, const std::string& kind);
+
 /// Refuses an output that would take the place of a file that the same command reads, under whatever name.
 /// @param output  path to write; empty: nothing is written.
 /// @param inputs  paths to read; those that are not there, and empty ones, are passed over.

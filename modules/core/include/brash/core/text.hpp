@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace brash {
 
-/// `text` with control characters and what is not UTF-8 escaped: what a file says may not steer a terminal.
+/// `text` with control characters (C0, DEL, C1), characters that turn the direction of writing, and bytes that are not
+/// UTF-8 escaped: what a file says may not steer a terminal.
 std::string escaped(const std::string& text);
+/// The same, line breaks and tabs left as they are: for messages and tables of several lines.
+std::string escaped_lines(const std::string& text);
+/// The same, such characters as \uXXXX, which means them in the strings of JSON and TOML; line breaks and bytes that
+/// are not UTF-8 are left as they are.
+std::string escaped_as_unicode(const std::string& text);
+/// Whether the character of UTF-8 that begins at `at` steers a terminal or the direction of writing.
+bool steers_output(const std::string& text, std::size_t at);
 /// The same, cut after 80 bytes.
 std::string printable(const std::string& text);
 

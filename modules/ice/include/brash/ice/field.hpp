@@ -35,12 +35,13 @@ class Field {
   /// Ice of `plate` inside `section` is crushed and leaves. @return around all of it that is not as before.
   geometry::Extent crush(Plate& plate, std::span<const geometry::Point> section);
 
-  /// Breaks ice off `plate` and splits it; what `section` covers of the pieces is crushed and leaves.
+  /// Breaks ice off `plate` and splits it; what `structure` covers of the pieces is crushed and leaves.
   ///
-  /// @param section        the structure's leading section: no piece is born inside the structure.
+  /// @param structure      the structure's leading outlines: no piece is born inside the structure.
   /// @param smallest_floe  pieces below this area become brash [m2].
   /// @return the pieces, parts of the plate that lost their connection included.
-  Broken break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Point> section, double smallest_floe);
+  Broken break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
+                   double smallest_floe);
 
   /// Books a piece that has no body as brash.
   void to_brash(const Plate& piece);
@@ -49,7 +50,7 @@ class Field {
 
  private:
   geometry::Cut cut(Plate& plate, std::span<const geometry::Point> region, std::span<const geometry::Crack> cracks);
-  std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Point> section);
+  std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Ring> structure);
   geometry::ExactArea& account_of(const Plate& plate);
 
   std::vector<Plate> level_ice_;

@@ -45,6 +45,14 @@ struct Setting {
   friend bool operator==(const Setting&, const Setting&) = default;
 };
 
+/// A file as it was read.
+struct SourceText {
+  std::string path;
+  std::string text;
+
+  friend bool operator==(const SourceText&, const SourceText&) = default;
+};
+
 /// A plan, everything in it resolved and checked.
 struct CampaignPlan {
   int replicates = 1;  ///< of each setting; the least number where there is a stop rule
@@ -52,7 +60,8 @@ struct CampaignPlan {
   std::string keep = "summary";      ///< summary | history | run
   std::vector<std::string> columns;  ///< numbers of a run's summary
   std::vector<VariedKey> keys;
-  std::vector<Setting> settings;  ///< all combinations, the last axis fastest
+  std::vector<Setting> settings;    ///< all combinations, the last axis fastest
+  std::vector<SourceText> sources;  ///< the plan, and the base case where that is a file of its own
 
   friend bool operator==(const CampaignPlan&, const CampaignPlan&) = default;
 };

@@ -21,6 +21,10 @@ enum class ModelFile { kInItsFolder, kAnywhere };
 model::Case read_case(const std::string& path, const std::vector<std::string>& overrides = {},
                       ModelFile model_file = ModelFile::kInItsFolder);
 
+/// The keys, `section.key`, that the case file leaves to its preset.
+/// @throws InputError when the file is unreadable or no TOML.
+std::vector<std::string> keys_set_by_preset(const std::string& path, const std::vector<std::string>& overrides = {});
+
 /// The text of a case file.
 /// @throws InputError when it is unreadable or larger than 1 MiB.
 std::string read_case_text(const std::string& path);

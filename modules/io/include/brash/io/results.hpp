@@ -34,13 +34,21 @@ struct Volatile {
   std::map<std::string, double> stage_seconds{};  ///< wall time of each stage of the step [s]
 };
 
+/// A file that was read.
+struct HashedFile {
+  std::string path;    ///< as given
+  std::string sha256;  ///< when it was read
+  std::size_t n_bytes = 0;
+  std::string copy;  ///< its name in the folder of the results; empty: none
+};
+
 /// Writes manifest.json: resolved case, versions of the program, compiler and libraries, CPU and glibc, seeds, SHA-256
 /// of every input and output; times and host under the key `volatile`.
 ///
-/// @param inputs   paths as given, kept as given.
+/// @param inputs   the case's file first.
 /// @param outputs  names of files in `directory`.
 /// @throws RunError when a file cannot be hashed or the manifest not written.
-void write_manifest(const std::string& directory, const model::Case& resolved, const std::vector<std::string>& inputs,
+void write_manifest(const std::string& directory, const model::Case& resolved, const std::vector<HashedFile>& inputs,
                     const std::vector<std::string>& outputs, const Volatile& context);
 
 /// SHA-256 of the program, or of the Python module, that this code runs in.

@@ -8,8 +8,16 @@
 
 #include "brash/core/vec.hpp"
 #include "brash/model/choices.hpp"
+#include "brash/model/structure.hpp"
 
 namespace brash::model {
+
+/// [algorithm]
+struct AlgorithmSection {
+  Preset preset = Preset::kBrash;
+
+  friend bool operator==(const AlgorithmSection&, const AlgorithmSection&) = default;
+};
 
 /// [ice]; SI throughout. Unit, range, default and source of every key are in case.schema.json; the defaults here are
 /// the same, and those without one are zero.
@@ -35,21 +43,6 @@ struct WaterSection {
   friend bool operator==(const WaterSection&, const WaterSection&) = default;
 };
 
-/// [structure]
-struct StructureSection {
-  StructureKind kind = StructureKind::kCone;
-  double angle = 0.0;  ///< rad
-  double waterline_width = 0.0;
-  double height = 0.0;
-  double height_under_water = 0.0;
-  Breaking breaking = Breaking::kDownward;
-  double speed = 0.0;
-  double start_distance = 0.0;
-  int facets = 64;
-
-  friend bool operator==(const StructureSection&, const StructureSection&) = default;
-};
-
 /// [field]
 struct FieldSection {
   FieldKind kind = FieldKind::kLevelIce;
@@ -65,9 +58,9 @@ struct FieldSection {
 struct FailureSection {
   FailureModel model = FailureModel::kSuperposition;
   std::string file;  ///< model file, absolute; empty: the model that comes with the program
-  CrackOrder order = CrackOrder::kCircumferentialFirst;
-  bool second_order = false;  ///< the in-plane force acts on the bent plate
-  bool under_floes = true;    ///< the sheet also breaks where floes press on it
+  CrackOrder order = CrackOrder::kRadialFirst;
+  bool second_order = true;  ///< the in-plane force acts on the bent plate
+  bool under_floes = true;   ///< the sheet also breaks where floes press on it
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
@@ -152,6 +145,7 @@ struct HullSection {
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
 struct Case {
   std::string name;  ///< the file's stem
+  AlgorithmSection algorithm;
   IceSection ice;
   WaterSection water;
   StructureSection structure;

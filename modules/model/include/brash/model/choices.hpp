@@ -12,8 +12,8 @@ namespace brash::model {
 /// The choices of a case, each an enum with its names in files: readers, writers and messages share the one list.
 /// `case.schema.json` states the same names; a test compares the two.
 
-/// [structure] kind
-enum class StructureKind { kCone };
+/// [algorithm] preset: where the defaults of other keys come from.
+enum class Preset { kBrash, kPaper };
 /// [structure] breaking: the way the ice bends.
 enum class Breaking { kDownward, kUpward };
 /// [field] kind
@@ -47,7 +47,8 @@ template <typename Choice>
 inline constexpr std::array<Named<Choice>, 0> kNames{};
 
 template <>
-inline constexpr auto kNames<StructureKind> = std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"}});
+inline constexpr auto kNames<Preset> = std::to_array<Named<Preset>>({{Preset::kBrash, "brash"},
+                                                                     {Preset::kPaper, "paper"}});
 template <>
 inline constexpr auto kNames<Breaking> = std::to_array<Named<Breaking>>({{Breaking::kDownward, "downward"},
                                                                          {Breaking::kUpward, "upward"}});

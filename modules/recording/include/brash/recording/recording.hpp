@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brash/model/case.hpp"
+#include "brash/recording/inputs.hpp"
 #include "brash/simulation/run.hpp"
 
 namespace brash::recording {
@@ -17,13 +17,13 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
 /// What is kept of a run: its summary, its load history as well, or all results.
 enum class Kept { kSummary, kHistory, kRun };
 
-/// Writes run.nc, history.csv, events.csv, summary.json and, last, manifest.json into `directory`, made if missing.
-/// @param case_file  path of the case as given, hashed into the manifest like the failure model's file.
+/// Writes run.nc, history.csv, events.csv, summary.json, copies of the inputs and, last, manifest.json into
+/// `directory`, made if missing.
 /// @param pictures   names of files already in `directory` that belong to the run.
 /// @param kept       which of the results to write; summary.json and manifest.json always.
 /// @throws RunError naming the file and the system's reason.
-void write_run(const std::string& directory, const std::string& case_file, const model::Case& resolved,
-               const simulation::Run& run, const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
+void write_run(const std::string& directory, const Inputs& inputs, const simulation::Run& run,
+               const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
 
 /// Removes from `directory` the results that write_run writes, of an earlier run: none of them may pass for those of
 /// the run that begins.

@@ -4,9 +4,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
+#include "brash/model/warning.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "brash/statistics/summary.hpp"
 
@@ -58,6 +60,7 @@ struct RunSummary {
   std::optional<double> fastest_floe;  ///< largest speed of any floe between two frames [m/s]; absent without frames
   geometry::Ledger ledger;
   EnergyBalance energy;
+  std::vector<model::Warning> warnings;  ///< of the case, then of the result: warnings.hpp
 };
 
 /// A finished run: results as written, their summary, and where the wall time went.

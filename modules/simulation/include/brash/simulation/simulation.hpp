@@ -11,6 +11,7 @@
 #include "brash/model/case.hpp"
 #include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
+#include "brash/model/warning.hpp"
 
 namespace brash::simulation {
 
@@ -88,6 +89,8 @@ class Simulation {
   /// Largest mean compression so far of each floe present, by its id [Pa].
   std::vector<std::pair<std::int64_t, double>> peak_stresses() const;
   const StageTimes& stage_times() const;
+  /// What a careful reader would ask about the case, derived_scales().warnings.
+  std::vector<model::Warning> warnings() const;
 
  private:
   struct Impl;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "series_head.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+
+namespace brash::io {
+namespace {
+
+/// Ends of names that are units, and how UDUNITS writes them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 29> kUnitEnds{
+    {{"us", "us"},   {"ms", "ms"},   {"s", "s"},      {"sec", "s"},    {"min", "min"},   {"h", "h"},
+     {"hr", "h"},    {"N", "N"},     {"kN", "kN"},    {"MN", "MN"},    {"lbf", "lbf"},   {"kip", "kip"},
+     {"kgf", "kgf"}, {"Nm", "N m"},  {"kNm", "kN m"}, {"MNm", "MN m"}, {"Pa", "Pa"},     {"kPa", "kPa"},
+     {"MPa", "MPa"}, {"bar", "bar"}, {"psi", "psi"},  {"m", "m"},      {"cm", "cm"},     {"mm", "mm"},
+     {"km", "km"},   {"ft", "ft"},   {"deg", "deg"},  {"rad", "rad"},  {"knots", "knot"}}};
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+/// Takes `n` digits off the front of `text`.
+std::optional<int> take_digits(std::string_view& text, std::size_t n) {
+  if (text.size() < n) return std::nullopt;
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + n, value);
+  if (error != std::errc{} || end != text.data() + n || text.front() == '-') return std::nullopt;
+  text.remove_prefix(n);
+  return value;
+}
+
+bool take(std::string_view& text, std::string_view any_of) {
+  if (text.empty() || any_of.find(text.front()) == std::string_view::npos) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+/// Seconds and their fraction; nothing is 0.
+std::optional<double> take_seconds(std::string_view& text) {
+  if (!take(text, ":")) return 0.0;
+  const auto whole = take_digits(text, 2);
+  if (!whole || *whole > 60) return std::nullopt;
+  double fraction = 0.0;
+  if (take(text, ".,")) {
+    double scale = 0.1;
+    for (; !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0; text.remove_prefix(1)) {
+      fraction += scale * (text.front() - '0');
+      scale *= 0.1;
+    }
+  }
+  return *whole + fraction;
+}
+
+/// What a time is ahead of Greenwich [s]; nothing or Z is 0.
+std::optional<double> take_zone(std::string_view& text) {
+  if (take(text, "Z") || text.empty()) return 0.0;
+  const double sign = text.front() == '-' ? -1.0 : 1.0;
+  if (!take(text, "+-")) return std::nullopt;
+  const auto hours = take_digits(text, 2);
+  static_cast<void>(take(text, ":"));
+  const auto minutes = text.empty() ? std::optional(0) : take_digits(text, 2);
+  if (!hours || !minutes || *hours > 14 || *minutes > 59) return std::nullopt;
+  return sign * (3600.0 * *hours + 60.0 * *minutes);
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> name_and_unit(const std::string& head) {
+  const std::size_t open = head.find_first_of("[(");
+  if (open != std::string::npos && (head.back() == ']' || head.back() == ')'))
+    return {std::string(without_blanks(std::string_view(head).substr(0, open))),
+            head.substr(open + 1, head.size() - open - 2)};
+  const std::size_t mark = head.find_last_of("_ /");
+  if (mark == std::string::npos || mark == 0) return {head, ""};
+  const std::string_view end = std::string_view(head).substr(mark + 1);
+  const auto unit = std::ranges::find_if(kUnitEnds, [&](const auto& known) { return known.first == end; });
+  if (unit == kUnitEnds.end()) return {head, ""};
+  return {std::string(without_blanks(std::string_view(head).substr(0, mark))), std::string(unit->second)};
+}
+
+bool is_text_time_name(std::string_view name) {
+  constexpr std::array<std::string_view, 11> kNames{"time",        "t",         "zeit",    "timestamp", "datetime",
+                                                    "date_time",   "date time", "elapsed", "seconds",   "elapsed time",
+                                                    "elapsed_time"};
+  std::string lower(name);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::ranges::find(kNames, lower) != kNames.end();
+}
+
+std::optional<double> iso_time(std::string_view cell) {
+  const auto year = take_digits(cell, 4);
+  if (!year || !take(cell, "-")) return std::nullopt;
+  const auto month = take_digits(cell, 2);
+  if (!month || !take(cell, "-")) return std::nullopt;
+  const auto day = take_digits(cell, 2);
+  if (!day || !take(cell, "T ")) return std::nullopt;
+  const auto hour = take_digits(cell, 2);
+  if (!hour || *hour > 23 || !take(cell, ":")) return std::nullopt;
+  const auto minute = take_digits(cell, 2);
+  if (!minute || *minute > 59) return std::nullopt;
+  const auto seconds = take_seconds(cell);
+  const auto zone = seconds ? take_zone(cell) : std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
+                                         std::chrono::day(static_cast<unsigned>(*day))};
+  if (!zone || !cell.empty() || !date.ok()) return std::nullopt;
+  const double days = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
+  return 86400.0 * days + 3600.0 * *hour + 60.0 * *minute + *seconds - *zone;
+}
+
+}  // namespace brash::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "brash/model/warning.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace brash::simulation {
+
+/// A mean of fewer independent samples than this gets no interval: its estimate of the deviation is itself a guess.
+inline constexpr double kFewSamples = 10.0;
+
+/// What a result says against its own use: no break at all, or too few independent samples of the load.
+/// Those of the case are in derived_scales(); RunSummary::warnings has both. docs/reference/warnings.md
+std::vector<model::Warning> warnings_of(const RunSummary& summary);
+
+}  // namespace brash::simulation

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "brash/simulation/run.hpp"
+#include "brash/simulation/warnings.hpp"
+#include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
+#include "edge_contact.hpp"
+
+namespace brash::simulation {
+namespace {
+
+/// The structure as the field sees it, on its straight course along x.
+struct Course {
+  double speed = 0.0;       ///< [m/s]
+  double start = 0.0;       ///< x of its axis at t = 0 [m]
+  double bow = 0.0;         ///< x of what meets the ice first, at t = 0 [m]
+  double half_width = 0.0;  ///< where it meets the ice [m]
+
+  double front(double time) const { return bow + speed * time; }
+};
+
+Course course_of(const model::Case& c) {
+  const auto hull = structure::make_hull(c.structure.shape);
+  const auto motion = structure::make_motion(c.structure, c.time.step);
+  const Freeboard heights = freeboard(c);
+  const Pose& start = motion->now().pose;
+  const auto reach = [&](Vec2 course) {
+    return structure::foremost(*hull, start, heights.bottom, heights.top, course).reach;
+  };
+  return {.speed = norm(motion->course()),
+          .start = start.position.x,
+          .bow = reach({1.0, 0.0}),
+          .half_width = 0.5 * (reach({0.0, 1.0}) + reach({0.0, -1.0}))};
+}
+
+/// Borders nearer than this many characteristic lengths hold the sheet up: the plate of the failure model has none.
+constexpr double kNearBorder = 2.0;
+/// Loads stay correlated over about this share of l_c of travel: 0.03 to 0.11 in the validation case.
+constexpr double kCorrelatedTravel = 0.1;
+
+void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  const Course course = course_of(c);
+  const double margin = kNearBorder * scales.characteristic_length;
+  const double beside = 0.5 * c.field.width - course.half_width;
+  if (beside < margin)
+    warnings.push_back(
+        {"near-side",
+         fmt::format("the structure leaves {:.3g} m of ice to each side of the sheet, which is fixed there "
+                     "and holds it up; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
+                     beside, margin, 2.0 * (course.half_width + margin))});
+  const double end = course.front(c.time.duration);
+  if (end > c.field.length)
+    warnings.push_back(
+        {"leaves-field",
+         fmt::format("the structure leaves the ice at {:.3g} s, and time.duration = {} s: the loads after it are of "
+                     "open water; shorten the run, or raise field.length = {} m to {:.3g} m",
+                     (c.field.length - course.front(0.0)) / course.speed, c.time.duration, c.field.length,
+                     end + margin)});
+  else if (end > c.field.length - margin)
+    warnings.push_back(
+        {"near-end", fmt::format("the structure ends {:.3g} m before the far side of the sheet, which is fixed there; "
+                                 "expected at least 2 l_c = {:.3g} m: shorten the run, or raise field.length = {} m",
+                                 c.field.length - end, margin, c.field.length)});
+}
+
+}  // namespace
+
+void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  const Course course = course_of(c);
+  const double gap = -course.front(0.0);
+  const double way = course.speed * c.time.duration;
+  if (way <= gap)
+    warnings.push_back(
+        {"no-contact", fmt::format("the structure does not reach the ice: it is {:.3g} m away and moves {:.3g} m in "
+                                   "time.duration = {} s; raise that, or lower structure.start_distance",
+                                   gap, way, c.time.duration)});
+  add_border_warnings(c, scales, warnings);
+}
+
+void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  const Course course = course_of(c);
+  const double from = statistics_from(c);
+  const double travel = course.speed * (c.time.duration - from);
+  if (from >= c.time.duration)
+    warnings.push_back(
+        {"no-statistics", fmt::format("the run is over before its statistics begin, when the structure's axis passes "
+                                      "the ice edge at {:.3g} s: raise time.duration = {} s, or set "
+                                      "output.statistics_from",
+                                      -course.start / course.speed, c.time.duration)});
+  else if (travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
+    warnings.push_back(
+        {"short-run",
+         fmt::format("the statistics cover {:.3g} m of travel from {:.3g} s on, where loads stay alike over "
+                     "about {:.2g} m: expected ten times that; raise time.duration = {} s",
+                     travel, from, kCorrelatedTravel * scales.characteristic_length, c.time.duration)});
+  // A run is a whole number of steps long, the one nearest to its duration.
+  const double steps = c.time.duration / c.time.step;
+  constexpr double kRounding = 1e-6;  // of a duration and a step as they are written
+  if (std::abs(steps - std::round(steps)) > kRounding * steps)
+    warnings.push_back(
+        {"broken-step", fmt::format("the run ends at {:.9g} s: time.duration = {} s is no whole number of steps of {} "
+                                    "s, as {:.9g} and {:.9g} s are",
+                                    std::round(steps) * c.time.step, c.time.duration, c.time.step,
+                                    std::floor(steps) * c.time.step, std::ceil(steps) * c.time.step)});
+  const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
+  if (scales.collision_time < c.time.step)
+    warnings.push_back({"long-step", fmt::format("time.step = {} s is longer than the collision time {:.3g} s of a "
+                                                 "piece of {:.2g} m2 (Eq. 11): shorten it",
+                                                 c.time.step, scales.collision_time, piece)});
+  // A floe between the structure and what holds it comes nearer to its crushing bound by about m v a sweep
+  // (docs/theory/dynamics.md, "What this leaves out").
+  const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * piece;
+  const double bound =
+      c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * c.ice.thickness * std::sqrt(piece);
+  const double sweeps = std::ceil(bound / (mass * course.speed));
+  if (sweeps > c.contact.iterations)
+    warnings.push_back(
+        {"few-iterations",
+         fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at structure.speed "
+                     "= {} m/s to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
+                     c.contact.iterations, piece, course.speed, sweeps, c.time.step * c.contact.iterations / sweeps)});
+}
+
+namespace {
+
+/// A network is scaled by Eq. 19 to ice of another h / l_c, which is right for its bending alone. Against the plate its
+/// stress was 23 % off at three times the h / l_c it was trained with.
+constexpr double kThicknessScaled = 0.2;
+
+}  // namespace
+
+void add_model_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion,
+                        Warnings& warnings) {
+  const std::optional<double> trained = criterion.trained_thickness_over_lc();
+  if (trained && std::abs(scales.thickness_over_lc / *trained - 1.0) > kThicknessScaled)
+    warnings.push_back(
+        {"trained-thickness",
+         fmt::format("failure.model = {} was trained with h/l_c = {:.3g}, and this ice has {:.3g}: take superposition, "
+                     "which knows h/l_c, or train a network for this ice",
+                     model::name_of(c.failure.model), *trained, scales.thickness_over_lc)});
+  if (const auto range = criterion.thickness_over_lc_range();
+      range && (scales.thickness_over_lc < range->first || scales.thickness_over_lc > range->second))
+    warnings.push_back(
+        {"thickness-range",
+         fmt::format("h/l_c = {:.3g} of this ice, and failure.model = {} holds from {:.3g} to {:.3g}: every answer is "
+                     "for other ice; check ice.youngs_modulus and ice.thickness, or take model = \"plate\"",
+                     scales.thickness_over_lc, model::name_of(c.failure.model), range->first, range->second)});
+  const failure::Assessment straight =
+      criterion.assess({.contact_length = c.ice.thickness, .mu1 = scales.mu1, .mu2 = 0.0});
+  if (straight.above_range)
+    warnings.push_back(
+        {"flat-slope", fmt::format("mu1 = {:.3g} of structure.angle lies above the failure model's range: its "
+                                   "inputs will be clamped",
+                                   scales.mu1)});
+}
+
+Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
+  Warnings warnings;
+  add_ice_warnings(c, warnings);
+  add_field_warnings(c, scales, warnings);
+  add_time_warnings(c, scales, warnings);
+  add_model_warnings(c, scales, criterion, warnings);
+  return warnings;
+}
+
+Warnings warnings_of(const RunSummary& s) {
+  Warnings warnings;
+  if (s.n_breaks == 0)
+    warnings.push_back({"no-breaks",
+                        "the ice has not broken in this run: the loads are of crushing and floes alone; "
+                        "run longer, or check the strengths of the ice"});
+  if (s.horizontal.effective_sample_size < kFewSamples && !std::isnan(s.horizontal.mean))
+    warnings.push_back(
+        {"few-samples",
+         fmt::format("the load has {:.1f} independent samples from {:.3g} s on, expected {:.0f} or more: "
+                     "its interval means nothing; run longer, or take more replicates",
+                     s.horizontal.effective_sample_size, s.statistics_from, kFewSamples)});
+  return warnings;
+}
+
+}  // namespace brash::simulation

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "brash/failure/criterion.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/warning.hpp"
+#include "brash/simulation/scales.hpp"
+
+namespace brash::simulation {
+
+using Warnings = std::vector<model::Warning>;
+
+/// Properties outside what has been measured of ice, with the unit that was probably meant.
+void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
+
+/// A structure that does not reach the ice, leaves it, or passes near its borders, which are fixed and rigid.
+void add_field_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
+
+/// A duration or a step that does not suit the case.
+void add_time_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
+
+/// Inputs far outside the range of the failure model.
+void add_model_warnings(const model::Case& resolved, const DerivedScales& scales,
+                        const failure::BendingCriterion& criterion, Warnings& warnings);
+
+/// All of them. docs/reference/warnings.md
+Warnings case_warnings(const model::Case& resolved, const DerivedScales& scales,
+                       const failure::BendingCriterion& criterion);
+
+}  // namespace brash::simulation

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inputs outside what has been measured of ice: most often a wrong unit.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "case_warnings.hpp"
+
+namespace brash::simulation {
+namespace {
+
+/// Values that have been measured, natural and model ice together.
+struct MeasuredRange {
+  const char* id;
+  const char* key;
+  const char* unit;  ///< SI
+  double least;
+  double most;
+  const char* source;
+};
+
+// Timco and Weeks 2010: Cold Reg. Sci. Technol. 60, 107 to 129. Timco and Frederking 1996: the same, 24, 1 to 6.
+// Sodhi, Borland and Stanley 1996: CRREL Report 96-12. Hu and Zhou 2016: Int. J. Nav. Archit. Ocean Eng. 8, 121 to 138.
+constexpr MeasuredRange kThickness{
+    "thickness", "ice.thickness", "m", 0.005, 5.0, "level ice: 24 mm in a basin (Sodhi 1996) to a few metres at sea"};
+constexpr MeasuredRange kDensity{"density", "ice.density", "kg/m3",
+                                 720.0,     940.0,         "sea ice: 720 to 940 kg/m3 (Timco and Frederking 1996)"};
+constexpr MeasuredRange kFlexural{"flexural-strength",
+                                  "ice.flexural_strength",
+                                  "Pa",
+                                  1.0e4,
+                                  3.0e6,
+                                  "model ice from 31 kPa (Sodhi 1996), sea and fresh ice up to some 2 MPa (Timco and "
+                                  "Weeks 2010)"};
+constexpr MeasuredRange kCompressive{"compressive-strength",
+                                     "ice.compressive_strength",
+                                     "Pa",
+                                     1.0e4,
+                                     2.0e7,
+                                     "0.36 to 3.67 MPa (the paper, Sec. 3.1.2), up to 5.4 MPa (Hu and Zhou 2016)"};
+constexpr MeasuredRange kModulus{
+    "youngs-modulus",
+    "ice.youngs_modulus",
+    "Pa",
+    1.0e7,
+    1.2e10,
+    "model ice from some 50 MPa (Sodhi 1996), sea ice up to 10 GPa (Timco and Weeks 2010)"};
+
+struct Prefix {
+  double factor;
+  const char* text;
+};
+
+/// `value` in the unit with the prefix that keeps it short.
+std::string in_words(double value, const std::string& unit) {
+  if (unit == "Pa")
+    for (const Prefix& p : {Prefix{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
+      if (value >= p.factor) return fmt::format("{:.4g} {}", value / p.factor, p.text);
+  if (unit == "m" && value < 1.0) return fmt::format("{:.4g} cm", 100.0 * value);
+  return fmt::format("{:.4g} {}", value, unit);
+}
+
+/// The value that was probably meant: the number taken in another unit of its kind, the first that has been measured.
+std::optional<double> probably_meant(const MeasuredRange& range, double value) {
+  const std::string unit = range.unit;
+  const std::array<double, 3> factors = unit == "Pa"  ? std::array{1e6, 1e3, 1e9}
+                                        : unit == "m" ? std::array{1e-2, 1e-3, 1e3}
+                                                      : std::array{1e3, 1e-3, 1.0};
+  for (const double factor : factors)
+    if (factor * value >= range.least && factor * value <= range.most && factor != 1.0) return factor * value;
+  return std::nullopt;
+}
+
+void check(const MeasuredRange& range, double value, std::vector<model::Warning>& warnings) {
+  if (value >= range.least && value <= range.most) return;
+  const std::optional<double> meant = probably_meant(range, value);
+  warnings.push_back({range.id, fmt::format("{} = {} is no ice that has been measured: {}; {}", range.key,
+                                            in_words(value, range.unit), range.source,
+                                            meant ? fmt::format("was \"{}\" meant?", in_words(*meant, range.unit))
+                                                  : fmt::format("expected {} to {}", in_words(range.least, range.unit),
+                                                                in_words(range.most, range.unit)))});
+}
+
+/// The share of the thickness above water below which a percent of error in a density is half of the freeboard [-].
+constexpr double kLeastFreeboard = 0.02;
+
+}  // namespace
+
+void add_ice_warnings(const model::Case& c, std::vector<model::Warning>& warnings) {
+  check(kThickness, c.ice.thickness, warnings);
+  check(kDensity, c.ice.density, warnings);
+  check(kFlexural, c.ice.flexural_strength, warnings);
+  check(kCompressive, c.ice.compressive_strength, warnings);
+  check(kModulus, c.ice.youngs_modulus, warnings);
+  const double freeboard = 1.0 - c.ice.density / c.water.density;
+  if (freeboard < kLeastFreeboard)
+    warnings.push_back(
+        {"hardly-floats", fmt::format("ice.density = {} and water.density = {} kg/m3 leave {:.2g} % of the ice above "
+                                      "water, where sea ice has 7 to 12 %: check both",
+                                      c.ice.density, c.water.density, 100.0 * freeboard)});
+}
+
+}  // namespace brash::simulation

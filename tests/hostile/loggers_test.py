@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files as loggers write them are read as what they say, or refused: nothing is a second or a newton by guess."""
+import json
+import unittest
+
+from common import Hostile
+
+MEAN = 2.0  # kN, of 1 2 3 2 1 2 3 ...
+
+
+class Loggers(Hostile):
+    def statistics(self, text, *more):
+        (self.path / "logger.csv").write_text(text)
+        return json.loads(self.succeeds("stats", "logger.csv", "--json", *more).stdout)
+
+    def assert_read(self, text):
+        """200 samples every 50 ms, of 2 kN in the mean."""
+        out = self.statistics(text)
+        self.assertAlmostEqual(out["sampling"]["step"], 0.05, places=6, msg=text[:60])
+        self.assertAlmostEqual(out["mean"], 1e3 * MEAN, delta=1, msg=text[:60])
+
+    @staticmethod
+    def rows(time, separator=","):
+        return "".join(f"{time(i)}{separator}{2 + (i % 4 - 1) * (i % 2 == 0)}\n" for i in range(200))
+
+    def test_units_at_the_end_of_names_are_read(self):
+        for head in ("time_ms,Fx_kN", "Time ms,Load kN", "t/ms,Fx/kN", "time [ms],Fx [kN]", "elapsed_ms,F_kN"):
+            self.assert_read(head + "\n" + self.rows(lambda i: 50 * i))
+        for head in ("time_s,Fx_kN", "t,Fx_kN", "Zeit;F [kN]", "seconds\tF_kN"):
+            separator = next(c for c in ";\t," if c in head)
+            self.assert_read(head + "\n" + self.rows(lambda i: f"{0.05 * i:.2f}", separator))
+        self.assertEqual(self.statistics("t_s,Fx_kN\n" + self.rows(lambda i: i), "--column", "Fx_kN")["unit"], "N")
+
+    def test_dates_are_read_as_seconds_since_the_first(self):
+        def date(i, form="2024-02-28T23:59:{:06.3f}"):
+            seconds = 55 + 0.05 * i
+            return form.format(seconds) if seconds < 60 else form.replace("02-28T23:59", "02-29T00:00").replace(
+                "02-28 23:59", "02-29 00:00").format(seconds - 60)
+
+        self.assert_read("time,Fx_kN\n" + self.rows(date))
+        self.assert_read("timestamp;Fx_kN\n" + self.rows(lambda i: date(i, "2024-02-28 23:59:{:06.3f}+01:00"), ";"))
+        self.assert_read("timestamp,Fx_kN\n" + self.rows(lambda i: date(i) + "Z"))
+        for bad in ("2024-02-30T00:00:00", "2024-02-28T25:00:00", "28.02.2024 10:00:00", "10:00:00", "2024-02-28"):
+            (self.path / "logger.csv").write_text("time,Fx\n" + f"{bad},1\n" * 3)
+            self.refused("stats", "logger.csv", saying="is not a finite number")
+
+    def test_a_preamble_is_refused_with_the_remedy(self):
+        for preamble in ("Logger 4711\n", "Station,Adventdalen\n", "Logger 4711, firmware 2.0\nStart,2024-02-28T10:00:00\n",
+                         "Recorder A\nRate 20 Hz\n\n"):
+            for table in ("time,Fx\n" + self.rows(lambda i: 0.05 * i), self.rows(lambda i: 0.05 * i)):
+                (self.path / "logger.csv").write_text(preamble + table)
+                with self.subTest(preamble):
+                    self.assertIn("#", self.refused("stats", "logger.csv"))
+        self.assert_read("# Logger 4711\n# Rate 20 Hz\ntime,Fx_kN\n" + self.rows(lambda i: f"{0.05 * i:.2f}"))
+
+    def test_a_first_column_that_nothing_calls_times_is_not_taken_for_seconds(self):
+        for head in ("sample,Fx", "x,Fx", "Recorder,A", "time_kg,Fx", "date,Fx", "frame_ms2,F"):
+            (self.path / "logger.csv").write_text(head + "\n" + self.rows(lambda i: i))
+            with self.subTest(head):
+                self.refused("stats", "logger.csv", saying="time")
+        out = self.statistics("sample,Fx_kN\n" + self.rows(lambda i: i), "--dt", "0.05", "--column", "Fx_kN")
+        self.assertAlmostEqual(out["sampling"]["step"], 0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()

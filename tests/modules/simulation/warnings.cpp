@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every row of docs/reference/warnings.md: its settings give its warning.
+#include "brash/simulation/warnings.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+#include <regex>
+
+#include "brash/io/case.hpp"
+#include "brash/simulation/scales.hpp"
+
+namespace {
+
+using namespace brash;
+
+const std::string kSource = BRASH_SOURCE_DIR;
+
+struct Row {
+  std::string id;
+  std::vector<std::string> settings;
+};
+
+/// The rows of the tables under `heading`: `| `id` | `key=value` `key=value` | ...`.
+std::vector<Row> rows_under(const std::string& heading) {
+  static const std::regex quoted("`([^`]+)`");
+  std::ifstream page(kSource + "/docs/reference/warnings.md");
+  std::vector<Row> rows;
+  std::string section;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("## ")) section = line.substr(3);
+    if (section != heading || !line.starts_with("| `")) continue;
+    const std::string first_cells = line.substr(0, line.find('|', line.find('|', 1) + 1));
+    Row row;
+    for (std::sregex_iterator m(first_cells.begin(), first_cells.end(), quoted), end; m != end; ++m)
+      row.id.empty() ? void(row.id = (*m)[1]) : row.settings.push_back((*m)[1]);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+model::Case validation(const std::vector<std::string>& settings = {}) {
+  return io::read_case(kSource + "/experiments/validation/cone.toml", settings);
+}
+
+bool has(const std::vector<model::Warning>& warnings, const std::string& id) {
+  return std::ranges::any_of(warnings, [&](const model::Warning& warning) { return warning.id == id; });
+}
+
+std::string text_of(const std::vector<model::Warning>& warnings, const std::string& id) {
+  const auto found = std::ranges::find(warnings, id, &model::Warning::id);
+  return found == warnings.end() ? "" : found->text;
+}
+
+std::vector<model::Warning> warnings_with(const std::vector<std::string>& settings) {
+  return simulation::derived_scales(validation(settings)).warnings;
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+BOOST_AUTO_TEST_CASE(the_validation_case_gives_no_warning) { BOOST_TEST(warnings_with({}).empty()); }
+
+BOOST_AUTO_TEST_CASE(each_row_of_the_table_before_the_run_gives_its_warning) {
+  const std::vector<Row> rows = rows_under("Before the run");
+  BOOST_TEST(rows.size() >= 18u);
+  for (const Row& row : rows) BOOST_TEST(has(warnings_with(row.settings), row.id), row.id);
+}
+
+BOOST_AUTO_TEST_CASE(each_row_of_the_table_after_the_run_gives_its_warning) {
+  const std::vector<Row> rows = rows_under("After the run");
+  BOOST_TEST(rows.size() == 2u);
+  for (const Row& row : rows)
+    BOOST_TEST(has(simulation::run(validation(row.settings)).summary.warnings, row.id), row.id);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_without_its_unit_gets_the_unit_that_was_probably_meant) {
+  const auto strength = text_of(warnings_with({"ice.flexural_strength=0.4"}), "flexural-strength");
+  BOOST_TEST(says(strength, "was \"400 kPa\" meant?"), strength);
+  const auto modulus = text_of(warnings_with({"ice.youngs_modulus='100 kPa'"}), "youngs-modulus");
+  BOOST_TEST(says(modulus, "was \"100 GPa\" meant?") == false, modulus);
+  BOOST_TEST(says(modulus, "was \"100 MPa\" meant?"), modulus);
+}
+
+BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
+  BOOST_TEST(warnings_with({"ice.thickness=0.5 m"}).empty());  // h/l_c = 0.112
+  const auto text = text_of(warnings_with({"ice.youngs_modulus=9 GPa"}), "trained-thickness");
+  BOOST_TEST(says(text, "failure.model = network was trained with h/l_c = 0.1, and this ice has 0.044"), text);
+}
+
+BOOST_AUTO_TEST_CASE(a_structure_too_slow_for_the_sweeps_of_a_step_is_warned_of) {
+  const auto warned = [](const char* speed, const char* iterations) {
+    return text_of(warnings_with({speed, iterations, "time.duration=10000"}), "few-iterations");
+  };
+  // A piece of 2.7 m2 has 1.2 t and yields at 2.7 kN s in 10 ms: 114 sweeps at 2 cm/s.
+  const auto slow = warned("structure.speed=0.02", "contact.iterations=30");
+  BOOST_TEST(says(slow, "contact.iterations = 30 are too few for a piece of 2.7 m2"), slow);
+  BOOST_TEST(says(slow, "it needs about 114, or steps of 0.0026 s"), slow);
+  BOOST_TEST(warned("structure.speed=0.02", "contact.iterations=114").empty());
+  BOOST_TEST(warned("structure.speed=0.08", "contact.iterations=30").empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_way_to_the_ice_depends_on_the_direction_of_breaking) {
+  // The cone is 0.18 m from the ice, its axis 7 m, and moves 1.202 m in a second. Breaking upward it is widest at the
+  // ice's bottom, 0.29 m down, and 0.04 m away.
+  BOOST_TEST(has(warnings_with({"time.duration=0.14"}), "no-contact"));
+  BOOST_TEST(!has(warnings_with({"time.duration=0.14", "structure.breaking=upward"}), "no-contact"));
+  BOOST_TEST(has(warnings_with({"time.duration=0.14", "structure.breaking=upward"}), "no-statistics"));
+}
+
+BOOST_AUTO_TEST_CASE(a_duration_of_no_whole_number_of_steps_names_the_two_nearest) {
+  const auto text = text_of(warnings_with({"time.duration=10", "time.step=0.03"}), "broken-step");
+  BOOST_TEST(says(text, "the run ends at 9.99 s"), text);
+  BOOST_TEST(says(text, "9.99 and 10.02 s"), text);
+  // A quotient that is not whole only by round-off.
+  BOOST_TEST(!has(warnings_with({"time.duration=8.7", "time.step=0.003"}), "broken-step"));
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_hardly_wider_than_the_cone_is_warned_of) {
+  const auto text = text_of(
+      warnings_with({"field.width=13", "structure.waterline_width=12", "field.initial_crack_radius=1"}), "near-side");
+  BOOST_TEST(says(text, "leaves 0.47"), text);
+}
+
+}  // namespace
