@@ -241,7 +241,7 @@ more for each simulated second.
 
 **Growth with large packs.** Counted in instructions, a floe costs little more in a large pack. The command is
 `valgrind --tool=callgrind --toggle-collect='brash::rigid_body::World::step*'
---toggle-collect='brash::simulation::FloePopulation::apply_water(*' build/valgrind/bin/bench_growth 4 N`, for each of the floes of all
+--toggle-collect='brash::simulation::FloeWater::apply(*' build/valgrind/bin/bench_growth 4 N`, for each of the floes of all
 its packs, built by `./dev build valgrind`:
 
 | floes | instructions for each floe, relative to 100 floes |

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "bearing.hpp"
-
 namespace brash::simulation {
 namespace {
 
@@ -137,9 +135,11 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact
 
 }  // namespace
 
-Freeboard freeboard(const model::Case& resolved) {
-  const double draft = resolved.ice.thickness * resolved.ice.density / resolved.water.density;
-  return {resolved.ice.thickness - draft, -draft};
+Freeboard freeboard(const model::Case& resolved) { return freeboard(resolved, resolved.ice.thickness); }
+
+Freeboard freeboard(const model::Case& resolved, double thickness) {
+  const double draft = thickness * resolved.ice.density / resolved.water.density;
+  return {thickness - draft, -draft};
 }
 
 failure::IceProperties ice_properties(const model::Case& resolved) {
@@ -186,7 +186,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 }
 
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const model::Bearing& bearing) {
+                                           const Bearing& bearing) {
   const double h = model.ice.thickness;
   // A cantilever of the width h and the length l_c does not break under less.
   const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));

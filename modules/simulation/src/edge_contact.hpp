@@ -5,11 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "bearing.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/model/case.hpp"
-#include "brash/model/checkpoint.hpp"
+#include "brash/model/records.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 
@@ -26,6 +27,7 @@ struct EdgeContact {
   Vec3 normal{};                       ///< unit, from the structure's surface into the ice
   double bound = 0.0;                  ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
   std::int64_t floe = model::kNoFloe;  ///< that presses
+  int level_ice = 0;                   ///< number of the level ice that it is the edge of
 };
 
 /// What the edge contacts depend on besides the sheet.
@@ -42,6 +44,8 @@ struct Freeboard {
   double bottom = 0.0;
 };
 Freeboard freeboard(const model::Case& resolved);
+/// Likewise of ice of another thickness [m].
+Freeboard freeboard(const model::Case& resolved, double thickness);
 
 /// Ice as the failure criterion sees it.
 failure::IceProperties ice_properties(const model::Case& resolved);
@@ -69,6 +73,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 /// vertical part. Its length c is that of an even load with the same second moment about its middle, at least h: plate
 /// theory says nothing of less. docs/theory/simulation.md, (S1).
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const model::Bearing& bearing);
+                                           const Bearing& bearing);
 
 }  // namespace brash::simulation

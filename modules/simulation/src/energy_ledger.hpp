@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
@@ -32,8 +31,8 @@ class EnergyLedger {
   /// The floe `body` is about to be deleted.
   void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
 
-  /// Floes have lost `kinetic` [J] by being fixed where they are.
-  void book_settled(double kinetic) { removed_ += kinetic; }
+  /// Floes have lost `kinetic` [J] by falling asleep.
+  void book_fallen_asleep(double kinetic) { removed_ += kinetic; }
 
   /// Work of contacts and drag on each moving floe in the last step [J]; weight and buoyancy are its potential energy.
   const std::map<BodyId, double>& received() const { return received_; }
@@ -44,14 +43,14 @@ class EnergyLedger {
   /// Fills the energies of a row.
   void report(const rigid_body::World& world, const FloePopulation& floes, model::LoadRow& row) const;
 
-  /// Calls `visit(name, sum)` for every sum, by its name in a checkpoint.
+  /// Every sum.
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
-    visit("work", self.work_);
-    visit("birth_energy", self.birth_);
-    visit("removed_energy", self.removed_);
-    model::EnergyLosses::visit([&](const char* cause, const char*, double model::EnergyLosses::*loss) {
-      visit(std::string("loss_") + cause, self.losses_.*loss);
+    visit("work", "J", "work of the structure", self.work_);
+    visit("birth_energy", "J", "energy of floes at their birth", self.birth_);
+    visit("removed_energy", "J", "energy of floes that were deleted or fell asleep", self.removed_);
+    model::EnergyLosses::visit([&](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
+      visit(cause, "J", meaning, self.losses_.*loss);
     });
   }
 

@@ -118,6 +118,15 @@ class IceSheet {
   std::unique_ptr<Impl> impl_;
 };
 
+/// A region to cut out, and the cracks that divide it.
+struct CrackedRegion {
+  Ring region;  ///< simple, counter-clockwise
+  std::vector<Crack> cracks;
+};
+
+/// Plans cut_circumferential() without cutting: its circle and its radial cracks.
+CrackedRegion circumferential(const IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides = 16);
+
 /// Cuts the ice within `radius` of `centre` free and divides it by radial cracks.
 ///
 /// The circle becomes a polygon of `sides` chords with an additional vertex where each crack ends. `n_wedges - 1`

@@ -22,6 +22,8 @@ enum class FieldKind { kLevelIce };
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
 enum class CrackOrder { kCircumferentialFirst, kRadialFirst };
+/// How ice cracks where it fails in bending, ice::make_crack_pattern(). No key chooses it while there is but one.
+enum class CrackPattern { kCircumferential };
 /// [contact] area: the area A of Eq. 15.
 enum class ContactArea {
   kSurface,   ///< of the structure's surface inside the ice

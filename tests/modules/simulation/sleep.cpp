@@ -13,24 +13,31 @@ using namespace brash::simulation::testing;
 constexpr double kStep = 0.01;  // s
 constexpr double kSlow = 0.05;  // m/s
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
-const std::vector<std::string> kSettling{"time.settle_speed=0.05", "time.step=0.01"};
+const std::vector<std::string> kSleeping{"time.settle_speed=0.05", "time.step=0.01"};
 
-/// Steps for `seconds`. @return the kinetic energy that settling took [J].
+/// Steps for `seconds`. @return the kinetic energy that falling asleep took [J].
 double advance(Pool& pool, double seconds, double astern = kEverywhere) {
   double taken = 0.0;
   for (int i = 0; i < std::lround(seconds / kStep); ++i) {
     (void)pool.step(kStep);
-    taken += pool.floes.settle(pool.world, {{1.0, 0.0}, astern});
+    taken += pool.sleep.update(pool.world, pool.floes, {{1.0, 0.0}, astern});
   }
   return taken;
 }
 
+/// What the pool's floes are taken to have broken off.
+std::vector<ice::Plate> one_level_ice(const model::Case& resolved) {
+  std::vector<ice::Plate> plates;
+  plates.emplace_back(0, ice::Hold::kFast, ice_properties(resolved), std::vector<geometry::Polygon>{});
+  return plates;
+}
+
 double speed(const Pool& pool, BodyId floe) { return pool.world.twist(floe).linear.x; }
 
-BOOST_AUTO_TEST_SUITE(settling)
+BOOST_AUTO_TEST_SUITE(sleep)
 
-BOOST_AUTO_TEST_CASE(a_floe_that_stays_slow_is_fixed_and_its_kinetic_energy_is_accounted_for) {
-  Pool pool(kSettling);
+BOOST_AUTO_TEST_CASE(a_floe_that_stays_slow_falls_asleep_and_its_kinetic_energy_is_accounted_for) {
+  Pool pool(kSleeping);
   const BodyId slow = pool.add({-1, -1}, {1, 1}, {{0.9 * kSlow, 0, 0}, {}});
   const BodyId fast = pool.add({-1, 4}, {1, 6}, {{10 * kSlow, 0, 0}, {}});
   const BodyId ahead = pool.add({19, -1}, {21, 1}, {{0.9 * kSlow, 0, 0}, {}});
@@ -48,9 +55,9 @@ BOOST_AUTO_TEST_CASE(a_floe_that_stays_slow_is_fixed_and_its_kinetic_energy_is_a
   BOOST_TEST((pool.world.pose(slow) == fixed));
 }
 
-BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_pushed_goes_on_as_if_it_had_never_been_fixed) {
-  // A drifting floe runs into one at rest, which is let go before the blow: no speed is off by more than that of rest.
-  Pool with(kSettling), without;
+BOOST_AUTO_TEST_CASE(a_sleeping_floe_that_is_pushed_goes_on_as_if_it_had_never_slept) {
+  // A drifting floe runs into one at rest, which wakes before the blow: no speed is off by more than that of rest.
+  Pool with(kSleeping), without;
   for (Pool* pool : {&with, &without}) {
     const BodyId rests = pool->add({-1, -1}, {1, 1}, {});
     (void)advance(*pool, 2.5);
@@ -62,8 +69,8 @@ BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_pushed_goes_on_as_if_it_had_never_be
   for (const BodyId floe : with.world.floes()) BOOST_TEST(std::abs(speed(with, floe) - speed(without, floe)) < kSlow);
 }
 
-BOOST_AUTO_TEST_CASE(a_gentle_push_leaves_a_floe_settled) {
-  Pool pool(kSettling);
+BOOST_AUTO_TEST_CASE(a_gentle_push_leaves_a_floe_asleep) {
+  Pool pool(kSleeping);
   const BodyId rests = pool.add({-1, -1}, {1, 1}, {});
   (void)advance(pool, 2.5);
   (void)pool.add({-3.05, -1}, {-1.05, 1}, {{0.9 * kSlow, 0, 0}, {}});
@@ -74,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_gentle_push_leaves_a_floe_settled) {
 /// Only the smaller of the two floes of a stack lies wholly below this [m].
 constexpr double kSmallAlone = 1.5;
 
-/// A floe that has settled on a larger one, which moves. @return the lower, the upper.
+/// A floe that sleeps on a larger one, which moves. @return the lower, the upper.
 std::pair<BodyId, BodyId> add_stack(Pool& pool) {
   const BodyId lower = pool.add({-2, -2}, {2, 2}, {});
   const BodyId upper = pool.add({-1, -1}, {1, 1}, {});
@@ -91,8 +98,8 @@ std::pair<BodyId, BodyId> add_stack(Pool& pool) {
   return {lower, upper};
 }
 
-BOOST_AUTO_TEST_CASE(a_floe_stays_settled_on_the_one_that_bears_it) {
-  Pool pool(kSettling);
+BOOST_AUTO_TEST_CASE(a_floe_stays_asleep_on_the_one_that_bears_it) {
+  Pool pool(kSleeping);
   const auto [lower, upper] = add_stack(pool);
   for (int i = 0; i < 2000; ++i) {
     (void)advance(pool, kStep, kSmallAlone);
@@ -103,46 +110,40 @@ BOOST_AUTO_TEST_CASE(a_floe_stays_settled_on_the_one_that_bears_it) {
   BOOST_TEST(push > 5 * pool.floes.floes().at(upper).inertia.mass * kSlow / 2.0);
 }
 
-BOOST_AUTO_TEST_CASE(a_floe_is_let_go_when_the_one_that_bears_it_leaves) {
-  Pool pool(kSettling);
+BOOST_AUTO_TEST_CASE(a_floe_wakes_when_the_one_that_bears_it_leaves) {
+  Pool pool(kSleeping);
   const auto [lower, upper] = add_stack(pool);
   const double height = pool.world.pose(upper).position.z;
-  (void)pool.floes.remove(pool.world, lower);
+  pool.remove(lower);
   (void)advance(pool, 0.5);
   BOOST_TEST(!pool.world.is_settled(upper));
   BOOST_TEST(pool.world.pose(upper).position.z < height - 0.1);
 }
 
-BOOST_AUTO_TEST_CASE(a_floe_is_let_go_where_the_sheet_breaks) {
-  Pool pool(kSettling);
+BOOST_AUTO_TEST_CASE(a_floe_wakes_where_the_sheet_breaks) {
+  Pool pool(kSleeping);
   const BodyId near = pool.add({-1, -1}, {1, 1}, {});
   const BodyId far = pool.add({4, -1}, {6, 1}, {});
   (void)advance(pool, 2.5);
-  pool.floes.sheet_broke(pool.world, {-3, 0}, 2.5);
+  pool.sleep.wake_within(pool.world, pool.floes, {-3, 0}, 2.5);
   BOOST_TEST(!pool.world.is_settled(near));
   BOOST_TEST(pool.world.is_settled(far));
   BOOST_TEST(pool.floes.floes().at(near).kept_drag.left == 0.0);  // that of its rest is forgotten
   BOOST_TEST(pool.floes.floes().at(far).kept_drag.left > 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(a_settled_floe_that_is_restored_goes_on_to_the_last_bit) {
-  Pool pool(kSettling), restored(kSettling);
+BOOST_AUTO_TEST_CASE(a_sleeping_floe_that_is_restored_goes_on_to_the_last_bit) {
+  Pool pool(kSleeping), restored(kSleeping);
   const BodyId rests = pool.add({-1, -1}, {1, 1}, {});
   const BodyId comes = pool.add({-7, -1}, {-5, 1}, {{0.8, 0, 0}, {}});
   (void)advance(pool, 3.0);
   BOOST_REQUIRE(pool.world.is_settled(rests));
-  for (const auto& [body, floe] : pool.floes.floes())
-    restored.floes.restore(restored.world, floe.outline,
-                           {.id = floe.id,
-                            .pose = pool.world.pose(body),
-                            .twist = pool.world.twist(body),
-                            .stress = floe.stress,
-                            .peak_compression = floe.peak_compression,
-                            .bearing = floe.bearing,
-                            .rest = floe.rest,
-                            .kept_drag = floe.kept_drag});
-  for (const auto& [pair, force] : pool.floes.pushes().pairs())
-    restored.floes.restore_push(pool.floes.floes().at(pair.first).id, pool.floes.floes().at(pair.second).id, force);
+  model::Checkpoint checkpoint;
+  pool.floes.save(pool.world, checkpoint);
+  pool.sleep.save(pool.floes, checkpoint);
+  const std::vector<ice::Plate> level_ice = one_level_ice(pool.resolved);
+  restored.floes.restore(restored.world, level_ice, checkpoint);
+  restored.sleep.restore(restored.floes, checkpoint);
   for (Pool* each : {&pool, &restored}) (void)advance(*each, 8.0);
   for (const BodyId floe : {rests, comes}) BOOST_TEST((pool.world.pose(floe) == restored.world.pose(floe)));
   BOOST_TEST(speed(pool, rests) > 0.0);
