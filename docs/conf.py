@@ -1,37 +1,72 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The documents as a site: `./dev docs` builds it offline into build/docs."""
+"""The documents as a site: `./dev docs` builds it offline into build/docs.
+
+The sources are a folder of links, build/docs/source: all that is in docs/, and experiments/ as a folder beside it.
+"""
 import pathlib
 import re
 import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-BRASH = HERE.parent / "build/release/bin/brash"
+TOP = HERE.parent
+BRASH = TOP / "build/release/bin/brash"
 sys.path.insert(0, str(HERE / "_extensions"))
 
 project = "brash"
 author = "The brash authors"
 copyright = author
-release = re.search(r"project\(brash VERSION ([\d.]+)", (HERE.parent / "CMakeLists.txt").read_text())[1]
+release = re.search(r"project\(brash VERSION ([\d.]+)", (TOP / "CMakeLists.txt").read_text())[1]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "brash_katex"]
-myst_enable_extensions = ["dollarmath", "amsmath"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "brash_furo", "brash_gallery", "brash_katex"]
+exclude_patterns = ["_*"]
+myst_enable_extensions = ["dollarmath", "amsmath", "attrs_image", "colon_fence"]
 myst_heading_anchors = 4
 autodoc_member_order = "groupwise"
-html_theme = "alabaster"
-html_theme_options = {"description": "How a structure breaks level ice", "page_width": "1280px", "sidebar_width": "240px"}
-html_sidebars = {"**": ["about.html", "navigation.html", "searchbox.html"]}
+html_theme = "furo"
+html_title = f"brash {release}"
+html_short_title = "brash"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_extra_path = ["_extra"]
+# Blues of the ice in the report's page; the second set is for dark pages.
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#1f5a7a", "color-brand-content": "#1f5a7a"},
+    "dark_css_variables": {"color-brand-primary": "#8cc4e0", "color-brand-content": "#8cc4e0"},
+}
+pygments_style = "friendly"
+pygments_dark_style = "monokai"
 html_math_renderer = "katex"
 html_copy_source = False
+html_show_sphinx = False
 
 
-def name_what_is_not_in_the_site(app, docname, source):
-    """Links to files outside docs/ become their paths in the sources."""
-    def plain(match):
-        path = (HERE / docname).parent.joinpath(match[2]).resolve()
-        return match[0] if path.is_relative_to(HERE) else f"{match[1]} (`{path.relative_to(HERE.parent)}`)"
+def place_of(docname):
+    """Where the source of a page lies in the repository."""
+    return (TOP if docname.startswith("experiments/") else HERE) / f"{docname}.md"
 
-    source[0] = re.sub(r"\[([^]]*)\]\((\.\.[^)#\s]*)\)", plain, source[0])
+
+def follow_links(app, docname, source):
+    """Links lead to the pages of the site; where there is none, the path in the sources stands in their place.
+
+    A page without a title gets the name of its folder.
+    """
+    folder = place_of(docname).parent
+    if not re.search(r"^# ", source[0], re.MULTILINE):
+        source[0] = f"# {folder.name.capitalize()}\n\n{source[0]}"
+
+    def resolved(match):
+        path = (folder / match[2]).resolve()
+        if path.is_relative_to(HERE):
+            target = path.relative_to(HERE)
+        elif path.is_relative_to(TOP / "experiments") and (path.is_file() and path.suffix in (".md", ".png", ".svg")):
+            target = path.relative_to(TOP)
+        else:
+            return f"{match[1].removeprefix('!')} (`{path.relative_to(TOP)}`)"
+        up = "../" * docname.count("/")
+        return f"[{match[1]}]({up}{target}{match[3] or ''})"
+
+    source[0] = re.sub(r"\[([^]]*)\]\((\.\.[^)#\s]*)(#[^)\s]*)?\)", resolved, source[0])
 
 
 def helps_of(path=()):
@@ -51,7 +86,14 @@ def without_the_inner_module(app, what, name, value, options, signature, returne
     return [text and text.replace("brash._brash.", "") for text in (signature, returned)]
 
 
+def without_field_numbers(app, what, name, value, options, lines):
+    """Fields of named tuples say nothing of themselves; their class does."""
+    if lines and lines[0].startswith("Alias for field number"):
+        lines.clear()
+
+
 def setup(app):
-    app.connect("source-read", name_what_is_not_in_the_site)
+    app.connect("source-read", follow_links)
     app.connect("source-read", add_the_help_of_each_command)
+    app.connect("autodoc-process-docstring", without_field_numbers)
     app.connect("autodoc-process-signature", without_the_inner_module)

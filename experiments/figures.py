@@ -10,7 +10,7 @@ import numpy as np
 
 import study
 
-plt.rcParams.update({"svg.hashsalt": "brash", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3,
+plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3,
                      "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
 BLUE, RED, GREY, GREEN, ORANGE = "#1f4e79", "#b3261e", "#6b7280", "#2e7d32", "#c77700"
 CLOSED = {"croasdale": ("Croasdale, ISO 19906", RED, "--"), "ralston_tresca": ("Ralston, Tresca", GREEN, "--"),
@@ -25,9 +25,7 @@ def shown(key, value):
 
 
 def save(figure, folder, name):
-    for ending in ("svg", "png"):
-        metadata = {"Date": None} if ending == "svg" else {}
-        figure.savefig(folder / f"{name}.{ending}", dpi=110, metadata=metadata)
+    figure.savefig(folder / f"{name}.png", dpi=110)
     plt.close(figure)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tools of the experiments that are campaigns: they run a plan, collect its numbers, record and check them.
 
-An experiment is a folder with `plan.toml`, `run.py`, `recorded.csv` (one row a case), `closed_forms.csv` (one row a
+An experiment is a folder with `plan.toml`, `recorded.csv` (one row a case), `closed_forms.csv` (one row a
 setting) and `quick.csv` (the reference of the tests). Its folder `corrected` holds the corrected algorithm's results.
 """
 import argparse

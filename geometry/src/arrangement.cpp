@@ -2,250 +2,234 @@
 #include "arrangement.hpp"
 
 #include <algorithm>
+#include <optional>
 
-#include "brash/core/contract.hpp"
+#include "planar_map.hpp"
 
 namespace brash::geometry {
 
-namespace {
+struct Arrangement::Impl {
+  Impl(const Noding& noded, const FreeEdges& free_edges)
+      : noding(noded), boundary(free_edges), noded_map(noded.nodes(), noded.edges()), map(noded_map.map) {}
 
-using exact::Box;
+  Point from(HalfEdge h) const { return noding.nodes()[h->source()->data()]; }
+  Point to(HalfEdge h) const { return noding.nodes()[h->target()->data()]; }
+  bool is_new_sheet_edge(HalfEdge h) const;
+  int ice_in(Face face) const;
+  bool is_in_ice(Point p) const;
+  void check_faces() const;
+  void check_vertices() const;
+  Walk walk_from(HalfEdge start) const;
 
-/// Sheet edges that come this close to the region take part [grid units]; routing moves edges by less.
-constexpr std::int64_t kSafeMargin = 32;
-constexpr std::int64_t kGatherMargin = 64;
-/// Routing is finite; a deeper recursion is a bug.
-constexpr int kMaxDepth = 200;
+  const Noding& noding;
+  const FreeEdges& boundary;
+  NodedMap noded_map;
+  PlanarMap& map;
+};
 
-}  // namespace
-
-Arrangement::Arrangement(const FreeEdges& boundary, std::span<const Point> region, std::span<const Crack> cracks)
-    : boundary_(boundary) {
-  gather(region, cracks);
-  add_crossings();
-  sort_nodes();
-  route_all();
-  graph_.build(nodes_);
-  label();
+Arrangement::Arrangement(const Noding& noding, const FreeEdges& boundary)
+    : impl_(std::make_unique<Impl>(noding, boundary)) {
+  cover_faces(impl_->map, &FaceLabel::region, region);
+  // Outside the region edges are missing, so that a face there may hold ice and water.
+  for (auto face = impl_->map.faces_begin(); face != impl_->map.faces_end(); ++face) {
+    if (face->data().region == 1) face->data().ice = impl_->ice_in(face);
+  }
+  impl_->check_faces();
+  impl_->check_vertices();
 }
 
-void Arrangement::gather(std::span<const Point> region, std::span<const Crack> cracks) {
-  box_ = exact::box_of(region);
-  segments_.reserve(4 * (region.size() + cracks.size()));
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    const Point next = region[i + 1 == region.size() ? 0 : i + 1];
-    if (region[i] != next) segments_.emplace_back(region[i], next, Source::kRegion);
-  }
-  for (const Crack& crack : cracks) {
-    box_.add(crack.from);
-    box_.add(crack.to);
-    if (crack.from != crack.to) segments_.emplace_back(crack.from, crack.to, Source::kCrack);
-  }
-  safe_box_ = box_.grown(kSafeMargin);
-  gather_box_ = box_.grown(kGatherMargin);
-  boundary_.query(gather_box_, [&](int id) {
-    segments_.emplace_back(boundary_.edge(id).from, boundary_.edge(id).to, Source::kSheet, id);
+Arrangement::~Arrangement() = default;
+
+/// The first free edge around one of the face's vertices tells, over cracks and the region's boundary; a face where
+/// there is none at any vertex lies wholly in ice or in water.
+int Arrangement::Impl::ice_in(Face face) const {
+  int ice = FaceLabel::kUnknown;
+  HalfEdge side;
+  for_each_side(face, [&](HalfEdge h) {
+    side = h;
+    const HalfEdge first = h->next();
+    HalfEdge out = first;
+    while (ice == FaceLabel::kUnknown) {
+      if (sheet(out) != 0) ice = sheet(out) > 0 ? 1 : 0;
+      out = out->twin()->next();
+      if (out == first) break;
+    }
   });
+  if (ice == FaceLabel::kUnknown) ice = is_in_ice(from(side)) ? 1 : 0;
+  return ice;
 }
 
-void Arrangement::add_crossings() {
-  // The region's edges by their left end: those that can meet an edge are a run of them.
-  std::vector<const Segment*> region;
-  region.reserve(segments_.size());
-  crossings_.reserve(16);
-  std::int64_t widest = 0;
-  for (const Segment& s : segments_) {
-    if (s.source != Source::kRegion) continue;
-    region.push_back(&s);
-    widest = std::max(widest, s.box.high.x - s.box.low.x);
+/// Whether `p`, not on the free edge, lies in ice as it is now: edges that took part may have moved or cancelled out.
+bool Arrangement::Impl::is_in_ice(Point p) const {
+  std::vector<int> ignored;
+  for (const Noding::ActiveEdge& e : noding.active()) ignored.push_back(e.id);
+  std::sort(ignored.begin(), ignored.end());
+  const int hit = boundary.first_right_of(p, ignored);
+  FreeEdges::Directed first;
+  bool has_hit = hit >= 0;
+  if (has_hit) first = {boundary.edge(hit).from, boundary.edge(hit).to};
+  for (auto h = map.halfedges_begin(); h != map.halfedges_end(); ++h) {
+    if (sheet(h) <= 0 || !exact::meets_ray(from(h), to(h), p)) continue;
+    if (has_hit && !exact::is_met_before(from(h), to(h), first.from, first.to)) continue;
+    has_hit = true;
+    first = {from(h), to(h)};
   }
-  const auto left_of = [](const Segment* s, std::int64_t x) { return s->box.low.x < x; };
-  std::sort(region.begin(), region.end(), [&](const Segment* a, const Segment* b) { return left_of(a, b->box.low.x); });
-  const auto cross = [](const Segment& a, const Segment& b) {
-    return a.box.overlaps(b.box) && exact::cross_properly(a.from, a.to, b.from, b.to);
-  };
-  const auto add = [&](const Segment& a, const Segment& b) {
-    if (cross(a, b)) crossings_.push_back(exact::rounded_crossing(a.from, a.to, b.from, b.to));
-  };
-  for (const Segment& s : segments_) {
-    if (s.source == Source::kRegion) continue;
-    auto it = std::lower_bound(region.begin(), region.end(), s.box.low.x - widest, left_of);
-    for (; it != region.end() && (*it)->box.low.x <= s.box.high.x; ++it) add(s, **it);
+  return has_hit && first.from.y < first.to.y;
+}
+
+/// Throws unless every face is covered by the region once or not at all, and ice inside it is what its edges say.
+void Arrangement::Impl::check_faces() const {
+  for (HalfEdge h : map.edge_handles()) {
+    const FaceLabel& left = h->face()->data();
+    const FaceLabel& right = h->twin()->face()->data();
+    const bool is_simple = left.region - right.region == region(h) && std::min(left.region, right.region) >= 0 &&
+                           std::max(left.region, right.region) <= 1;
+    BRASH_EXPECTS(is_simple, "the region is not simple", left.region, right.region, from(h).x, from(h).y);
+    const bool is_left_right = left.region == 0 || sheet(h) == 0 || left.ice == (sheet(h) > 0 ? 1 : 0);
+    const bool is_right_right = right.region == 0 || sheet(h) == 0 || right.ice == (sheet(h) > 0 ? 0 : 1);
+    const bool is_parted = left.region == 0 || right.region == 0 || left.ice - right.ice == sheet(h);
+    BRASH_EXPECTS(std::abs(sheet(h)) <= 1 && is_left_right && is_right_right && is_parted, sheet(h), left.ice,
+                  right.ice, from(h).x, from(h).y);
   }
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    const Segment& a = *region[i];
-    for (std::size_t j = i + 1; j < region.size() && region[j]->box.low.x <= a.box.high.x; ++j) {
-      BRASH_EXPECTS(!cross(a, *region[j]), "the region crosses itself", a.from.x, a.from.y);
+}
+
+/// Throws unless ice and water take turns around every vertex at which all edges take part.
+void Arrangement::Impl::check_vertices() const {
+  for (const auto vertex : map.vertex_handles()) {
+    const bool is_complete = noding.is_complete(vertex->data());
+    int first = 0;
+    int last = 0;
+    auto in = vertex->incident_halfedges();
+    const auto start = in;
+    do {
+      BRASH_EXPECTS(is_complete || region(in) == 0, to(in).x, to(in).y);
+      if (!is_complete || sheet(in) == 0) continue;
+      BRASH_EXPECTS(sheet(in) != last, "free edges do not take turns", to(in).x, to(in).y);
+      last = sheet(in);
+      if (first == 0) first = last;
+    } while (++in != start);
+    BRASH_EXPECTS(first == 0 || first != last, "free edges do not take turns", noding.nodes()[vertex->data()].x);
+  }
+}
+
+Arrangement::Cracks Arrangement::drop_useless_cracks() {
+  std::vector<Edge> splitting;
+  std::vector<Edge> useless;
+  for (const Edge h : impl_->noded_map.rightward) {
+    if (!is_there(h) || !h->curve().data().is_crack) continue;
+    const bool is_piece_left = h->face()->data().is_piece();
+    if (is_piece_left != h->twin()->face()->data().is_piece()) continue;
+    (is_piece_left && h->face() != h->twin()->face() ? splitting : useless).push_back(h);
+  }
+  Cracks cracks;
+  for (const HalfEdge h : splitting) cracks.splitting.push_back({impl_->from(h), impl_->to(h)});
+  if (useless.empty()) return cracks;
+  std::vector<char> stays = impl_->noding.nodes_without_cracks();
+  for (const HalfEdge h : splitting) stays[h->source()->data()] = stays[h->target()->data()] = 1;
+  for (const Edge h : useless) {
+    cracks.has_traces = cracks.has_traces || !stays[h->source()->data()] || !stays[h->target()->data()];
+    if (!h->face()->data().is_piece()) continue;  // In water it may be part of the region's boundary too.
+    impl_->noded_map.rightward[h->curve().data().number] = {};
+    impl_->map.remove_edge(h);
+  }
+  return cracks;
+}
+
+Arrangement::Walk Arrangement::Impl::walk_from(HalfEdge start) const {
+  Walk walk;
+  HalfEdge h = start;
+  do {
+    walk.push_back({from(h), to(h), sheet(h) != 0});
+    h = h->next();
+  } while (h != start);
+  return walk;
+}
+
+std::vector<Arrangement::Piece> Arrangement::pieces() const {
+  std::vector<Piece> pieces;
+  for (const Face face : impl_->map.face_handles()) {
+    if (!face->data().is_piece()) continue;
+    Piece& piece = pieces.emplace_back(Piece{impl_->walk_from(face->outer_ccb()), {}});
+    for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) {
+      piece.holes.push_back(impl_->walk_from(*ccb));
     }
   }
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    if (segments_[i].source != Source::kCrack) continue;
-    for (std::size_t j = 0; j < segments_.size(); ++j) {
-      const bool is_later_crack = segments_[j].source == Source::kCrack && j > i;
-      if (is_later_crack || segments_[j].source == Source::kSheet) add(segments_[i], segments_[j]);
-    }
-  }
+  return pieces;
 }
 
-void Arrangement::sort_nodes() {
-  // Ends of segments with the place where their node's number goes; consecutive segments share one.
-  struct End {
-    Point at;
-    int* node;
-  };
-  std::vector<End> ends;
-  ends.reserve(2 * segments_.size() + crossings_.size());
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    Segment& s = segments_[i];
-    const bool is_shared = i > 0 && s.from == segments_[i - 1].to;
-    if (!is_shared) ends.push_back({s.from, &s.from_node});
-    ends.push_back({s.to, &s.to_node});
-  }
-  for (const Point p : crossings_) ends.push_back({p, nullptr});
-  std::sort(ends.begin(), ends.end(),
-            [](const End& a, const End& b) { return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y; });
-  nodes_.reserve(ends.size() + 8);
-  for (std::size_t i = 0; i < ends.size();) {
-    bool is_given = false;
-    nodes_.push_back(ends[i].at);
-    for (; i < ends.size() && ends[i].at == nodes_.back(); ++i) {
-      if (ends[i].node == nullptr) continue;
-      *ends[i].node = static_cast<int>(nodes_.size()) - 1;
-      is_given = true;
-    }
-    if (!is_given) ++n_rounded_;
-  }
-  for (std::size_t i = 1; i < segments_.size(); ++i) {
-    if (segments_[i].from_node < 0) segments_[i].from_node = segments_[i - 1].to_node;
-  }
-  n_sorted_ = nodes_.size();
+/// True for a half-edge of the free edge as it is after the region has gone.
+bool Arrangement::Impl::is_new_sheet_edge(HalfEdge h) const {
+  if (h->face()->data().region == 1) return false;
+  return sheet(h) > 0 || (sheet(h) == 0 && h->twin()->face()->data().is_piece());
 }
 
-std::vector<char> Arrangement::nodes_without_cracks() const {
-  std::vector<char> is_there(nodes_.size(), 0);
-  for (const Segment& s : segments_) {
-    if (s.source != Source::kCrack) is_there[s.from_node] = is_there[s.to_node] = 1;
-  }
-  for (std::size_t node = n_sorted_; node < nodes_.size(); ++node) is_there[node] = 1;
-  return is_there;
-}
+SheetChange Arrangement::sheet_change() const {
+  const NodedMap& edges = impl_->noded_map;
+  const auto is_new = [&](HalfEdge h) { return impl_->is_new_sheet_edge(h); };
+  SheetChange result;
+  FreeEdges::Change& change = result.change;
+  change.removed.reserve(impl_->noding.active().size());
+  change.added.reserve(edges.rightward.size());
+  change.links.reserve(edges.rightward.size());
+  std::vector<char> is_touched(impl_->noding.nodes().size(), 0);
 
-int Arrangement::node_at(Point p) const {
-  const auto sorted_end = nodes_.begin() + static_cast<std::ptrdiff_t>(n_sorted_);
-  auto it = std::lower_bound(nodes_.begin(), sorted_end, p);
-  if (it == sorted_end || *it != p) it = std::find(sorted_end, nodes_.end(), p);
-  return it == nodes_.end() ? -1 : static_cast<int>(it - nodes_.begin());
-}
-
-/// Puts the nodes in whose pixels the edge comes on top of the targets, the nearest last.
-void Arrangement::add_nodes_met(int from, int to, bool is_moved, int depth) {
-  const Point a = nodes_[from];
-  const Point b = nodes_[to];
-  const Box box = Box::of(a, b);
-  const auto n_before = static_cast<std::ptrdiff_t>(targets_.size());
-  // Nodes are sorted by x: those of the box stand between the ends, give or take nodes straight above and below.
-  const int n = static_cast<int>(n_sorted_);
-  int first = std::min({from, to, n});
-  while (first > 0 && nodes_[first - 1].x >= box.low.x) --first;
-  for (int i = first; i < n && nodes_[i].x <= box.high.x; ++i) {
-    const std::int64_t y = nodes_[i].y;
-    if (y < box.low.y || y > box.high.y || i == from || i == to) continue;
-    if (exact::meets_pixel(a, b, nodes_[i])) targets_.push_back({i, depth});
-  }
-  if (is_moved && !(safe_box_.contains(a) && safe_box_.contains(b))) {
-    // A moved edge may come to vertices of sheet edges that took no part so far.
-    boundary_.query(box, [&](int id) {
-      const Point p = boundary_.edge(id).from;
-      if (p == a || p == b || !exact::meets_pixel(a, b, p)) return;
-      int node = node_at(p);
-      if (node < 0) {
-        node = static_cast<int>(nodes_.size());
-        nodes_.push_back(p);
-      }
-      targets_.push_back({node, depth});
-    });
-  }
-  const auto begin = targets_.begin() + n_before;
-  if (targets_.end() - begin < 2) return;
-  std::sort(begin, targets_.end(), [&](const Target& s, const Target& t) {
-    const Int128 to_s = exact::dot(a, b, nodes_[s.node]);
-    const Int128 to_t = exact::dot(a, b, nodes_[t.node]);
-    return to_s != to_t ? to_s > to_t : s.node > t.node;
-  });
-  const auto is_same = [](const Target& s, const Target& t) { return s.node == t.node; };
-  targets_.erase(std::unique(begin, targets_.end(), is_same), targets_.end());
-}
-
-/// Leads a segment through the nodes that wait as targets and those it meets on the way: `chain` holds them all, the
-/// segment's ends included.
-void Arrangement::route(const Segment& s, std::vector<int>& chain) {
-  chain.assign(1, s.from_node);
-  while (!targets_.empty()) {
-    const Target next = targets_.back();
-    const std::size_t n_targets = targets_.size();
-    BRASH_EXPECTS(next.depth < kMaxDepth, s.from.x, s.from.y, s.to.x, s.to.y);
-    add_nodes_met(chain.back(), next.node, true, next.depth + 1);
-    if (targets_.size() > n_targets) continue;
-    chain.push_back(next.node);
-    targets_.pop_back();
-  }
-}
-
-void Arrangement::route_all() {
-  std::vector<int> chain;
-  std::vector<int> outside;
-  chain.reserve(16);
-  outside.reserve(16);
-  targets_.reserve(16);
-  graph_.reserve(2 * segments_.size());
-  active_.reserve(segments_.size());
-  for (const Segment& s : segments_) {
-    targets_.assign(1, {s.to_node, 0});
-    add_nodes_met(s.from_node, s.to_node, false, 1);
-    if (targets_.size() == 1) {
-      const int added = graph_.add(s.from_node, s.to_node, s.source);
-      if (s.source == Source::kSheet) active_.push_back({s.edge, s.from_node, s.to_node, added});
+  // Old edges that are still there stay; the others go.
+  for (const Noding::ActiveEdge& e : impl_->noding.active()) {
+    const Edge h = e.edge < 0 ? Edge{} : edges.along_edge(e.edge);
+    if (is_there(h) && is_new(h)) {
+      BRASH_EXPECTS(h->data() == kNoRef, impl_->from(h).x, impl_->from(h).y);
+      h->set_data(e.id);
       continue;
     }
-    route(s, chain);
-    for (std::size_t i = 1; i < chain.size(); ++i) graph_.add(chain[i - 1], chain[i], s.source);
-    if (s.source != Source::kSheet) continue;
-    active_.push_back({s.edge, s.from_node, s.to_node, -1});
-    twice_moved_ -= exact::cross(s.from, s.to);
-    for (std::size_t i = 1; i < chain.size(); ++i) twice_moved_ += exact::cross(nodes_[chain[i - 1]], nodes_[chain[i]]);
-    for (const int node : chain) {
-      if (!safe_box_.contains(nodes_[node])) outside.push_back(node);
-    }
+    const FreeEdges::Edge& gone = impl_->boundary.edge(e.id);
+    change.removed.push_back(e.id);
+    result.twice_area -= exact::cross(gone.from, gone.to);
+    is_touched[e.from] = is_touched[e.to] = 1;
   }
-  activate_around(outside);
+  const auto for_each_new = [&](auto visit) {
+    for (const Edge right : edges.rightward) {
+      if (!is_there(right)) continue;
+      if (is_new(right)) visit(right);
+      if (is_new(right->twin())) visit(right->twin());
+    }
+  };
+  for_each_new([&](Edge h) {
+    if (h->data() != kNoRef) return;
+    h->set_data(~static_cast<int>(change.added.size()));
+    change.added.push_back({impl_->from(h), impl_->to(h)});
+    result.twice_area += exact::cross(impl_->from(h), impl_->to(h));
+    is_touched[h->source()->data()] = is_touched[h->target()->data()] = 1;
+  });
+  for_each_new([&](HalfEdge h) {
+    if (is_touched[h->target()->data()]) change.links.push_back({h->data(), next_active(h, is_new)->data()});
+  });
+  return result;
 }
 
-/// The links at a vertex can be made anew only when all edges there take part.
-void Arrangement::activate_around(const std::vector<int>& nodes) {
-  std::vector<int> fresh;
-  const auto add = [&](int id) {
-    const Box box = Box::of(boundary_.edge(id).from, boundary_.edge(id).to);
-    if (!gather_box_.overlaps(box)) fresh.push_back(id);
-  };
-  for (const int node : nodes) {
-    for (const int out : boundary_.starting_at(nodes_[node])) {
-      add(out);
-      add(boundary_.edge(out).previous);
-    }
+tl::expected<FreeEdges::Change, OverlapError> boundary_of(const std::vector<Point>& nodes,
+                                                          const std::vector<NodedEdge>& edges) {
+  NodedMap noded(nodes, edges);
+  cover_faces(noded.map, &FaceLabel::ice, sheet);
+  const auto from = [&](HalfEdge h) { return nodes[h->source()->data()]; };
+  // Of several faults the leftmost is told.
+  std::optional<OverlapError> fault;
+  for (const HalfEdge h : noded.map.halfedge_handles()) {
+    const int ice = h->face()->data().ice;
+    if ((ice == 0 || ice == 1) || (fault && fault->at <= from(h))) continue;
+    fault = {ice > 1 ? "ice overlaps" : "there is no ice for a hole", from(h)};
   }
-  std::sort(fresh.begin(), fresh.end());
-  fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
-  const auto node_or_new = [&](Point p) {
-    const int node = node_at(p);
-    if (node >= 0) return node;
-    nodes_.push_back(p);
-    return static_cast<int>(nodes_.size()) - 1;
-  };
-  for (const int id : fresh) {
-    const int from = node_or_new(boundary_.edge(id).from);
-    const int to = node_or_new(boundary_.edge(id).to);
-    active_.push_back({id, from, to, graph_.add(from, to, Source::kSheet)});
+  if (fault) return tl::unexpected(*fault);
+  FreeEdges::Change change;
+  const auto has_ice = [](HalfEdge h) { return sheet(h) > 0; };
+  for (const Edge h : noded.map.halfedge_handles()) {
+    if (!has_ice(h)) continue;
+    h->set_data(~static_cast<int>(change.added.size()));
+    change.added.push_back({from(h), nodes[h->target()->data()]});
   }
+  for (const HalfEdge h : noded.map.halfedge_handles()) {
+    if (has_ice(h)) change.links.push_back({h->data(), next_active(h, has_ice)->data()});
+  }
+  return change;
 }
 
 }  // namespace brash::geometry

@@ -9,8 +9,8 @@
 #include "brash/geometry/point.hpp"
 #include "predicates.hpp"
 
-// Predicates and the one construction of the kernel, on whole numbers. Coordinates have 44 bits, so a cross product of
-// differences has at most 91: 128 bits hold it and no filter is needed.
+// Predicates and the one construction of the noding, on whole numbers. Coordinates have 44 bits, so a cross product of
+// differences has at most 91: 128 bits hold it and no filter is needed. Signs of three points are CGAL's (side).
 namespace brash::geometry::exact {
 
 /// a x b about the origin: what a directed edge adds to twice the area of its loop.
@@ -89,14 +89,5 @@ inline bool meets_ray(Point from, Point to, Point p) {
 
 /// True when segment a meets such a ray before segment b does; both meet it and they do not cross.
 bool is_met_before(Point a_from, Point a_to, Point b_from, Point b_to);
-
-/// Order of directions by angle in [0, 2 pi) from +x: true when a - o comes before b - o.
-inline bool angle_before(Point o, Point a, Point b) {
-  const auto lower = [](Point from, Point to) { return to.y < from.y || (to.y == from.y && to.x < from.x); };
-  const bool a_lower = lower(o, a);
-  const bool b_lower = lower(o, b);
-  if (a_lower != b_lower) return b_lower;
-  return turn(o, a, b) > 0;
-}
 
 }  // namespace brash::geometry::exact

@@ -22,22 +22,6 @@ bool IceSheet::contains(Vec2 point) const {
   return impl_->boundary.is_on_boundary(p) || impl_->boundary.is_inside(p);
 }
 
-Polygon IceSheet::Impl::part(const std::vector<Ring>& loops) const {
-  Polygon polygon;
-  for (const Ring& loop : loops) {
-    for (Ring& simple : simple_loops(loop)) {
-      if (signed_area(simple) < ExactArea{}) {
-        polygon.holes.push_back(from_smallest(std::move(simple)));
-      } else {
-        BRASH_EXPECTS(polygon.outline.empty(), simple.front().x, simple.front().y);
-        polygon.outline = from_smallest(std::move(simple));
-      }
-    }
-  }
-  std::sort(polygon.holes.begin(), polygon.holes.end());
-  return polygon;
-}
-
 std::vector<Polygon> IceSheet::polygons() const {
   const FreeEdges& boundary = impl_->boundary;
   std::map<int, std::vector<Ring>> parts;
@@ -46,7 +30,7 @@ std::vector<Polygon> IceSheet::polygons() const {
     if (boundary.loops()[k].edge >= 0) parts[boundary.outline_of(loop)].push_back(boundary.ring_of(loop));
   }
   std::vector<Polygon> polygons;
-  for (const auto& [outline, loops] : parts) polygons.push_back(impl_->part(loops));
+  for (const auto& [outline, loops] : parts) polygons.push_back(polygon_of(loops));
   std::sort(polygons.begin(), polygons.end(), [](const Polygon& a, const Polygon& b) { return a.outline < b.outline; });
   return polygons;
 }
@@ -76,7 +60,7 @@ std::vector<Polygon> IceSheet::release_detached() {
     if (outline == largest->first) continue;
     std::vector<Ring> loops;
     for (const int loop : part.loops) loops.push_back(boundary.take_loop(loop));
-    released.push_back(impl_->part(loops));
+    released.push_back(polygon_of(loops));
   }
   std::sort(released.begin(), released.end(), [](const Polygon& a, const Polygon& b) { return a.outline < b.outline; });
   return released;

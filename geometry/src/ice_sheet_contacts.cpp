@@ -29,22 +29,22 @@ double length_of(const std::vector<Vec2>& line) {
   return length;
 }
 
-/// The longest run of free edge on the outline `cycle` of an overlap; there must be something else on it.
-/// Of equal ones it is the first after the cycle's smallest edge, so that the plan alone decides.
-std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<int>& cycle) {
-  const std::size_t n = cycle.size();
-  const auto is_free = [&](std::size_t i) { return graph[cycle[i % n]].sheet != 0; };
-  const auto is_smaller = [&](int g, int h) {
-    return std::minmax({graph[g].from, graph[g].to}) < std::minmax({graph[h].from, graph[h].to});
+/// The longest run of free edge on the outline of an overlap; there must be something else on it.
+/// Of equal ones it is the first after the outline's smallest edge, so that the plan alone decides.
+std::vector<Vec2> longest_free_edge(const Arrangement::Walk& outline) {
+  const std::size_t n = outline.size();
+  const auto is_smaller = [](const Arrangement::Side& a, const Arrangement::Side& b) {
+    return std::minmax(a.from, a.to) < std::minmax(b.from, b.to);
   };
-  auto first = static_cast<std::size_t>(std::min_element(cycle.begin(), cycle.end(), is_smaller) - cycle.begin());
-  while (is_free(first)) ++first;
+  auto first = static_cast<std::size_t>(std::min_element(outline.begin(), outline.end(), is_smaller) - outline.begin());
+  while (outline[first % n].is_free) ++first;
   std::vector<Vec2> longest;
   std::vector<Vec2> run;
   for (std::size_t i = first; i <= first + n; ++i) {
-    if (is_free(i)) {
-      if (run.empty()) run.push_back(metres(graph.from(cycle[i % n])));
-      run.push_back(metres(graph.to(cycle[i % n])));
+    const Arrangement::Side& side = outline[i % n];
+    if (side.is_free) {
+      if (run.empty()) run.push_back(metres(side.from));
+      run.push_back(metres(side.to));
       continue;
     }
     if (length_of(run) > length_of(longest)) longest = run;
@@ -53,12 +53,13 @@ std::vector<Vec2> longest_free_edge(const PlanarGraph& graph, const std::vector<
   return longest;
 }
 
-ContactRegion contact_of(const PlanarGraph& graph, const std::vector<int>& cycle, Polygon overlap) {
+ContactRegion contact_of(const Arrangement::Piece& piece) {
   ContactRegion contact;
-  const auto is_free = [&](int h) { return graph[h].sheet != 0; };
-  const bool has_front = std::any_of(cycle.begin(), cycle.end(), is_free);
-  const bool has_chord = !std::all_of(cycle.begin(), cycle.end(), is_free);
-  contact.overlap = std::move(overlap);
+  const Arrangement::Walk& outline = piece.outline;
+  const auto is_free = [](const Arrangement::Side& side) { return side.is_free; };
+  const bool has_front = std::any_of(outline.begin(), outline.end(), is_free);
+  const bool has_chord = !std::all_of(outline.begin(), outline.end(), is_free);
+  contact.overlap = polygon_of(piece);
   if (!has_front || !has_chord) {
     std::vector<Vec2> around;
     for (const Point p : contact.overlap.outline) around.push_back(metres(p));
@@ -67,7 +68,7 @@ ContactRegion contact_of(const PlanarGraph& graph, const std::vector<int>& cycle
     contact.chord_from = contact.chord_to = around.front();
     return contact;
   }
-  const std::vector<Vec2> free_edge = longest_free_edge(graph, cycle);
+  const std::vector<Vec2> free_edge = longest_free_edge(outline);
   contact.midpoint = middle_of(free_edge);
   // The section's boundary enters the ice where the free edge ends, and leaves it where the free edge starts.
   contact.chord_from = free_edge.back();
@@ -82,24 +83,13 @@ ContactRegion contact_of(const PlanarGraph& graph, const std::vector<int>& cycle
 
 std::vector<ContactRegion> IceSheet::contacts(std::span<const Point> section) const {
   expect_region(section);
-  BRASH_EXPECTS(is_convex(section), section.size(), section.front().x, section.front().y);
-  const Arrangement arrangement(impl_->boundary, section, {});
-  const PlanarGraph& graph = arrangement.graph();
-  const std::vector<std::vector<int>> cycles = trace_pieces(arrangement).cycles;
-  std::vector<Ring> rings;
-  for (const std::vector<int>& cycle : cycles) rings.push_back(graph.ring_of(cycle));
-
+  const Noding noding(impl_->boundary, section, {});
   std::vector<ContactRegion> contacts;
-  for (Polygon& overlap : polygons_of(rings)) {
-    // The traced outline of this overlap: it has an edge that leaves the outline's first vertex as the outline does.
-    const auto outline = std::find_if(cycles.begin(), cycles.end(), [&](const std::vector<int>& cycle) {
-      return std::any_of(cycle.begin(), cycle.end(), [&](int h) {
-        return graph.from(h) == overlap.outline[0] && graph.to(h) == overlap.outline[1];
-      });
-    });
-    BRASH_EXPECTS(outline != cycles.end(), overlap.outline[0].x, overlap.outline[0].y);
-    contacts.push_back(contact_of(graph, *outline, std::move(overlap)));
+  for (const Arrangement::Piece& piece : Arrangement(noding, impl_->boundary).pieces()) {
+    contacts.push_back(contact_of(piece));
   }
+  std::sort(contacts.begin(), contacts.end(),
+            [](const ContactRegion& a, const ContactRegion& b) { return a.overlap.outline < b.overlap.outline; });
   Vec2 middle;
   for (const Point p : section) middle += metres(p) / static_cast<double>(section.size());
   std::stable_sort(contacts.begin(), contacts.end(), [&](const ContactRegion& a, const ContactRegion& b) {

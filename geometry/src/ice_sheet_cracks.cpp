@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
@@ -80,18 +81,18 @@ Arc ice_on_arc(const IceSheet& sheet, Vec2 centre, double radius, int sides) {
   return arc;
 }
 
-}  // namespace
-
-Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, std::span<const double> angles, int sides) {
+CrackedRegion circumferential_at(Vec2 centre, double radius, std::span<const double> angles, int sides) {
   BRASH_EXPECTS(radius > 0.0 && std::isfinite(radius), radius);
   BRASH_EXPECTS(sides >= 3, sides);
   const Point from = snap(centre);
   std::vector<Crack> cracks;
   for (const double angle : angles) cracks.push_back({from, on_circle(centre, radius, turned(angle))});
-  return sheet.cut(disc_with(centre, radius, angles, sides), cracks);
+  return {disc_with(centre, radius, angles, sides), std::move(cracks)};
 }
 
-Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides) {
+}  // namespace
+
+CrackedRegion circumferential(const IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides) {
   BRASH_EXPECTS(n_wedges >= 1, n_wedges);
   BRASH_EXPECTS(radius > 0.0 && std::isfinite(radius), radius);
   BRASH_EXPECTS(sides >= 3, sides);
@@ -101,7 +102,17 @@ Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, int n_wedge
     const bool all_round = arc.span >= kTurn;
     for (int i = all_round ? 0 : 1; i < n_wedges; ++i) angles.push_back(arc.from + arc.span * i / n_wedges);
   }
-  return cut_circumferential(sheet, centre, radius, angles, sides);
+  return circumferential_at(centre, radius, angles, sides);
+}
+
+Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, std::span<const double> angles, int sides) {
+  const CrackedRegion cracked = circumferential_at(centre, radius, angles, sides);
+  return sheet.cut(cracked.region, cracked.cracks);
+}
+
+Cut cut_circumferential(IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides) {
+  const CrackedRegion cracked = circumferential(sheet, centre, radius, n_wedges, sides);
+  return sheet.cut(cracked.region, cracked.cracks);
 }
 
 Cut split(const Polygon& floe, Point from, Point to) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 
 #include "brash/core/contract.hpp"
@@ -26,7 +25,7 @@ struct Input {
   int node_at(Point p) const {
     return static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), p) - nodes.begin());
   }
-  void route(int from, int to, PlanarGraph& graph) const;
+  void route(int from, int to, std::vector<NodedEdge>& noded) const;
 };
 
 std::string place(Point p) {
@@ -75,7 +74,7 @@ std::string find_crossing(const Input& input) {
 }
 
 /// Leads an edge through the vertices in whose pixels it comes.
-void Input::route(int from, int to, PlanarGraph& graph) const {
+void Input::route(int from, int to, std::vector<NodedEdge>& noded) const {
   const Point a = nodes[from];
   const Point b = nodes[to];
   Ring met;
@@ -91,66 +90,14 @@ void Input::route(int from, int to, PlanarGraph& graph) const {
   met.erase(std::unique(met.begin(), met.end()), met.end());
   int last = from;
   for (const Point p : met) {
-    route(last, node_at(p), graph);
+    route(last, node_at(p), noded);
     last = node_at(p);
   }
   if (met.empty()) {
-    graph.add(from, to, Source::kSheet);
+    noded.push_back({from, to, Source::kSheet});
   } else {
-    route(last, to, graph);
+    route(last, to, noded);
   }
-}
-
-/// @return where ice would lie twice or on no side, judged at each vertex, or nothing.
-std::string find_overlap(const PlanarGraph& graph) {
-  for (int h = 0; h < graph.size(); ++h) {
-    const int sheet = graph[h].sheet;
-    const int right_of_next = graph[PlanarGraph::twin(graph[h].counter_clockwise)].sheet;
-    if (sheet > 1 || sheet < -1 || (sheet > 0) != (right_of_next > 0)) return "ice overlaps at " + place(graph.from(h));
-  }
-  return {};
-}
-
-/// The same for groups of loops that hang together: outside of each must be what lies around it.
-std::string find_nested_overlap(const PlanarGraph& graph, const FreeEdges& boundary) {
-  std::vector<int> group(graph.n_nodes());
-  std::iota(group.begin(), group.end(), 0);
-  const auto root = [&](int node) {
-    while (group[node] != node) node = group[node] = group[group[node]];
-    return node;
-  };
-  // Nodes are sorted: the largest of a group is its rightmost, upmost vertex and the root.
-  for (int h = 0; h < graph.size(); ++h) {
-    const int a = root(graph[h].from);
-    const int b = root(graph[h].to);
-    group[std::min(a, b)] = std::max(a, b);
-  }
-  for (int h = 0; h < graph.size(); ++h) {
-    // All edges at a root go left or down; the first by angle has the sector towards +x on its right.
-    if (root(graph[h].from) != graph[h].from) continue;
-    const int before = graph[h].clockwise;
-    if (before != h && !exact::angle_before(graph.from(h), graph.to(h), graph.to(before))) continue;
-    const bool ice_outside = graph[PlanarGraph::twin(h)].sheet > 0;
-    if (ice_outside != boundary.is_inside(graph.from(h))) return "ice overlaps left of " + place(graph.from(h));
-  }
-  return {};
-}
-
-FreeEdges free_edges_of(const PlanarGraph& graph) {
-  const auto is_edge = [&](int h) { return graph[h].sheet > 0; };
-  FreeEdges::Change change;
-  std::vector<FreeEdges::Ref> refs(graph.size(), 0);
-  for (int h = 0; h < graph.size(); ++h) {
-    if (!is_edge(h)) continue;
-    refs[h] = ~static_cast<int>(change.added.size());
-    change.added.push_back({graph.from(h), graph.to(h)});
-  }
-  for (int h = 0; h < graph.size(); ++h) {
-    if (is_edge(h)) change.links.push_back({refs[h], refs[graph.next_in_face(h, is_edge)]});
-  }
-  FreeEdges boundary;
-  boundary.apply(change);
-  return boundary;
 }
 
 }  // namespace
@@ -174,14 +121,13 @@ tl::expected<IceSheet, GeometryError> IceSheet::from_polygons(std::span<const Po
   fault = find_crossing(input);
   if (!fault.empty()) return tl::unexpected(GeometryError{fault});
 
-  PlanarGraph graph;
-  for (const Input::Edge& e : input.edges) input.route(input.node_at(e.from), input.node_at(e.to), graph);
-  graph.build(input.nodes);
-  fault = find_overlap(graph);
-  if (!fault.empty()) return tl::unexpected(GeometryError{fault});
-  auto impl = std::make_unique<Impl>(Impl{free_edges_of(graph)});
-  fault = find_nested_overlap(graph, impl->boundary);
-  if (!fault.empty()) return tl::unexpected(GeometryError{fault});
+  std::vector<NodedEdge> noded;
+  for (const Input::Edge& e : input.edges) input.route(input.node_at(e.from), input.node_at(e.to), noded);
+  const auto change = boundary_of(input.nodes, noded);
+  if (!change)
+    return tl::unexpected(GeometryError{std::string(change.error().what) + " at " + place(change.error().at)});
+  auto impl = std::make_unique<Impl>();
+  impl->boundary.apply(*change);
   return IceSheet(std::move(impl));
 }
 

@@ -13,18 +13,15 @@ constexpr Int128 turn(Point a, Point b, Point c) {
   return static_cast<Int128>(b.x - a.x) * (c.y - a.y) - static_cast<Int128>(b.y - a.y) * (c.x - a.x);
 }
 
-/// -1, 0 or 1: `c` right of, on or left of the line a -> b.
-constexpr int side(Point a, Point b, Point c) {
-  const Int128 t = turn(a, b, c);
-  return (t > 0) - (t < 0);
-}
+/// -1, 0 or 1: `c` right of, on or left of the line a -> b. This is CGAL::orientation on doubles, exact up to 2^53.
+int side(Point a, Point b, Point c);
 
 /// True when `p` lies on the closed segment from `a` to `b`.
-constexpr bool is_on_segment(Point p, Point a, Point b) {
+inline bool is_on_segment(Point p, Point a, Point b) {
   const auto between = [](std::int64_t v, std::int64_t s, std::int64_t t) {
     return s <= t ? s <= v && v <= t : t <= v && v <= s;
   };
-  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && turn(a, b, p) == 0;
+  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && side(a, b, p) == 0;
 }
 
 }  // namespace brash::geometry

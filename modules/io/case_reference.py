@@ -59,11 +59,19 @@ def allowed(key):
 def page():
     schema = json.loads((HERE / "case.schema.json").read_text(encoding="utf-8"))
     lines = [INTRODUCTION]
-    for section, content in schema["properties"].items():
+    sections = {}
+    for name, content in schema["properties"].items():
+        keys = content["properties"]
+        sections[name] = content
+        sections |= {f"{name}.{key}": inner for key, inner in keys.items() if "properties" in inner}
+    for section, content in sections.items():
         lines += [f"## `[{section}]`", "", content["description"], "",
                   "| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
         for name, key in content["properties"].items():
-            required = name in content.get("required", [])
+            if "properties" in key:
+                continue
+            depends = ("x-kinds" in key or "x-short-for" in key) and "default" not in key
+            required = depends or name in content.get("required", [])
             default = "**required**" if required else f"`{toml(key['default'])}`" if "default" in key else "absent"
             if "x-presets" in key:
                 default += "".join(f"; {preset}: `{toml(value)}`" for preset, value in key["x-presets"].items())

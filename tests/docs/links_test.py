@@ -24,6 +24,12 @@ def headings_of(page):
     return {h.strip() for h in re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)}
 
 
+def anchors_of(page):
+    """The anchors that GitHub and the site make of headings: small letters, hyphens for blanks, no other marks."""
+    headings = [re.sub(r"\[([^]]*)\]\([^)]*\)|`", r"\1", heading) for heading in headings_of(page)]
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 def comment_text(file):
     """A file with its comments' line breaks undone, so that a reference may run over a line's end."""
     return re.sub(r"\n\s*///? ?", " ", file.read_text(encoding="utf-8"))
@@ -61,9 +67,13 @@ class Links(unittest.TestCase):
     def test_links_between_documents_resolve(self):
         for page in [*SOURCE.glob("*.md"), *(SOURCE / "docs").rglob("*.md"), *(SOURCE / "experiments").rglob("*.md")]:
             text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-            for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
-                if not target.startswith(("http:", "https:")):
-                    self.assertTrue((page.parent / target).exists(), f"{page}: {target}")
+            for target, anchor in re.findall(r"\]\(([^)#\s]*)(?:#([^)\s]*))?\)", text):
+                if target.startswith(("http:", "https:")):
+                    continue
+                file = page.parent / target if target else page
+                self.assertTrue(file.exists(), f"{page}: {target}")
+                if anchor:
+                    self.assertIn(anchor, anchors_of(file), f"{page}: {target}#{anchor}")
 
 
 if __name__ == "__main__":

@@ -2,19 +2,35 @@
 // Puts a fault into a run: spoil_checkpoint FILE place|later|speed|ledger
 #include <cstdlib>
 #include <string_view>
+#include <vector>
 
 #include "brash/io/checkpoint.hpp"
+
+namespace {
+
+/// Of the third floe.
+double& floe_cell(brash::model::Checkpoint& state, std::string_view column) {
+  return std::get<std::vector<double>>(state.table("floe").column(column).values).at(2);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   brash::model::Checkpoint state = brash::io::read_checkpoint(argv[1]);
   const std::string_view fault = argv[2];
-  if (fault == "place") state.floes.at(2).pose.position.x += 1000.0;
+  if (fault == "place") floe_cell(state, "x") += 1000.0;
   if (fault == "later") {  // it leaves what a floe can reach, 100 m from the field, some steps from now
-    state.floes.at(2).pose.position = {-99.9, 0.0, state.floes.at(2).pose.position.z};
-    state.floes.at(2).twist = {{-1.0, 0.0, 0.0}, {}};
+    floe_cell(state, "x") = -99.9;
+    floe_cell(state, "y") = 0.0;
+    floe_cell(state, "linear_x") = -1.0;
+    for (const char* const still : {"linear_y", "linear_z", "angular_x", "angular_y", "angular_z"})
+      floe_cell(state, still) = 0.0;
   }
-  if (fault == "speed") state.floes.at(2).twist.linear.z = 1e200;  // its drag exceeds all numbers
-  if (fault == "ledger") std::swap(state.ledger.at("crushed"), state.ledger.at("floes"));  // still the right sum
+  if (fault == "speed") floe_cell(state, "linear_z") = 1e200;  // its drag exceeds all numbers
+  if (fault == "ledger") {                                     // still the right sum
+    brash::model::Table& ledger = state.table("ledger");
+    std::swap(ledger.column("crushed").values, ledger.column("floes").values);
+  }
   brash::io::write_checkpoint(argv[1], state);
 }

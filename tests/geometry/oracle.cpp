@@ -6,34 +6,23 @@
 
 #include <list>
 
+#include "brash/geometry/cgal.hpp"
+
 namespace brash::geometry::oracle {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using CgalRing = CGAL::Polygon_2<Kernel>;
 using CgalPolygon = CGAL::Polygon_with_holes_2<Kernel>;
-
-CgalRing to_cgal(const Ring& ring) {
-  CgalRing result;
-  for (const Point p : ring) result.push_back(Kernel::Point_2(metres(p).x, metres(p).y));
-  return result;
-}
-
-CgalPolygon to_cgal(const Polygon& polygon) {
-  CgalPolygon result(to_cgal(polygon.outline));
-  for (const Ring& hole : polygon.holes) result.add_hole(to_cgal(hole));
-  return result;
-}
 
 std::vector<CgalPolygon> to_cgal(const std::vector<Polygon>& polygons) {
   std::vector<CgalPolygon> result;
-  for (const Polygon& polygon : polygons) result.push_back(to_cgal(polygon));
+  for (const Polygon& polygon : polygons) result.push_back(to_cgal<Kernel>(polygon));
   return result;
 }
 
 Kernel::FT area_of(const CgalPolygon& polygon) {
   Kernel::FT area = polygon.outer_boundary().area();
-  for (const CgalRing& hole : polygon.holes()) area += hole.area();
+  for (const auto& hole : polygon.holes()) area += hole.area();
   return area;
 }
 
@@ -77,7 +66,7 @@ double perimeter(const Ring& ring) {
 
 Deviation deviation(const std::vector<Polygon>& before, const Ring& region, const IceSheet& sheet, const Cut& cut) {
   const std::vector<CgalPolygon> ice = to_cgal(before);
-  const CgalPolygon cutter(to_cgal(region));
+  const CgalPolygon cutter(to_cgal<Kernel>(region));
   Deviation result;
   result.sheet = mismatch(difference(ice, cutter), to_cgal(sheet.polygons()));
   std::vector<CgalPolygon> taken;
@@ -96,7 +85,7 @@ Deviation deviation(const std::vector<Polygon>& before, const Ring& region, cons
 }
 
 double area_outside(const std::vector<Polygon>& ice, const Ring& region) {
-  return CGAL::to_double(area_of(difference(to_cgal(ice), CgalPolygon(to_cgal(region)))));
+  return CGAL::to_double(area_of(difference(to_cgal(ice), CgalPolygon(to_cgal<Kernel>(region)))));
 }
 
 }  // namespace brash::geometry::oracle

@@ -11,7 +11,7 @@
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/simulation.hpp"
-#include "brash/structure/cone.hpp"
+#include "brash/structure/hull.hpp"
 #include "edge_contact.hpp"
 
 // Fits to every contact of validation runs, step by step, seed after seed. `test_geometry_trapezoid_soak -- N` asks for
@@ -62,20 +62,12 @@ void run_and_fit(int seed, long most, Counts& counts) {
   const model::Case c =
       io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {"random.seed=" + std::to_string(seed)});
   simulation::Simulation run(c);
-  const structure::Cone cone{.angle = c.structure.angle,
-                             .waterline_width = c.structure.waterline_width,
-                             .height = c.structure.height,
-                             .height_under_water = c.structure.height_under_water,
-                             .downward_breaking = true,
-                             .facets = c.structure.facets};
+  const auto hull = structure::make_hull(c.structure.shape);
   const double reach = 2.0 * failure::characteristic_length(simulation::ice_properties(c));
-  const double height = simulation::freeboard(c).top;
+  const simulation::Freeboard heights = simulation::freeboard(c);
   while (run.time() < c.time.duration && counts.fits < most) {
     (void)run.step();
-    std::vector<Vec2> vertices = structure::section(cone, height);
-    const Pose pose = run.frame().structure;
-    for (Vec2& v : vertices) v += Vec2{pose.position.x, pose.position.y};
-    const Ring section = ring(vertices);
+    const Ring section = ring(hull->footprint(run.frame().structure, heights.bottom, heights.top).leading.at(0));
     const IceSheet sheet = IceSheet::from_polygons(run.sheet()).value();
     for (const ContactRegion& region : sheet.contacts(section)) {
       if (region.contact_length > 0.0 && counts.fits < most) fit_and_count(sheet, region, reach, counts);

@@ -20,6 +20,7 @@
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
 #include "columns.hpp"
+#include "crate.hpp"
 
 namespace brash::campaign {
 namespace {
@@ -221,6 +222,7 @@ void collect(const Campaign& campaign, const Folder& folder, const Schedule& sch
   io::write_table(campaign.directory + "/campaign.nc", table(plan, rows));
   write_file(campaign.directory + "/summary.json", summary(plan, rows, schedule));
   write_campaign_manifest(folder, campaign, rows);
+  write_crate(campaign.directory);
 }
 
 }  // namespace brash::campaign

@@ -8,6 +8,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/standards/nevel.hpp"
+#include "brash/structure/hull.hpp"
 
 namespace brash::cli {
 
@@ -15,12 +16,28 @@ using nlohmann::ordered_json;
 
 namespace {
 constexpr double kKilo = 1e3;
+
+/// The structure as closed forms see it: one slope at the waterline.
+struct Slope {
+  double angle = 0.0;  ///< from the horizontal [rad]
+  double width = 0.0;  ///< across its way [m]
+};
+
+Slope slope_of(const model::Case& c) {
+  if (const auto* const cone = std::get_if<model::Cone>(&c.structure.shape))
+    return {cone->angle, cone->waterline_width};
+  const auto hull = structure::make_hull(c.structure.shape);
+  const auto at_waterline = [&](Vec2 course) { return structure::foremost(*hull, {}, 0.0, 0.0, course); };
+  return {at_waterline({1.0, 0.0}).surface.slope, at_waterline({0.0, 1.0}).reach + at_waterline({0.0, -1.0}).reach};
+}
+
 }  // namespace
 
 tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const model::Case& c) {
+  const Slope slope = slope_of(c);
   standards::CroasdaleInput input;
-  input.slope = c.structure.angle;
-  input.width = c.structure.waterline_width;
+  input.slope = slope.angle;
+  input.width = slope.width;
   input.thickness = c.ice.thickness;
   input.flexural_strength = c.ice.flexural_strength;
   input.youngs_modulus = c.ice.youngs_modulus;
@@ -34,13 +51,14 @@ tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(co
 
 tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const model::Case& c,
                                                                           standards::Yield yield) {
-  const bool downward = c.structure.breaking == model::Breaking::kDownward;
-  const double slope_height =
-      downward ? c.structure.height_under_water : c.structure.height - c.structure.height_under_water;
+  const auto* const cone = std::get_if<model::Cone>(&c.structure.shape);
+  if (cone == nullptr) return tl::unexpected(standards::NotApplicable{"the structure is no cone"});
+  const bool downward = cone->breaking == model::Breaking::kDownward;
+  const double slope_height = downward ? cone->height_under_water : cone->height - cone->height_under_water;
   standards::RalstonInput input;
-  input.slope = c.structure.angle;
-  input.waterline_width = c.structure.waterline_width;
-  input.end_width = std::max(0.0, c.structure.waterline_width - 2.0 * slope_height / std::tan(c.structure.angle));
+  input.slope = cone->angle;
+  input.waterline_width = cone->waterline_width;
+  input.end_width = std::max(0.0, cone->waterline_width - 2.0 * slope_height / std::tan(cone->angle));
   input.thickness = c.ice.thickness;
   input.flexural_strength = c.ice.flexural_strength;
   input.friction_structure = c.ice.friction_structure;
@@ -59,7 +77,7 @@ std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> 
   input.draught = *c.hull.draught;
   input.stem_angle = *c.hull.stem_angle;
   input.waterline_angle = *c.hull.waterline_angle;
-  input.speed = c.structure.speed;
+  input.speed = model::speed(c.structure.motion);
   input.thickness = c.ice.thickness;
   input.flexural_strength = c.ice.flexural_strength;
   input.youngs_modulus = c.ice.youngs_modulus;
@@ -113,9 +131,10 @@ ordered_json croasdale_json(const model::Case& c) {
 }
 
 ordered_json ralston_json(const model::Case& c, standards::Yield yield) {
-  const std::string method =
-      fmt::format("plastic cone, {} breaking, {}", model::name_of(c.structure.breaking),
-                  yield == standards::Yield::kTresca ? "Tresca (Y = 2.711)" : "Johansen (Y = 3.422)");
+  const auto* const cone = std::get_if<model::Cone>(&c.structure.shape);
+  const std::string method = fmt::format(
+      "plastic cone, {}{}", cone == nullptr ? "" : fmt::format("{} breaking, ", model::name_of(cone->breaking)),
+      yield == standards::Yield::kTresca ? "Tresca (Y = 2.711)" : "Johansen (Y = 3.422)");
   constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Ralston)";
   const auto load = ralston_of(c, yield);
   if (!load) return refused(method.c_str(), kSource, load.error());
@@ -147,7 +166,7 @@ ordered_json nevel_json(const model::Case& c, int wedges) {
   input.water_density = c.water.density;
   const standards::NevelLoad load = standards::nevel(input);
   // Friction on the slope inclines the force by atan(mu) from its normal.
-  const double inclination = c.structure.angle + std::atan(c.ice.friction_structure);
+  const double inclination = slope_of(c).angle + std::atan(c.ice.friction_structure);
   if (inclination >= 0.5 * kPi) return refused(method.c_str(), kSource, {"the ice locks: tan(slope) >= 1/friction"});
   const double vertical = wedges * load.vertical;
   return {{"method", method},

@@ -13,8 +13,7 @@
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
-#include "brash/simulation/cone_of.hpp"
-#include "brash/structure/cone.hpp"
+#include "brash/structure/hull.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
 #include "vtk_meshes.hpp"
@@ -27,13 +26,12 @@ using geometry::IceSheet;
 
 enum Part { kFloes, kSheet, kStructure };
 
-/// The sheet at the frames of a run, which stores it after each step with cracks: since then the structure's waterline
-/// section has been crushed. Between frames its path is not followed, so the channel's walls differ from the run's by
-/// less than the structure moves in a frame.
+/// The sheet at the frames of a run, which stores it after each step with cracks: since then the structure's section in
+/// the waterplane has been crushed. Between frames its path is not followed, so the channel's walls differ from the
+/// run's by less than the structure moves in a frame.
 class SheetReplay {
  public:
-  SheetReplay(const model::Case& resolved, const model::RunResults& results)
-      : results_(results), section_(structure::section(simulation::cone_of(resolved), 0.0)) {
+  SheetReplay(const structure::Hull& hull, const model::RunResults& results) : hull_(hull), results_(results) {
     take(results.initial_sheet);
   }
 
@@ -44,9 +42,8 @@ class SheetReplay {
     const std::size_t before = next_;
     while (next_ < cracked.size() && cracked[next_].time <= frame.time) ++next_;
     if (next_ > before) take(cracked[next_ - 1].rings);
-    std::vector<Vec2> section;
-    for (const Vec2 v : section_) section.push_back(plan(to_world(frame.structure, {v.x, v.y, 0.0})));
-    sheet_->cut(geometry::ring(section));
+    for (const structure::Outline& outline : hull_.footprint(frame.structure, 0.0, 0.0).leading)
+      sheet_->cut(geometry::ring(outline));
     sheet_->release_detached();
     return sheet_->polygons();
   }
@@ -58,8 +55,8 @@ class SheetReplay {
     sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
   }
 
+  const structure::Hull& hull_;
   const model::RunResults& results_;
-  std::vector<Vec2> section_;
   std::unique_ptr<IceSheet> sheet_;
   std::size_t next_ = 0;  ///< of the cracked sheets
 };
@@ -89,20 +86,10 @@ io::PolyData sheet_of(const model::Case& resolved, const std::vector<geometry::P
   return data;
 }
 
-/// Frustum of two rings of corners, keel then top, each with `n` of them.
-io::PolyData structure_at(const std::vector<Vec3>& hull, const Pose& pose) {
+io::PolyData structure_at(const structure::TriangleMesh& mesh, const Pose& pose) {
   io::PolyData data;
-  const auto n = static_cast<std::int64_t>(hull.size() / 2);
-  for (const Vec3& corner : hull) data.points.push_back(to_world(pose, corner));
-  std::vector<std::int64_t> keel, top;
-  for (std::int64_t i = 0; i < n; ++i) {
-    const std::int64_t next = (i + 1) % n;
-    data.faces.push_back({i, next, next + n, i + n});
-    keel.push_back(n - 1 - i);
-    top.push_back(n + i);
-  }
-  data.faces.push_back(std::move(keel));
-  data.faces.push_back(std::move(top));
+  for (const Vec3& vertex : mesh.vertices) data.points.push_back(to_world(pose, vertex));
+  for (const auto& [a, b, c] : mesh.triangles) data.faces.push_back({a, b, c});
   return data;
 }
 
@@ -129,9 +116,9 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
   check_polygons(run_file, results);
   std::map<std::int64_t, const model::FloeRecord*> records;
   for (const model::FloeRecord& floe : results.floes) records[floe.id] = &floe;
-  const std::vector<Vec3> hull = structure::hull(simulation::cone_of(resolved));
+  const auto hull = structure::make_hull(resolved.structure.shape);
 
-  SheetReplay replay(resolved, results);
+  SheetReplay replay(*hull, results);
   std::vector<io::VtkStep> steps;
   const auto write = [&](double time, Part part, const std::string& name, const io::PolyData& data) {
     const std::string file = fmt::format("{}_{:05}.vtp", name, steps.size() / 3);
@@ -141,7 +128,7 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
   for (const model::Frame& frame : results.frames) {
     write(frame.time, kFloes, "floes", floes_at(resolved, frame, records));
     write(frame.time, kSheet, "sheet", sheet_of(resolved, replay.at(frame)));
-    write(frame.time, kStructure, "structure", structure_at(hull, frame.structure));
+    write(frame.time, kStructure, "structure", structure_at(hull->mesh(), frame.structure));
   }
   const std::string collection = (fs::path(directory) / "run.pvd").string();
   write_file(collection, io::to_pvd(steps));

@@ -233,7 +233,7 @@ class PlanReader {
   }
 
   static std::string unit_of(const std::string& name) {
-    const std::size_t dot = name.find('.');
+    const std::size_t dot = name.rfind('.');
     return schema_of_cases().keys(name.substr(0, dot)).at(name.substr(dot + 1)).value("x-unit", "1");
   }
 

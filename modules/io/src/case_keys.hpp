@@ -1,11 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
 #include "brash/io/case.hpp"
 
 namespace brash::io {
 
-/// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members.
+template <typename Variant, std::size_t... I>
+Variant alternative(std::size_t index, std::index_sequence<I...>) {
+  Variant made;
+  ((I == index ? void(made.template emplace<I>()) : void()), ...);
+  return made;
+}
+
+/// Visits the kind of a variant. The visitor of a case that is being read gives it, and every member of that
+/// alternative then has its default.
+template <typename AnyVariant, typename Visitor>
+void visit_kind(const char* section, AnyVariant& variant, Visitor&& visit) {
+  auto kind = model::kind_of(variant);
+  visit(section, "kind", kind);
+  if constexpr (!std::is_const_v<AnyVariant>)
+    variant = alternative<AnyVariant>(static_cast<std::size_t>(kind),
+                                      std::make_index_sequence<std::variant_size_v<AnyVariant>>());
+}
+
+template <typename Any, typename Value>
+concept Is = std::is_same_v<std::remove_const_t<Any>, Value>;
+
+/// Keys of each shape and each motion of [structure].
+void visit_keys_of(Is<model::Cone> auto& cone, auto&& visit) {
+  visit("structure", "angle", cone.angle);
+  visit("structure", "waterline_width", cone.waterline_width);
+  visit("structure", "height", cone.height);
+  visit("structure", "height_under_water", cone.height_under_water);
+  visit("structure", "breaking", cone.breaking);
+  visit("structure", "facets", cone.facets);
+}
+void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
+
+/// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members. The
+/// keys of an alternative come after its name.
 template <typename AnyCase, typename Visitor>
 void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("algorithm", "preset", c.algorithm.preset);
@@ -20,15 +58,11 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("ice", "friction_ice", c.ice.friction_ice);
   visit("water", "density", c.water.density);
   visit("water", "current", c.water.current);
-  visit("structure", "kind", c.structure.kind);
-  visit("structure", "angle", c.structure.angle);
-  visit("structure", "waterline_width", c.structure.waterline_width);
-  visit("structure", "height", c.structure.height);
-  visit("structure", "height_under_water", c.structure.height_under_water);
-  visit("structure", "breaking", c.structure.breaking);
-  visit("structure", "speed", c.structure.speed);
+  visit_kind("structure", c.structure.shape, visit);
+  std::visit([&](auto& shape) { visit_keys_of(shape, visit); }, c.structure.shape);
+  visit_kind("structure.motion", c.structure.motion, visit);
+  std::visit([&](auto& motion) { visit_keys_of(motion, visit); }, c.structure.motion);
   visit("structure", "start_distance", c.structure.start_distance);
-  visit("structure", "facets", c.structure.facets);
 }
 
 template <typename AnyCase, typename Visitor>
@@ -48,6 +82,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "arc_sides", c.failure.arc_sides);
   visit("failure", "max_substeps", c.failure.max_substeps);
   visit("failure", "smallest_floe", c.failure.smallest_floe);
+  visit("contact", "engine", c.contact.engine);
   visit("contact", "restitution", c.contact.restitution);
   visit("contact", "area", c.contact.area);
   visit("contact", "margin", c.contact.margin);

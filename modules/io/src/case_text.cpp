@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <map>
 #include <sstream>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 #include "brash/io/case.hpp"
@@ -58,13 +60,19 @@ std::string commented(const std::string& text) {
 }  // namespace
 
 std::string to_toml(const model::Case& resolved) {
-  std::string text = "# A resolved brash case: every key, in SI.\n";
-  std::string section_now;
+  std::map<std::pair<std::string, std::string>, std::string> lines;
   visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
-    if (section != section_now) text += fmt::format("\n[{}]\n", section);
-    section_now = section;
-    text += key_line(key, value, schema_of_cases().keys(section).at(key).value("x-unit", "1"));
+    lines[{section, key}] = key_line(key, value, schema_of_cases().keys(section).at(key).value("x-unit", "1"));
   });
+  // structure.speed is the short form of this subsection.
+  if (std::holds_alternative<model::Towed>(resolved.structure.motion)) lines.erase({"structure.motion", "kind"});
+  std::string text = "# A resolved brash case: every key, in SI.\n";
+  for (const auto& [section, section_schema] : schema_of_cases().sections().items()) {
+    std::string keys;
+    for (const auto& [key, key_schema] : section_schema.at("properties").items()) keys += lines[{section, key}];
+    const bool is_subsection = section.find('.') != std::string::npos;
+    if (!keys.empty() || !is_subsection) text += fmt::format("\n[{}]\n{}", section, keys);
+  }
   return text;
 }
 

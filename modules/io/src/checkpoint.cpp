@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
+#include "brash/io/case.hpp"
 #include "result_tables.hpp"
 #include "tables.hpp"
 
@@ -21,159 +21,115 @@ namespace brash::io {
 
 namespace {
 
-template <typename VectorOf, typename Visit>
-void visit_vector(const std::string& name, const char* unit, const std::string& meaning, VectorOf of, Visit&& visit) {
-  visit(
-      name + "x", unit, meaning + ", x", [of](auto& row) -> auto& { return of(row).x; });
-  visit(
-      name + "y", unit, meaning + ", y", [of](auto& row) -> auto& { return of(row).y; });
-  visit(
-      name + "z", unit, meaning + ", z", [of](auto& row) -> auto& { return of(row).z; });
-}
-
-}  // namespace
-
-template <>
-struct Columns<model::FloePush> {
-  static constexpr const char* dimension = "push";
-  static constexpr const char* prefix = "push_";
-
-  template <typename Visit>
-  static void visit(Visit&& visit) {
-    visit(
-        "floe", "1", "floe_id of the pushed floe", [](auto& row) -> auto& { return row.floe; });
-    visit(
-        "other", "1", "floe_id of the pushing floe", [](auto& row) -> auto& { return row.other; });
-    visit_vector(
-        "force_", "N", "mean force", [](auto& row) -> auto& { return row.force; }, visit);
-  }
-};
-
-template <>
-struct Columns<model::CheckpointFloe> {
-  static constexpr const char* dimension = "present";
-  static constexpr const char* prefix = "present_";
-
-  template <typename Visit>
-  static void visit(Visit&& visit) {
-    visit(
-        "id", "1", "floe_id of the floe", [](auto& row) -> auto& { return row.id; });
-    visit(
-        "thickness", "m", "thickness", [](auto& row) -> auto& { return row.thickness; });
-    visit(
-        "peak_stress", "Pa", "largest compression so far", [](auto& row) -> auto& { return row.peak_stress; });
-    visit_pose(
-        "", visit, [](auto& row) -> auto& { return row.pose; });
-    visit_vector(
-        "linear_", "m s-1", "velocity", [](auto& row) -> auto& { return row.twist.linear; }, visit);
-    visit_vector(
-        "angular_", "rad s-1", "angular velocity", [](auto& row) -> auto& { return row.twist.angular; }, visit);
-    constexpr std::array<const char*, 6> kNames{"xx", "yy", "zz", "xy", "yz", "zx"};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-      visit(
-          std::string("stress_") + kNames[i], "Pa", "mean stress", [i](auto& row) -> auto& { return row.stress[i]; });
-    visit_bearing(visit);
-    visit(
-        "slow_for", "s", "time since it became slow", [](auto& row) -> auto& { return row.rest.slow_for; });
-    visit(
-        "settled", "1", "whether it is fixed where it is", [](auto& row) -> auto& { return row.rest.settled; });
-    visit_vector(
-        "push_", "N", "change of the mean force of other floes since it was settled",
-        [](auto& row) -> auto& { return row.rest.push; }, visit);
-    visit_drag(visit);
-  }
-
- private:
-  template <typename Visit>
-  static void visit_bearing(Visit&& visit) {
-    visit_vector(
-        "bearing_force_", "N", "mean force on the sheet", [](auto& row) -> auto& { return row.bearing.force; }, visit);
-    visit(
-        "bearing_thrust_x", "N", "mean normal force on the sheet in plan, x",
-        [](auto& row) -> auto& { return row.bearing.thrust.x; });
-    visit(
-        "bearing_thrust_y", "N", "mean normal force on the sheet in plan, y",
-        [](auto& row) -> auto& { return row.bearing.thrust.y; });
-    visit(
-        "bearing_weight", "N", "sum of their sizes", [](auto& row) -> auto& { return row.bearing.weight; });
-    visit(
-        "bearing_first_x", "N m", "their first moment, x", [](auto& row) -> auto& { return row.bearing.first.x; });
-    visit(
-        "bearing_first_y", "N m", "their first moment, y", [](auto& row) -> auto& { return row.bearing.first.y; });
-    constexpr std::array<const char*, 3> kNames{"xx", "xy", "yy"};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-      visit(
-          std::string("bearing_second_") + kNames[i], "N m2",
-          "their second moment", [i](auto& row) -> auto& { return row.bearing.second[i]; });
-  }
-
-  template <typename Visit>
-  static void visit_drag(Visit&& visit) {
-    visit(
-        "drag_left", "m", "how far it may go on with its drag", [](auto& row) -> auto& { return row.kept_drag.left; });
-    visit(
-        "drag_sum", "kg s-1", "sum of its dampers", [](auto& row) -> auto& { return row.kept_drag.sum; });
-    visit_vector(
-        "drag_first_", "kg m s-1", "their first moment", [](auto& row) -> auto& { return row.kept_drag.first; }, visit);
-    visit_vector(
-        "drag_squares_", "kg m2 s-1", "their second moment xx, yy, zz",
-        [](auto& row) -> auto& { return row.kept_drag.squares; }, visit);
-    visit_vector(
-        "drag_products_", "kg m2 s-1", "their second moment yz, zx, xy",
-        [](auto& row) -> auto& { return row.kept_drag.products; }, visit);
-    visit(
-        "drag_rotation", "kg m2 s-1", "damper of its rotation",
-        [](auto& row) -> auto& { return row.kept_drag.rotation; });
-    visit_vector(
-        "drag_skin_force_", "N", "skin friction, body frame",
-        [](auto& row) -> auto& { return row.kept_drag.skin_force; }, visit);
-    visit_vector(
-        "drag_skin_moment_", "N m", "its moment", [](auto& row) -> auto& { return row.kept_drag.skin_moment; }, visit);
-    visit(
-        "drag_skin_power", "W", "its power", [](auto& row) -> auto& { return row.kept_drag.skin_power; });
-    visit_vector(
-        "drag_linear_", "m s-1", "velocity against the water at which its drag was taken, body frame",
-        [](auto& row) -> auto& { return row.kept_drag.velocity.linear; }, visit);
-    visit_vector(
-        "drag_angular_", "rad s-1", "angular velocity at which its drag was taken, body frame",
-        [](auto& row) -> auto& { return row.kept_drag.velocity.angular; }, visit);
-  }
-};
-
-namespace {
-
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-6";
+constexpr const char* kFormat = "brash-checkpoint-7";
+/// Of every variable and dimension of a table: results so far stand in the same file.
+constexpr const char* kPrefix = "state_";
+
+std::string dimension_of(const model::Table& table) { return kPrefix + table.name; }
+std::string variable_of(const model::Table& table, const model::Column& column) {
+  return dimension_of(table) + "_" + column.name;
+}
+
+constexpr const char* kind_of(const std::vector<double>&) { return "number"; }
+constexpr const char* kind_of(const std::vector<std::int64_t>&) { return "whole number"; }
+constexpr const char* kind_of(const std::vector<std::string>&) { return "text"; }
+constexpr const char* kind_of(const std::vector<geometry::Polygon>&) { return "polygon"; }
+
+model::ColumnValues values_of_kind(const NetcdfReader& file, const std::string& kind) {
+  for (const model::ColumnValues& none :
+       {model::ColumnValues(std::vector<double>{}), model::ColumnValues(std::vector<std::int64_t>{}),
+        model::ColumnValues(std::vector<std::string>{}), model::ColumnValues(std::vector<geometry::Polygon>{})})
+    if (std::visit([](const auto& values) { return kind_of(values); }, none) == kind) return none;
+  file.refuse("a table in it has a column of an unknown kind");
+}
+
+/// The tables and their columns, without values.
+Json contents(const std::vector<model::Table>& tables) {
+  Json all = Json::array();
+  for (const model::Table& table : tables) {
+    Json columns = Json::array();
+    for (const model::Column& column : table.columns) {
+      const char* const kind = std::visit([](const auto& values) { return kind_of(values); }, column.values);
+      columns.push_back({column.name, kind, column.unit, column.meaning});
+    }
+    all.push_back({{"name", table.name}, {"columns", std::move(columns)}});
+  }
+  return all;
+}
+
+std::vector<model::Table> tables_without_values(const NetcdfReader& file) {
+  try {
+    std::vector<model::Table> tables;
+    for (const Json& table : Json::parse(file.attribute("tables"))) {
+      tables.push_back({table.at("name"), {}});
+      for (const Json& column : table.at("columns"))
+        tables.back().columns.push_back(
+            {column.at(0), column.at(2), column.at(3), values_of_kind(file, column.at(1).get<std::string>())});
+    }
+    return tables;
+  } catch (const Json::exception&) {
+    file.refuse("its list of tables cannot be read");
+  }
+}
 
 /// The side of the grid, 2^-30 m, as a unit.
-const NodeFrame kGrid{"9.313225746154785e-10 m", "sheet frame, exact"};
+NodeFrame grid_frame(const model::Column& column) { return {"9.313225746154785e-10 m", column.meaning}; }
 
-bool is_whole_number(const std::string& text) {
-  const std::size_t first = text.starts_with('-') ? 1 : 0;
-  return text.size() > first && text.find_first_not_of("0123456789", first) == std::string::npos;
+using Rings = std::vector<geometry::Ring>;
+
+void write_values(NetcdfWriter& file, const model::Table& table, const model::Column& column) {
+  const auto write = [&](const auto& values) {
+    file.variable(variable_of(table, column), dimension_of(table), {column.unit, column.meaning}, values);
+  };
+  const auto write_outlines = [&](const std::vector<geometry::Polygon>& polygons) {
+    std::vector<Rings> outlines;
+    for (const geometry::Polygon& polygon : polygons) {
+      Rings& rings = outlines.emplace_back(Rings{polygon.outline});
+      rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+    }
+    write_polygons(file, variable_of(table, column), dimension_of(table), grid_frame(column), outlines);
+  };
+  if (const auto* const polygons = std::get_if<std::vector<geometry::Polygon>>(&column.values))
+    write_outlines(*polygons);
+  else if (const auto* const numbers = std::get_if<std::vector<double>>(&column.values))
+    write(*numbers);
+  else if (const auto* const whole = std::get_if<std::vector<std::int64_t>>(&column.values))
+    write(*whole);
+  else
+    write(std::get<std::vector<std::string>>(column.values));
 }
 
-std::vector<std::int64_t> body_numbers(const std::vector<model::CheckpointFloe>& floes, std::uint32_t BodyId::*part) {
-  std::vector<std::int64_t> numbers;
-  for (const model::CheckpointFloe& floe : floes) numbers.push_back(floe.body.*part);
-  return numbers;
+void write_table(NetcdfWriter& file, const model::Table& table) {
+  for (const model::Column& column : table.columns) write_values(file, table, column);
 }
 
-void read_body_numbers(const NetcdfReader& file, const std::string& name, std::vector<model::CheckpointFloe>& floes,
-                       std::uint32_t BodyId::*part) {
-  std::vector<std::int64_t> numbers;
-  file.read(name, "present", numbers);
-  for (std::size_t i = 0; i < floes.size(); ++i) floes[i].body.*part = static_cast<std::uint32_t>(numbers[i]);
+void read_values(const NetcdfReader& file, const model::Table& table, model::Column& column) {
+  const std::string name = variable_of(table, column);
+  const auto read = [&](auto& values) { file.read(name, dimension_of(table), values); };
+  const auto read_outlines = [&](std::vector<geometry::Polygon>& polygons) {
+    for (Rings& rings : read_polygons<geometry::Point>(file, name, dimension_of(table))) {
+      if (rings.empty()) file.refuse(name + " has a polygon without outline");
+      geometry::Polygon& polygon = polygons.emplace_back(geometry::Polygon{std::move(rings.front()), {}});
+      std::move(rings.begin() + 1, rings.end(), std::back_inserter(polygon.holes));
+    }
+  };
+  if (auto* const polygons = std::get_if<std::vector<geometry::Polygon>>(&column.values))
+    read_outlines(*polygons);
+  else if (auto* const numbers = std::get_if<std::vector<double>>(&column.values))
+    read(*numbers);
+  else if (auto* const whole = std::get_if<std::vector<std::int64_t>>(&column.values))
+    read(*whole);
+  else
+    read(std::get<std::vector<std::string>>(column.values));
 }
 
-/// A map kept as the JSON text of a global attribute.
-template <typename Value>
-std::map<std::string, Value> read_map(const NetcdfReader& file, const std::string& name) {
+model::Case read_resolved_case(const NetcdfReader& file) {
   try {
-    return Json::parse(file.attribute(name)).get<std::map<std::string, Value>>();
-  } catch (const Json::exception&) {
-    file.refuse("the attribute " + name + " is no list of values");
+    return parse_case(file.attribute("case"), file.attribute("case_name") + ".toml", {}, ModelFile::kAnywhere);
+  } catch (const InputError& error) {
+    file.refuse(std::string("its case cannot be read: ") + error.what());
   }
 }
 
@@ -206,33 +162,16 @@ std::string read_sealed(const std::string& path) {
   return bytes;
 }
 
-void check_values(const model::Checkpoint& checkpoint) {
-  for (const auto& [name, value] : checkpoint.ledger) BRASH_EXPECTS(is_whole_number(value), name, value);
-  for (const auto& [name, value] : checkpoint.numbers) BRASH_EXPECTS(std::isfinite(value), name, value);
-}
-
 }  // namespace
 
 void write_checkpoint(const std::string& path, const model::Checkpoint& checkpoint) {
-  check_values(checkpoint);
   NetcdfWriter file(path);
   file.attribute("format", kFormat);
   file.attribute("source", std::string("brash ") + kVersion);
-  file.attribute("case_name", checkpoint.case_name);
-  file.attribute("case", checkpoint.case_toml);
-  file.attribute("ledger", Json(checkpoint.ledger).dump());
-  file.attribute("counters", Json(checkpoint.counters).dump());
-  file.attribute("numbers", Json(checkpoint.numbers).dump());
-  write_polygons(file, "sheet", "sheet_polygon", kGrid, checkpoint.sheet);
-  write_rows(file, checkpoint.floes);
-  write_rows(file, checkpoint.pushes);
-  file.variable("present_body_index", "present", {"1", "slot of the body"},
-                body_numbers(checkpoint.floes, &BodyId::index));
-  file.variable("present_body_generation", "present", {"1", "generation of the body"},
-                body_numbers(checkpoint.floes, &BodyId::generation));
-  std::vector<model::GridRings> outlines;
-  for (const model::CheckpointFloe& floe : checkpoint.floes) outlines.push_back(floe.rings);
-  write_polygons(file, "present_outline", "present", kGrid, outlines);
+  file.attribute("case_name", checkpoint.resolved.name);
+  file.attribute("case", to_toml(checkpoint.resolved));
+  file.attribute("tables", contents(checkpoint.tables).dump());
+  for (const model::Table& table : checkpoint.tables) write_table(file, table);
   write_tables(file, checkpoint.results);
   std::string bytes = file.finish();
   bytes += seal_of(bytes);
@@ -243,20 +182,10 @@ model::Checkpoint read_checkpoint(const std::string& path) {
   const NetcdfReader file(path, read_sealed(path));
   if (file.attribute("format") != kFormat) file.refuse("it is not a checkpoint of this version");
   model::Checkpoint checkpoint;
-  checkpoint.case_name = file.attribute("case_name");
-  checkpoint.case_toml = file.attribute("case");
-  checkpoint.ledger = read_map<std::string>(file, "ledger");
-  for (const auto& [name, value] : checkpoint.ledger)
-    if (!is_whole_number(value)) file.refuse("ledger." + name + " is not a whole number");
-  checkpoint.counters = read_map<std::int64_t>(file, "counters");
-  checkpoint.numbers = read_map<double>(file, "numbers");
-  checkpoint.sheet = read_polygons<model::GridPoint>(file, "sheet", "sheet_polygon");
-  checkpoint.floes = read_rows<model::CheckpointFloe>(file);
-  checkpoint.pushes = read_rows<model::FloePush>(file);
-  read_body_numbers(file, "present_body_index", checkpoint.floes, &BodyId::index);
-  read_body_numbers(file, "present_body_generation", checkpoint.floes, &BodyId::generation);
-  std::vector<model::GridRings> outlines = read_polygons<model::GridPoint>(file, "present_outline", "present");
-  for (std::size_t i = 0; i < outlines.size(); ++i) checkpoint.floes[i].rings = std::move(outlines[i]);
+  checkpoint.resolved = read_resolved_case(file);
+  checkpoint.tables = tables_without_values(file);
+  for (model::Table& table : checkpoint.tables)
+    for (model::Column& column : table.columns) read_values(file, table, column);
   checkpoint.results = read_tables(file);
   return checkpoint;
 }

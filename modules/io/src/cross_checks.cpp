@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "brash/structure/hull.hpp"
+
 namespace brash::io {
 namespace {
 
@@ -52,61 +54,80 @@ void check_ice(const model::Case& c, Checks& checks) {
                  fmt::format("less than half of ice.thickness, {} m", c.ice.thickness / 2.0), "lower contact.margin");
 }
 
-void check_cone(const model::Case& c, Checks& checks) {
-  const model::StructureSection& s = c.structure;
-  const double above_water = s.height - s.height_under_water;
-  checks.require(above_water > 0.0, {"structure", "height_under_water"}, {"structure", "height"},
-                 "the structure does not reach the water's surface",
-                 fmt::format("less than structure.height = {} m", s.height),
-                 "lower structure.height_under_water or raise structure.height");
-  if (above_water <= 0.0) return;
+/// Whether the keys of a shape give a hull. Where their ranges in the schema say it all, they do.
+bool check_shape(const auto&, Checks&) { return true; }
 
+bool check_shape(const model::Cone& cone, Checks& checks) {
   // The narrow end: the keel when downward-breaking, the top when upward-breaking.
-  const bool downward = s.breaking == model::Breaking::kDownward;
-  const double to_narrow_end = downward ? s.height_under_water : above_water;
-  const double narrow_width = s.waterline_width - 2.0 * to_narrow_end / std::tan(s.angle);
-  checks.require(narrow_width > 0.0, {"structure", "waterline_width"}, {"structure", "angle"},
-                 fmt::format("the cone's {} would have the width {:.4g} m", downward ? "keel" : "top", narrow_width),
-                 fmt::format("more than {:.6g} m at this angle and height", 2.0 * to_narrow_end / std::tan(s.angle)),
+  const bool downward = cone.breaking == model::Breaking::kDownward;
+  const double to_narrow_end = downward ? cone.height_under_water : cone.height - cone.height_under_water;
+  const double lost = 2.0 * to_narrow_end / std::tan(cone.angle);
+  checks.require(cone.waterline_width > lost, {"structure", "waterline_width"}, {"structure", "angle"},
+                 fmt::format("the cone's {} would have the width {:.4g} m", downward ? "keel" : "top",
+                             cone.waterline_width - lost),
+                 fmt::format("more than {:.6g} m at this angle and height", lost),
                  "widen the waterline, steepen the angle, or shorten that end");
+  return cone.waterline_width > lost;
+}
 
-  checks.require(std::tan(s.angle) * c.ice.friction_structure < 1.0, {"ice", "friction_structure"},
-                 {"structure", "angle"}, "the ice locks: friction holds it on the slope",
-                 fmt::format("less than 1 / tan(structure.angle) = {:.6g}", 1.0 / std::tan(s.angle)),
-                 "lower ice.friction_structure or structure.angle");
-
-  // The ice must meet the sloping surface over its whole thickness.
-  const double draught = c.ice.thickness * c.ice.density / c.water.density;
-  const double freeboard = c.ice.thickness - draught;
-  checks.require(draught < s.height_under_water, {"structure", "height_under_water"}, {"structure", "height"},
+/// The ice must meet the sloping surface over its whole thickness. @return whether it does.
+bool check_heights(const structure::Hull& hull, double draught, double freeboard, Checks& checks) {
+  const auto [least, most] = hull.bounds();
+  const double under_water = -least.z;
+  checks.require(most.z > 0.0, {"structure", "height_under_water"}, {"structure", "height"},
+                 "the structure does not reach the water's surface",
+                 fmt::format("less than structure.height = {} m", most.z - least.z),
+                 "lower structure.height_under_water or raise structure.height");
+  if (most.z <= 0.0) return false;
+  checks.require(draught < under_water, {"structure", "height_under_water"}, {"structure", "height"},
                  "the ice reaches below the keel", fmt::format("more than the ice's draught, {:.6g} m", draught),
                  "deepen the keel or thin the ice");
   checks.require(
-      freeboard < above_water, {"structure", "height"}, {"ice", "thickness"}, "the ice reaches above the structure",
-      fmt::format("more than height_under_water plus the ice's freeboard, {:.6g} m", s.height_under_water + freeboard),
+      freeboard < most.z, {"structure", "height"}, {"ice", "thickness"}, "the ice reaches above the structure",
+      fmt::format("more than height_under_water plus the ice's freeboard, {:.6g} m", under_water + freeboard),
       "raise structure.height or thin the ice");
+  return draught < under_water && freeboard < most.z;
+}
 
-  const double radius = s.waterline_width / 2.0 + (downward ? freeboard : draught) / std::tan(s.angle);
-  checks.require(s.start_distance > radius, {"structure", "start_distance"}, {"structure", "waterline_width"},
+void check_way(const model::Case& c, double reach, Checks& checks) {
+  const model::StructureSection& s = c.structure;
+  checks.require(s.start_distance > reach, {"structure", "start_distance"}, {"structure", "waterline_width"},
                  "the structure starts inside the ice",
-                 fmt::format("more than its largest radius in the ice, {:.6g} m", radius),
+                 fmt::format("more than its largest radius in the ice, {:.6g} m", reach),
                  "start the structure further from the ice edge");
-  const double farthest = kFarthest - radius;
+  const double farthest = kFarthest - reach;
   checks.require(s.start_distance <= farthest, {"structure", "start_distance"}, {"structure", "waterline_width"},
                  "the structure starts outside the plane of the ice",
                  fmt::format("at most {} m less its largest radius in the ice, {:.6g} m", kFarthest, farthest),
                  "start the structure nearer to the ice edge");
-  checks.require(s.speed * c.time.duration - s.start_distance <= farthest, {"time", "duration"}, {"structure", "speed"},
+  const double speed = model::speed(s.motion);
+  checks.require(speed * c.time.duration - s.start_distance <= farthest, {"time", "duration"}, {"structure", "speed"},
                  "the structure leaves the plane of the ice before the end",
-                 fmt::format("at most {:.6g} s at this speed", (farthest + s.start_distance) / s.speed),
+                 fmt::format("at most {:.6g} s at this speed", (farthest + s.start_distance) / speed),
                  "shorten the run or slow the structure down");
 }
 
-void check_field(const model::Case& c, Checks& checks) {
-  checks.require(c.field.width > c.structure.waterline_width, {"field", "width"}, {"structure", "waterline_width"},
+void check_structure(const model::Case& c, Checks& checks) {
+  if (!std::visit([&](const auto& shape) { return check_shape(shape, checks); }, c.structure.shape)) return;
+  const auto hull = structure::make_hull(c.structure.shape);
+  const double draught = c.ice.thickness * c.ice.density / c.water.density;
+  const double freeboard = c.ice.thickness - draught;
+  if (!check_heights(*hull, draught, freeboard, checks)) return;
+
+  const auto [surface, reach] = structure::foremost(*hull, {}, -draught, freeboard, {1.0, 0.0});
+  checks.require(std::tan(surface.slope) * c.ice.friction_structure < 1.0, {"ice", "friction_structure"},
+                 {"structure", "angle"}, "the ice locks: friction holds it on the slope",
+                 fmt::format("less than 1 / tan(structure.angle) = {:.6g}", 1.0 / std::tan(surface.slope)),
+                 "lower ice.friction_structure or structure.angle");
+  check_way(c, reach, checks);
+  const double width = structure::foremost(*hull, {}, 0.0, 0.0, {0.0, 1.0}).reach +
+                       structure::foremost(*hull, {}, 0.0, 0.0, {0.0, -1.0}).reach;
+  checks.require(c.field.width > width, {"field", "width"}, {"structure", "waterline_width"},
                  "the sheet is narrower than the structure",
-                 fmt::format("more than structure.waterline_width = {} m", c.structure.waterline_width),
-                 "widen the sheet");
+                 fmt::format("more than the structure's width at the waterline, {:.6g} m", width), "widen the sheet");
+}
+
+void check_field(const model::Case& c, Checks& checks) {
   checks.require(c.field.length > c.ice.thickness, {"field", "length"}, {"ice", "thickness"},
                  "the sheet is shorter than it is thick",
                  fmt::format("more than ice.thickness = {} m", c.ice.thickness), "lengthen the sheet");
@@ -179,7 +200,7 @@ void check_rest(const model::Case& c, Checks& checks) {
 std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& source) {
   Checks checks(source);
   check_ice(resolved, checks);
-  check_cone(resolved, checks);
+  check_structure(resolved, checks);
   check_field(resolved, checks);
   check_initial_crack(resolved, checks);
   check_hull(resolved, checks);

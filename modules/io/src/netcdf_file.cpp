@@ -130,6 +130,22 @@ void NetcdfWriter::variable(const std::string& name, const std::string& dimensio
   write(name, dimension, meaning, values);
 }
 
+void NetcdfWriter::variable(const std::string& name, const std::string& along, const Meaning& meaning,
+                            const std::vector<std::string>& values) {
+  for (const std::string& value : values) n_bytes_ += value.size();
+  ask_for_memory(n_bytes_);
+  const int dim = dimension(along, values.size());
+  int variable = -1;
+  check(nc_def_var(file_, name.c_str(), NC_STRING, 1, &dim, &variable), name);
+  describe(variable, name, meaning);
+  pending_.push_back([this, name, variable, values] {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const char* text = values[i].c_str();
+      check(nc_put_var1_string(file_, variable, &i, &text), name);
+    }
+  });
+}
+
 void NetcdfWriter::container(const std::string& name, const Meaning& meaning) {
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), NC_INT, 0, nullptr, &variable), name);
@@ -192,8 +208,7 @@ std::size_t NetcdfReader::length(const std::string& dimension) const {
   return result;
 }
 
-template <typename T>
-void NetcdfReader::read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const {
+int NetcdfReader::find(const std::string& name, const std::string& dimension, int wanted_type) const {
   int expected = -1;
   int variable = -1;
   int n_dimensions = 0;
@@ -203,11 +218,28 @@ void NetcdfReader::read_as(const std::string& name, const std::string& dimension
   check(nc_inq_var(file_, variable, nullptr, &type, &n_dimensions, nullptr, nullptr), name);
   int found = -1;
   if (n_dimensions == 1) check(nc_inq_vardimid(file_, variable, &found), name);
-  if (found != expected || type != kType<T>) refuse(fmt::format("{} has another type or shape", name));
+  if (found != expected || type != wanted_type) refuse(fmt::format("{} has another type or shape", name));
+  return variable;
+}
+
+template <typename T>
+void NetcdfReader::read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const {
+  const int variable = find(name, dimension, kType<T>);
   values.resize(length(dimension));
   const std::size_t start = 0;
   const std::size_t count = values.size();
   if (count > 0) check(nc_get_vara(file_, variable, &start, &count, values.data()), name);
+}
+
+void NetcdfReader::read(const std::string& name, const std::string& dimension, std::vector<std::string>& values) const {
+  const int variable = find(name, dimension, NC_STRING);
+  values.resize(length(dimension));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    char* text = nullptr;
+    check(nc_get_var1_string(file_, variable, &i, &text), name);
+    if (text != nullptr) values[i] = text;
+    nc_free_string(1, &text);
+  }
 }
 
 void NetcdfReader::read(const std::string& name, const std::string& dimension, std::vector<double>& values) const {

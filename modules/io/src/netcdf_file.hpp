@@ -41,6 +41,8 @@ class NetcdfWriter {
                 const std::vector<std::int32_t>& values);
   void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                 const std::vector<std::int8_t>& values);
+  void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
+                const std::vector<std::string>& values);
   /// A variable without values that carries the attributes of a CF geometry.
   void container(const std::string& name, const Meaning& meaning);
   /// The bytes of the whole file; nothing can be added afterwards.
@@ -78,12 +80,15 @@ class NetcdfReader {
   void read(const std::string& name, const std::string& dimension, std::vector<std::int64_t>& values) const;
   void read(const std::string& name, const std::string& dimension, std::vector<std::int32_t>& values) const;
   void read(const std::string& name, const std::string& dimension, std::vector<std::int8_t>& values) const;
+  void read(const std::string& name, const std::string& dimension, std::vector<std::string>& values) const;
   /// Throws the InputError of a file whose content makes no sense.
   [[noreturn]] void refuse(const std::string& what) const;
 
  private:
   template <typename T>
   void read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const;
+  /// The id of the one-dimensional variable `name` of this type along `dimension`.
+  int find(const std::string& name, const std::string& dimension, int type) const;
   void check(int status, const std::string& what) const;
 
   std::string path_;

@@ -22,7 +22,29 @@ bool lists(const OrderedJson& schema, const std::string& name) {
 
 }  // namespace
 
-Schema::Schema(std::string kind, const char* text) : kind_(std::move(kind)), tree_(OrderedJson::parse(text)) {}
+Schema::Schema(std::string kind, const char* text) : kind_(std::move(kind)), tree_(OrderedJson::parse(text)) {
+  OrderedJson sections = OrderedJson::object();
+  for (auto& [name, section] : tree_.at("properties").items()) {
+    OrderedJson subsections = OrderedJson::object(), keys = OrderedJson::object();
+    if (section.contains("properties")) {
+      for (auto& [key, key_schema] : section.at("properties").items()) {
+        const bool is_subsection = key_schema.contains("properties");
+        (is_subsection ? subsections[name + "." + key] : keys[key]) = key_schema;
+      }
+      section.at("properties") = std::move(keys);
+    }
+    sections[name] = section;
+    sections.update(subsections);
+  }
+  tree_.at("properties") = std::move(sections);
+}
+
+bool Schema::has_key(const std::string& section, const std::string& key, const std::string& kind) const {
+  const OrderedJson& key_schema = keys(section).at(key);
+  if (!key_schema.contains("x-kinds")) return true;
+  const OrderedJson& kinds = key_schema.at("x-kinds");
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
 
 bool Schema::is_free(const OrderedJson& part) {
   const std::string type = value_type(part);
@@ -45,7 +67,9 @@ const OrderedJson& Schema::default_in(const OrderedJson& key_schema, const std::
 bool Schema::requires_section(const std::string& section) const { return lists(tree_, section); }
 
 bool Schema::requires_key(const std::string& section, const std::string& key) const {
-  return lists(sections().at(section), key);
+  const OrderedJson& key_schema = keys(section).at(key);
+  const bool depends = key_schema.contains("x-kinds") || key_schema.contains("x-short-for");
+  return lists(sections().at(section), key) || (depends && !key_schema.contains("default"));
 }
 
 const Schema& schema_of_cases() {

@@ -9,7 +9,7 @@ namespace brash::io {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// What a strict TOML file may hold: sections of keys.
+/// What a strict TOML file may hold: sections of keys. A section within a section is one more, "structure.motion".
 class Schema {
  public:
   /// @param kind  what such a file is, "case" or "plan".
@@ -30,6 +30,8 @@ class Schema {
   static const OrderedJson& default_in(const OrderedJson& key_schema, const std::string& preset);
   bool requires_section(const std::string& section) const;
   bool requires_key(const std::string& section, const std::string& key) const;
+  /// Whether the key belongs to a section whose key `kind` has this value.
+  bool has_key(const std::string& section, const std::string& key, const std::string& kind) const;
 
  private:
   std::string kind_;

@@ -110,6 +110,24 @@ toml::table parse(const std::string& file, const std::string& text) {
   }
 }
 
+bool is_subsection(const std::string& name) {
+  return name.find('.') != std::string::npos && schema_of_cases().sections().contains(name);
+}
+
+/// Puts the sections within sections beside them, under their whole names.
+void lift_subsections(toml::table& tree) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const auto& [section, node] : tree)
+    if (const toml::table* const keys = node.as_table())
+      for (const auto& [key, value] : *keys) found.emplace_back(section.str(), key.str());
+  for (const auto& [section, key] : found) {
+    if (!is_subsection(section + "." + key)) continue;
+    toml::table& keys = *tree[section].as_table();
+    keys.get(key)->visit([&](auto& typed) { tree.insert_or_assign(section + "." + key, std::move(typed)); });
+    keys.erase(key);
+  }
+}
+
 /// The value of an override: TOML, else the text itself.
 toml::table parse_override_value(const std::string& text) {
   if (text.find('\n') == std::string::npos && !find_deep_nesting(text)) {
@@ -143,6 +161,7 @@ CaseSource read_source(const std::string& path, const std::vector<std::string>& 
 
 CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
   CaseSource source{path, parse(path, text), {}};
+  lift_subsections(source.tree);
   for (const std::string& change : overrides) apply_override(source, change);
   return source;
 }
@@ -150,14 +169,16 @@ CaseSource parse_source(const std::string& text, const std::string& path, const 
 void apply_override(CaseSource& source, const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string name = trimmed(text.substr(0, equals));
-  const std::size_t dot = name.find('.');
+  const std::size_t dot = name.rfind('.');
   const Place place{source.file, 0, 0, text};
   const bool has_name = dot != std::string::npos && dot > 0 && dot + 1 < name.size();
-  if (equals == std::string::npos || !has_name || name.find('.', dot + 1) != std::string::npos)
+  const std::string section = has_name ? name.substr(0, dot) : "";
+  const bool is_section = section.find('.') == std::string::npos || is_subsection(section);
+  if (equals == std::string::npos || !has_name || !is_section)
     refuse({{place, name, "", "is not an override", "section.key=value", "",
              "write it as --set ice.thickness=0.4 or --set 'ice.thickness=40 cm'"}});
   const toml::table value = parse_override_value(trimmed(text.substr(equals + 1)));
-  replace_value(source, name.substr(0, dot), name.substr(dot + 1), *value.get("value"), place);
+  replace_value(source, section, name.substr(dot + 1), *value.get("value"), place);
 }
 
 void replace_value(CaseSource& source, const std::string& section, const std::string& key, const toml::node& value,

@@ -103,6 +103,7 @@ class Reader {
     add_missing();
     if (problems_.size() < kMostProblems) check_schema();
     if (!problems_.empty()) refuse(std::move(problems_));
+    shorten();
     add_defaults();
     return std::move(document_);
   }
@@ -177,19 +178,82 @@ class Reader {
     return problem;
   }
 
-  /// Reports required keys that nobody wrote.
+  /// Reports required keys that nobody wrote, and keys that another kind of the section has.
   void add_missing() {
     for (const std::string& section : names(schema_.sections())) {
       if (!has_keys(section) || (source_.tree.contains(section) && !source_.tree[section].is_table())) continue;
       if (!source_.tree.contains(section) && !schema_.requires_section(section)) continue;
       for (const auto& [key, key_schema] : schema_.keys(section).items()) {
-        if (!schema_.requires_key(section, key) || source_.tree[section][key].node() != nullptr) continue;
-        const std::string example = toml_text(key_schema.at("examples").front());
-        problems_.push_back({place_of(source_, section), section + "." + key, "", "is missing",
-                             allowed_values(key_schema), "",
-                             fmt::format("add `{} = {}` or the like under `[{}]`", key, example, section)});
+        const bool written = source_.tree[section][key].node() != nullptr;
+        if (written && !schema_.has_key(section, key, kind_of(section)))
+          problems_.push_back(of_another_kind(section, key));
+        else if (written && is_written(long_form(key_schema)))
+          problems_.push_back(written_twice(section, key, long_form(key_schema)));
+        else if (!written && is_missing(section, key))
+          problems_.push_back(missing(section, key));
       }
     }
+  }
+
+  /// The value of the key `kind` of a section, its default where it is no known one; "" where there is no such key.
+  std::string kind_of(const std::string& section) const {
+    if (!schema_.keys(section).contains("kind")) return "";
+    const OrderedJson& kind = schema_.keys(section).at("kind");
+    const auto written = source_.tree[section]["kind"].value<std::string>();
+    const bool known =
+        written && std::find(kind.at("enum").begin(), kind.at("enum").end(), *written) != kind.at("enum").end();
+    return known ? *written : kind.at("default").get<std::string>();
+  }
+
+  /// Section and key of the key that another one stands for.
+  static std::pair<std::string, std::string> long_form(const OrderedJson& key_schema) {
+    const std::string name = key_schema.value("x-short-for", "");
+    const std::size_t dot = name.rfind('.');
+    return dot == std::string::npos ? std::pair<std::string, std::string>()
+                                    : std::pair(name.substr(0, dot), name.substr(dot + 1));
+  }
+
+  bool is_written(const std::pair<std::string, std::string>& key) const {
+    return source_.tree[key.first][key.second].node() != nullptr;
+  }
+
+  bool is_missing(const std::string& section, const std::string& key) const {
+    return schema_.requires_key(section, key) && schema_.has_key(section, key, kind_of(section)) &&
+           !is_written(long_form(schema_.keys(section).at(key)));
+  }
+
+  Problem missing(const std::string& section, const std::string& key) const {
+    const OrderedJson& key_schema = schema_.keys(section).at(key);
+    const std::string example = toml_text(key_schema.at("examples").front());
+    return {place_of(source_, section),
+            section + "." + key,
+            "",
+            "is missing",
+            allowed_values(key_schema),
+            "",
+            fmt::format("add `{} = {}` or the like under `[{}]`", key, example, section)};
+  }
+
+  Problem of_another_kind(const std::string& section, const std::string& key) const {
+    std::vector<std::string> keys;
+    for (const std::string& name : names(schema_.keys(section)))
+      if (schema_.has_key(section, name, kind_of(section))) keys.push_back(name);
+    const std::string kind = fmt::format("{}.kind = {}", section, toml_string(kind_of(section)));
+    return {place_of(source_, section, key),         section + "." + key,
+            value_text(source_, section, key),       "is no key of " + kind,
+            fmt::format("its keys: {}", list(keys)), "",
+            "remove it, or change the kind"};
+  }
+
+  Problem written_twice(const std::string& section, const std::string& key,
+                        const std::pair<std::string, std::string>& other) const {
+    return {place_of(source_, section, key),
+            section + "." + key,
+            value_text(source_, section, key),
+            fmt::format("is the short form of {}.{}, which is written too", other.first, other.second),
+            "one of the two",
+            "",
+            "remove one of the two"};
   }
 
   /// Checks types and ranges with valijson and reports each faulty key once.
@@ -242,13 +306,27 @@ class Reader {
     return problem;
   }
 
+  /// Moves what is written in long to its short form.
+  void shorten() {
+    for (const std::string& section : names(schema_.sections())) {
+      if (!has_keys(section)) continue;
+      for (const auto& [key, key_schema] : schema_.keys(section).items()) {
+        const auto [long_section, long_key] = long_form(key_schema);
+        if (long_key.empty() || !document_[long_section].contains(long_key)) continue;
+        document_[section][key] = document_[long_section][long_key];
+        document_[long_section].erase(long_key);
+      }
+    }
+  }
+
   /// The defaults of a case are those of its preset.
   void add_defaults() {
     const std::string preset = schema_.preset_of(document_);
     for (const std::string& section : names(schema_.sections())) {
       if (!has_keys(section)) continue;
       for (const auto& [key, key_schema] : schema_.keys(section).items())
-        if (!document_[section].contains(key) && key_schema.contains("default"))
+        if (!document_[section].contains(key) && key_schema.contains("default") &&
+            schema_.has_key(section, key, kind_of(section)))
           document_[section][key] = Json::parse(Schema::default_in(key_schema, preset).dump());
     }
   }

@@ -9,6 +9,7 @@
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
+#include "brash/structure/hull.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
 
@@ -78,6 +79,23 @@ py::dict derived(const Case& c) {
   return out;
 }
 
+py::tuple mesh(const Case& c) {
+  const auto hull = structure::make_hull(c.resolved.structure.shape);
+  const auto& [vertices, triangles] = hull->mesh();
+  py::array_t<double> places({static_cast<py::ssize_t>(vertices.size()), py::ssize_t{3}});
+  py::array_t<int> corners({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
+  auto place = places.mutable_unchecked<2>();
+  auto corner = corners.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < place.shape(0); ++i) {
+    const Vec3& v = vertices[static_cast<std::size_t>(i)];
+    place(i, 0) = v.x, place(i, 1) = v.y, place(i, 2) = v.z;
+  }
+  for (py::ssize_t i = 0; i < corner.shape(0); ++i)
+    for (py::ssize_t k = 0; k < 3; ++k)
+      corner(i, k) = triangles[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  return py::make_tuple(std::move(places), std::move(corners));
+}
+
 void update(Case& c, const py::dict& changes) {
   if (c.runs.n > 0) throw std::runtime_error("this case is running: change a copy of it, case.copy()");
   c = read(c.text, c.path, c.has_file, changed(c.overrides, changes));
@@ -119,6 +137,9 @@ void add_case(py::module_& m) {
       .def("to_dict", &to_dict, "All keys with their values, section by section.")
       .def(
           "to_toml", [](const Case& c) { return io::to_toml(c.resolved); }, "The resolved case as a case file.")
+      .def("mesh", &mesh,
+           "The structure as a closed mesh: vertices [m], shape=(n, 3), z upwards from the waterplane, and triangles,\n"
+           "shape=(m, 3), counter-clockwise from outside.")
       .def("derived", &derived, "Lengths [m] and times [s] that follow from the case, and warnings, as `brash check`.")
       .def(
           "copy", [](const Case& c) { return c; }, "An independent case with the same keys.")

@@ -214,12 +214,6 @@ py::object contains(const IceSheet& sheet, const py::object& where) {
   return inside;
 }
 
-std::vector<geometry::ContactRegion> contacts(const IceSheet& sheet, const py::object& section) {
-  const geometry::Ring ring = to_ring(section, "section");
-  if (!geometry::is_convex(ring)) throw InputError("section: is not convex; give a convex outline");
-  return sheet.contacts(ring);
-}
-
 py::list free_edge(const IceSheet& sheet, const py::object& at, double radius) {
   const Vec2 b = point(at, "at");
   py::list chains;
@@ -260,7 +254,10 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
            "into `wedges`, or at `angles` [rad], counter-clockwise from x. `sides`: chords of the full circle.")
       .def("release_detached", &IceSheet::release_detached,
            "Takes every part but the largest out of the sheet and returns them.")
-      .def("contacts", &contacts, py::arg("section"), "Overlaps of a convex section with the ice.")
+      .def(
+          "contacts",
+          [](const IceSheet& s, const py::object& section) { return s.contacts(to_ring(section, "section")); },
+          py::arg("section"), "Overlaps of a simple section with the ice; a hollow one may have several.")
       .def(
           "within", [](const IceSheet& s, const py::object& window) { return s.within(to_ring(window, "window")); },
           py::arg("window"), "The ice inside the window as polygons, without taking it.")

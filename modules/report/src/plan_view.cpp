@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brash/structure/hull.hpp"
+
 namespace brash::report {
 namespace {
 
@@ -51,12 +53,10 @@ std::vector<std::vector<Vec2>> seen_from_above(const model::FloeRecord& floe, co
   return rings;
 }
 
-View view_of(const model::Case& resolved, const model::RunResults& results) {
+View view_of(const std::vector<structure::Outline>& waterline, const model::RunResults& results) {
   View view;
-  const double radius = 0.5 * resolved.structure.waterline_width;
-  const Vec2 structure = plan(results.frames.back().structure.position);
-  view.include({structure.x + radius, radius});
-  view.include({structure.x - radius, -radius});
+  for (const structure::Outline& outline : waterline)
+    for (const Vec2 vertex : outline) view.include(vertex);
   for (const std::vector<Vec2>& ring : results.initial_sheet)
     for (const Vec2 vertex : ring) view.include(vertex);
   for (const model::FloePose& floe : results.frames.back().floes) view.include(plan(floe.pose.position));
@@ -95,7 +95,9 @@ constexpr const char* kStyle =
 }  // namespace
 
 std::string plan_view(const model::Case& resolved, const model::RunResults& results) {
-  const View view = view_of(resolved, results);
+  const Pose& pose = results.frames.back().structure;
+  const auto waterline = structure::make_hull(resolved.structure.shape)->footprint(pose, 0.0, 0.0).leading;
+  const View view = view_of(waterline, results);
   const Vec2 size = kPixelsPerMetre * (view.upper - view.lower);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
@@ -103,9 +105,7 @@ std::string plan_view(const model::Case& resolved, const model::RunResults& resu
       size.x, size.y, kStyle);
   svg += rings_path(view, results.final_sheet, "class=\"sheet\"");
   svg += floes(view, resolved, results);
-  const Vec2 centre = view.on_page(plan(results.frames.back().structure.position));
-  svg += fmt::format("<circle class=\"structure\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n", centre.x, centre.y,
-                     0.5 * resolved.structure.waterline_width * kPixelsPerMetre);
+  svg += rings_path(view, waterline, "class=\"structure\"");
   for (const model::CrackEvent& event : results.events) {
     const Vec2 at = view.on_page(event.at);
     svg += fmt::format("<circle class=\"break\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>\n", at.x, at.y);

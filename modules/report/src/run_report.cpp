@@ -10,6 +10,8 @@
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/report.hpp"
+#include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
 #include "load_statistics.hpp"
 #include "page.hpp"
 
@@ -120,8 +122,43 @@ void add_sheets(Blocks& blocks, const model::RunResults& results) {
   add_polygons(blocks, "sheet", polygons, kPlaceUnit);
 }
 
-Blocks blocks_of(const model::RunResults& results) {
+/// Where the structure is at the end of a run, whose last frame may be older: it goes on as between the last two
+/// frames. Without them it has gone where nothing resists it.
+Pose pose_at_end(const model::Case& resolved, const model::RunResults& results) {
+  const std::vector<model::Frame>& frames = results.frames;
+  const double end = results.loads.empty() ? 0.0 : results.loads.back().time;
+  if (frames.size() < 2)
+    return structure::make_motion(resolved.structure, resolved.time.step)->after(end / resolved.time.step).pose;
+  const model::Frame &before = frames[frames.size() - 2], &last = frames.back();
+  Pose pose = last.structure;
+  const double share = std::max(0.0, end - last.time) / (last.time - before.time);
+  pose.position += share * (last.structure.position - before.structure.position);
+  return pose;
+}
+
+/// The structure's mesh, its waterline as it floats at rest, both in its frame, and its pose at the end.
+void add_structure(Blocks& blocks, const structure::Hull& hull, const Pose& end) {
+  std::vector<double> x, y, z;
+  for (const Vec3 v : hull.mesh().vertices) {
+    x.push_back(v.x);
+    y.push_back(v.y);
+    z.push_back(v.z);
+  }
+  std::vector<std::int32_t> corners;
+  for (const auto& triangle : hull.mesh().triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  blocks.add_rounded("mesh.x", x, kPlaceUnit);
+  blocks.add_rounded("mesh.y", y, kPlaceUnit);
+  blocks.add_rounded("mesh.z", z, kPlaceUnit);
+  blocks.add("mesh.triangles", corners);
+  const Rings waterline = hull.footprint({}, 0.0, 0.0).leading;
+  add_polygons(blocks, "waterline", {&waterline}, kPlaceUnit);
+  const auto& [p, q] = end;
+  blocks.add("structure.end", std::vector<double>{p.x, p.y, p.z, q.w, q.x, q.y, q.z});
+}
+
+Blocks blocks_of(const model::Case& resolved, const model::RunResults& results) {
   Blocks blocks;
+  add_structure(blocks, *structure::make_hull(resolved.structure.shape), pose_at_end(resolved, results));
   add_columns(blocks, "load", results.loads);
   add_columns(blocks, "event", results.events);
   add_columns(blocks, "floe", results.floes);
@@ -158,7 +195,7 @@ std::string write_run_report(const std::string& directory, const std::string& cl
   if (!summary.is_object() || !summary.value("statistics_from", ordered_json(0.0)).is_number())
     throw InputError(Complaint{directory + "/summary.json", "has no number `statistics_from`",
                                "the summary.json of a run", "copy it again, or run the case again"});
-  const Blocks blocks = blocks_of(results);
+  const Blocks blocks = blocks_of(case_of_run(directory), results);
   const ordered_json data{{"format", "brash-report-1"},
                           {"kind", "run"},
                           {"manifest", read_json(directory + "/manifest.json")},

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "body.hpp"
 
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/CollisionShapes/btEmptyShape.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace brash::rigid_body {
 
 Part::Part(Body& owner, int which, ConvexPart shape) : body(&owner), number(which), solid(std::move(shape)) {
   now.part = &solid;
-  update(now, owner.pose);
+}
+
+bool within_reach(const Box& a, const Box& b, double reach) {
+  return a.lower.x <= b.upper.x + reach && b.lower.x <= a.upper.x + reach && a.lower.y <= b.upper.y + reach &&
+         b.lower.y <= a.upper.y + reach && a.lower.z <= b.upper.z + reach && b.lower.z <= a.upper.z + reach;
 }
 
 bool Body::add_part(ConvexPart solid, double margin) {
@@ -17,10 +26,27 @@ bool Body::add_part(ConvexPart solid, double margin) {
   return true;
 }
 
-void Body::make_bullet_body() {
-  const btRigidBody::btRigidBodyConstructionInfo info(mass.mass, nullptr, nullptr, to_bullet(mass.inertia));
+void Body::make_bullet_body(double margin) {
+  for (const auto& part : parts) {
+    const std::vector<Vec3> corners = margin > 0.0 ? inset_vertices(part->solid, margin) : part->solid.vertices;
+    hulls.push_back(std::make_unique<btConvexHullShape>(&corners[0].x, static_cast<int>(corners.size()),
+                                                        static_cast<int>(sizeof(Vec3))));
+    hulls.back()->setMargin(margin);
+  }
+  if (hulls.empty()) shape = std::make_unique<btEmptyShape>();
+  if (hulls.size() > 1) {
+    auto compound = std::make_unique<btCompoundShape>(margin > 0.0, static_cast<int>(hulls.size()));
+    for (const auto& hull : hulls) compound->addChildShape(btTransform::getIdentity(), hull.get());
+    shape = std::move(compound);
+  }
+  const btRigidBody::btRigidBodyConstructionInfo info(mass.mass, nullptr, shape ? shape.get() : hulls[0].get(),
+                                                      to_bullet(mass.inertia));
   bullet = std::make_unique<btRigidBody>(info);
+  bullet->setUserPointer(this);
   bullet->setFlags(0);  // the gyroscopic term is added before the solve, so that friction sees it too
+  bullet->setActivationState(DISABLE_DEACTIVATION);
+  if (kind == BodyKind::kStructure && mass.mass == 0.0)
+    bullet->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
 }
 
 void Body::set_settled(bool value) {
@@ -29,17 +55,22 @@ void Body::set_settled(bool value) {
   mean_twist = {};
   loaded_twist = {};
   load = {};
-  update_bullet();  // the step that lets it go has made its velocities already
+  bullet->setMassProps(value ? 0.0 : mass.mass, value ? btVector3(0, 0, 0) : to_bullet(mass.inertia));
+  bullet->updateInertiaTensor();
+  bullet->setLinearVelocity({0, 0, 0});  // the step that lets it go has made its velocities already
+  bullet->setAngularVelocity({0, 0, 0});
 }
 
-void Body::place_parts() {
-  for (const auto& part : parts) update(part->now, pose);
-}
-
-void Body::update_bullet() {
+void Body::place() {
+  box = {};
+  for (const auto& part : parts) {
+    update(part->now, pose);
+    const auto& [low, up] = std::tie(part->now.lower, part->now.upper);
+    box.lower = {std::min(box.lower.x, low.x), std::min(box.lower.y, low.y), std::min(box.lower.z, low.z)};
+    box.upper = {std::max(box.upper.x, up.x), std::max(box.upper.y, up.y), std::max(box.upper.z, up.z)};
+  }
+  box_is_known = false;
   bullet->setWorldTransform(to_bullet(pose));
-  bullet->setLinearVelocity(to_bullet(twist.linear));
-  bullet->setAngularVelocity(to_bullet(twist.angular));
   bullet->updateInertiaTensor();
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -25,40 +26,55 @@ struct Part {
   int number;  ///< within its body
   ConvexPart solid;
   PlacedPart now;
-  btBroadphaseProxy* proxy = nullptr;
-  bool sought = false;  ///< its neighbours are, just now
 };
 
+/// An axis-aligned box in the world [m]; that of nothing holds no point.
+struct Box {
+  Vec3 lower{kFar, kFar, kFar};
+  Vec3 upper{-kFar, -kFar, -kFar};
+
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+};
+
+/// Whether boxes are no farther apart along each axis than `reach` [m].
+bool within_reach(const Box& a, const Box& b, double reach);
+inline Box box(const Part& part) { return {part.now.lower, part.now.upper}; }
+
+/// A floe, a structure or a prism of the sheet, and what Bullet knows of it.
 struct Body {
   BodyId id;
   BodyKind kind = BodyKind::kFloe;
   Pose pose;
   Twist twist;
-  Twist mean_twist;    ///< over the last step
-  Twist loaded_twist;  ///< after the loads of the last step, before its contacts
-  MassProperties mass;
-  Wrench load;     ///< for the next step
-  Pose next_pose;  ///< of a structure
+  Twist mean_twist;     ///< over the last step
+  Twist loaded_twist;   ///< after the loads of the last step, before its contacts
+  MassProperties mass;  ///< none: the sheet, and a structure that moves as it is told
+  Wrench load;          ///< for the next step
+  Pose next_pose;       ///< of a structure that moves as it is told
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
   int rank = 0;                   ///< in the order of the step
   std::uint32_t in_solver = 0;    ///< number there, in this step
+  Box box;                        ///< of its parts where it is now
+  bool box_is_known = false;      ///< to Bullet's broad phase
+  bool sought = false;            ///< its neighbours are, just now
   std::vector<const Part*> near;  ///< scratch of the search for neighbours
   std::vector<std::unique_ptr<Part>> parts;
-  std::unique_ptr<btRigidBody> bullet;  ///< of a floe: its inertia, and its velocities on the way through a step
+  std::vector<std::unique_ptr<btConvexHullShape>> hulls;  ///< one for each part, or none
+  std::unique_ptr<btCollisionShape> shape;                ///< of all parts together; null where one hull is all
+  std::unique_ptr<btRigidBody> bullet;
 
   bool is_floe() const { return kind == BodyKind::kFloe; }
   /// Whether the step moves it.
-  bool is_free() const { return is_floe() && !settled; }
+  bool is_free() const { return mass.mass > 0.0 && !settled; }
   /// Adds a collision part, unless it is too thin for the margin.
   bool add_part(ConvexPart solid, double margin);
-  void make_bullet_body();
-  /// Either way it is at rest.
+  /// Makes Bullet's body. Its hulls are inset by `margin` [m], which Bullet adds again.
+  void make_bullet_body(double margin);
+  /// A floe is fixed where it is, or let go; either way it is at rest.
   void set_settled(bool value);
-  /// Brings the parts to the present pose.
-  void place_parts();
-  /// Brings Bullet's body to the present state.
-  void update_bullet();
+  /// Brings the parts and Bullet's body to the present pose.
+  void place();
   double kinetic_energy() const;
 };
 

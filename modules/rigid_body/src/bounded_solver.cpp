@@ -28,6 +28,7 @@ void BoundedSolver::clear() {
   positions_.clear();
   frictions_.clear();
   partings_.clear();
+  joints_.clear();
 }
 
 std::uint32_t BoundedSolver::add(const SolverBody& body) {
@@ -42,6 +43,29 @@ void BoundedSolver::add(const SolverContact& contact, std::span<const PatchPoint
                        .second = contact.second,
                        .n_points = static_cast<std::uint32_t>(points.size())});
   for (const PatchPoint& point : points) add_point(contact, point);
+}
+
+void BoundedSolver::add(const SolverJoint& joint) {
+  const SolverBody &a = bodies_[joint.first], &b = bodies_[joint.second];
+  const auto& [linear_a, angular_a] = joint.of_first;
+  const auto& [linear_b, angular_b] = joint.of_second;
+  const Vec3 turn_a = times(a.axes, angular_a), turn_b = times(b.axes, angular_b);
+  const double mobility = a.inverse_mass * dot(linear_a, linear_a) + dot(turn_a, turn_a) +
+                          b.inverse_mass * dot(linear_b, linear_b) + dot(turn_b, turn_b) + joint.softness;
+  const double velocity = dot(linear_a, a.twist.linear) + dot(angular_a, a.twist.angular) +
+                          dot(linear_b, b.twist.linear) + dot(angular_b, b.twist.angular);
+  joints_.push_back({.direction_a = linear_a,
+                     .direction_b = linear_b,
+                     .row = {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
+                             .turn_b = {turn_b.x, turn_b.y, turn_b.z},
+                             .velocity = velocity - joint.velocity,
+                             .mass = mobility > 0.0 ? 1.0 / mobility : 0.0},
+                     .softness = joint.softness,
+                     .least = joint.least,
+                     .most = joint.most,
+                     .impulse = {},
+                     .first = joint.first,
+                     .second = joint.second});
 }
 
 BoundedSolver::Arms BoundedSolver::arms(std::uint32_t first, std::uint32_t second, Vec3 position) const {
@@ -99,9 +123,9 @@ std::uint32_t BoundedSolver::add_friction(const Contact& contact, Vec3 position)
   return static_cast<std::uint32_t>(frictions_.size() - 1);
 }
 
-BoundedSolver::Jacobian::Jacobian(Vec3 direction, const Row& row)
-    : a{Pair{direction.x, row.turn_a[0]}, Pair{direction.y, row.turn_a[1]}, Pair{direction.z, row.turn_a[2]}},
-      b{Pair{-direction.x, row.turn_b[0]}, Pair{-direction.y, row.turn_b[1]}, Pair{-direction.z, row.turn_b[2]}} {}
+BoundedSolver::Jacobian::Jacobian(Vec3 direction_a, Vec3 direction_b, const Row& row)
+    : a{Pair{direction_a.x, row.turn_a[0]}, Pair{direction_a.y, row.turn_a[1]}, Pair{direction_a.z, row.turn_a[2]}},
+      b{Pair{direction_b.x, row.turn_b[0]}, Pair{direction_b.y, row.turn_b[1]}, Pair{direction_b.z, row.turn_b[2]}} {}
 
 double BoundedSolver::Jacobian::velocity(const Moved& first, const Moved& second) const {
   const Spatial &u = first.velocity, &v = second.velocity;
@@ -165,6 +189,20 @@ void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, Friction
   sweep.add(most / friction.least_mass, most);
 }
 
+void BoundedSolver::sweep_joints(Sweep& sweep) {
+  for (Joint& joint : joints_) {
+    Moved &a = moved_[joint.first], &b = moved_[joint.second];
+    const Jacobian jacobian(joint.direction_a, joint.direction_b, joint.row);
+    const double start = joint.impulse.go_on(sweep.momentum);
+    const double missing = joint.row.velocity + jacobian.velocity(a, b) + joint.softness * start;
+    joint.impulse.now = std::clamp(start - joint.row.mass * missing, joint.least, joint.most);
+    const double change = joint.impulse.now - start;
+    if (change == 0.0) continue;
+    jacobian.push(a, b, change);
+    sweep.add(change / joint.row.mass, change);
+  }
+}
+
 void BoundedSolver::sweep_normals(Sweep& sweep) {
   rubbing_.clear();
   std::size_t i = 0;
@@ -219,6 +257,7 @@ double BoundedSolver::solve(int iterations, double still) {
   parted_ = moved_;
   if (!partings_.empty()) iterate(parted_, iterations, still, [this](Sweep& sweep) { sweep_partings(sweep); });
   return iterate(moved_, iterations, still, [this](Sweep& sweep) {
+    sweep_joints(sweep);
     sweep_normals(sweep);
     sweep_frictions(sweep);
   });

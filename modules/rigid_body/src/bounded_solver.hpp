@@ -33,6 +33,20 @@ struct SolverContact {
   double parting_speed = 0.0;     ///< at which the positions part [m/s], to take an overlap back; 0: not at all
 };
 
+/// One direction in which a joint ties two bodies. The impulse P of the step obeys, within its limits,
+///     of_first . v_first + of_second . v_second + softness P = velocity
+/// with v the twists that all impulses leave.
+struct SolverJoint {
+  std::uint32_t first = 0;   ///< number that BoundedSolver::add gave it
+  std::uint32_t second = 0;  ///< likewise
+  Twist of_first{};          ///< [-] and [m], or 0 and [-] for a row of angular velocities
+  Twist of_second{};         ///< likewise
+  double velocity = 0.0;     ///< [m/s]
+  double softness = 0.0;     ///< [1/kg], >= 0
+  double least = 0.0;        ///< [N s]
+  double most = 0.0;         ///< [N s]
+};
+
 /// What a contact point bears.
 struct PointImpulse {
   double normal = 0.0;    ///< [N s], >= 0
@@ -43,20 +57,22 @@ struct PointImpulse {
 /// Sequential impulses (projected Gauss-Seidel) with an upper bound on each normal impulse (Eq. 16) and Coulomb's disc
 /// for friction.
 ///
-/// An iteration goes through the normal rows of all points, then through their friction, in the order in which they
-/// were added, and starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)). There is no warm start:
-/// the result is a function of what was added.
+/// An iteration goes through the joints, then through the normal rows of all points, then through their friction, in
+/// the order in which they were added, and starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)).
+/// There is no warm start: the result is a function of what was added.
 class BoundedSolver {
  public:
   /// A body that never moves, known from the start.
   static constexpr std::uint32_t kFixed = 0;
 
-  /// Forgets bodies and contacts.
+  /// Forgets bodies, contacts and joints.
   void clear();
   /// @return the number of the body.
   std::uint32_t add(const SolverBody& body);
   /// Points are numbered as they come.
   void add(const SolverContact& contact, std::span<const PatchPoint> points);
+  /// Joints are numbered as they come.
+  void add(const SolverJoint& joint);
   /// Iterates until no row changes a relative velocity by more than `still` [m/s], or `iterations` times.
   /// @return by how much the last iteration changed one at most [m/s].
   double solve(int iterations, double still);
@@ -67,6 +83,7 @@ class BoundedSolver {
   /// Velocity of the position alone, in this step, that takes overlaps back (split impulse).
   Twist parting(std::uint32_t body) const;
   PointImpulse impulse(std::size_t point) const;
+  double joint_impulse(std::size_t joint) const { return joints_[joint].impulse.now; }  ///< [N s]
 
  private:
   /// A linear and an angular number side by side.
@@ -148,6 +165,18 @@ class BoundedSolver {
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
   };
+  /// A joint's row. Its bodies may move in different directions.
+  struct Joint {
+    Vec3 direction_a{};
+    Vec3 direction_b{};
+    Row row;
+    double softness = 0.0;  ///< [1/kg]
+    double least = 0.0;     ///< [N s]
+    double most = 0.0;      ///< [N s]
+    Impulse impulse;
+    std::uint32_t first = kFixed;
+    std::uint32_t second = kFixed;
+  };
   /// What a sweep changes.
   struct Sweep {
     double momentum = 0.0;  ///< share of the way from the last sweep but one to the last by which it starts beyond it
@@ -169,7 +198,8 @@ class BoundedSolver {
   };
   /// A row's direction and turns side by side.
   struct Jacobian {
-    Jacobian(Vec3 direction, const Row& row);
+    Jacobian(Vec3 direction, const Row& row) : Jacobian(direction, -direction, row) {}
+    Jacobian(Vec3 direction_a, Vec3 direction_b, const Row& row);
     double velocity(const Moved& first, const Moved& second) const;
     void push(Moved& first, Moved& second, double impulse) const;
 
@@ -184,6 +214,7 @@ class BoundedSolver {
   static void resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, Limits limits, Impulse& impulse,
                       Sweep& sweep);
   static void resolve_friction(Moved& a, Moved& b, double radius, Friction& friction, Sweep& sweep);
+  void sweep_joints(Sweep& sweep);
   void sweep_normals(Sweep& sweep);
   void sweep_frictions(Sweep& sweep);
   void sweep_partings(Sweep& sweep);
@@ -203,6 +234,7 @@ class BoundedSolver {
   std::vector<Friction> frictions_;
   std::vector<Rubbing> rubbing_;  ///< in the order of the points
   std::vector<Parting> partings_;
+  std::vector<Joint> joints_;
   std::vector<Moved> parted_;  ///< the bodies, as far as their positions part
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "contact_load.hpp"
+
 namespace brash::rigid_body {
 namespace {
 
@@ -23,27 +25,65 @@ void collect_others(const Part& part, std::vector<const Part*>& others) {
 
 }  // namespace
 
-void ContactSet::find(const std::vector<PartPair>& pairs) {
-  contacts_.clear();
-  for (std::size_t i = 0; i < pairs.size();) {
-    // Pairs of one floe's part come in a row; the parts of the sheet among them continue each other.
-    std::size_t end = i;
-    near_sheet_.clear();
-    for (; end < pairs.size() && pairs[end].first == pairs[i].first; ++end)
-      if (pairs[end].second->body->kind == BodyKind::kSheet) near_sheet_.push_back(pairs[end].second);
-    collect_others(*pairs[i].first, beside_first_);
-    for (; i < end; ++i) {
-      const Part& second = *pairs[i].second;
-      if (second.body->kind == BodyKind::kSheet) {
-        beside_second_ = near_sheet_;
-        std::erase(beside_second_, &second);
-      } else {
-        collect_others(second, beside_second_);
-      }
-      if (narrow_phase_.find(pairs[i], beside_first_, beside_second_))
-        contacts_.push_back({pairs[i].first->body, second.body, narrow_phase_.normal, narrow_phase_.patch});
-    }
+void ContactSet::begin(Body& first) {
+  first_ = &first;
+  first_contact_ = contacts_.size();
+  near_sheet_.clear();
+}
+
+void ContactSet::meet(const Body& second) {
+  if (second.kind == BodyKind::kSheet)
+    for (const auto& part : second.parts) near_sheet_.push_back(part.get());
+}
+
+void ContactSet::find(Body& one, Body& other) {
+  Body& second = first_ == &one ? other : one;
+  for (const auto& part : first_->parts)
+    if (within_reach(box(*part), second.box, 0.0)) find(*part, second);
+}
+
+void ContactSet::find(const Part& part, Body& second) {
+  collect_others(part, beside_first_);
+  for (const auto& met : second.parts)
+    if (within_reach(box(part), box(*met), 0.0) &&
+        narrow_phase_.find({&part, met.get()}, beside_first_, beside(part, *met)))
+      contacts_.push_back({first_, &second, part.number, narrow_phase_.normal, narrow_phase_.patch, law(second)});
+}
+
+/// What continues the solid of the second part. The parts of the sheet that the first part meets continue each other.
+std::span<const Part* const> ContactSet::beside(const Part& part, const Part& of_second) {
+  if (of_second.body->kind != BodyKind::kSheet) {
+    collect_others(of_second, beside_second_);
+    return beside_second_;
   }
+  beside_second_.clear();
+  for (const Part* tile : near_sheet_)
+    if (tile != &of_second && within_reach(box(part), box(*tile), 0.0)) beside_second_.push_back(tile);
+  return beside_second_;
+}
+
+/// Contacts of one part of the floe come in a row.
+void ContactSet::end() {
+  if (first_->parts.size() > 1)
+    std::stable_sort(contacts_.begin() + static_cast<std::ptrdiff_t>(first_contact_), contacts_.end(),
+                     [](const Contact& a, const Contact& b) { return a.first_part < b.first_part; });
+}
+
+void ContactSet::add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body) {
+  const std::size_t n_found = contacts_.size();
+  for (const GivenContact& g : given) {
+    Body* const other = g.other == kNoBody ? &ground_ : find_body(g.other);
+    Patch patch{.area = g.area, .n_points = 1};
+    patch.points[0] = {g.point, g.area};
+    contacts_.push_back(
+        {find_body(g.body), other, 0, g.normal, patch, {g.friction, 0.0, g.most_normal_force / g.area}});
+  }
+  std::sort(contacts_.begin() + static_cast<std::ptrdiff_t>(n_found), contacts_.end(),
+            [](const Contact& a, const Contact& b) {
+              const Vec3 &p = a.patch.points[0].position, &q = b.patch.points[0].position;
+              return std::tie(a.first->rank, a.second->rank, p.x, p.y, p.z) <
+                     std::tie(b.first->rank, b.second->rank, q.x, q.y, q.z);
+            });
 }
 
 std::vector<Body*> ContactSet::settled_and_hit(double speed) const {
@@ -64,7 +104,8 @@ std::vector<Body*> ContactSet::settled_and_hit(double speed) const {
 /// Overlap of breakable ice is crushed ice: nothing pushes it apart.
 void ContactSet::add_to(BoundedSolver& solver, double dt) const {
   for (const Contact& contact : contacts_) {
-    const ContactLaw& how = law(*contact.second);
+    if (!contact.moves_a_body()) continue;
+    const ContactLaw& how = contact.law;
     const bool breakable = std::isfinite(how.crushing_pressure);
     solver.add({.first = contact.first->in_solver,
                 .second = contact.second->in_solver,
@@ -78,42 +119,40 @@ void ContactSet::add_to(BoundedSolver& solver, double dt) const {
   }
 }
 
+PointImpulse ContactSet::crushed(const Contact& contact, const PatchPoint& point, double dt) {
+  const auto velocity = [&](const Body& b) { return velocity_at(b.twist, point.position - b.pose.position); };
+  const Vec3 relative = velocity(*contact.first) - velocity(*contact.second);
+  const double opening = dot(contact.normal, relative);
+  if (opening >= 0.0) return {};
+  const double normal = dt * contact.law.crushing_pressure * point.area;
+  const Vec3 slip = relative - opening * contact.normal;
+  const double speed = norm(slip);
+  const Vec3 friction = speed > 0.0 ? (-contact.law.friction * normal / speed) * slip : Vec3{};
+  return {.normal = normal, .friction = friction, .at_bound = true};
+}
+
 /// What the solver left in a contact point.
 ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt) {
   const bool turn = contact.reported_turned();
   const double sign = turn ? -1.0 : 1.0;
   const Body& body = turn ? *contact.second : *contact.first;
   const Body& other = turn ? *contact.first : *contact.second;
-  // Twists are still those of the start of the step.
-  const auto velocity = [&](const Body& b, Twist twist) {
-    return velocity_at(twist, point.position - b.pose.position);
-  };
-  const auto gained = [&](const Body& b) { return velocity(b, b.loaded_twist) - velocity(b, b.twist); };
-  const Vec3 of_body = velocity(body, body.mean_twist), of_other = velocity(other, other.mean_twist);
-  const Vec3 force = (1.0 / dt) * (impulse.normal * contact.normal + impulse.friction);
-  return {.body = body.id,
-          .other = other.id,
-          .other_kind = other.kind,
-          .point = point.position,
-          .normal = sign * contact.normal,
-          .normal_force = impulse.normal / dt,
-          .friction_force = (sign / dt) * impulse.friction,
-          .area = point.area,
-          .depth = contact.patch.depth,
-          .at_bound = impulse.at_bound,
-          .body_velocity = of_body,
-          .other_velocity = of_other,
-          .loss = -sign * dt * dot(force, of_body - of_other + 0.5 * (gained(body) - gained(other)))};
+  ContactLoad load = contact_load(body, other, point.position, point.position, sign * contact.normal, impulse.normal,
+                                  sign * impulse.friction, dt);
+  load.area = point.area;
+  load.depth = contact.patch.depth;
+  load.at_bound = impulse.at_bound;
+  return load;
 }
 
 void ContactSet::report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads) {
   listed_.clear();
-  std::size_t number = 0;
+  std::size_t number = 0, unsolved = 0;
   for (const Contact& contact : contacts_) {
     const bool turn = contact.reported_turned();
-    listed_.push_back(
-        {(turn ? contact.second : contact.first)->id, (turn ? contact.first : contact.second)->id, number, &contact});
-    number += contact.points().size();
+    listed_.push_back({(turn ? contact.second : contact.first)->id, (turn ? contact.first : contact.second)->id,
+                       contact.moves_a_body() ? number : unsolved, &contact});
+    (contact.moves_a_body() ? number : unsolved) += contact.points().size();
   }
   const auto pair = [](const Listed& l) { return std::tie(l.body, l.other); };
   std::ranges::sort(listed_, [&](const Listed& a, const Listed& b) {
@@ -124,7 +163,9 @@ void ContactSet::report(const BoundedSolver& solver, double dt, std::vector<Cont
     points_.clear();
     for (const Listed& first = *next; next != listed_.end() && pair(*next) == pair(first); ++next)
       for (std::size_t k = 0; k < next->contact->points().size(); ++k) {
-        const PointImpulse impulse = solver.impulse(next->number + k);
+        const Contact& contact = *next->contact;
+        const PointImpulse impulse =
+            contact.moves_a_body() ? solver.impulse(next->number + k) : crushed(contact, contact.points()[k], dt);
         if (impulse.normal != 0.0 || impulse.friction != Vec3{})
           points_.push_back({next->number + k, impulse, next->contact, &next->contact->points()[k]});
       }

@@ -4,11 +4,17 @@
 #include <span>
 #include <vector>
 
-#include "broad_phase.hpp"
+#include "body.hpp"
 #include "edge_ways.hpp"
 #include "overlap.hpp"
 
 namespace brash::rigid_body {
+
+/// Two parts whose boxes overlap; `first` is a floe's.
+struct PartPair {
+  const Part* first = nullptr;
+  const Part* second = nullptr;
+};
 
 /// Where and how two parts touch. Looks at the present poses only: no history, so a step is a function of the state.
 class NarrowPhase {

@@ -8,7 +8,7 @@
 
 namespace brash::simulation {
 
-void add_contact(model::Bearing& bearing, const rigid_body::ContactLoad& contact) {
+void add_contact(Bearing& bearing, const rigid_body::ContactLoad& contact) {
   const Vec3 normal = -contact.normal_force * contact.normal;
   const Vec2 thrust{normal.x, normal.y};
   const Vec2 at{contact.point.x, contact.point.y};
@@ -22,7 +22,7 @@ void add_contact(model::Bearing& bearing, const rigid_body::ContactLoad& contact
   bearing.second[2] += weight * at.y * at.y;
 }
 
-void approach(model::Bearing& mean, const model::Bearing& now, double share) {
+void approach(Bearing& mean, const Bearing& now, double share) {
   mean.force += share * (now.force - mean.force);
   mean.thrust += share * (now.thrust - mean.thrust);
   mean.weight += share * (now.weight - mean.weight);
@@ -30,7 +30,7 @@ void approach(model::Bearing& mean, const model::Bearing& now, double share) {
   for (std::size_t i = 0; i < 3; ++i) mean.second[i] += share * (now.second[i] - mean.second[i]);
 }
 
-LineLoad line_load(const model::Bearing& bearing) {
+LineLoad line_load(const Bearing& bearing) {
   BRASH_EXPECTS(bearing.weight > 0.0 && norm(bearing.thrust) > 0.0, bearing.weight);
   LineLoad load{.middle = bearing.first / bearing.weight, .towards = bearing.thrust / norm(bearing.thrust)};
   const Vec2 side = perpendicular(load.towards);

@@ -1,17 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "brash/core/vec.hpp"
-#include "brash/model/checkpoint.hpp"
 #include "brash/rigid_body/world.hpp"
 
 namespace brash::simulation {
 
+/// What a floe presses on the edge of the sheet: sums over its contacts there, averaged over its collision time. All
+/// moments are of the in-plane sizes of the normal forces.
+struct Bearing {
+  Vec3 force{};                    ///< on the sheet, friction included [N]
+  Vec2 thrust{};                   ///< in-plane part of its normal forces [N]
+  double weight = 0.0;             ///< sum of the sizes of these parts [N]
+  Vec2 first{};                    ///< first moments about the origin [N m]
+  std::array<double, 3> second{};  ///< second moments xx, xy, yy about the origin [N m2]
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("bearing_force_", "N", "mean force on the sheet", self.force);
+    visit("bearing_thrust_", "N", "mean normal force on the sheet in plan", self.thrust);
+    visit("bearing_weight", "N", "sum of their sizes", self.weight);
+    visit("bearing_first_", "N m", "their first moment", self.first);
+    visit("bearing_second_xx", "N m2", "their second moment", self.second[0]);
+    visit("bearing_second_xy", "N m2", "their second moment", self.second[1]);
+    visit("bearing_second_yy", "N m2", "their second moment", self.second[2]);
+  }
+
+  friend bool operator==(const Bearing&, const Bearing&) = default;
+};
+
 /// Adds a contact of a floe with the sheet.
-void add_contact(model::Bearing& bearing, const rigid_body::ContactLoad& contact);
+void add_contact(Bearing& bearing, const rigid_body::ContactLoad& contact);
 
 /// Moves `mean` by `share` of its distance to `now`.
-void approach(model::Bearing& mean, const model::Bearing& now, double share);
+void approach(Bearing& mean, const Bearing& now, double share);
 
 /// A bearing as an even load on a straight piece of edge.
 struct LineLoad {
@@ -24,6 +48,6 @@ struct LineLoad {
 };
 
 /// @param bearing  with some weight.
-LineLoad line_load(const model::Bearing& bearing);
+LineLoad line_load(const Bearing& bearing);
 
 }  // namespace brash::simulation

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <optional>
 
-#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/warnings.hpp"
+#include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
 #include "edge_contact.hpp"
 
 namespace brash::simulation {
@@ -19,17 +20,24 @@ namespace {
 struct Course {
   double speed = 0.0;       ///< [m/s]
   double start = 0.0;       ///< x of its axis at t = 0 [m]
+  double bow = 0.0;         ///< x of what meets the ice first, at t = 0 [m]
   double half_width = 0.0;  ///< where it meets the ice [m]
 
-  double front(double time) const { return start + speed * time + half_width; }
+  double front(double time) const { return bow + speed * time; }
 };
 
 Course course_of(const model::Case& c) {
-  const structure::Cone cone = cone_of(c);
+  const auto hull = structure::make_hull(c.structure.shape);
+  const auto motion = structure::make_motion(c.structure, c.time.step);
   const Freeboard heights = freeboard(c);
-  // The end of the ice's thickness at which the cone is wider meets it first.
-  const double radius = std::max(structure::radius_at(cone, heights.top), structure::radius_at(cone, heights.bottom));
-  return {.speed = c.structure.speed, .start = -c.structure.start_distance, .half_width = radius};
+  const Pose& start = motion->now().pose;
+  const auto reach = [&](Vec2 course) {
+    return structure::foremost(*hull, start, heights.bottom, heights.top, course).reach;
+  };
+  return {.speed = norm(motion->course()),
+          .start = start.position.x,
+          .bow = reach({1.0, 0.0}),
+          .half_width = 0.5 * (reach({0.0, 1.0}) + reach({0.0, -1.0}))};
 }
 
 /// Borders nearer than this many characteristic lengths hold the sheet up: the plate of the failure model has none.

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "bearing.hpp"
-
 namespace brash::simulation {
 namespace {
 
@@ -19,10 +17,15 @@ constexpr double kOnTheEdge = 1e-6;
 /// A floe that presses without any vertical part; the criteria ask for some.
 constexpr double kLeastMu1 = 1e-6;
 
-geometry::Ring section_at(const structure::Cone& cone, double z, Vec2 centre) {
-  std::vector<Vec2> vertices = structure::section(cone, z);
-  for (Vec2& vertex : vertices) vertex += centre;
-  return geometry::ring(vertices);
+std::vector<geometry::Ring> on_grid(const std::vector<structure::Outline>& outlines) {
+  std::vector<geometry::Ring> rings;
+  for (const structure::Outline& outline : outlines) rings.push_back(geometry::ring(outline));
+  return rings;
+}
+
+structure::Footprint footprint(const EdgeModel& model, const Pose& pose) {
+  const Freeboard heights = freeboard(model.resolved);
+  return model.hull.footprint(pose, heights.bottom, heights.top);
 }
 
 /// A place on a polyline.
@@ -80,19 +83,24 @@ std::vector<Vec2> outline_of(const geometry::IceSheet& sheet, const geometry::Co
   return {};
 }
 
-/// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical; the structure moves along x.
-void load_contact(const EdgeModel& model, EdgeContact& contact) {
+/// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical.
+void load_contact(const EdgeModel& model, const structure::State& state, EdgeContact& contact) {
   const model::Case& c = model.resolved;
+  const Vec3 point{contact.region.midpoint.x, contact.region.midpoint.y, 0.0};
+  const Vec2 velocity = plan(velocity_at(state.twist, point - state.pose.position));
+  const Vec2 normal = contact.region.normal;
+  if (dot(velocity, normal) <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
+  const Vec2 way = normalized(velocity);
+  const double heading = std::atan2(-cross(way, normal), dot(way, normal));  // of the motion, from the normal
+
+  const structure::Surface surface = model.hull.surface_at(state.pose, point);
+  const failure::LoadRatios ratios = failure::load_ratios(surface.slope, c.ice.friction_structure, heading);
   const double plan_area = geometry::area(contact.region.overlap).square_metres();
   const double area =
-      c.contact.area == model::ContactArea::kProjected ? plan_area : plan_area / std::cos(c.structure.angle);
+      c.contact.area == model::ContactArea::kProjected ? plan_area : plan_area / std::cos(surface.slope);
   const double normal_force = failure::crushing_force(model.ice, area);
-
-  const Vec2 normal = contact.region.normal;
-  if (normal.x <= 0.0) return;                             // the structure slides past or leaves: nothing is crushed
-  const double heading = std::atan2(-normal.y, normal.x);  // of the motion, from the normal
-  const failure::LoadRatios ratios = failure::load_ratios(c.structure.angle, c.ice.friction_structure, heading);
   const double in_plane = normal_force * ratios.horizontal;
+  const bool downward = surface.breaking == model::Breaking::kDownward;
 
   contact.load = {.depth = contact.wedge.depth,
                   .contact_length = contact.region.contact_length,
@@ -101,9 +109,11 @@ void load_contact(const EdgeModel& model, EdgeContact& contact) {
                   .mu2 = ratios.mu2,
                   .pressure = in_plane / (contact.region.contact_length * model.ice.thickness)};
   const Vec2 on_ice = in_plane * (normal + ratios.mu2 * perpendicular(normal));
-  const double downward = model.cone.downward_breaking ? in_plane * ratios.mu1 : -in_plane * ratios.mu1;
-  contact.force = {-on_ice.x, -on_ice.y, downward};
-  contact.point = {contact.region.midpoint.x, contact.region.midpoint.y, 0.0};
+  contact.force = {-on_ice.x, -on_ice.y, downward ? in_plane * ratios.mu1 : -in_plane * ratios.mu1};
+  contact.point = point;
+  const double along = std::sin(surface.slope), up = std::cos(surface.slope);
+  contact.normal = {along * normal.x, along * normal.y, downward ? -up : up};
+  contact.bound = normal_force;
 }
 
 /// The wedge behind the chord, which the crushed tip has become.
@@ -125,9 +135,11 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact
 
 }  // namespace
 
-Freeboard freeboard(const model::Case& resolved) {
-  const double draft = resolved.ice.thickness * resolved.ice.density / resolved.water.density;
-  return {resolved.ice.thickness - draft, -draft};
+Freeboard freeboard(const model::Case& resolved) { return freeboard(resolved, resolved.ice.thickness); }
+
+Freeboard freeboard(const model::Case& resolved, double thickness) {
+  const double draft = thickness * resolved.ice.density / resolved.water.density;
+  return {thickness - draft, -draft};
 }
 
 failure::IceProperties ice_properties(const model::Case& resolved) {
@@ -148,32 +160,33 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
       {.second_order = section.second_order, .radial_first = section.order == model::CrackOrder::kRadialFirst});
 }
 
-geometry::Ring leading_section(const EdgeModel& model, Vec2 centre) {
-  const Freeboard heights = freeboard(model.resolved);
-  return section_at(model.cone, model.cone.downward_breaking ? heights.top : heights.bottom, centre);
+std::vector<geometry::Ring> leading_outlines(const EdgeModel& model, const Pose& pose) {
+  return on_grid(footprint(model, pose).leading);
 }
 
-geometry::Ring trailing_section(const EdgeModel& model, Vec2 centre) {
-  const Freeboard heights = freeboard(model.resolved);
-  return section_at(model.cone, model.cone.downward_breaking ? heights.bottom : heights.top, centre);
+std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose) {
+  return on_grid(footprint(model, pose).trailing);
 }
 
-std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet, Vec2 centre) {
+std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
+                                       const structure::State& state) {
   std::vector<EdgeContact> contacts;
-  for (geometry::ContactRegion& region : sheet.contacts(leading_section(model, centre))) {
-    if (!(region.contact_length > 0.0)) continue;
-    EdgeContact contact;
-    contact.region = std::move(region);
-    fit(model, sheet, contact);
-    load_contact(model, contact);
-    assess(model, sheet, contact);
-    contacts.push_back(std::move(contact));
+  for (const geometry::Ring& outline : leading_outlines(model, state.pose)) {
+    for (geometry::ContactRegion& region : sheet.contacts(outline)) {
+      if (!(region.contact_length > 0.0)) continue;
+      EdgeContact contact;
+      contact.region = std::move(region);
+      fit(model, sheet, contact);
+      load_contact(model, state, contact);
+      assess(model, sheet, contact);
+      contacts.push_back(std::move(contact));
+    }
   }
   return contacts;
 }
 
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const model::Bearing& bearing) {
+                                           const Bearing& bearing) {
   const double h = model.ice.thickness;
   // A cantilever of the width h and the length l_c does not break under less.
   const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));

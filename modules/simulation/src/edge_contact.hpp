@@ -5,12 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "bearing.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/model/case.hpp"
-#include "brash/model/checkpoint.hpp"
-#include "brash/structure/cone.hpp"
+#include "brash/model/records.hpp"
+#include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
 
 namespace brash::simulation {
 
@@ -22,12 +24,15 @@ struct EdgeContact {
   failure::Assessment assessment;
   Vec3 force{};                        ///< on the structure [N], Eq. 15 with friction; none where a floe presses
   Vec3 point{};                        ///< where it acts [m]
+  Vec3 normal{};                       ///< unit, from the structure's surface into the ice
+  double bound = 0.0;                  ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
   std::int64_t floe = model::kNoFloe;  ///< that presses
+  int level_ice = 0;                   ///< number of the level ice that it is the edge of
 };
 
 /// What the edge contacts depend on besides the sheet.
 struct EdgeModel {
-  const structure::Cone& cone;
+  const structure::Hull& hull;
   const model::Case& resolved;
   const failure::IceProperties& ice;
   const failure::BendingCriterion& criterion;
@@ -39,6 +44,8 @@ struct Freeboard {
   double bottom = 0.0;
 };
 Freeboard freeboard(const model::Case& resolved);
+/// Likewise of ice of another thickness [m].
+Freeboard freeboard(const model::Case& resolved, double thickness);
 
 /// Ice as the failure criterion sees it.
 failure::IceProperties ice_properties(const model::Case& resolved);
@@ -47,16 +54,18 @@ failure::IceProperties ice_properties(const model::Case& resolved);
 std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
                                                           const failure::IceProperties& ice);
 
-/// The section of the structure that meets the ice first: at the ice's top when it breaks downward, else at its bottom.
-geometry::Ring leading_section(const EdgeModel& model, Vec2 centre);
-/// The section that has passed through the whole thickness.
-geometry::Ring trailing_section(const EdgeModel& model, Vec2 centre);
+/// Where a structure at `pose` touches the level ice, on the geometry's grid.
+std::vector<geometry::Ring> leading_outlines(const EdgeModel& model, const Pose& pose);
+/// Where it has passed through the whole thickness.
+std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose);
 
-/// All contacts of the structure at `centre` with the sheet, each fitted, loaded and assessed.
+/// All contacts of the structure with the sheet, each fitted, loaded and assessed.
 ///
 /// Crushing: F_n = sigma_c A R (Eq. 15). A is the area of the structure's surface inside the ice: the overlap in plan
-/// over cos(slope), or the overlap itself for `contact.area = "projected"`.
-std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet, Vec2 centre);
+/// over cos(slope), or the overlap itself for `contact.area = "projected"`. Slope and direction of breaking are those
+/// of the surface at the contact, the heading is that of the structure's velocity there.
+std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
+                                       const structure::State& state);
 
 /// The edge under a floe that presses on it, assessed by the same criterion; nothing where it hardly presses.
 ///
@@ -64,6 +73,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 /// vertical part. Its length c is that of an even load with the same second moment about its middle, at least h: plate
 /// theory says nothing of less. docs/theory/simulation.md, (S1).
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
-                                           const model::Bearing& bearing);
+                                           const Bearing& bearing);
 
 }  // namespace brash::simulation

@@ -22,9 +22,11 @@ void book(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
 
 }  // namespace
 
-void EnergyLedger::book_structure(double edge_force, double floe_force, double advance) {
-  work_ += (edge_force + floe_force) * advance;
-  losses_.edge += edge_force * advance;
+void EnergyLedger::book_structure(const Wrench& edge, const Wrench& floes, const Twist& passage) {
+  Wrench load = edge;
+  load += floes;
+  work_ += power(load, passage);
+  losses_.edge += power(edge, passage);
 }
 
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
@@ -21,8 +20,9 @@ struct Taken {
 /// step (docs/theory/dynamics.md, (E1), (E3)). It only looks; nothing in a run depends on it.
 class EnergyLedger {
  public:
-  /// The structure moved by `advance` [m] against `edge_force` from the sheet's edge and `floe_force` from floes [N].
-  void book_structure(double edge_force, double floe_force, double advance);
+  /// The ice moved by `passage` past the structure [m], [rad], under the loads `edge` of the sheet's edge and `floes`
+  /// on it; all in the same axes.
+  void book_structure(const Wrench& edge, const Wrench& floes, const Twist& passage);
 
   /// Contacts and water in the world's last step, `dt` [s] long. Floes from id `first_newborn` on were born before it.
   /// Afterwards received() is what the step gave each moving floe.
@@ -31,8 +31,8 @@ class EnergyLedger {
   /// The floe `body` is about to be deleted.
   void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
 
-  /// Floes have lost `kinetic` [J] by being fixed where they are.
-  void book_settled(double kinetic) { removed_ += kinetic; }
+  /// Floes have lost `kinetic` [J] by falling asleep.
+  void book_fallen_asleep(double kinetic) { removed_ += kinetic; }
 
   /// Work of contacts and drag on each moving floe in the last step [J]; weight and buoyancy are its potential energy.
   const std::map<BodyId, double>& received() const { return received_; }
@@ -43,14 +43,14 @@ class EnergyLedger {
   /// Fills the energies of a row.
   void report(const rigid_body::World& world, const FloePopulation& floes, model::LoadRow& row) const;
 
-  /// Calls `visit(name, sum)` for every sum, by its name in a checkpoint.
+  /// Every sum.
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
-    visit("work", self.work_);
-    visit("birth_energy", self.birth_);
-    visit("removed_energy", self.removed_);
-    model::EnergyLosses::visit([&](const char* cause, const char*, double model::EnergyLosses::*loss) {
-      visit(std::string("loss_") + cause, self.losses_.*loss);
+    visit("work", "J", "work of the structure", self.work_);
+    visit("birth_energy", "J", "energy of floes at their birth", self.birth_);
+    visit("removed_energy", "J", "energy of floes that were deleted or fell asleep", self.removed_);
+    model::EnergyLosses::visit([&](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
+      visit(cause, "J", meaning, self.losses_.*loss);
     });
   }
 

@@ -7,7 +7,7 @@
 namespace brash::simulation {
 namespace {
 
-/// By so many times the way off the motion at which the drag was taken counts more than the way itself [-].
+/// Weight of travel across the reference velocity, relative to travel along it [-].
 constexpr double kTurn = 10.0;
 
 /// a . M b, both in the body frame [J].

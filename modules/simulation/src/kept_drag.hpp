@@ -13,10 +13,28 @@ namespace brash::simulation {
 struct KeptDrag {
   hydrodynamics::Drag drag;
   Twist velocity{};   ///< against the water at which it was taken, body frame
-  double left = 0.0;  ///< how far the floe may go on with it [m]; at 0 it is taken anew in the next step
+  double left = 0.0;  ///< how far the floe may go on with it [m]; at 0 the drag is recomputed in the next step
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    auto& [form, skin, skin_power] = self.drag;
+    visit("drag_left", "m", "how far it may go on with its drag", self.left);
+    visit("drag_sum", "kg s-1", "sum of its dampers", form.sum);
+    visit("drag_first_", "kg m s-1", "their first moment", form.first);
+    visit("drag_squares_", "kg m2 s-1", "their second moments xx, yy, zz", form.squares);
+    visit("drag_products_", "kg m2 s-1", "their second moments yz, zx, xy", form.products);
+    visit("drag_rotation", "kg m2 s-1", "damper of its rotation", form.rotation);
+    visit("drag_skin_force_", "N", "skin friction, body frame", skin.force);
+    visit("drag_skin_moment_", "N m", "its moment", skin.moment);
+    visit("drag_skin_power", "W", "its power", skin_power);
+    visit("drag_linear_", "m s-1", "velocity against the water at which its drag was computed, body frame",
+          self.velocity.linear);
+    visit("drag_angular_", "rad s-1", "angular velocity at which its drag was computed, body frame",
+          self.velocity.angular);
+  }
 
   /// A step of `dt` [s] in which the floe moves at `now` against the water, body frame.
-  /// @return the drag at that velocity; nothing when it is to be taken anew.
+  /// @return the drag at that velocity; nothing when it is to be recomputed.
   std::optional<hydrodynamics::Drag> follow(const rigid_body::MassProperties& mass, const Twist& now, double dt);
 };
 

@@ -11,7 +11,7 @@ bool is_of(const MeanPushes::Pair& pair, BodyId floe) { return pair.first == flo
 }  // namespace
 
 void MeanPushes::average(const rigid_body::World& world, double share, double least, const Tell& tell) {
-  const auto tell_settled = [&](const Pair& pair, Vec3 change) {
+  const auto tell_asleep = [&](const Pair& pair, Vec3 change) {
     if (world.is_settled(pair.first)) tell(pair.first, change);
     if (world.is_settled(pair.second)) tell(pair.second, -change);
   };
@@ -22,7 +22,7 @@ void MeanPushes::average(const rigid_body::World& world, double share, double le
       resting_.insert(moving_.extract(here));
       continue;
     }
-    tell_settled(pair, -share * mean);
+    tell_asleep(pair, -share * mean);
     mean = (1.0 - share) * mean;
   }
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
@@ -31,12 +31,12 @@ void MeanPushes::average(const rigid_body::World& world, double share, double le
     const Pair pair = std::minmax(contact.body, contact.other);
     const Vec3 change = (in_order ? share : -share) * (contact.normal_force * contact.normal + contact.friction_force);
     moving_[pair] += change;
-    tell_settled(pair, change);
+    tell_asleep(pair, change);
   }
   std::erase_if(moving_, [&](const auto& entry) {
     const auto& [pair, mean] = entry;
     if (norm(mean) >= least) return false;
-    tell_settled(pair, -mean);
+    tell_asleep(pair, -mean);
     return true;
   });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <utility>
@@ -11,8 +12,22 @@
 
 namespace brash::simulation {
 
-/// Mean forces between floes that touch, for what fixes floes and lets them go (docs/theory/simulation.md, (S2)).
-/// Nothing is known of a pair while both are settled: it keeps the mean that it had, and costs a step nothing.
+/// The mean force of the floe `other` on the floe `floe`, both by Floe::id [N].
+struct FloePush {
+  std::int64_t floe = 0;
+  std::int64_t other = 0;
+  Vec3 force{};
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("floe", "1", "floe_id of the pushed floe", self.floe);
+    visit("other", "1", "floe_id of the pushing floe", self.other);
+    visit("force_", "N", "mean force", self.force);
+  }
+};
+
+/// Mean forces between floes that touch, for what puts floes to sleep and wakes them (docs/theory/simulation.md, (S2)).
+/// Nothing is known of a pair while both are asleep: it keeps the mean that it had, and costs a step nothing.
 class MeanPushes {
  public:
   using Pair = std::pair<BodyId, BodyId>;  ///< the lower id first
@@ -20,13 +35,13 @@ class MeanPushes {
   /// Tells by how much the mean push on a floe has changed [N].
   using Tell = std::function<void(BodyId floe, Vec3 change)>;
 
-  /// Takes in the contacts of the last step, and tells the changes for settled floes. Those that have been let go since
-  /// the last call are known to wake().
+  /// Takes in the contacts of the last step, and tells the changes for floes that are asleep. Floes that
+  /// have woken since the last call are known to wake().
   /// @param share  weight of the step, dt over the time of averaging [-].
   /// @param least  a mean smaller than this is forgotten [N].
   void average(const rigid_body::World& world, double share, double least, const Tell& tell);
 
-  /// A settled floe has been let go.
+  /// A floe has woken.
   void wake(BodyId floe);
 
   /// Takes a floe out, and tells the changes for those that it pushed.

@@ -79,36 +79,40 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// What a run counts that its results do not hold.
+struct Counts {
+  RunSummary summary;
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    auto& counts = self.summary;
+    visit("n_substepped", "1", "steps that were cut into parts", counts.n_substepped);
+    visit("n_below_range", "1", "assessments below the failure model's range", counts.n_below_range);
+    visit("n_outlines_refused", "1", "outlines that could not be meshed", counts.n_outlines_refused);
+    visit("n_above_range", "1", "assessments above the failure model's range", counts.n_above_range);
+    visit("n_steps_too_long", "1", "births with a collision time below the step", counts.n_steps_too_long);
+    visit("sum_of_last_changes", "m s-1", "last change of the contacts' solution, summed over the steps",
+          counts.sum_of_last_changes);
+    visit("largest_last_change", "m s-1", "largest of them", counts.largest_last_change);
+  }
+};
+
 /// A simulation with what has been recorded and counted of it: all that a checkpoint holds.
 struct Progress {
   Simulation simulation;
   Recorder recorder;
-  RunSummary counts;
+  Counts counts;
   double recording_seconds = 0.0;
   double checkpoint_seconds = 0.0;       ///< of the recording
   double last_checkpoint_seconds = 0.0;  ///< of them
   StageTimer timer{};
   Clock::time_point begun = Clock::now();
-  model::Checkpoint known{};  ///< a state of some steps ago, without results
+  std::optional<model::Checkpoint> known{};  ///< a state of some steps ago, without results
+  std::int64_t known_steps = 0;              ///< done in that state
 };
 
 /// So many steps at most are made again to find the state before one that failed.
 constexpr std::int64_t kStepsAgain = 100;
-
-/// What a run counts that its results do not hold, by the names in a checkpoint.
-template <typename Counts, typename Visitor>
-void visit_counters(Counts& counts, Visitor&& visit) {
-  visit("n_substepped", counts.n_substepped);
-  visit("n_below_range", counts.n_below_range);
-  visit("n_outlines_refused", counts.n_outlines_refused);
-  visit("n_above_range", counts.n_above_range);
-  visit("n_steps_too_long", counts.n_steps_too_long);
-}
-template <typename Counts, typename Visitor>
-void visit_numbers(Counts& counts, Visitor&& visit) {
-  visit("sum_of_last_changes", counts.sum_of_last_changes);
-  visit("largest_last_change", counts.largest_last_change);
-}
 
 Progress begin(const model::Case& resolved, const RunOptions& options) {
   std::optional<model::Checkpoint> saved = options.checkpoint.newest ? options.checkpoint.newest() : std::nullopt;
@@ -119,9 +123,7 @@ Progress begin(const model::Case& resolved, const RunOptions& options) {
   }
   try {
     Progress progress{Simulation(resolved, *saved), Recorder(resolved, std::move(saved->results)), {}};
-    visit_counters(progress.counts,
-                   [&](const char* name, int& count) { count = static_cast<int>(saved->counters.at(name)); });
-    visit_numbers(progress.counts, [&](const char* name, double& number) { number = saved->numbers.at(name); });
+    model::restore(*saved, "counts", progress.counts);
     return progress;
   } catch (const InputError& error) {
     throw InputError(options.checkpoint.name + ": " + error.what());
@@ -143,8 +145,7 @@ bool may_take_checkpoint(const Progress& progress) {
 
 void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, const Progress& progress) {
   saved.results = progress.recorder.so_far();
-  visit_counters(progress.counts, [&](const char* name, int count) { saved.counters[name] = count; });
-  visit_numbers(progress.counts, [&](const char* name, double number) { saved.numbers[name] = number; });
+  model::save(saved, "counts", progress.counts);
   store.keep(saved);
 }
 
@@ -158,16 +159,14 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.largest_last_change = std::max(counts.largest_last_change, report.last_change);
 }
 
-std::int64_t steps_of(const model::Checkpoint& state) { return state.counters.at("n_steps"); }
-
 /// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
 /// it to the bit. @return what to say of it.
 std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
                             std::int64_t n_steps) {
   if (!options.checkpoint.keep) return {};
   try {
-    Simulation again(resolved, progress.known);
-    for (std::int64_t n = steps_of(progress.known); n < n_steps; ++n) static_cast<void>(again.step());
+    Simulation again(resolved, progress.known.value());
+    for (std::int64_t n = progress.known_steps; n < n_steps; ++n) static_cast<void>(again.step());
     keep_checkpoint(options.checkpoint, again.checkpoint(), progress);
   } catch (const std::exception& error) {
     return fmt::format("\n  the state before it could not be kept: {}", error.what());
@@ -179,8 +178,10 @@ std::string keep_reproducer(const model::Case& resolved, const RunOptions& optio
 StepReport step(const model::Case& resolved, const RunOptions& options, Progress& progress) {
   const double from = progress.simulation.time();
   const std::int64_t n_steps = std::llround(from / resolved.time.step);
-  if (progress.known.counters.empty() || n_steps - steps_of(progress.known) >= kStepsAgain)
+  if (!progress.known || n_steps - progress.known_steps >= kStepsAgain) {
     progress.known = progress.simulation.checkpoint();
+    progress.known_steps = n_steps;
+  }
   try {
     return progress.simulation.step();
   } catch (const std::bad_alloc&) {
@@ -201,7 +202,7 @@ bool advance(const model::Case& resolved, const RunOptions& options, Progress& p
     ++done;
     const StageTimer::Scope clock(progress.timer, progress.recording_seconds);
     progress.recorder.record(progress.simulation, report);
-    count(progress.counts, report);
+    count(progress.counts.summary, report);
     if (options.observer) options.observer(progress.simulation, report);
     const bool interrupted = options.interrupted && options.interrupted();
     const bool due = checkpoint_every > 0 && done % checkpoint_every == 0 && may_take_checkpoint(progress);
@@ -227,9 +228,9 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   if (options.begun) options.begun();
   finished.complete = advance(resolved, options, progress);
   finished.results = progress.recorder.finish(progress.simulation);
-  progress.counts.ledger = progress.simulation.ledger();
+  progress.counts.summary.ledger = progress.simulation.ledger();
   if (finished.complete) {
-    finished.summary = summarise(resolved, finished.results, progress.counts);
+    finished.summary = summarise(resolved, finished.results, progress.counts.summary);
     finished.summary.warnings = progress.simulation.warnings();
     std::ranges::move(warnings_of(finished.summary), std::back_inserter(finished.summary.warnings));
   }

@@ -14,11 +14,24 @@ double collision_time(const model::Case& resolved, double mass) {
   return 0.5 * kPi * std::sqrt((1.0 + resolved.hydrodynamics.added_mass) * mass / resolved.contact.stiffness);
 }
 
+namespace {
+
+/// Of a contact straight ahead.
+failure::LoadRatios ratios_ahead(const model::Case& c) {
+  const auto hull = structure::make_hull(c.structure.shape);
+  const auto motion = structure::make_motion(c.structure, c.time.step);
+  const Freeboard heights = freeboard(c);
+  const structure::Foremost bow =
+      structure::foremost(*hull, motion->now().pose, heights.bottom, heights.top, motion->course());
+  return failure::load_ratios(bow.surface.slope, c.ice.friction_structure, 0.0);
+}
+
+}  // namespace
+
 double initial_crack_radius(const model::Case& resolved, const failure::IceProperties& ice,
                             const failure::BendingCriterion& criterion) {
   if (resolved.field.initial_crack_radius > 0.0) return resolved.field.initial_crack_radius;
-  const failure::LoadRatios ratios =
-      failure::load_ratios(resolved.structure.angle, resolved.ice.friction_structure, 0.0);
+  const failure::LoadRatios ratios = ratios_ahead(resolved);
   return criterion.assess({.contact_length = ice.thickness, .mu1 = ratios.mu1, .mu2 = ratios.mu2}).breaking_length;
 }
 
@@ -27,7 +40,7 @@ DerivedScales derived_scales(const model::Case& resolved, const failure::Bending
   DerivedScales scales;
   scales.characteristic_length = failure::characteristic_length(ice);
   scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
-  scales.mu1 = failure::load_ratios(resolved.structure.angle, resolved.ice.friction_structure, 0.0).mu1;
+  scales.mu1 = ratios_ahead(resolved).mu1;
   scales.freeboard = freeboard(resolved).top;
   scales.draft = -freeboard(resolved).bottom;
   scales.initial_crack_radius = initial_crack_radius(resolved, ice, criterion);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "edge_contact.hpp"
 #include "plan.hpp"
 
 namespace brash::simulation {
@@ -16,32 +17,43 @@ int index(double coordinate) { return static_cast<int>(std::floor(coordinate / k
 
 }  // namespace
 
-std::vector<BodyId> SheetTiles::prisms(const geometry::IceSheet& sheet, rigid_body::World& world, Cell cell) const {
+std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell) {
   const double x = cell.first * kTileSide;
   const double y = cell.second * kTileSide;
   const std::array<Vec2, 4> corners{Vec2{x, y}, Vec2{x + kTileSide, y}, Vec2{x + kTileSide, y + kTileSide},
                                     Vec2{x, y + kTileSide}};
+  const Freeboard heights = freeboard(*case_, plate.ice().thickness);
   std::vector<BodyId> bodies;
-  for (const geometry::Polygon& ice : sheet.within(geometry::ring(corners)))
-    for (const geometry::Ring& part : geometry::convex_parts(ice))
-      bodies.push_back(world.add_sheet_part(to_metres(part), bottom_, top_));
+  for (const geometry::Polygon& ice : plate.sheet().within(geometry::ring(corners))) {
+    for (const geometry::Ring& part : geometry::convex_parts(ice)) {
+      bodies.push_back(world.add_sheet_part(to_metres(part), heights.bottom, heights.top));
+      level_ice_of_[bodies.back()] = plate.level_ice();
+    }
+  }
   return bodies;
 }
 
-void SheetTiles::lay(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper) {
-  for (int i = index(lower.x); i <= index(upper.x); ++i)
-    for (int j = index(lower.y); j <= index(upper.y); ++j)
-      if (const Cell cell{i, j}; !parts_.contains(cell)) parts_.emplace(cell, prisms(sheet, world, cell));
+void SheetTiles::lay(std::span<const ice::Plate> level_ice, rigid_body::World& world, Vec2 lower, Vec2 upper) {
+  for (const ice::Plate& plate : level_ice) {
+    auto& parts = parts_[plate.level_ice()];
+    for (int i = index(lower.x); i <= index(upper.x); ++i)
+      for (int j = index(lower.y); j <= index(upper.y); ++j)
+        if (const Cell cell{i, j}; !parts.contains(cell)) parts.emplace(cell, prisms(plate, world, cell));
+  }
 }
 
-void SheetTiles::renew(const geometry::IceSheet& sheet, rigid_body::World& world, const geometry::Extent& changed) {
+void SheetTiles::renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed) {
   if (changed.is_empty()) return;
+  auto& parts = parts_[plate.level_ice()];
   for (int i = index(changed.lower.x); i <= index(changed.upper.x); ++i) {
     for (int j = index(changed.lower.y); j <= index(changed.upper.y); ++j) {
-      const auto laid = parts_.find({i, j});
-      if (laid == parts_.end()) continue;
-      for (const BodyId part : laid->second) world.remove(part);
-      laid->second = prisms(sheet, world, laid->first);
+      const auto laid = parts.find({i, j});
+      if (laid == parts.end()) continue;
+      for (const BodyId part : laid->second) {
+        world.remove(part);
+        level_ice_of_.erase(part);
+      }
+      laid->second = prisms(plate, world, laid->first);
     }
   }
 }

@@ -2,33 +2,37 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "brash/geometry/ice_sheet.hpp"
+#include "brash/ice/plate.hpp"
+#include "brash/model/case.hpp"
 #include "brash/rigid_body/world.hpp"
 
 namespace brash::simulation {
 
-/// The fixed sheet's collision shapes, in square tiles: only those that a floe has come near are laid, and a cut renews
-/// those whose edge it moves. So neither the length of the sheet nor that of its edge is in the cost of a step.
+/// Collision shapes of the level ice, in square tiles. Only tiles that a floe has come near are laid, and a cut renews
+/// the tiles whose edge it moves. So neither the extent of the ice nor the length of its edge is in the cost of a step.
 class SheetTiles {
  public:
-  /// Tiles are convex prisms between the heights `bottom` and `top` [m].
-  SheetTiles(double bottom, double top) : bottom_(bottom), top_(top) {}
+  explicit SheetTiles(const model::Case& resolved) : case_(&resolved) {}
 
   /// Lays the tiles that meet the box from `lower` to `upper` [m], where they are missing.
-  void lay(const geometry::IceSheet& sheet, rigid_body::World& world, Vec2 lower, Vec2 upper);
-  /// Renews the tiles that are laid and meet the part of the sheet that has changed.
-  void renew(const geometry::IceSheet& sheet, rigid_body::World& world, const geometry::Extent& changed);
+  void lay(std::span<const ice::Plate> level_ice, rigid_body::World& world, Vec2 lower, Vec2 upper);
+  /// Renews the tiles that are laid and meet the part of `plate` that has changed.
+  void renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed);
+
+  /// Number of the level ice that a body of its shape belongs to.
+  int level_ice_of(BodyId part) const { return level_ice_of_.at(part); }
 
  private:
   using Cell = std::pair<int, int>;
-  std::vector<BodyId> prisms(const geometry::IceSheet& sheet, rigid_body::World& world, Cell cell) const;
+  std::vector<BodyId> prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell);
 
-  std::map<Cell, std::vector<BodyId>> parts_;
-  double bottom_;
-  double top_;
+  const model::Case* case_;
+  std::map<int, std::map<Cell, std::vector<BodyId>>> parts_;  ///< of each level ice
+  std::map<BodyId, int> level_ice_of_;
 };
 
 }  // namespace brash::simulation

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "brash/io/case.hpp"
-#include "brash/simulation/cone_of.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
 #include "initial_crack.hpp"
@@ -23,13 +21,15 @@ rigid_body::WorldSettings world_settings(const model::Case& c) {
           .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
           .iterations = c.contact.iterations,
           .collision_margin = c.contact.margin,
-          .release_speed = c.time.settle_speed};
+          .release_speed = c.time.settle_speed,
+          .engine = c.contact.engine == model::ContactEngine::kBullet ? rigid_body::Engine::kBullet
+                                                                      : rigid_body::Engine::kBrash};
 }
 
-/// World axes to load axes: x as the ice drifts against the structure, z upwards (a half turn about z).
-Wrench in_load_axes(const Wrench& w) {
-  return {{-w.force.x, -w.force.y, w.force.z}, {-w.moment.x, -w.moment.y, w.moment.z}};
-}
+/// World axes to load axes and back: x as the ice drifts against the structure, z upwards (a half turn about z).
+Vec3 in_load_axes(Vec3 v) { return {-v.x, -v.y, v.z}; }
+Wrench in_load_axes(const Wrench& w) { return {in_load_axes(w.force), in_load_axes(w.moment)}; }
+Twist in_load_axes(const Twist& t) { return {in_load_axes(t.linear), in_load_axes(t.angular)}; }
 
 void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.n_above_range += assessment.above_range ? 1 : 0;
@@ -65,76 +65,94 @@ class TimedCriterion final : public failure::BendingCriterion {
 
 }  // namespace
 
-Simulation::Impl::Impl(const model::Case& c, IceField laid)
+Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
     : resolved(c),
-      resolved_toml(io::to_toml(c)),
-      ice(ice_properties(c)),
-      cone(cone_of(c)),
-      criterion(std::make_unique<TimedCriterion>(make_criterion(c, ice), timer, times.failure)),
+      hull(structure::make_hull(c.structure.shape)),
+      motion(structure::make_motion(c.structure, c.time.step)),
       field(std::move(laid)),
+      pattern(ice::make_crack_pattern(c.failure)),
       world(world_settings(c)),
-      tiles(freeboard(c).bottom, freeboard(c).top),
+      tiles(resolved),
       floes(resolved),
-      centre{-c.structure.start_distance, 0.0},
-      watchdog(resolved) {
-  const std::vector<Vec3> hull = structure::hull(cone);
-  structure_body = world.add_structure(std::span(&hull, 1), structure_pose());
+      water(resolved),
+      sleep(resolved),
+      structure_body(world.add_structure(hull->parts(), motion->now().pose)),
+      watchdog(resolved, hull->bounds()) {
+  for (const ice::Plate& plate : field.level_ice())
+    criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
 }
 
-Simulation::Impl::Impl(const model::Case& c) : Impl(c, IceField(c.field.length, c.field.width)) {
+Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c))) {
   if (c.field.initial_crack) initial_crack();
   begin_watch();
+}
+
+EdgeModel Simulation::Impl::edge_model(const ice::Plate& plate) const {
+  return {*hull, resolved, plate.ice(), *criteria[static_cast<std::size_t>(plate.level_ice())]};
 }
 
 void Simulation::Impl::begin_watch() {
   model::LoadRow row;
   energy.report(world, floes, row);
-  watchdog.begin({world, floes, energy, field.ledger(), row, {}});
+  watchdog.begin({world, floes, energy, field.ledger(), row, {}, motion->now().twist});
 }
 
-/// The paper takes 3 to 5 wedges at random (after Nevel); one stream a break, so that a resumed run draws the same.
-int Simulation::Impl::draw_wedges() {
-  statistics::RandomStream stream(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
-  return stream.uniform_int(resolved.failure.wedges[0], resolved.failure.wedges[1]);
-}
-
+/// Fig. 5: the ice has broken once before the structure comes.
 void Simulation::Impl::initial_crack() {
+  EdgeContact contact;
+  contact.assessment.breaking_length =
+      initial_crack_radius(resolved, field.level_ice(contact.level_ice).ice(), *criteria.front());
+  contact.region.normal = {1.0, 0.0};
   StepReport report;
-  initial_births = break_off({0.0, 0.0}, initial_crack_radius(resolved, ice, *criterion), draw_wedges(), report);
+  initial_births = break_off(contact, report).births;
 }
 
-/// One circumferential crack with its radial cracks: sheet, floes and collision shapes follow.
-std::vector<model::FloeRecord> Simulation::Impl::break_off(Vec2 at, double radius, int n_wedges, StepReport& report) {
+/// The ice cracks at a contact: level ice, floes and collision shapes follow. One random stream a break, so that a
+/// resumed run draws the same.
+Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report) {
   const StageTimer::Scope clock(timer, times.cutting);
-  const geometry::Ring section = leading_section(edge_model(), centre);
-  floes.sheet_broke(world, at, radius);
-  const Broken broken =
-      field.break_free(at, radius, n_wedges, resolved.failure.arc_sides, section, resolved.failure.smallest_floe);
-  std::vector<model::FloeRecord> births;
-  for (const geometry::Polygon& piece : broken.floes) {
-    std::optional<model::FloeRecord> record = floes.add(world, piece, time());
+  ice::Plate& plate = field.level_ice(contact.level_ice);
+  statistics::RandomStream random(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
+  const ice::CrackPlan plan = pattern->plan(plate, contact.region, contact.assessment, random);
+  bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
+  sleep.wake_within(world, floes, plan.centre, plan.reach);
+  ice::Broken broken = field.break_off(plate, plan, leading_outlines(edge_model(plate), motion->now().pose),
+                                       resolved.failure.smallest_floe);
+  Break made{.n_wedges = plan.n_wedges, .births = {}};
+  for (ice::Plate& piece : broken.pieces) {
+    const double mass_per_area = resolved.ice.density * piece.ice().thickness;
+    std::optional<model::FloeRecord> record = floes.add(world, std::move(piece), time());
     if (!record) {
-      field.floe_to_brash(geometry::area(piece));
+      field.to_brash(piece);
       continue;
     }
-    const double mass = resolved.ice.density * ice.thickness * record->area;
+    const double mass = mass_per_area * record->area;
     if (collision_time(resolved, mass) < resolved.time.step) ++report.n_steps_too_long;
-    births.push_back(std::move(*record));
+    made.births.push_back(std::move(*record));
   }
-  tiles.renew(field.sheet(), world, broken.changed);
-  return births;
+  tiles.renew(plate, world, broken.changed);
+  return made;
+}
+
+/// Every contact of the structure with level ice, were the structure in `state`.
+std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state) const {
+  std::vector<EdgeContact> contacts;
+  for (const ice::Plate& plate : field.level_ice()) {
+    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), state)) {
+      contact.level_ice = plate.level_ice();
+      contacts.push_back(std::move(contact));
+    }
+  }
+  return contacts;
 }
 
 /// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
 /// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
-/// above already: the step is then left whole. What the trailing section then covers is crushed, so the contacts are
+/// above already: the step is then left whole. What the trailing outlines then cover is crushed, so the contacts are
 /// those of the state that is reached, however short or long the step.
 std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
-  const Vec2 whole_step{resolved.structure.speed * resolved.time.step, 0.0};
-  const auto contacts_after = [&](double part) {
-    return edge_contacts(edge_model(), field.sheet(), centre + part * whole_step);
-  };
+  const auto contacts_after = [&](double part) { return contacts_at(motion->after(part)); };
   const auto above_range = [](const std::vector<EdgeContact>& contacts) {
     return std::ranges::any_of(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
   };
@@ -146,33 +164,43 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, Step
     } while (0.5 * share >= shortest && above_range(contacts));
   }
 
-  centre += share * whole_step;
-  if (crush_passed_ice()) contacts = edge_contacts(edge_model(), field.sheet(), centre);
+  motion->advance(share);
+  if (crush_passed_ice()) contacts = contacts_at(motion->now());
   for (const EdgeContact& contact : contacts) count_range(contact.assessment, report);
   return contacts;
 }
 
-/// The sheet's edge under the floes that press on it, by their forces up to the step before. In the order of the floes.
+/// The edge of level ice under the floes that press on it, by their forces up to the step before. In the order of the
+/// floes.
 std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report) const {
   std::vector<EdgeContact> contacts;
   if (!resolved.failure.under_floes) return contacts;
-  for (const BodyId body : world.moving()) {
-    const Floe& floe = floes.at(body);
-    auto contact = bearing_contact(edge_model(), field.sheet(), floe.id, floe.bearing);
+  for (const auto& [pair, bearing] : bearings.all()) {
+    const auto& [body, level_ice] = pair;
+    const ice::Plate& plate = field.level_ice()[static_cast<std::size_t>(level_ice)];
+    auto contact = bearing_contact(edge_model(plate), plate.sheet(), floes.at(body).id, bearing);
     if (!contact) continue;
+    contact->level_ice = level_ice;
     count_range(contact->assessment, report);
     contacts.push_back(std::move(*contact));
   }
   return contacts;
 }
 
-/// What the trailing section covers has been penetrated through the whole thickness: it is crushed and leaves the
-/// sheet. @return whether there was any.
+/// The structure has penetrated the whole thickness of the ice that the trailing outlines cover. This ice is crushed
+/// and leaves its plate. @return whether there was any.
 bool Simulation::Impl::crush_passed_ice() {
   const StageTimer::Scope clock(timer, times.cutting);
-  const geometry::Extent changed = field.crush(trailing_section(edge_model(), centre));
-  tiles.renew(field.sheet(), world, changed);
-  return !changed.is_empty();
+  bool any = false;
+  for (const ice::Plate& level : field.level_ice()) {
+    ice::Plate& plate = field.level_ice(level.level_ice());
+    geometry::Extent changed;
+    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), motion->now().pose))
+      changed.add(field.crush(plate, outline));
+    tiles.renew(plate, world, changed);
+    any = any || !changed.is_empty();
+  }
+  return any;
 }
 
 /// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact whose
@@ -183,7 +211,6 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
       return norm(event.at - contact.region.midpoint) < event.breaking_length;
     });
     if (!contact.assessment.fails || broken_off) continue;
-    const int n_wedges = draw_wedges();
     model::CrackEvent event{.time = time(),
                             .at = contact.region.midpoint,
                             .depth = contact.wedge.depth,
@@ -195,18 +222,17 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .pressure = contact.load.pressure,
                             .sigma_max = contact.assessment.sigma_max,
                             .breaking_length = contact.assessment.breaking_length,
-                            .wedges = n_wedges,
                             .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
                             .area_before = field.ledger().sheet.square_metres(),
                             .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
                             .towards = contact.region.normal,
                             .pressing_floe = contact.floe};
-    std::vector<model::FloeRecord> births =
-        break_off(contact.region.midpoint, contact.assessment.breaking_length, n_wedges, report);
-    event.pieces = static_cast<int>(births.size());
+    Break made = break_off(contact, report);
+    event.wedges = made.n_wedges;
+    event.pieces = static_cast<int>(made.births.size());
     event.area_after = field.ledger().sheet.square_metres();
     report.events.push_back(event);
-    std::ranges::move(births, std::back_inserter(report.births));
+    std::ranges::move(made.births, std::back_inserter(report.births));
   }
 }
 
@@ -220,27 +246,15 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
     const std::vector<EdgeContact> contacts = move_within_range(share, report);
     done += share;
     for (const EdgeContact& contact : contacts) {
-      const Vec3 arm = contact.point - structure_pose().position;
-      report.loads.crushing += in_load_axes({share * contact.force, share * cross(arm, contact.force)});
+      const Vec3 arm = contact.point - motion->now().pose.position;
+      report.loads.crushing += in_load_axes(Wrench{share * contact.force, share * cross(arm, contact.force)});
     }
     break_ice(contacts, report);
   }
   --report.n_substeps;
   break_ice(contacts_of_floes(report), report);
   for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
-  world.move_structure(structure_body, structure_pose(), {{resolved.structure.speed, 0.0, 0.0}, {}});
-}
-
-/// Floes whose mean compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
-void Simulation::Impl::remove_crushed_floes(StepReport& report) {
-  floes.average_contacts(world, resolved.time.step);
-  if (!resolved.contact.delete_crushed) return;
-  for (const BodyId body : floes.overstressed(world, resolved.ice.compressive_strength)) {
-    energy.remove(world, floes, body);
-    const Floe floe = floes.remove(world, body);
-    field.floe_to_deleted(floe.area);
-    report.deaths.push_back({floe.id, model::FloeEnd::kCrushed, floe.peak_compression});
-  }
+  world.move_structure(structure_body, motion->now().pose, motion->now().twist);
 }
 
 /// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.
@@ -254,16 +268,18 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, St
     const Vec3 arm = contact.point - origin;
     const Vec3 normal = -contact.normal_force * contact.normal;
     const Vec3 friction = -contact.friction_force;
-    row.floe_normal += in_load_axes({normal, cross(arm, normal)});
-    row.floe_friction += in_load_axes({friction, cross(arm, friction)});
+    row.floe_normal += in_load_axes(Wrench{normal, cross(arm, normal)});
+    row.floe_friction += in_load_axes(Wrench{friction, cross(arm, friction)});
     ++row.n_contacts;
   }
   row.total = row.crushing;
   row.total += row.floe_normal;
   row.total += row.floe_friction;
   const double dt = resolved.time.step;
-  energy.book_structure(row.crushing.force.x, row.floe_normal.force.x + row.floe_friction.force.x,
-                        resolved.structure.speed * dt);
+  Wrench floe_load = row.floe_normal;
+  floe_load += row.floe_friction;
+  const Twist& twist = motion->now().twist;
+  energy.book_structure(row.crushing, floe_load, in_load_axes(Twist{-dt * twist.linear, -dt * twist.angular}));
   energy.book_step(world, floes, first_newborn, dt);
   energy.report(world, floes, row);
 
@@ -277,37 +293,93 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, St
   row.n_floes = static_cast<int>(floes.floes().size());
 }
 
-/// The sheet's collision shapes wherever the floe could meet them, or be in the lee of them, in this step.
+/// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.
 void Simulation::Impl::lay_sheet_near(BodyId body) {
-  const Vec2 reach{floes.reach(), floes.reach()};
+  const Vec2 reach{water.reach(), water.reach()};
   const auto [lower, upper] = world.bounds(body);
-  tiles.lay(field.sheet(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
+  tiles.lay(field.level_ice(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
 }
 
+void Simulation::Impl::load_by_water() {
+  const StageTimer::Scope clock(timer, times.water);
+  for (const BodyId body : world.moving()) lay_sheet_near(body);
+  water.apply(world, floes, resolved.time.step, motion->now());
+}
+
+void Simulation::Impl::step_bodies(StepReport& report) {
+  const StageTimer::Scope clock(timer, times.world);
+  world.step(resolved.time.step);
+  sleep.notice_woken(world, floes);
+  report.last_change = world.last_change();
+}
+
+/// Floes fall asleep a structure's width behind it.
+HalfPlane Simulation::Impl::astern() const {
+  const Vec2 ahead = normalized(motion->course());
+  const double width = 2.0 * hull->displaced(motion->now().pose).waterplane.radius;
+  return {ahead, dot(ahead, plan(motion->now().pose.position)) - width};
+}
+
+void Simulation::Impl::fall_asleep_or_wake() {
+  const StageTimer::Scope clock(timer, times.loads);
+  energy.book_fallen_asleep(sleep.update(world, floes, astern()));
+}
+
+/// Contact forces averaged over each floe's collision time: its stress, and what it presses on level ice.
+void Simulation::Impl::average_contacts() {
+  const StageTimer::Scope clock(timer, times.loads);
+  const double dt = resolved.time.step;
+  const auto contacts = contacts_by_place(world);
+  average_stress(world, contacts, dt, floes);
+  bearings.average(
+      world, floes, contacts, [&](BodyId part) { return tiles.level_ice_of(part); }, dt);
+}
+
+/// Floes whose mean compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
+void Simulation::Impl::remove_crushed_floes(StepReport& report) {
+  const StageTimer::Scope clock(timer, times.loads);
+  if (!resolved.contact.delete_crushed) return;
+  for (const BodyId body : overstressed(world, floes, resolved.ice.compressive_strength)) {
+    energy.remove(world, floes, body);
+    sleep.forget(floes, body);
+    bearings.forget(body);
+    const Floe floe = floes.remove(world, body);
+    field.to_deleted(floe.plate);
+    report.deaths.push_back({floe.id, model::FloeEnd::kCrushed, floe.stress.peak_compression});
+  }
+}
+
+void Simulation::Impl::watch(const StepReport& report) {
+  const StageTimer::Scope clock(timer, times.loads);
+  watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken(), motion->now().twist});
+}
+
+// A step goes through these stages, each a function of the state that the one before it left. What happens in a step
+// happens at its end.
+//
+//  1. The structure moves. Contacts with level ice: crushing, wedges, failures, cracks. Eqs. 15, 17 to 19
+//  2. Water loads the floes: weight, buoyancy, drag. Eqs. 13, 14
+//  3. The bodies step: contacts with bounded impulses. Eqs. 1 to 10, 16
+//  4. Loads on the structure, impulse / dt by cause, and the energies.
+//  5. The watchdog looks at floes and accounts.
+//  6. Slow floes fall asleep, pushed ones wake.
+//  7. Contact forces are averaged: stress of the floes, and what they press on level ice in the next step.
+//  8. Floes with more stress than sigma_c leave.
+//  9. The structure bears the load in its next motion.
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
-  const Vec3 origin = structure_pose().position;
-  ++n_steps;                    // what happens in a step happens at its end
-  advance_through_ice(report);  // the structure moves; contacts, crushing, wedges, failures, cracks: Eqs. 15, 17 to 19
-  {
-    const StageTimer::Scope clock(timer, times.water);
-    for (const BodyId body : world.moving()) lay_sheet_near(body);
-    floes.apply_water(world, resolved.time.step, centre);  // weight, buoyancy, drag: Eqs. 13, 14
-  }
-  {
-    const StageTimer::Scope clock(timer, times.world);
-    world.step(resolved.time.step);  // contacts with bounded impulses: Eqs. 1 to 10, 16
-    floes.notice_let_go(world);
-    report.last_change = world.last_change();
-  }
-  collect_loads(first_newborn, origin, report);  // impulse / dt, by cause; energies
-  {
-    const StageTimer::Scope clock(timer, times.loads);
-    watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken()});
-    energy.book_settled(floes.settle(world, centre.x - cone.waterline_width));
-    remove_crushed_floes(report);  // sigma > sigma_c
-  }
+  const Vec3 origin = motion->now().pose.position;
+  ++n_steps;
+  advance_through_ice(report);
+  load_by_water();
+  step_bodies(report);
+  collect_loads(first_newborn, origin, report);
+  watch(report);
+  fall_asleep_or_wake();
+  average_contacts();
+  remove_crushed_floes(report);
+  motion->bear(in_load_axes(report.loads.total));
   return report;
 }
 
@@ -322,28 +394,28 @@ StepReport Simulation::step() { return impl_->step(); }
 model::Checkpoint Simulation::checkpoint() const { return impl_->checkpoint(); }
 double Simulation::time() const { return impl_->time(); }
 const std::vector<model::FloeRecord>& Simulation::initial_births() const { return impl_->initial_births; }
-std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.sheet().polygons(); }
+std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.outlines(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
 std::vector<model::Warning> Simulation::warnings() const {
-  return derived_scales(impl_->resolved, *impl_->criterion).warnings;
+  return derived_scales(impl_->resolved, *impl_->criteria.front()).warnings;
 }
 
 std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
   std::vector<std::pair<std::int64_t, double>> stresses;
-  for (const auto& [body, floe] : impl_->floes.floes()) stresses.emplace_back(floe.id, floe.peak_compression);
+  for (const auto& [body, floe] : impl_->floes.floes()) stresses.emplace_back(floe.id, floe.stress.peak_compression);
   return stresses;
 }
 
 model::Frame Simulation::frame() const {
-  model::Frame frame{.time = time(), .structure = impl_->structure_pose(), .floes = {}};
+  model::Frame frame{.time = time(), .structure = impl_->motion->now().pose, .floes = {}};
   std::vector<std::pair<BodyId, double>> forces;
   for (const rigid_body::ContactLoad& contact : impl_->world.contacts()) {
     if (contact.normal_force == 0.0) continue;
     forces.emplace_back(contact.body, contact.normal_force);
     forces.emplace_back(contact.other, contact.normal_force);
   }
-  // Summed in the order of their sizes: that of the contacts names tiles of the sheet, which a resumed run lays anew.
+  // Summed in the order of their sizes: that of the contacts names tiles of the sheet, which a resumed run lays again.
   std::ranges::sort(forces);
   for (const auto& [body, floe] : impl_->floes.floes()) {
     double sum = 0.0;

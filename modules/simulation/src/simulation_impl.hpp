@@ -2,35 +2,46 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "bearings.hpp"
+#include "brash/ice/crack_pattern.hpp"
+#include "brash/ice/field.hpp"
 #include "brash/model/checkpoint.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "edge_contact.hpp"
 #include "energy_ledger.hpp"
 #include "floe_population.hpp"
-#include "ice_field.hpp"
+#include "floe_water.hpp"
 #include "sheet_tiles.hpp"
+#include "sleep.hpp"
 #include "stage_timer.hpp"
 #include "watchdog.hpp"
 
 namespace brash::simulation {
 
+/// What came of a break.
+struct Break {
+  int n_wedges = 0;
+  std::vector<model::FloeRecord> births;
+};
+
 struct Simulation::Impl {
   model::Case resolved;
-  std::string resolved_toml;  ///< the case as a checkpoint holds it
   StageTimes times;
   StageTimer timer;
-  failure::IceProperties ice;
-  structure::Cone cone;
-  std::unique_ptr<failure::BendingCriterion> criterion;
-  IceField field;
+  std::unique_ptr<const structure::Hull> hull;
+  std::unique_ptr<structure::Motion> motion;
+  ice::Field field;
+  std::vector<std::unique_ptr<failure::BendingCriterion>> criteria;  ///< of each level ice
+  std::unique_ptr<ice::CrackPattern> pattern;
   rigid_body::World world;
   SheetTiles tiles;
   FloePopulation floes;
+  FloeWater water;
+  Bearings bearings;
+  Sleep sleep;
   BodyId structure_body;
-  Vec2 centre;  ///< of the structure [m]
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   EnergyLedger energy;
@@ -42,28 +53,41 @@ struct Simulation::Impl {
   /// Takes a run up where `checkpoint` left it.
   Impl(const model::Case& c, const model::Checkpoint& checkpoint);
 
-  double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
-  Pose structure_pose() const { return {{centre.x, centre.y, 0.0}, {}}; }
-  EdgeModel edge_model() const { return {cone, resolved, ice, *criterion}; }
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("n_steps", "1", "steps done", self.n_steps);
+    visit("n_breaks", "1", "random streams used", self.n_breaks);
+  }
 
-  int draw_wedges();
+  double time() const { return static_cast<double>(n_steps) * resolved.time.step; }
+  EdgeModel edge_model(const ice::Plate& plate) const;
+
   void initial_crack();
   /// The state as it is becomes what the watchdog starts from.
   void begin_watch();
-  std::vector<model::FloeRecord> break_off(Vec2 at, double radius, int n_wedges, StepReport& report);
-  void advance_through_ice(StepReport& report);
-  std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
-  bool crush_passed_ice();
-  std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
-  void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
-  void lay_sheet_near(BodyId body);
-  void remove_crushed_floes(StepReport& report);
-  void collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report);
+
   StepReport step();
+  void advance_through_ice(StepReport& report);
+  void load_by_water();
+  void step_bodies(StepReport& report);
+  void collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report);
+  void watch(const StepReport& report);
+  void fall_asleep_or_wake();
+  void average_contacts();
+  void remove_crushed_floes(StepReport& report);
+
+  std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
+  std::vector<EdgeContact> contacts_at(const structure::State& state) const;
+  std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
+  bool crush_passed_ice();
+  void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
+  Break break_off(const EdgeContact& contact, StepReport& report);
+  void lay_sheet_near(BodyId body);
+  HalfPlane astern() const;
   model::Checkpoint checkpoint() const;
 
  private:
-  Impl(const model::Case& c, IceField laid);
+  Impl(const model::Case& c, ice::Field laid);
 };
 
 }  // namespace brash::simulation

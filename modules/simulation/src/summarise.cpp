@@ -186,7 +186,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
 
 double statistics_from(const model::Case& resolved) {
   return resolved.output.statistics_from.value_or(
-      std::min(resolved.structure.start_distance / resolved.structure.speed, resolved.time.duration));
+      std::min(resolved.structure.start_distance / model::speed(resolved.structure.motion), resolved.time.duration));
 }
 
 std::string to_json(const RunSummary& s) {

@@ -20,19 +20,25 @@ constexpr double kLeft = 1e-6;
 
 }  // namespace
 
-// A floe's own speeds are those of the structure, of its rise in the water and of the current.
-Watchdog::Watchdog(const model::Case& resolved)
-    : case_(&resolved),
-      travel_(resolved.time.step *
-              (resolved.structure.speed + std::sqrt(kGravity * resolved.ice.thickness) + norm(resolved.water.current))),
-      most_lift_(std::max(1.0, resolved.water.density / resolved.ice.density - 1.0)) {}
+Watchdog::Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hull)
+    : case_(&resolved), hull_(hull), most_lift_(std::max(1.0, resolved.water.density / resolved.ice.density - 1.0)) {}
+
+/// A floe's own speeds are those of the structure, of its rise in the water and of the current.
+void Watchdog::see_structure(const Twist& twist) {
+  const double size = norm(hull_.second - hull_.first);
+  const double speed = norm(twist.linear) + norm(twist.angular) * size;
+  const double rise = std::sqrt(kGravity * case_->ice.thickness);
+  travel_ = std::max(travel_, case_->time.step * (speed + rise + norm(case_->water.current)));
+}
 
 void Watchdog::begin(const Watched& start) {
+  see_structure(start.structure);
   booked_error_ = start.row.energy_error;
   for (const auto& [body, floe] : start.floes.floes()) explained_[body] = start.floes.energy(start.world, body, floe);
 }
 
 void Watchdog::look(const Watched& now) {
+  see_structure(now.structure);
   if (explained_.size() > now.floes.floes().size())
     std::erase_if(explained_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
   for (const BodyId body : now.world.moving()) {
@@ -49,10 +55,10 @@ void Watchdog::look(const Watched& now) {
 void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
   const model::Case& c = *case_;
   const double aside = c.field.length + c.field.width + norm(c.water.current) * time;
-  const double keel = -c.structure.height_under_water;
+  const double keel = hull_.first.z, height = hull_.second.z - keel;
   const bool in_plan =
       place.x >= -aside && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;
-  if (in_plan && place.z >= keel - c.structure.height && place.z <= keel + 2.0 * c.structure.height) return;
+  if (in_plan && place.z >= keel - height && place.z <= keel + 2.0 * height) return;
   throw RunError(fmt::format("floe {} is at ({:.6g}, {:.6g}, {:.6g}) m, where nothing can have brought it", floe.id,
                              place.x, place.y, place.z));
 }

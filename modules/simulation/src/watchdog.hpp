@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "brash/geometry/ledger.hpp"
 #include "brash/model/case.hpp"
@@ -20,13 +21,15 @@ struct Watched {
   const geometry::Ledger& area;
   const model::LoadRow& row;  ///< what the step reports
   Taken taken;
+  Twist structure;  ///< the structure's motion in the step
 };
 
 /// Ends a run whose numbers cannot be physics before anyone takes them for a result (docs/theory/simulation.md). It
 /// only looks; nothing in a run depends on it.
 class Watchdog {
  public:
-  explicit Watchdog(const model::Case& resolved);
+  /// @param hull  the structure's least and largest coordinates, its frame [m].
+  Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hull);
 
   /// Takes the state before the first step, or that of a checkpoint, as the start.
   void begin(const Watched& start);
@@ -38,6 +41,7 @@ class Watchdog {
   /// what is constant in F adds up to no more than half of it along one step's travel (docs/theory/dynamics.md,
   /// Energy); F is the weight, or the lift under water where that is more.
   double allowance(double weight) const { return 0.5 * most_lift_ * weight * travel_; }
+  void see_structure(const Twist& twist);
   double impulses(const rigid_body::World& world) const;
 
   void look_at_place(const Floe& floe, Vec3 place, double time) const;
@@ -46,7 +50,8 @@ class Watchdog {
   void look_at_balance(const Watched& now) const;
 
   const model::Case* case_;
-  double travel_;                       ///< [m]
+  std::pair<Vec3, Vec3> hull_;          ///< least and largest coordinates, its frame [m]
+  double travel_ = 0.0;                 ///< of a step, at most until now [m]
   double most_lift_;                    ///< F over the weight
   double booked_error_ = 0.0;           ///< of the energies at the start [J]
   std::map<BodyId, double> explained_;  ///< energy of each floe that its work explains [J]

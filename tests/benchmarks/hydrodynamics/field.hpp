@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brash/io/case.hpp"
-#include "floe_population.hpp"
+#include "edge_contact.hpp"
+#include "floe_water.hpp"
 
 namespace brash::benchmarks {
 
@@ -25,14 +27,17 @@ struct Field {
   Field(int n_floes, int layers, const std::vector<std::string>& overrides)
       : ice(validation(overrides)),
         world({.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}),
-        floes(ice) {
+        floes(ice),
+        water(ice) {
     const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(n_floes) / layers)));
     for (int layer = 0; layer < layers; ++layer)
       for (int i = 0; i < side; ++i)
         for (int j = 0; j < side; ++j) {
           const Vec2 low = 1.4 * Vec2{i + 0.3 * layer, j + 0.2 * layer};
           const std::vector<Vec2> ring{low, low + Vec2{1.395, 0}, low + Vec2{1.395, 1.395}, low + Vec2{0, 1.395}};
-          if (!floes.add(world, {geometry::ring(ring), {}}, 0.0)) continue;
+          brash::ice::Plate plate(0, brash::ice::Hold::kAfloat, simulation::ice_properties(ice),
+                                  {{geometry::ring(ring), {}}});
+          if (!floes.add(world, std::move(plate), 0.0)) continue;
           const BodyId body = floes.floes().rbegin()->first;
           Pose pose = world.pose(body);
           pose.position.z -= 0.335 * layer;
@@ -45,6 +50,7 @@ struct Field {
   model::Case ice;
   rigid_body::World world;
   FloePopulation floes;
+  simulation::FloeWater water;
 };
 
 }  // namespace brash::benchmarks

@@ -32,22 +32,11 @@ double allocated() {
   return static_cast<double>(heap.uordblks + heap.hblkhd);
 }
 
-model::GridRings rings_of(const geometry::Polygon& polygon) {
-  model::GridRings rings(1);
-  for (const geometry::Point& p : polygon.outline) rings[0].push_back({p.x, p.y});
-  return rings;
-}
-
 /// What Bullet's world needs of each floe.
-std::vector<model::CheckpointFloe> state(const Field& field) {
-  std::vector<model::CheckpointFloe> floes;
+std::vector<FloeThen> state(const Field& field) {
+  std::vector<FloeThen> floes;
   for (const auto& [body, floe] : field.floes.floes())
-    floes.push_back({.id = floe.id,
-                     .body = body,
-                     .rings = rings_of(floe.outline),
-                     .thickness = field.ice.ice.thickness,
-                     .pose = field.world.pose(body),
-                     .twist = field.world.twist(body)});
+    floes.push_back({floe.id, floe.plate.outline().front(), field.world.pose(body), field.world.twist(body)});
   return floes;
 }
 
@@ -65,10 +54,10 @@ void add(std::vector<double>& sums, const std::vector<double>& times) {
 /// Times of Bullet's steps from the state before each step of the program but the first.
 std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
   Field field(n_wanted, layers, {});
-  std::vector<std::vector<model::CheckpointFloe>> states;
+  std::vector<std::vector<FloeThen>> states;
   for (int i = 0; i <= n_steps; ++i) {
     states.push_back(state(field));
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
     field.world.step(kStep);
   }
   BulletWorld bullet(field.ice);
@@ -88,7 +77,7 @@ StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
   StepTimes times;
   for (int i = 0; i <= n_steps; ++i) {
     const double start = process_seconds();
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
     const double between = process_seconds();
     field.world.step(kStep);
     if (i == 0) continue;
@@ -99,7 +88,7 @@ StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
   for (const auto& [body, floe] : field.floes.floes()) field.world.set_settled(body, true);
   for (int i = 0; i < n_steps; ++i) {
     const double start = process_seconds();
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
     field.world.step(kStep);
     times.settled.push_back(process_seconds() - start);
   }

@@ -14,24 +14,24 @@ using namespace brash::benchmarks;
 
 void water(benchmark::State& state, int layers, const std::vector<std::string>& overrides) {
   Field field(static_cast<int>(state.range(0)), layers, overrides);
-  field.floes.apply_water(field.world, kStep, {});
+  field.water.apply(field.world, field.floes, kStep, {});
   field.world.step(kStep);
   for (auto _ : state) {
     state.PauseTiming();  // the floes move on, so that their neighbours have to be found anew
     field.world.step(kStep);
     state.ResumeTiming();
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(field.floes.floes().size()));
 }
 
 void world_step(benchmark::State& state, int layers) {
   Field field(static_cast<int>(state.range(0)), layers, {});
-  field.floes.apply_water(field.world, kStep, {});
+  field.water.apply(field.world, field.floes, kStep, {});
   field.world.step(kStep);
   for (auto _ : state) {
     state.PauseTiming();
-    field.floes.apply_water(field.world, kStep, {});
+    field.water.apply(field.world, field.floes, kStep, {});
     state.ResumeTiming();
     field.world.step(kStep);
   }

@@ -8,24 +8,8 @@
 #include "plan.hpp"
 
 namespace brash::benchmarks {
-namespace {
 
 using rigid_body::to_bullet;
-
-geometry::Polygon polygon_of(const model::GridRings& rings) {
-  geometry::Polygon polygon;
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    geometry::Ring ring;
-    for (const model::GridPoint p : rings[i]) ring.push_back({p.x, p.y});
-    if (i == 0)
-      polygon.outline = std::move(ring);
-    else
-      polygon.holes.push_back(std::move(ring));
-  }
-  return polygon;
-}
-
-}  // namespace
 
 BulletWorld::BulletWorld(const model::Case& c)
     : case_(c), dispatcher_(&configuration_), world_(&dispatcher_, &broad_phase_, &solver_, &configuration_) {
@@ -53,9 +37,9 @@ void BulletWorld::place_structure(const Pose& from, const Pose& to, Vec3 velocit
   structure_.body->setLinearVelocity(to_bullet(velocity));
 }
 
-void BulletWorld::set_floes(const std::vector<model::CheckpointFloe>& floes) {
+void BulletWorld::set_floes(const std::vector<FloeThen>& floes) {
   std::map<std::int64_t, BulletBody> now;
-  for (const model::CheckpointFloe& floe : floes) {
+  for (const FloeThen& floe : floes) {
     auto known = floes_.extract(floe.id);
     BulletBody body = known.empty() ? make_floe(floe) : std::move(known.mapped());
     body.body->setWorldTransform(to_bullet(floe.pose));
@@ -96,25 +80,25 @@ BulletBody BulletWorld::make(const std::vector<rigid_body::ConvexPart>& solids, 
   return made;
 }
 
-BulletBody BulletWorld::make_floe(const model::CheckpointFloe& floe) {
-  const geometry::Polygon polygon = polygon_of(floe.rings);
+BulletBody BulletWorld::make_floe(const FloeThen& floe) {
+  const double thickness = case_.ice.thickness;
   std::vector<std::vector<Vec2>> parts;
-  for (const geometry::Ring& part : geometry::convex_parts(polygon)) parts.push_back(simulation::to_metres(part));
+  for (const geometry::Ring& part : geometry::convex_parts(floe.outline)) parts.push_back(simulation::to_metres(part));
   const auto placed =
-      rigid_body::place_prism(simulation::rings_in_metres(polygon), parts, floe.thickness, floe.pose.position.z);
+      rigid_body::place_prism(simulation::rings_in_metres(floe.outline), parts, thickness, floe.pose.position.z);
   const auto mass = rigid_body::mass_properties(placed.prism, case_.ice.density, case_.hydrodynamics.added_mass);
   std::vector<rigid_body::ConvexPart> solids;
   for (const auto& ring : placed.prism.parts)
-    solids.push_back(rigid_body::convex_prism(ring, -0.5 * floe.thickness, 0.5 * floe.thickness));
+    solids.push_back(rigid_body::convex_prism(ring, -0.5 * thickness, 0.5 * thickness));
   BulletBody made = make(solids, mass, floe.pose, std::sqrt(case_.ice.friction_ice));
   world_.addRigidBody(made.body.get(), 1, 3);
   return made;
 }
 
-void BulletWorld::set_sheet(const std::vector<model::GridRings>& sheet, double bottom, double top) {
+void BulletWorld::set_sheet(const std::vector<geometry::Polygon>& sheet, double bottom, double top) {
   std::map<Outline, std::vector<BulletBody>> now;
-  for (const model::GridRings& rings : sheet)
-    for (const geometry::Ring& part : geometry::convex_parts(polygon_of(rings))) {
+  for (const geometry::Polygon& polygon : sheet)
+    for (const geometry::Ring& part : geometry::convex_parts(polygon)) {
       const std::vector<Vec2> ring = simulation::to_metres(part);
       Outline key;
       for (const Vec2 v : ring) key.emplace_back(v.x, v.y);

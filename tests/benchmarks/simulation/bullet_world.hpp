@@ -10,12 +10,20 @@
 #include <utility>
 #include <vector>
 
+#include "brash/geometry/polygon.hpp"
 #include "brash/model/case.hpp"
-#include "brash/model/checkpoint.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "convex_part.hpp"
 
 namespace brash::benchmarks {
+
+/// A floe before a step of the program.
+struct FloeThen {
+  std::int64_t id = 0;
+  geometry::Polygon outline;  ///< where it broke off, sheet frame
+  Pose pose;
+  Twist twist;
+};
 
 /// A body with its shapes; shapes outlive it.
 struct BulletBody {
@@ -35,9 +43,9 @@ class BulletWorld {
   void add_structure(const std::vector<Vec3>& hull, const Pose& pose);
   void place_structure(const Pose& from, const Pose& to, Vec3 velocity);
   /// Floes as they are before a step; those that are gone leave.
-  void set_floes(const std::vector<model::CheckpointFloe>& floes);
+  void set_floes(const std::vector<FloeThen>& floes);
   /// The sheet, in convex parts; those that are known stay.
-  void set_sheet(const std::vector<model::GridRings>& sheet, double bottom, double top);
+  void set_sheet(const std::vector<geometry::Polygon>& sheet, double bottom, double top);
   void step(double dt) { world_.stepSimulation(dt, 0); }
   int n_points();
 
@@ -46,7 +54,7 @@ class BulletWorld {
 
   BulletBody make(const std::vector<rigid_body::ConvexPart>& solids, const rigid_body::MassProperties& mass,
                   const Pose& pose, double friction) const;
-  BulletBody make_floe(const model::CheckpointFloe& floe);
+  BulletBody make_floe(const FloeThen& floe);
 
   const model::Case& case_;
   btDefaultCollisionConfiguration configuration_;

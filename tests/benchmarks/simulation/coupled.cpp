@@ -14,13 +14,14 @@
 #include "brash/io/case.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/simulation/simulation.hpp"
-#include "brash/structure/cone.hpp"
+#include "brash/structure/hull.hpp"
 #include "bullet_world.hpp"
 
 namespace {
 
 using namespace brash;
 using benchmarks::BulletWorld;
+using benchmarks::FloeThen;
 
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -31,38 +32,47 @@ struct Times {
   std::size_t n_floes = 0;
 };
 
+std::vector<FloeThen> floes_of(const model::Checkpoint& state) {
+  const model::Table& table = state.table("floe");
+  std::vector<FloeThen> floes(table.n_rows());
+  for (std::size_t i = 0; i < floes.size(); ++i) {
+    model::RestoredRow row(table, i);
+    row("id", "", "", floes[i].id);
+    row("outline", "", "", floes[i].outline);
+    model::visit_pose(floes[i].pose, row);
+    model::visit_twist(floes[i].twist, row);
+  }
+  return floes;
+}
+
 Times run(const model::Case& c, double seconds) {
   simulation::Simulation simulation(c);
   BulletWorld bullet(c);
   const double dt = c.time.step;
+  const double speed = model::speed(c.structure.motion);
   const auto structure_at = [&](int step) {
-    return Pose{{-c.structure.start_distance + step * dt * c.structure.speed, 0.0, 0.0}, {}};
+    return Pose{{-c.structure.start_distance + step * dt * speed, 0.0, 0.0}, {}};
   };
-  const structure::Cone cone{.angle = c.structure.angle,
-                             .waterline_width = c.structure.waterline_width,
-                             .height = c.structure.height,
-                             .height_under_water = c.structure.height_under_water,
-                             .downward_breaking = c.structure.breaking == model::Breaking::kDownward,
-                             .facets = c.structure.facets};
-  bullet.add_structure(structure::hull(cone), structure_at(0));
+  bullet.add_structure(structure::make_hull(c.structure.shape)->parts().front(), structure_at(0));
   const simulation::DerivedScales slab = simulation::derived_scales(c);
   Times times;
   const int n_steps = static_cast<int>(std::lround(seconds / dt));
-  std::vector<model::GridRings> sheet;
+  std::vector<geometry::Polygon> sheet;
   for (int i = 0; i < n_steps; ++i) {
-    model::Checkpoint state = simulation.checkpoint();
+    const std::vector<FloeThen> floes = floes_of(simulation.checkpoint());
+    std::vector<geometry::Polygon> sheet_now = simulation.sheet();
     const double before = process_seconds();
     static_cast<void>(simulation.step());
     times.coupled += process_seconds() - before;
 
-    if (state.sheet != sheet) bullet.set_sheet(sheet = state.sheet, -slab.draft, slab.freeboard);
-    bullet.set_floes(state.floes);
-    bullet.place_structure(structure_at(i), structure_at(i + 1), {c.structure.speed, 0.0, 0.0});
+    if (sheet_now != sheet) bullet.set_sheet(sheet = std::move(sheet_now), -slab.draft, slab.freeboard);
+    bullet.set_floes(floes);
+    bullet.place_structure(structure_at(i), structure_at(i + 1), {speed, 0.0, 0.0});
     const double ready = process_seconds();
     bullet.step(dt);
     times.bullet += process_seconds() - ready;
     times.n_bullet_points += bullet.n_points();
-    times.n_floes = state.floes.size();
+    times.n_floes = floes.size();
   }
   times.n_bullet_points /= n_steps;
   return times;

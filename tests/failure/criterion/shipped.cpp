@@ -76,7 +76,7 @@ std::vector<HeldOutRow> held_out_rows() {
 
 /// Errors that a model must not exceed on these rows; those of the model cards on all held-out rows are about the same.
 struct HeldOutErrors {
-  model::FailureModel model;
+  const char* model;
   double median, share_95, share_99;  ///< of the size of predicted / computed stress - 1
   double on_plateau;                  ///< share of the places
 };

@@ -3,6 +3,7 @@
 """The command `brash campaign` from outside, on this machine: campaign_command.py BRASH FOLDER"""
 import csv
 import fcntl
+import hashlib
 import json
 import shutil
 import signal
@@ -203,6 +204,30 @@ class Command(unittest.TestCase):
             interval = stats.t.interval(0.95, len(values) - 1, np.mean(values), stats.sem(values))
             # Two ways to sum and to invert Student's distribution.
             np.testing.assert_allclose(setting["statistics"]["horizontal.mean"]["mean_95"], interval, rtol=1e-9)
+
+    def test_the_crate_lists_the_results_with_their_hashes_and_keeps_the_licence_of_the_user(self):
+        folder = FOLDER / "crate"
+        self.assertEqual(quick(folder).returncode, 0)
+        path = folder / "ro-crate-metadata.json"
+        crate = json.loads(path.read_text(encoding="utf-8"))
+        entities = {entity["@id"]: entity for entity in crate["@graph"]}
+        root = entities["./"]
+        self.assertEqual(entities[path.name]["about"], {"@id": "./"})
+        self.assertEqual(entities["#brash"]["version"],
+                         subprocess.run([BRASH, "--version"], capture_output=True, text=True).stdout.strip())
+        names = [part["@id"] for part in root["hasPart"]]
+        self.assertLessEqual({"campaign.csv", "campaign.nc", "summary.json", "manifest.json"}, set(names))
+        self.assertEqual(sum(name.startswith("cases/") for name in names), 12)
+        for name in names:
+            data = (folder / name).read_bytes()
+            self.assertEqual(entities[name]["sha256"], hashlib.sha256(data).hexdigest())
+            self.assertEqual(entities[name]["contentSize"], str(len(data)))
+        self.assertNotIn("license", root)
+        root["license"] = {"@id": "https://creativecommons.org/licenses/by/4.0/"}
+        path.write_text(json.dumps(crate), encoding="utf-8")
+        self.assertEqual(quick(folder, "--resume").returncode, 0)
+        again = {entity["@id"]: entity for entity in json.loads(path.read_text(encoding="utf-8"))["@graph"]}
+        self.assertEqual(again["./"]["license"], root["license"])
 
 
 if __name__ == "__main__":

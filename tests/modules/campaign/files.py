@@ -6,7 +6,7 @@ HERE = Path(__file__).resolve().parent
 PLAN = HERE / "plan.toml"
 DATABASE_PLAN = HERE / "database_plan.toml"
 #: What may differ between two runs of one campaign: times and hosts, locks.
-VOLATILE = {"manifest.json", "campaign.lock"}
+VOLATILE = {"manifest.json", "ro-crate-metadata.json", "campaign.lock"}
 
 
 def files_of(folder):

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_plan_without_a_grid_has_one_setting_with_the_name_of_its_
   BOOST_REQUIRE(plan.settings.size() == 1u);
   BOOST_TEST(plan.settings[0].name == "base");
   BOOST_TEST(plan.settings[0].resolved.name == "cone");
-  BOOST_TEST(plan.settings[0].resolved.structure.speed == 1.202);
+  BOOST_TEST(model::speed(plan.settings[0].resolved.structure.motion) == 1.202);
 }
 
 BOOST_AUTO_TEST_CASE(the_settings_are_all_combinations_the_last_axis_fastest) {
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(the_settings_are_all_combinations_the_last_axis_fastest) {
   BOOST_TEST(names(plan) == expected, boost::test_tools::per_element());
   const Setting& setting = plan.settings[3];
   BOOST_TEST(setting.resolved.name == "cone_angle-61.4deg_speed-1.2");
-  BOOST_TEST(setting.resolved.structure.speed == 1.2);
+  BOOST_TEST(model::speed(setting.resolved.structure.motion) == 1.2);
   BOOST_TEST(setting.resolved.time.duration == 30.0);
   BOOST_TEST(*setting.resolved.output.statistics_from == 8.0);
   // The keys in the order of the file, the values from the resolved case: an angle in rad.
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(the_settings_are_all_combinations_the_last_axis_fastest) {
   BOOST_TEST(plan.keys[0].name == "structure.angle");
   BOOST_TEST(plan.keys[0].unit == "rad");
   BOOST_TEST(plan.keys[1].name == "structure.speed");
-  BOOST_TEST(*setting.values[0].number == setting.resolved.structure.angle);
+  BOOST_TEST(*setting.values[0].number == std::get<model::Cone>(setting.resolved.structure.shape).angle);
   BOOST_TEST(setting.values[2].text == "8");
 }
 
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(a_setting_does_not_depend_on_what_else_the_grid_has) {
 }
 
 BOOST_AUTO_TEST_CASE(the_command_line_comes_last) {
-  BOOST_TEST(read(kGrid, false, {"structure.speed=2"}).settings[0].resolved.structure.speed == 2.0);
+  BOOST_TEST(model::speed(read(kGrid, false, {"structure.speed=2"}).settings[0].resolved.structure.motion) == 2.0);
 }
 
 BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_remedy) {

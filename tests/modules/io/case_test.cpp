@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "brash/core/constants.hpp"
@@ -18,6 +19,7 @@ namespace {
 const std::string kValidation = std::string(BRASH_SOURCE_DIR) + "/experiments/validation/cone.toml";
 
 Case with(const std::string& override_text) { return read_case(kValidation, {override_text}); }
+Cone cone_of(const Case& c) { return std::get<Cone>(c.structure.shape); }
 double thickness(const std::string& value) { return with("ice.thickness=" + value).ice.thickness; }
 
 }  // namespace
@@ -32,8 +34,8 @@ BOOST_AUTO_TEST_CASE(the_validation_case_has_the_values_of_the_paper) {
   BOOST_TEST(c.ice.flexural_strength == 539e3);
   BOOST_TEST(c.ice.compressive_strength == 1e6);
   // The conversion factor pi/180 is rounded differently by UDUNITS: one unit in the last place.
-  BOOST_TEST(std::abs(c.structure.angle - radians(61.4)) <= 2.3e-16);
-  BOOST_TEST(c.structure.speed == 1.202);
+  BOOST_TEST(std::abs(cone_of(c).angle - radians(61.4)) <= 2.3e-16);
+  BOOST_TEST(speed(c.structure.motion) == 1.202);
   BOOST_TEST((c.failure.model == FailureModel::kNetwork));
   BOOST_TEST(c.failure.wedges[0] == 3);
   BOOST_TEST(c.failure.wedges[1] == 5);
@@ -49,11 +51,9 @@ BOOST_AUTO_TEST_CASE(keys_that_are_not_written_have_the_defaults_of_the_header) 
   expected.ice.thickness = 0.33;
   expected.ice.youngs_modulus = 0.35e9;
   expected.ice.flexural_strength = 539e3;
-  expected.structure.angle = c.structure.angle;
-  expected.structure.waterline_width = 13.6;
-  expected.structure.height = 9.08;
-  expected.structure.height_under_water = 5.68;
-  expected.structure.speed = 1.202;
+  expected.structure.shape =
+      Cone{.angle = cone_of(c).angle, .waterline_width = 13.6, .height = 9.08, .height_under_water = 5.68};
+  expected.structure.motion = Towed{1.202};
   expected.structure.start_distance = 7;
   expected.field.length = 50;
   expected.field.width = 50;
@@ -126,14 +126,14 @@ BOOST_AUTO_TEST_CASE(quantities_convert_to_si) {
   BOOST_TEST(with("ice.flexural_strength=0.539 N/mm2").ice.flexural_strength == 539e3);
   BOOST_TEST(with("ice.flexural_strength=0.539 N mm^-2").ice.flexural_strength == 539e3);
   BOOST_TEST(with("ice.density=0.9 g/cm3").ice.density == 900.0);
-  BOOST_TEST(with("structure.speed=3.6 km/h").structure.speed == 1.0,
+  BOOST_TEST(speed(with("structure.speed=3.6 km/h").structure.motion) == 1.0,
              boost::test_tools::tolerance(4e-16));  // two roundings
   BOOST_TEST(with("time.duration=1 min").time.duration == 60.0);
   BOOST_TEST(with("ice.poisson_ratio=30 %").ice.poisson_ratio == 0.3);
   BOOST_TEST(with("output.frames_per_second=25 Hz").output.frames_per_second == 25.0);
   BOOST_TEST(with("output.frames_per_second=25 1/s").output.frames_per_second == 25.0);
-  BOOST_TEST(with("structure.angle=1.07 rad").structure.angle == 1.07);
-  BOOST_TEST(with("structure.angle=1.07").structure.angle == 1.07);
+  BOOST_TEST(cone_of(with("structure.angle=1.07 rad")).angle == 1.07);
+  BOOST_TEST(cone_of(with("structure.angle=1.07")).angle == 1.07);
 }
 
 BOOST_AUTO_TEST_CASE(units_that_udunits_misreads_mean_what_sailors_mean) {
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(units_that_udunits_misreads_mean_what_sailors_mean) {
   BOOST_TEST(with("field.length=1 nmi").field.length == 1852.0);
   BOOST_TEST(with("ice.friction_ice=300 ppt").ice.friction_ice == 0.3);
   // Its knot is 1852/3600 m/s, printed and stored as a double.
-  BOOST_TEST(with("structure.speed=2 knots").structure.speed == 2 * 1852.0 / 3600.0,
+  BOOST_TEST(speed(with("structure.speed=2 knots").structure.motion) == 2 * 1852.0 / 3600.0,
              boost::test_tools::tolerance(1e-15));
 }
 
@@ -160,6 +160,36 @@ BOOST_AUTO_TEST_CASE(a_model_file_is_relative_to_the_case_file) {
 
 BOOST_AUTO_TEST_CASE(the_schema_is_what_the_program_carries) {
   BOOST_TEST(case_schema() == read_bytes(std::string(BRASH_SOURCE_DIR) + "/modules/io/case.schema.json"));
+}
+
+BOOST_AUTO_TEST_CASE(the_speed_is_written_in_the_motion_or_in_its_short_form) {
+  const Scratch scratch;
+  std::string text = kLeastCase;
+  const std::size_t at = text.find("speed = 1.202\n");
+  BOOST_REQUIRE(at != std::string::npos);
+  text.erase(at, std::string("speed = 1.202\n").size());
+  const std::string in_long = text + "[structure.motion]\nkind = \"towed\"\nspeed = \"2.404 m/s\"\n";
+  const Case c = read_case(scratch.write("long.toml", in_long));
+  BOOST_TEST(speed(c.structure.motion) == 2.404);
+  BOOST_TEST(to_toml(c).find("[structure.motion]") == std::string::npos);
+  BOOST_TEST(to_toml(c).find("speed = 2.404") != std::string::npos);
+  std::filesystem::create_directory(scratch.folder() / "again");
+  BOOST_TEST((read_case(scratch.write("again/long.toml", to_toml(c))) == c));
+
+  const auto message_of = [&](const std::string& file, const std::vector<std::string>& overrides) -> std::string {
+    try {
+      read_case(scratch.write("both.toml", file), overrides);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  BOOST_TEST(message_of(kLeastCase, {"structure.motion.speed=3"}).find("is the short form of structure.motion.speed") !=
+             std::string::npos);
+  BOOST_TEST(message_of(text, {"structure.motion.kind=towed"}).find("structure.speed: is missing") !=
+             std::string::npos);
+  BOOST_TEST(message_of(kLeastCase, {"structure.motion.kind=twoed"}).find("nearest: \"towed\"") != std::string::npos);
+  BOOST_TEST(message_of(kLeastCase, {"structure.motion.stiffness=3"}).find("is not a known key") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(every_key_has_a_meaning_a_unit_and_limits_that_hold) {
@@ -212,11 +242,14 @@ std::vector<std::string> names_in_model() {
 BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("algorithm", "preset") == names_in_model<Preset>());
   BOOST_TEST(names_in_schema("structure", "kind") == names_in_model<StructureKind>());
+  const auto motion = nlohmann::json::parse(case_schema())["properties"]["structure"]["properties"]["motion"];
+  BOOST_TEST(motion["properties"]["kind"]["enum"].get<std::vector<std::string>>() == names_in_model<MotionKind>());
   BOOST_TEST(names_in_schema("structure", "breaking") == names_in_model<Breaking>());
   BOOST_TEST(names_in_schema("field", "kind") == names_in_model<FieldKind>());
   BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
   BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
+  BOOST_TEST(names_in_schema("contact", "engine") == names_in_model<ContactEngine>());
   BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());
 }
 

@@ -24,6 +24,13 @@ class Cases(unittest.TestCase):
         self.assertEqual(self.case["ice.flexural_strength"], 539e3)
         self.assertEqual(self.case["failure.wedges"], [3, 5])
 
+    def test_the_mesh_of_the_structure_is_closed_and_as_high_as_the_case_says(self):
+        vertices, triangles = self.case.mesh()
+        self.assertEqual((vertices.shape, triangles.shape), ((128, 3), (252, 3)))
+        self.assertAlmostEqual(np.ptp(vertices[:, 2]), 9.08)
+        edges = {(t[i], t[(i + 1) % 3]) for t in triangles.tolist() for i in range(3)}
+        self.assertTrue(all((b, a) in edges for a, b in edges))
+
     def test_a_key_is_set_with_a_unit_or_as_a_number(self):
         self.case["ice.thickness"] = "40 cm"
         self.assertEqual(self.case["ice.thickness"], 0.4)

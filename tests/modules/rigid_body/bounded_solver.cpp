@@ -251,3 +251,40 @@ BOOST_AUTO_TEST_CASE(a_pile_keeps_its_momentum_but_for_what_the_ground_takes_and
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_CASE(a_joint_holds_within_its_limits_and_gives_way_by_its_softness) {
+  // Two balls of 2 and 3 kg part along x at 5 m/s; m is their reduced mass.
+  const double m = 1.0 / (1.0 / 2.0 + 1.0 / 3.0);
+  const auto impulse_of = [&](double softness, double most, double velocity) {
+    BoundedSolver solver;
+    const std::uint32_t first = solver.add(ball({1, 0, 0}, {{2, 0, 0}, {}}, 2.0));
+    const std::uint32_t second = solver.add(ball({-1, 0, 0}, {{-3, 0, 0}, {}}, 3.0));
+    solver.add(SolverJoint{.first = first,
+                           .second = second,
+                           .of_first = {{1, 0, 0}, {}},
+                           .of_second = {{-1, 0, 0}, {}},
+                           .velocity = velocity,
+                           .softness = softness,
+                           .least = -most,
+                           .most = most});
+    solver.solve(30, 1e-12);
+    const double impulse = solver.joint_impulse(0);
+    BOOST_TEST(solver.twist(first).linear.x == 2.0 + impulse / 2.0, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(solver.twist(second).linear.x == -3.0 - impulse / 3.0, boost::test_tools::tolerance(1e-12));
+    return impulse;
+  };
+  BOOST_TEST(impulse_of(0.0, kAny, 0.0) == -5.0 * m, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(impulse_of(0.0, kAny, 1.0) == -4.0 * m, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(impulse_of(0.0, 2.0, 0.0) == -2.0);
+  BOOST_TEST(impulse_of(0.4, kAny, 0.0) == -5.0 / (1.0 / m + 0.4), boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_row_of_angular_velocities_stops_a_turn) {
+  BoundedSolver solver;
+  const std::uint32_t body = solver.add(ball({}, {{1, 2, 3}, {0.1, 0.2, 0.8}}, 2.0));
+  solver.add(SolverJoint{.first = body, .of_first = {{}, {0, 0, 1}}, .least = -kAny, .most = kAny});
+  solver.solve(30, 1e-12);
+  BOOST_TEST(norm(solver.twist(body).angular - Vec3{0.1, 0.2, 0.0}) < 1e-12);
+  BOOST_TEST((solver.twist(body).linear == Vec3{1, 2, 3}));
+  BOOST_TEST(solver.joint_impulse(0) == -25.0 * 0.8, boost::test_tools::tolerance(1e-12));
+}

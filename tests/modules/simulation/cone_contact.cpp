@@ -5,7 +5,7 @@
 
 #include "brash/failure/criterion.hpp"
 #include "brash/simulation/simulation.hpp"
-#include "brash/structure/cone.hpp"
+#include "brash/structure/hull.hpp"
 #include "floating_floe.hpp"
 
 namespace {
@@ -33,16 +33,16 @@ Pushed push_on_floe(double density_bound, bool downward, int facets) {
   rigid_body::WorldSettings settings;
   settings.ice_structure = {kFriction, 0.0, density_bound};
   World world(settings);
-  const structure::Cone cone{kAngle, 13.6, 9.08, 5.68, downward, facets};
-  const std::vector<std::vector<Vec3>> hulls{structure::hull(cone)};
+  const auto breaking = downward ? model::Breaking::kDownward : model::Breaking::kUpward;
+  const auto hull = structure::make_hull(model::Cone{kAngle, 13.6, 9.08, 5.68, breaking, facets});
   const double half_facet = kPi / facets;
   const Pose ahead{{}, {std::cos(0.5 * half_facet), 0.0, 0.0, std::sin(0.5 * half_facet)}};
-  const BodyId body = world.add_structure(hulls, ahead);
+  const BodyId body = world.add_structure(hull->parts(), ahead);
 
   const double h = 0.33;
   const double top = h * (1.0 - 900.0 / 1025.0);
-  const double widest = downward ? top : top - h;
-  const double near = structure::radius_at(cone, widest) * std::cos(half_facet) - 0.004;  // 4 mm into the edge
+  const double radius = structure::foremost(*hull, {}, top - h, top, {1.0, 0.0}).reach;
+  const double near = radius * std::cos(half_facet) - 0.004;  // 4 mm into the edge
   const std::vector<std::vector<Vec2>> plan{{{near, -0.5}, {near + 2.0, -0.5}, {near + 2.0, 0.5}, {near, 0.5}}};
   const rigid_body::PlacedPrism placed = rigid_body::place_prism(plan, plan, h, top - 0.5 * h);
   world.add_floe(placed.prism, rigid_body::mass_properties(placed.prism, 900.0, 0.5), placed.pose);

@@ -5,8 +5,8 @@
 
 #include "bearing.hpp"
 #include "brash/core/constants.hpp"
+#include "brash/ice/field.hpp"
 #include "brash/io/case.hpp"
-#include "ice_field.hpp"
 
 namespace {
 
@@ -29,14 +29,17 @@ class Listening final : public failure::BendingCriterion {
 
 struct Scene {
   model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {});
-  structure::Cone cone{.angle = radians(61.4), .waterline_width = 13.6, .height = 9.08, .height_under_water = 5.68};
+  std::unique_ptr<const structure::Hull> hull = structure::make_hull(resolved.structure.shape);
   failure::IceProperties ice = simulation::ice_properties(resolved);
-  simulation::IceField field{50.0, 50.0};
+  brash::ice::Field field{resolved.field, ice};
+
+  const geometry::IceSheet& sheet() const { return field.level_ice()[0].sheet(); }
 
   /// Of the last contact.
   failure::LoadCase load(bool wants_outline, Vec2 centre = {-6.7, 0.0}) {
     const Listening criterion(wants_outline);
-    const auto contacts = simulation::edge_contacts({cone, resolved, ice, criterion}, field.sheet(), centre);
+    const structure::State state{{{centre.x, centre.y, 0.0}, {}}, {{1.202, 0.0, 0.0}, {}}};
+    const auto contacts = simulation::edge_contacts({*hull, resolved, ice, criterion}, sheet(), state);
     BOOST_REQUIRE(!contacts.empty());
     return criterion.heard;
   }
@@ -64,7 +67,9 @@ BOOST_AUTO_TEST_CASE(the_outline_of_a_straight_edge_is_the_edge_with_the_chord_i
 
 BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_right) {
   Scene scene;
-  scene.field.break_free({0.0, 0.0}, 3.0, 4, 16, geometry::disc({-100.0, 0.0}, 1.0, 8), 0.01);
+  ice::Plate& level_ice = scene.field.level_ice(0);
+  const ice::CrackPlan circle{geometry::circumferential(level_ice.sheet(), {}, 3.0, 4), {}, 3.0, 4};
+  (void)scene.field.break_off(level_ice, circle, {}, 0.01);
   const failure::LoadCase load = scene.load(true, {-3.9, 0.4});
   const auto& outline = load.outline;
   BOOST_REQUIRE(outline.size() > 4u);
@@ -79,9 +84,9 @@ BOOST_AUTO_TEST_CASE(the_outline_passes_the_contact_once_with_the_ice_on_its_rig
 }
 
 /// A floe that presses evenly on 2 m of the straight edge around y = 1, over a thousand points.
-model::Bearing even_bearing(double normal, double downward) {
+simulation::Bearing even_bearing(double normal, double downward) {
   constexpr int kPoints = 1000;
-  model::Bearing bearing;
+  simulation::Bearing bearing;
   for (int i = 0; i < kPoints; ++i) {
     rigid_body::ContactLoad contact;
     contact.point = {0.0, 2.0 * (i + 0.5) / kPoints, 0.0};
@@ -105,16 +110,16 @@ BOOST_AUTO_TEST_CASE(an_even_bearing_is_the_line_load_that_it_is) {
 BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under_the_structure) {
   Scene scene;
   const auto criterion = failure::make_criterion(model::FailureModel::kSuperposition, "", scene.ice);
-  const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, *criterion};
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, *criterion};
   const auto fails = [&](double normal, double downward) {
-    return simulation::bearing_contact(model, scene.field.sheet(), 7, even_bearing(normal, downward))->assessment.fails;
+    return simulation::bearing_contact(model, scene.sheet(), 7, even_bearing(normal, downward))->assessment.fails;
   };
   // A straight edge of this ice breaks at 85 kN out of the plane, with 160 kN in it (docs/theory/failure.md).
   BOOST_TEST(!fails(1.2e5, 6e4));
   BOOST_TEST(fails(2e5, 1.1e5));
   BOOST_TEST(!fails(2e5, 0.0));
 
-  const auto contact = simulation::bearing_contact(model, scene.field.sheet(), 7, even_bearing(8e4, 3e4)).value();
+  const auto contact = simulation::bearing_contact(model, scene.sheet(), 7, even_bearing(8e4, 3e4)).value();
   BOOST_TEST(contact.floe == 7);
   BOOST_TEST(contact.load.mu1 == 0.375, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(contact.load.pressure == 8e4 / (2.0 * 0.33), boost::test_tools::tolerance(1e-6));
@@ -123,14 +128,14 @@ BOOST_AUTO_TEST_CASE(the_edge_under_a_floe_breaks_by_the_same_criterion_as_under
 BOOST_AUTO_TEST_CASE(a_floe_that_hardly_presses_is_not_looked_at) {
   Scene scene;
   const Listening criterion(false);
-  const simulation::EdgeModel model{scene.cone, scene.resolved, scene.ice, criterion};
-  BOOST_TEST(!simulation::bearing_contact(model, scene.field.sheet(), 0, even_bearing(500.0, 0.0)).has_value());
-  BOOST_TEST(!simulation::bearing_contact(model, scene.field.sheet(), 0, {}).has_value());
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, criterion};
+  BOOST_TEST(!simulation::bearing_contact(model, scene.sheet(), 0, even_bearing(500.0, 0.0)).has_value());
+  BOOST_TEST(!simulation::bearing_contact(model, scene.sheet(), 0, {}).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(a_mean_bearing_approaches_what_stays) {
-  model::Bearing mean;
-  const model::Bearing now = even_bearing(8e4, 3e4);
+  simulation::Bearing mean;
+  const simulation::Bearing now = even_bearing(8e4, 3e4);
   for (int i = 0; i < 3; ++i) simulation::approach(mean, now, 0.5);
   BOOST_TEST(mean.weight == 0.875 * now.weight, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(simulation::line_load(mean).length == 2.0, boost::test_tools::tolerance(1e-6));

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_floe_born_with_energy_is_booked_and_a_deleted_one_takes_i
   Pool pool;
   const BodyId floe = pool.add({0, 0}, {3, 2}, {{0.9, 0, 0}, {}});
   const double energy = pool.world.kinetic_energy();
-  pool.floes.apply_water(pool.world, 0.01, {});
+  pool.water.apply(pool.world, pool.floes, 0.01, {});
   pool.world.step(0.01);
   pool.ledger.book_step(pool.world, pool.floes, 0, 0.01);
   model::LoadRow row;
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_floe_born_with_energy_is_booked_and_a_deleted_one_takes_i
   BOOST_TEST(row.birth_energy == energy, boost::test_tools::tolerance(1e-4));  // tilt by drag in the first step
   BOOST_TEST(std::abs(row.energy_error) < 1e-9);                               // round-off of 1000 J
   pool.ledger.remove(pool.world, pool.floes, floe);
-  (void)pool.floes.remove(pool.world, floe);
+  pool.remove(floe);
   pool.ledger.report(pool.world, pool.floes, row);
   BOOST_TEST(row.removed_energy == row.birth_energy - row.losses.total(), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(std::abs(row.energy_error) < 1e-9);

@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "afloat.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/io/case.hpp"
 #include "brash/rigid_body/world.hpp"
-#include "floe_population.hpp"
+#include "floe_water.hpp"
 
 namespace brash::simulation::testing {
 
@@ -25,9 +26,9 @@ inline std::vector<std::string> without_drag() {
 /// World, water and one rectangular floe, coupled as Simulation::step couples them.
 struct FloatingFloe {
   FloatingFloe(double length, double breadth, model::Case resolved)
-      : ice(std::move(resolved)), world({}), floes(ice), l(length), b(breadth) {
+      : ice(std::move(resolved)), world({}), floes(ice), water(ice), l(length), b(breadth) {
     const std::vector<Vec2> ring{{-0.5 * l, -0.5 * b}, {0.5 * l, -0.5 * b}, {0.5 * l, 0.5 * b}, {-0.5 * l, 0.5 * b}};
-    floes.add(world, {geometry::ring(ring), {}}, 0.0);
+    floes.add(world, afloat(ice, ring), 0.0);
     body = world.floes().front();
     rest = h() * (0.5 - ice.ice.density / ice.water.density);
   }
@@ -35,7 +36,7 @@ struct FloatingFloe {
   FloatingFloe& operator=(const FloatingFloe&) = delete;
 
   void step(double dt) {
-    floes.apply_water(world, dt, {});
+    water.apply(world, floes, dt, {});
     world.step(dt);
   }
   double h() const { return ice.ice.thickness; }
@@ -55,6 +56,7 @@ struct FloatingFloe {
   model::Case ice;
   rigid_body::World world;
   FloePopulation floes;
+  FloeWater water;
   double l;
   double b;
   double rest = 0.0;  ///< height of the centre of mass at rest, Archimedes [m]

@@ -6,6 +6,7 @@
 namespace {
 
 using namespace brash;
+using namespace brash::simulation;
 using namespace brash::simulation::testing;
 
 BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_is_not_deleted) {
@@ -19,7 +20,8 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
   Pose right{{2.0, 0.0, 0.0}, {}};
   const BodyId from_left = pool.world.add_structure(std::span(&block, 1), left);
   const BodyId from_right = pool.world.add_structure(std::span(&block, 1), right);
-  // A sweep of the solver adds about m v to what two walls that close this slowly bear: in steps of 10 ms 30 are too few.
+  // A sweep of the solver adds about m v to what two walls that close this slowly bear: in steps of 10 ms 30 are too
+  // few.
   const double dt = 0.005;
   const double speed = 0.02;
   const int n_steps = 100;
@@ -29,15 +31,15 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
     pool.world.move_structure(from_left, left, {{speed, 0, 0}, {}});
     pool.world.move_structure(from_right, right, {{-speed, 0, 0}, {}});
     (void)pool.step(dt);
-    pool.floes.average_contacts(pool.world, dt);
+    average_stress(pool.world, contacts_by_place(pool.world), dt, pool.floes);
   }
   const double bound = 0.5e6;
   const double depth = n_steps * dt * speed;
   // Half a second is ten collision times (47 ms); of the depth's growth the average sees the last tenth late.
-  BOOST_TEST(pool.floes.floes().at(floe).peak_compression == bound * (1.0 - depth / 2.0),
+  BOOST_TEST(pool.floes.at(floe).stress.peak_compression == bound * (1.0 - depth / 2.0),
              boost::test_tools::tolerance(2e-3));
-  BOOST_TEST(pool.floes.overstressed(pool.world, 1.0e6).empty());
-  BOOST_TEST(pool.floes.overstressed(pool.world, 0.98 * bound).size() == 1u);
+  BOOST_TEST(overstressed(pool.world, pool.floes, 1.0e6).empty());
+  BOOST_TEST(overstressed(pool.world, pool.floes, 0.98 * bound).size() == 1u);
 }
 
 }  // namespace

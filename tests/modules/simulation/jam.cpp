@@ -28,7 +28,8 @@ std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
 
 /// A field of quadrilaterals with open water between them in a basin of x in [0, length], y in [0, width].
 struct Basin {
-  Basin() : ice(simulation::testing::ice_and_water({"water.current=[0.3, 0]"})), world(settings()), floes(ice) {
+  Basin()
+      : ice(simulation::testing::ice_and_water({"water.current=[0.3, 0]"})), world(settings()), floes(ice), water(ice) {
     for (const auto& side :
          {rectangle(-kThick, -kThick, length + kThick, 0.0), rectangle(-kThick, width, length + kThick, width + kThick),
           rectangle(length, 0.0, length + kThick, width)})
@@ -61,7 +62,7 @@ struct Basin {
         const Vec2 middle = 0.25 * (cell[0] + cell[1] + cell[2] + cell[3]);
         std::vector<Vec2> ring;
         for (const Vec2 corner : cell) ring.push_back(middle + 0.9 * (corner - middle));
-        BOOST_REQUIRE(floes.add(world, {geometry::ring(ring), {}}, 0.0).has_value());
+        BOOST_REQUIRE(floes.add(world, simulation::testing::afloat(ice, ring), 0.0).has_value());
       }
   }
 
@@ -70,7 +71,7 @@ struct Basin {
     Pose next = w.pose(wall);
     next.position.x += kSpeed * kStep;
     w.move_structure(wall, next, {{kSpeed, 0.0, 0.0}, {}});
-    floes.apply_water(w, kStep, {});
+    water.apply(w, floes, kStep, {});
     w.step(kStep);
   }
 
@@ -79,6 +80,7 @@ struct Basin {
   model::Case ice;
   World world;
   FloePopulation floes;
+  simulation::FloeWater water;
   BodyId wall;
 };
 

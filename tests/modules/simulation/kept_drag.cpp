@@ -34,11 +34,12 @@ PackDrag drag_of_closing_pack(double speed, const char* travel) {
   const double dt = 0.01, way = ice.hydrodynamics.drag_travel * ice.ice.thickness;
   rigid_body::World world({});
   simulation::FloePopulation floes(ice);
+  simulation::FloeWater water_on_floes(ice);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) {
       const Vec2 low{1.7 * i, 1.7 * j};
       const std::vector<Vec2> ring{low, low + Vec2{1.4, 0.0}, low + Vec2{1.4, 1.4}, low + Vec2{0.0, 1.4}};
-      floes.add(world, {geometry::ring(ring), {}}, 0.0);
+      floes.add(world, simulation::testing::afloat(ice, ring), 0.0);
       const BodyId body = world.floes().back();
       world.set_state(body, world.pose(body), {std::sqrt(0.5) * speed / 2.5 * Vec3{2.5 - i, 2.5 - j, 0.0}, {}});
     }
@@ -49,8 +50,8 @@ PackDrag drag_of_closing_pack(double speed, const char* travel) {
   double off = 0.0, all = 0.0, taken = 0.0, due = 0.0;
   int n_renewed = 0, n = 0;
   for (int step = 0; step < 150; ++step) {
-    floes.apply_water(world, dt, {});
-    world.visit_neighbours(world.moving(), floes.reach(), [&](BodyId body, std::span<const Solid> neighbours) {
+    water_on_floes.apply(world, floes, dt, {});
+    world.visit_neighbours(world.moving(), water_on_floes.reach(), [&](BodyId body, std::span<const Solid> neighbours) {
       const simulation::Floe& floe = floes.floes().at(body);
       const Twist twist = world.twist(body);
       const hydrodynamics::StepInertia inertia{

@@ -5,8 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "afloat.hpp"
 #include "brash/io/case.hpp"
 #include "energy_ledger.hpp"
+#include "floe_water.hpp"
+#include "sleep.hpp"
 
 namespace brash::simulation::testing {
 
@@ -19,11 +22,13 @@ struct Pool {
         world({.ice_structure = {0.027, 0.0, 0.5e6},
                .ice_ice = {0.3, 0.0, 0.5e6},
                .release_speed = resolved.time.settle_speed}),
-        floes(resolved) {}
+        floes(resolved),
+        water(resolved),
+        sleep(resolved) {}
 
   BodyId add(Vec2 lower, Vec2 upper, const Twist& twist) {
     const std::vector<Vec2> ring{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
-    BOOST_REQUIRE(floes.add(world, {geometry::ring(ring), {}}, 0.0).has_value());
+    BOOST_REQUIRE(floes.add(world, afloat(resolved, ring), 0.0).has_value());
     const BodyId body = world.floes().back();
     world.set_state(body, world.pose(body), twist);
     return body;
@@ -31,18 +36,25 @@ struct Pool {
 
   /// Energies after a step of `dt`. The floes are not newborn.
   model::LoadRow step(double dt) {
-    floes.apply_water(world, dt, {});
+    water.apply(world, floes, dt, {});
     world.step(dt);
-    floes.notice_let_go(world);
+    sleep.notice_woken(world, floes);
     ledger.book_step(world, floes, floes.next_id(), dt);
     model::LoadRow row;
     ledger.report(world, floes, row);
     return row;
   }
 
+  void remove(BodyId floe) {
+    sleep.forget(floes, floe);
+    (void)floes.remove(world, floe);
+  }
+
   model::Case resolved;
   rigid_body::World world;
   FloePopulation floes;
+  FloeWater water;
+  Sleep sleep;
   EnergyLedger ledger;
 };
 

@@ -20,10 +20,12 @@ using namespace brash::simulation;
 using namespace brash::simulation::testing;
 
 constexpr double kStep = 0.01;
+constexpr Twist kTow{{1.202, 0.0, 0.0}, {}};  // of the case's structure
 
 /// A pool with its own watchdog and a ledger of area that fits its floes.
 struct Guarded : Pool {
-  explicit Guarded(std::vector<std::string> overrides = {}) : Pool(std::move(overrides)), watchdog(resolved) {
+  explicit Guarded(std::vector<std::string> overrides = {})
+      : Pool(std::move(overrides)), watchdog(resolved, {{-8.7, -8.7, -5.68}, {8.7, 8.7, 3.4}}) {
     for (const Vec2 corner : {Vec2{0, 0}, Vec2{1.1, 0}, Vec2{0, 1.1}})
       bodies.push_back(
           add(corner, corner + Vec2{1, 1}, {{0.5 - 0.5 * corner.x, 0.3 - 0.4 * corner.y, 0}, {0, 0.1, 0.2}}));
@@ -31,10 +33,12 @@ struct Guarded : Pool {
     area.initial = area.floes;
     model::LoadRow row;
     ledger.report(world, floes, row);
-    watchdog.begin({world, floes, ledger, area, row, {}});
+    watchdog.begin({world, floes, ledger, area, row, {}, kTow});
   }
   void look(const model::LoadRow& row) { look(row, ledger.taken()); }
-  void look(const model::LoadRow& row, const Taken& taken) { watchdog.look({world, floes, ledger, area, row, taken}); }
+  void look(const model::LoadRow& row, const Taken& taken) {
+    watchdog.look({world, floes, ledger, area, row, taken, kTow});
+  }
   void steps(int n) {
     for (int i = 0; i < n; ++i) look(step(kStep));
   }

@@ -92,7 +92,12 @@ class IceSheet {
   /// hangs together, and the number of loops when it does not.
   std::vector<Polygon> release_detached();
 
-  /// The overlaps of the convex counter-clockwise `section` with the ice, sorted by the angle of their midpoint.
+  /// The overlaps of the simple counter-clockwise `section` with the ice, sorted by the angle of their midpoint about
+  /// the mean of the section's vertices.
+  ///
+  /// A hollow section may meet the ice in several places, each an overlap of its own; so are overlaps that share only a
+  /// vertex.
+  /// @throws ContractViolation when the section crosses itself or runs clockwise.
   std::vector<ContactRegion> contacts(std::span<const Point> section) const;
 
   /// The ice inside the simple counter-clockwise `window`, without taking it.
@@ -112,6 +117,15 @@ class IceSheet {
   explicit IceSheet(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// A region to cut out, and the cracks that divide it.
+struct CrackedRegion {
+  Ring region;  ///< simple, counter-clockwise
+  std::vector<Crack> cracks;
+};
+
+/// Plans cut_circumferential() without cutting: its circle and its radial cracks.
+CrackedRegion circumferential(const IceSheet& sheet, Vec2 centre, double radius, int n_wedges, int sides = 16);
 
 /// Cuts the ice within `radius` of `centre` free and divides it by radial cracks.
 ///

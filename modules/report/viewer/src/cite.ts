@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What to cite, for the features that this run used.
+import { bibtex, kHetenyi, kIso19906, kMorison, kNevel, kPaper, kSokal, kWelch, kWolff, program, type Work } from "./bibliography";
 import type { Run } from "./data";
 import { el, section } from "./dom";
-
-const kPaper =
-  "A Data-Driven Model for Ice-Breaking Resistance of Structure Based on Non-Smooth Discrete Element Method and Artificial Neural Network Method";
 
 interface Source {
   what: string;
   cite: string;
+  works: Work[];
   used: (run: Run) => boolean;
 }
 
@@ -17,26 +16,44 @@ const always = () => true;
 const loads = (text: string) => (run: Run) =>
   run.data.closed_forms.loads.some((load) => load.source.includes(text) && load.horizontal !== undefined);
 
+const kPaperText = `${kPaper.fields.title}, J. Mar. Sci. Eng. 11 (2023) 469, doi:${kPaper.fields.doi}`;
+
 const kSources: Source[] = [
-  { what: "the model of breaking, crushing and contact", cite: kPaper, used: always },
-  { what: "the failure model: a network trained on plate solutions", cite: `${kPaper} (Eq. 17); database, training and errors: this program's model card`, used: model("network", "deep-network") },
-  { what: "the failure model: superposed or solved plate", cite: "Reissner–Mindlin plate on an elastic foundation: M. Hetényi, Beams on Elastic Foundation, 1946, for the limits it is verified against", used: model("plate", "plate-outline", "superposition") },
-  { what: "the failure model: narrow wedges", cite: "D. E. Nevel, wedges of ice on water, 1972", used: model("wedge") },
-  { what: "number of wedges of a break", cite: "D. E. Nevel, 1972, as in the paper's Sec. 2.2.2", used: always },
-  { what: "drag of the water", cite: "J. R. Morison, M. P. O'Brien, J. W. Johnson, S. A. Schaaf, Petroleum Transactions AIME 189 (1950) 149, as in the paper's Eqs. 13 and 14", used: always },
-  { what: "rigid bodies and collision shapes", cite: "Bullet Physics, version of the manifest", used: always },
-  { what: "exact geometry of cracks", cite: "CGAL, The Computational Geometry Algorithms Library, version of the manifest", used: always },
-  { what: "interval of the mean", cite: "A. Sokal, Monte Carlo methods in statistical mechanics, 1997; U. Wolff, Comput. Phys. Commun. 156 (2004) 143", used: always },
-  { what: "spectrum", cite: "P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70", used: (run) => run.data.statistics?.horizontal.spectrum != null },
-  { what: "closed form: elastic beam", cite: "ISO 19906, A.8.2.4.4 (Croasdale)", used: loads("Croasdale") },
-  { what: "closed form: plastic cone", cite: "ISO 19906, A.8.2.4.4 (Ralston)", used: loads("Ralston") },
+  { what: "the model of breaking, crushing and contact", cite: kPaperText, works: [kPaper], used: always },
+  { what: "the failure model: a network trained on plate solutions", cite: "the same (Eq. 17); database, training and errors: this program's model card", works: [kPaper], used: model("network", "deep-network") },
+  { what: "the failure model: superposed or solved plate", cite: "Reissner–Mindlin plate on an elastic foundation: M. Hetényi, Beams on Elastic Foundation, 1946, for the limits it is verified against", works: [kHetenyi], used: model("plate", "plate-outline", "superposition") },
+  { what: "the failure model: narrow wedges", cite: "D. E. Nevel, wedges of ice on water, 1972", works: [kNevel], used: model("wedge") },
+  { what: "number of wedges of a break", cite: "D. E. Nevel, 1972, as in the paper's Sec. 2.2.2", works: [kNevel], used: always },
+  { what: "drag of the water", cite: "J. R. Morison, M. P. O'Brien, J. W. Johnson, S. A. Schaaf, Petroleum Transactions AIME 189 (1950) 149, as in the paper's Eqs. 13 and 14", works: [kMorison], used: always },
+  { what: "rigid bodies and collision shapes", cite: "Bullet Physics, version of the manifest", works: [], used: always },
+  { what: "exact geometry of cracks", cite: "CGAL, The Computational Geometry Algorithms Library, version of the manifest", works: [], used: always },
+  { what: "interval of the mean", cite: "A. Sokal, Monte Carlo methods in statistical mechanics, 1997; U. Wolff, Comput. Phys. Commun. 156 (2004) 143", works: [kSokal, kWolff], used: always },
+  { what: "spectrum", cite: "P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70", works: [kWelch], used: (run) => run.data.statistics?.horizontal.spectrum != null },
+  { what: "closed form: elastic beam", cite: "ISO 19906, A.8.2.4.4 (Croasdale)", works: [kIso19906], used: loads("Croasdale") },
+  { what: "closed form: plastic cone", cite: "ISO 19906, A.8.2.4.4 (Ralston)", works: [kIso19906], used: loads("Ralston") },
 ];
 
+/** The programs: their versions stand in the manifest. */
+function programs(run: Run): Work[] {
+  const { program: own, built_with: libraries } = run.data.manifest;
+  return [
+    program("brash", "The brash authors", "brash: how a structure breaks level ice", String(own?.version ?? "")),
+    program("bullet", "Bullet Physics contributors", "Bullet Physics SDK", String(libraries?.["Bullet (float64)"] ?? "")),
+    program("cgal", "The CGAL Project", "CGAL, the Computational Geometry Algorithms Library", String(libraries?.CGAL ?? "")),
+  ];
+}
+
 export function citeSection(run: Run): HTMLElement {
-  const { program } = run.data.manifest;
+  const { program: own } = run.data.manifest;
+  const used = kSources.filter((source) => source.used(run));
+  const text = bibtex([...programs(run), ...used.flatMap((source) => source.works)]);
   return section("cite", "What to cite",
     el("p", {}, "For the features that this run used:"),
     el("dl", { class: "cite" },
-      el("div", {}, el("dt", {}, "the program"), el("dd", {}, `${program?.name ?? "brash"} ${program?.version ?? ""}: how a structure breaks level ice`)),
-      ...kSources.filter((source) => source.used(run)).map(({ what, cite }) => el("div", {}, el("dt", {}, what), el("dd", {}, cite)))));
+      el("div", {}, el("dt", {}, "the program"), el("dd", {}, `${own?.name ?? "brash"} ${own?.version ?? ""}: how a structure breaks level ice`)),
+      ...used.map(({ what, cite }) => el("div", {}, el("dt", {}, what), el("dd", {}, cite)))),
+    el("details", { class: "bibtex" },
+      el("summary", {}, "BibTeX"),
+      el("p", {}, el("a", { href: `data:application/x-bibtex;charset=utf-8,${encodeURIComponent(text)}`, download: "brash.bib" }, "Download brash.bib")),
+      el("pre", {}, text)));
 }

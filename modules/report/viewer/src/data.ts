@@ -81,10 +81,21 @@ export function polygons(blocks: Blocks, name: string): Ring[][] {
   );
 }
 
+/** Rings of a body that lies level, where its pose puts them. */
+function placed(rings: Ring[], at: (name: string) => number): Ring[] {
+  const angle = 2 * Math.atan2(at("qz"), at("qw"));
+  const [c, s, x, y] = [Math.cos(angle), Math.sin(angle), at("x"), at("y")];
+  return rings.map((ring) => ring.map(([u, v]) => [x + c * u - s * v, y + s * u + c * v]));
+}
+
 /** A run with its arrays at hand. */
 export class Run {
   readonly outlines: Ring[][];
   readonly sheets: Ring[][];
+  /** The structure's waterline at rest, its frame. */
+  readonly waterline: Ring[];
+  /** Half the length or the width of the waterline, whichever is more [m]. */
+  readonly radius: number;
   readonly inputs: Record<string, Record<string, InputValue>>;
   /** First floe that each event made; floes are in the order of their births. */
   readonly firstFloe: number[] = [];
@@ -98,6 +109,12 @@ export class Run {
   ) {
     this.outlines = polygons(blocks, "outline");
     this.sheets = polygons(blocks, "sheet");
+    this.waterline = polygons(blocks, "waterline")[0];
+    const extent = (axis: number) => {
+      const places = this.waterline.flat().map((point) => point[axis]);
+      return Math.max(...places) - Math.min(...places);
+    };
+    this.radius = 0.5 * Math.max(extent(0), extent(1));
     this.inputs = parseToml(data.manifest.case?.toml ?? "");
     this.nFloes = this.outlines.length;
     this.nEvents = this.column("event.time").length;
@@ -124,9 +141,10 @@ export class Run {
     return typeof value === "number" ? value : NaN;
   }
 
-  /** Where the structure's axis is at the end [m]: its speed is constant, and the last frame may be older. */
-  structureAtEnd(): number {
-    return this.input("structure", "speed") * this.duration - this.input("structure", "start_distance");
+  /** The structure's waterline at the end, sheet frame. */
+  waterlineAtEnd(): Ring[] {
+    const pose = this.column("structure.end");
+    return placed(this.waterline, (name) => pose[["x", "y", "z", "qw", "qx", "qy", "qz"].indexOf(name)]);
   }
 
   /** The event whose crack made a floe, or -1: the initial crack. */
@@ -147,10 +165,7 @@ export class Run {
 
   /** The outline of a floe where it broke off, sheet frame. */
   bornAt(floe: number): Ring[] {
-    const at = (name: string) => this.column(`floe.birth_${name}`)[floe];
-    const angle = 2 * Math.atan2(at("qz"), at("qw"));
-    const [c, s, x, y] = [Math.cos(angle), Math.sin(angle), at("x"), at("y")];
-    return this.outlines[floe].map((ring) => ring.map(([u, v]) => [x + c * u - s * v, y + s * u + c * v]));
+    return placed(this.outlines[floe], (name) => this.column(`floe.birth_${name}`)[floe]);
   }
 }
 
@@ -165,7 +180,7 @@ export function parseToml(toml: string): Record<string, Record<string, InputValu
   const sections: Record<string, Record<string, InputValue>> = {};
   let current: Record<string, InputValue> = {};
   for (const line of toml.split("\n")) {
-    const head = /^\[([a-z_]+)\]$/.exec(line);
+    const head = /^\[([a-z_.]+)\]$/.exec(line);
     if (head) current = sections[head[1]] = {};
     const entry = /^([a-z_0-9]+) = (".*"|[^#]*?)(?:\s+# (.*))?$/.exec(line);
     if (!entry) continue;

@@ -80,9 +80,8 @@ export class PlanView {
   ) {
     const pieces = Array.from({ length: run.nFloes }, (_, i) => run.bornAt(i));
     const last = run.sheets.at(-1)!;
-    const radius = 0.5 * run.input("structure", "waterline_width");
-    const end = run.structureAtEnd();
-    const nodes = [...pieces.flat(2), [end + radius, -radius], [end + radius, radius]] as [number, number][];
+    const structure = run.waterlineAtEnd();
+    const nodes = [...pieces.flat(2), ...structure.flat()];
     const box = around(nodes, 2.5);
     const latest = Math.max(1e-9, run.duration);
     const floes = svg("g", { class: "floes" });
@@ -112,7 +111,7 @@ export class PlanView {
       "Plan of the channel with all cracks",
       svg("path", { class: "sheet", d: path(last), "fill-rule": "evenodd" }),
       floes,
-      svg("circle", { class: "structure", cx: end, cy: 0, r: radius }),
+      svg("path", { class: "structure", d: path(structure) }),
       this.overlay,
       marks,
       ruler(box, 62),

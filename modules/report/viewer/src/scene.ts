@@ -2,14 +2,15 @@
 // The run in space: water, sheet, structure and floes at any time. Axes are those of the sheet: x along the track, y to
 // port, z upwards from the waterplane.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Fog, Group,
   HemisphereLight, LineBasicMaterial, LineLoop, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial,
-  PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, Vector3, WebGLRenderer,
+  PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Run } from "./data";
 import { css } from "./dom";
 import { FloeMesh } from "./floe_mesh";
+import { hullOf, partOf } from "./hull";
 import { polygonsOf, Prisms } from "./prisms";
 import { frameAt } from "./tracks";
 
@@ -35,6 +36,7 @@ export class ReplayScene {
   follow = true;
   private readonly scene = new Scene();
   private readonly structure = new Group();
+  private readonly hull = new Group();
   private readonly aboveWater = new Group();
   private readonly belowWater = new Group();
   private readonly sheetMesh: Mesh;
@@ -62,7 +64,7 @@ export class ReplayScene {
     const h = run.input("ice", "thickness");
     this.bottom = (-h * run.input("ice", "density")) / run.input("water", "density");
     this.top = h + this.bottom;
-    this.radius = 0.5 * run.input("structure", "waterline_width");
+    this.radius = run.radius;
 
     const floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true });
     const edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
@@ -142,6 +144,7 @@ export class ReplayScene {
     }
     this.structureX = at.x;
     this.structure.position.copy(at);
+    this.hull.quaternion.copy(this.structureTurn(time));
     this.floes.show(time);
     this.draw();
   }
@@ -165,14 +168,21 @@ export class ReplayScene {
     this.renderer.render(this.scene, this.camera);
   }
 
-  private structurePlace(time: number): Vector3 {
+  /** A number of the structure's pose, between the frames around a time. */
+  private structureAt(time: number, name: string): number {
     const { frame, share } = frameAt(this.run, time);
-    const at = (name: string) => {
-      const column = this.run.column(`frame.structure_${name}`);
-      const next = Math.min(frame + 1, column.length - 1);
-      return column[frame] + share * (column[next] - column[frame]);
-    };
-    return new Vector3(at("x"), at("y"), at("z"));
+    const column = this.run.column(`frame.structure_${name}`);
+    const next = Math.min(frame + 1, column.length - 1);
+    return column[frame] + share * (column[next] - column[frame]);
+  }
+
+  private structurePlace(time: number): Vector3 {
+    return new Vector3(this.structureAt(time, "x"), this.structureAt(time, "y"), this.structureAt(time, "z"));
+  }
+
+  private structureTurn(time: number): Quaternion {
+    const at = (name: string) => this.structureAt(time, name);
+    return new Quaternion(at("qx"), at("qy"), at("qz"), at("qw")).normalize();
   }
 
   private showSheet(index: number): void {
@@ -213,37 +223,24 @@ export class ReplayScene {
   }
 
   private addStructure(): void {
-    const input = (key: string) => this.run.input("structure", key);
-    const below = input("height_under_water");
-    const above = input("height") - below;
-    const downward = this.run.inputs.structure?.breaking?.value !== "upward";
-    const slope = (downward ? 1 : -1) / Math.tan(input("angle"));
-    const [keel, deck] = [Math.max(0.02, this.radius - below * slope), Math.max(0.02, this.radius + above * slope)];
+    const whole = hullOf(this.run);
     this.materials.structure = new MeshLambertMaterial({});
-    this.aboveWater.add(...this.frustum(this.radius, deck, 0, above, above));
-    this.belowWater.add(...this.frustum(keel, this.radius, -below, 0, -below));
-    this.structure.add(this.aboveWater, this.belowWater);
-    this.materials.waterline = new LineBasicMaterial({});
-    for (const [radius, z] of [[this.radius, 0], [deck, above], [keel, -below]]) {
-      const ring = Array.from({ length: 129 }, (_, i) => {
-        const angle = (i * Math.PI) / 64;
-        return new Vector3(1.001 * radius * Math.cos(angle), 1.001 * radius * Math.sin(angle), z);
-      });
-      this.structure.add(new LineLoop(new BufferGeometry().setFromPoints(ring), this.materials.waterline));
-    }
-    this.scene.add(this.structure);
-  }
-
-  /** The structure's surface between two heights, closed at the height `lid`. */
-  private frustum(lower: number, upper: number, bottom: number, top: number, lid: number): Mesh[] {
-    const side = new CylinderGeometry(upper, lower, top - bottom, 128, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5 * (bottom + top));
-    const cover = new CircleGeometry(lid === top ? upper : lower, 128);
-    if (lid === bottom) cover.rotateX(Math.PI);
-    return [side, cover.translate(0, 0, lid)].map((geometry) => {
-      const mesh = new Mesh(geometry, this.materials.structure);
+    for (const [group, above] of [[this.aboveWater, true], [this.belowWater, false]] as const) {
+      const mesh = new Mesh(partOf(whole, above), this.materials.structure);
       mesh.castShadow = mesh.receiveShadow = true;
-      return mesh;
-    });
+      group.add(mesh);
+    }
+    this.materials.waterline = new LineBasicMaterial({});
+    const kSharp = 30;  // degrees: the facets of a round surface meet at less
+    const lines = new Group().add(new LineSegments(new EdgesGeometry(whole, kSharp), this.materials.waterline));
+    for (const ring of this.run.waterline) {
+      const nodes = ring.map(([x, y]) => new Vector3(x, y, 0));
+      lines.add(new LineLoop(new BufferGeometry().setFromPoints(nodes), this.materials.waterline));
+    }
+    lines.scale.set(1.001, 1.001, 1);
+    this.hull.add(this.aboveWater, this.belowWater, lines);
+    this.structure.add(this.hull);
+    this.scene.add(this.structure);
   }
 
   private addLights(): void {

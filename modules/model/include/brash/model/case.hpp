@@ -8,6 +8,7 @@
 
 #include "brash/core/vec.hpp"
 #include "brash/model/choices.hpp"
+#include "brash/model/structure.hpp"
 
 namespace brash::model {
 
@@ -42,21 +43,6 @@ struct WaterSection {
   friend bool operator==(const WaterSection&, const WaterSection&) = default;
 };
 
-/// [structure]
-struct StructureSection {
-  StructureKind kind = StructureKind::kCone;
-  double angle = 0.0;  ///< rad
-  double waterline_width = 0.0;
-  double height = 0.0;
-  double height_under_water = 0.0;
-  Breaking breaking = Breaking::kDownward;
-  double speed = 0.0;
-  double start_distance = 0.0;
-  int facets = 64;
-
-  friend bool operator==(const StructureSection&, const StructureSection&) = default;
-};
-
 /// [field]
 struct FieldSection {
   FieldKind kind = FieldKind::kLevelIce;
@@ -79,12 +65,14 @@ struct FailureSection {
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
+  CrackPattern pattern = CrackPattern::kCircumferential;
 
   friend bool operator==(const FailureSection&, const FailureSection&) = default;
 };
 
 /// [contact]
 struct ContactSection {
+  ContactEngine engine = ContactEngine::kBrash;
   double restitution = 0.0;
   ContactArea area = ContactArea::kSurface;
   double margin = 0.005;

@@ -14,8 +14,6 @@ namespace brash::model {
 
 /// [algorithm] preset: where the defaults of other keys come from.
 enum class Preset { kBrash, kPaper };
-/// [structure] kind
-enum class StructureKind { kCone };
 /// [structure] breaking: the way the ice bends.
 enum class Breaking { kDownward, kUpward };
 /// [field] kind
@@ -24,10 +22,17 @@ enum class FieldKind { kLevelIce };
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
 enum class CrackOrder { kCircumferentialFirst, kRadialFirst };
+/// How ice cracks where it fails in bending, ice::make_crack_pattern(). No key chooses it while there is but one.
+enum class CrackPattern { kCircumferential };
 /// [contact] area: the area A of Eq. 15.
 enum class ContactArea {
   kSurface,   ///< of the structure's surface inside the ice
   kProjected  ///< of the overlap in plan
+};
+/// [contact] engine: what finds the contacts of the bodies and solves them.
+enum class ContactEngine {
+  kBrash,  ///< exact overlaps and a bounded solver, without a history
+  kBullet  ///< Bullet as it is, with the crushing bound
 };
 /// [hydrodynamics] drag: where the velocity of Eq. 13 is taken.
 enum class DragLaw {
@@ -50,8 +55,6 @@ template <>
 inline constexpr auto kNames<Preset> = std::to_array<Named<Preset>>({{Preset::kBrash, "brash"},
                                                                      {Preset::kPaper, "paper"}});
 template <>
-inline constexpr auto kNames<StructureKind> = std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"}});
-template <>
 inline constexpr auto kNames<Breaking> = std::to_array<Named<Breaking>>({{Breaking::kDownward, "downward"},
                                                                          {Breaking::kUpward, "upward"}});
 template <>
@@ -70,6 +73,9 @@ inline constexpr auto kNames<CrackOrder> = std::to_array<Named<CrackOrder>>(
 template <>
 inline constexpr auto kNames<ContactArea> = std::to_array<Named<ContactArea>>({{ContactArea::kSurface, "surface"},
                                                                                {ContactArea::kProjected, "projected"}});
+template <>
+inline constexpr auto kNames<ContactEngine> = std::to_array<Named<ContactEngine>>({{ContactEngine::kBrash, "brash"},
+                                                                                   {ContactEngine::kBullet, "bullet"}});
 template <>
 inline constexpr auto kNames<DragLaw> = std::to_array<Named<DragLaw>>({{DragLaw::kSurface, "surface"},
                                                                        {DragLaw::kPaper, "paper"}});

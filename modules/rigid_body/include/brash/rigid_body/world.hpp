@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +17,8 @@
 
 namespace brash::rigid_body {
 
+class BodyWorld;
+
 /// How a pair of surfaces meets.
 struct ContactLaw {
   double friction = 0.0;     ///< Coulomb coefficient of the pair [-], Eq. 6
@@ -24,13 +28,23 @@ struct ContactLaw {
   double crushing_pressure = std::numeric_limits<double>::infinity();
 };
 
+/// What finds the contacts and solves them.
+enum class Engine {
+  kBrash,   ///< exact overlaps, a bounded solver, no history: a step is a function of the state
+  kBullet,  ///< Bullet as it is: GJK and EPA, persistent manifolds, sequential impulses; the bound is ours
+};
+
 struct WorldSettings {
   ContactLaw ice_structure;
   ContactLaw ice_ice;
-  int iterations = 30;              ///< sweeps of sequential impulses a step, at most
-  double collision_margin = 0.005;  ///< [m], > 0; convex parts thinner than twice this have no contact
+  int iterations = 30;  ///< sweeps of sequential impulses a step, at most
+  /// [m], > 0; convex parts thinner than twice this have no contact. Bullet's hulls are inset by it and rounded.
+  double collision_margin = 0.005;
   /// A settled floe is let go, before the contact acts, by a floe that comes nearer faster than this [m/s].
   double release_speed = std::numeric_limits<double>::infinity();
+  /// Bullet keeps contact points from step to step: a repeated run gives the same bytes, one from stored states does
+  /// not.
+  Engine engine = Engine::kBrash;
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
@@ -59,8 +73,8 @@ enum class BodyKind { kFloe, kStructure, kSheet };
 
 /// One contact point's load, as the solver left it. A pair of floes is reported once, with `body` < `other`.
 struct ContactLoad {
-  BodyId body;                            ///< the floe
-  BodyId other;                           ///< structure, sheet or another floe
+  BodyId body;                            ///< the floe, or as it was given
+  BodyId other;                           ///< structure, sheet or another floe, or as it was given
   BodyKind other_kind = BodyKind::kFloe;  ///< what that is
   Vec3 point{};                           ///< [m], world
   Vec3 normal{};                          ///< unit, from `other` into `body`
@@ -88,12 +102,58 @@ constexpr double friction_power(const ContactLoad& c) {
   return dot(c.friction_force, c.body_velocity - c.other_velocity);
 }
 
-/// The rigid-body world: floes, one structure, the fixed sheet's collision shapes. Hides Bullet.
+/// Names no body: fixed ice or ground that has no body in the world.
+inline constexpr BodyId kNoBody{std::numeric_limits<std::uint32_t>::max(), 0};
+
+/// A contact that was found outside the world, for the next step: of a hull with the edge of a plate, say.
+struct GivenContact {
+  BodyId body;             ///< on which it acts
+  BodyId other = kNoBody;  ///< on which the opposite acts
+  Vec3 point{};            ///< [m], world
+  Vec3 normal{};           ///< unit, from `other` into `body`
+  double area = 0.0;       ///< on which it bears [m2], > 0; for the report
+  /// Bound of the normal force, sigma_c R A where ice is crushed [N]. Finite between bodies that nothing moves.
+  double most_normal_force = std::numeric_limits<double>::infinity();
+  double friction = 0.0;  ///< Coulomb coefficient [-]
+};
+
+using LinkId = Id<struct LinkTag>;
+
+/// How a link holds two points together.
+struct LinkLaw {
+  double stiffness = std::numeric_limits<double>::infinity();  ///< [N/m], > 0; infinite: the points stay together
+  double damping = 0.0;                                        ///< of a finite stiffness [N s/m]
+};
+
+/// A point of a body, in its frame [m].
+struct Anchor {
+  BodyId body;
+  Vec3 point{};
+};
+
+/// A link's load, as the solver left it.
+struct LinkLoad {
+  LinkId link;
+  BodyId body;
+  BodyId other = kNoBody;
+  Vec3 point{};                 ///< of `body`, at the start of the step [m], world
+  Vec3 force{};                 ///< on `body`, impulse / dt [N]
+  Vec3 relative_velocity{};     ///< of the point of `body` to that of `other`, as ContactLoad::body_velocity [m/s]
+  double gap = 0.0;             ///< between the points, after the step [m]
+  double elastic_energy = 0.0;  ///< of a finite stiffness, after the step [J]
+  double loss = 0.0;            ///< as ContactLoad::loss [J]
+};
+
+/// Power of a link on both bodies together [W].
+constexpr double power(const LinkLoad& l) { return dot(l.force, l.relative_velocity); }
+
+/// The rigid-body world: floes, structures, the fixed sheet's collision shapes. Hides a btDiscreteDynamicsWorld.
 ///
-/// Velocities and positions follow Eqs. 1 to 10 (semi-implicit Euler). A step is a function of the poses, velocities
-/// and loads alone: contacts carry no history, and bodies are handled in an order that their states give. So neither
-/// the order of insertion nor a restart from stored states matters, to the last bit. Gravity, buoyancy and drag come
-/// through apply(). An unknown or removed id, and a state that is not finite after a step, are broken contracts.
+/// Velocities and positions follow Eqs. 1 to 10 (semi-implicit Euler). With Engine::kBrash a step is a function of the
+/// poses, velocities and loads alone: contacts carry no history, and bodies are handled in an order that their states
+/// give. So neither the order of insertion nor a restart from stored states matters, to the last bit. Gravity, buoyancy
+/// and drag come through apply(). An unknown or removed id, and a state that is not finite after a step, are broken
+/// contracts.
 ///
 /// Contacts of breakable ice act while the parts overlap: nothing at first touch, then up to the crushing pressure
 /// times the area of the overlap (docs/theory/dynamics.md, (C1)).
@@ -109,33 +169,51 @@ class World {
   BodyId add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist = {});
   /// A fixed convex prism of the sheet, plan ring in the sheet frame [m], between two heights [m].
   BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top);
-  /// A kinematic structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
+  /// A structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
   /// where they are coplanar to 1e-9 of the hull's size.
-  BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose);
+  ///
+  /// Without `mass` it moves as move_structure() says. With it, loads and contacts move it like a floe; its frame is
+  /// then that of its centre of mass and principal axes. Structures, sheet and settled floes do not meet each other.
+  BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose,
+                       const std::optional<MassProperties>& mass = std::nullopt, const Twist& twist = {});
+  /// Its links go with it.
   void remove(BodyId id);
 
+  /// Ties points of two bodies together: a joint that turns freely, or a spring with a damper. At least one of them is
+  /// one that the step moves. The two do not collide with each other any more.
+  /// @return ids are given in ascending order and never again.
+  LinkId link(const Anchor& one, const Anchor& other, const LinkLaw& law = {});
+  /// Moors a point of a body to a place in the world [m].
+  LinkId moor(const Anchor& anchor, Vec3 place, const LinkLaw& law = {});
+  void unlink(LinkId id);
+  /// What links bore in the last step, sorted by id.
+  const std::vector<LinkLoad>& links() const;
+
   /// Fixes a floe where it is, without velocity, or lets it go again. A settled floe takes no loads and costs next to
-  /// nothing; to those that move it is what the sheet is, and contacts with them are reported.
-  /// WorldSettings::release_speed ends it too.
+  /// nothing; to those that move it is what the sheet is, and contacts with them are reported. A linked floe cannot
+  /// settle. WorldSettings::release_speed ends it too.
   void set_settled(BodyId id, bool settled);
   bool is_settled(BodyId id) const;
   /// The floes that are not settled, sorted; holds until one comes, goes, settles or is let go.
   const std::vector<BodyId>& moving() const;
 
-  /// Sets where the structure is at the end of the next step and its velocity during it (of its frame's origin, and
-  /// angular). Without a call it stands still.
+  /// Sets where a structure without mass is at the end of the next step and its velocity during it (of its frame's
+  /// origin, and angular). Without a call it stands still.
   void move_structure(BodyId id, const Pose& pose, const Twist& twist);
   /// Adds a force and a moment about the centre of mass for the next step only.
   void apply(BodyId id, const Wrench& wrench);
+  /// Adds a contact for the next step only; reported with the others, by `body` and `other` as given. Between bodies
+  /// that nothing moves it bears its bound while they close up. Engine::kBrash only.
+  void add_contact(const GivenContact& contact);
 
-  /// Advances all floes by `dt` [s].
+  /// Advances all bodies by `dt` [s].
   void step(double dt);
 
   /// What contact points bore in the last step, sorted by (body, other, point). Points that touch and bear nothing are
   /// left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
-  /// how far the contacts are from solved is more than that.
+  /// how far the contacts are from solved is more than that. Bullet does not tell it: 0.
   double last_change() const;
 
   using VisitNeighbours = std::function<void(BodyId, std::span<const Solid>)>;
@@ -162,8 +240,7 @@ class World {
   double kinetic_energy(BodyId id) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<BodyWorld> world_;
 };
 
 }  // namespace brash::rigid_body

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The validation case with stock Bullet, beside the program's own contacts and solver and the paper's mean.
+
+run.py                10 replicates at each time step; a table in kN
+run.py --corrected    the same with three corrections of the ice's failure (validation/corrected.toml)
+run.py --table        the table again, from the recorded numbers
+run.py --record       also rewrites recorded.csv here, or corrected/recorded.csv
+run.py --quick        two short cases, compared with quick.csv
+
+The program's own numbers are those that `validation/run.py` has recorded for steps.toml and steps_corrected.toml. Both
+engines draw the same random numbers in a replicate, so their difference is taken replicate by replicate.
+"""
+import json
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import study
+
+PAPER = 112.93  # mean horizontal force of the paper's model [kN], Sec. 3.1.3
+QUANTITIES = {
+    "mean": "horizontal.mean", "  crushing at the edge": "horizontal.mean_by_cause.crushing",
+    "  floes, normal": "horizontal.mean_by_cause.floe_normal",
+    "  floes, friction": "horizontal.mean_by_cause.floe_friction", "vertical mean": "vertical.mean",
+    "deviation": "horizontal.standard_deviation", "99 %": "horizontal.quantile_99"}
+
+
+def interval(values):
+    mean, half = study.mean_interval(values)
+    return f"{mean:7.1f} ({mean - half:6.1f} to {mean + half:6.1f})"
+
+
+def print_table(rows, own):
+    """Both engines at each time step, and their difference over the replicates that both have [kN]."""
+    for step in sorted({row["time.step"] for row in rows}, reverse=True):
+        of_step = {row["replicate"]: row for row in rows if row["time.step"] == step}
+        own_of_step = {row["replicate"]: row for row in own if row["time.step"] == step}
+        both = sorted(of_step.keys() & own_of_step.keys())
+        print(f"dt = {step:g} s: {len(of_step)} replicates, {len(both)} of them with both engines [kN]")
+        print(f"  {'':22s}{'bullet':28s}{'brash':28s}bullet less brash")
+        for name, column in QUANTITIES.items():
+            bullet, brash = ({r: row[column] / 1e3 for r, row in known.items()} for known in (of_step, own_of_step))
+            cells = [interval(list(bullet.values())) if len(bullet) > 1 else "", "", ""]
+            if len(both) > 1:
+                cells[1] = interval([brash[r] for r in both])
+                cells[2] = interval([bullet[r] - brash[r] for r in both])
+            print(f"  {name:22s}" + "".join(f"{cell:28s}" for cell in cells).rstrip())
+    print(f"the paper's model: {PAPER}")
+
+
+def main():
+    parser = study.arguments(__doc__)
+    parser.add_argument("--corrected", action="store_true")
+    parser.add_argument("--table", action="store_true")
+    options = parser.parse_args()
+    target = study.recorded(HERE.name, options.corrected)
+    own = study.read_rows(HERE.parent / "validation" / ("steps_corrected.csv" if options.corrected else "steps.csv"))
+    if options.table:
+        print_table(study.read_rows(target), own)
+        return 0
+    output = options.output or Path("results") / (HERE.name + ("-quick" if options.quick else "") +
+                                                  ("-corrected" if options.corrected else ""))
+    if options.quick and options.record:
+        study.record_quick(options.brash, HERE, output)
+        return 0
+    if options.quick:
+        return study.quick(options, HERE, output)
+    overrides = [f"{key}={json.dumps(value)}" for key, value in study.corrections().items()] if options.corrected else []
+    study.campaign(options.brash, HERE / "plan.toml", output, jobs=options.jobs, overrides=overrides)
+    rows = study.collect(options.brash, output)
+    print_table(rows, own)
+    if options.record:
+        target.parent.mkdir(exist_ok=True)
+        study.write_rows(target, rows)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

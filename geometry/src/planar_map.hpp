@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL's planar map of noded edges. Only arrangement.cpp includes this file: CGAL takes 15 s to compile.
+#pragma once
+
+#include <CGAL/Arr_curve_data_traits_2.h>
+#include <CGAL/Arr_extended_dcel.h>
+#include <CGAL/Arr_non_caching_segment_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <limits>
+#include <vector>
+
+#include "brash/core/contract.hpp"
+#include "free_edges.hpp"
+#include "noding.hpp"
+
+namespace brash::geometry {
+
+/// What lies along an edge, counted from its lexicographically smaller end to the larger one.
+struct EdgeLabel {
+  int number = -1;
+  int sheet = 0;   ///< Sheet edges along it less those against it.
+  int region = 0;  ///< The same for the region's boundary.
+  bool is_crack = false;
+};
+
+/// How often ice and region cover a face: 0 or 1 once all is labelled.
+struct FaceLabel {
+  static constexpr int kUnknown = std::numeric_limits<int>::min();
+  int ice = kUnknown;
+  int region = kUnknown;
+
+  bool is_piece() const { return ice == 1 && region == 1; }
+};
+
+/// Edges are joined before they go in, so the traits never merge labels.
+struct NoMerge {
+  EdgeLabel operator()(const EdgeLabel& label, const EdgeLabel&) const { return label; }
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Traits = CGAL::Arr_curve_data_traits_2<CGAL::Arr_non_caching_segment_traits_2<Kernel>, EdgeLabel, NoMerge>;
+/// A vertex carries the number of its node, a half-edge its place among the free edges of a change.
+using Dcel = CGAL::Arr_extended_dcel<Traits, int, FreeEdges::Ref, FaceLabel>;
+using PlanarMap = CGAL::Arrangement_2<Traits, Dcel>;
+using Edge = PlanarMap::Halfedge_handle;
+using HalfEdge = PlanarMap::Halfedge_const_handle;
+using Face = PlanarMap::Face_const_handle;
+
+inline constexpr FreeEdges::Ref kNoRef = std::numeric_limits<FreeEdges::Ref>::max();
+
+/// Grid coordinates have 44 bits: doubles hold them, so that CGAL's predicates on them are exact.
+inline Kernel::Point_2 exactly(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+/// False for a handle that points to nothing.
+inline bool is_there(HalfEdge h) { return h != HalfEdge{}; }
+inline int along(HalfEdge h) { return h->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1; }
+inline int sheet(HalfEdge h) { return along(h) * h->curve().data().sheet; }
+inline int region(HalfEdge h) { return along(h) * h->curve().data().region; }
+
+/// Calls visit(half-edge) for the boundary of the face, the outer one first.
+template <typename FaceHandle, typename Visit>
+void for_each_side(FaceHandle face, Visit&& visit) {
+  const auto walk = [&](auto start) {
+    auto h = start;
+    do visit(h);
+    while (++h != start);
+  };
+  for (auto ccb = face->outer_ccbs_begin(); ccb != face->outer_ccbs_end(); ++ccb) walk(*ccb);
+  for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) walk(*ccb);
+}
+
+/// Noded edges as a planar map, and which half-edge each of them has become.
+struct NodedMap {
+  NodedMap(const std::vector<Point>& nodes, const std::vector<NodedEdge>& edges);
+
+  /// The half-edge along the edge that came in with this number; null when it has been cancelled.
+  Edge along_edge(int number) const {
+    const auto& [edge, is_rightward] = places[number];
+    const Edge right = rightward[edge];
+    return is_rightward || !is_there(right) ? right : right->twin();
+  }
+
+  struct Place {
+    int edge;  ///< Into `rightward`.
+    bool is_rightward;
+  };
+  PlanarMap map;
+  std::vector<Edge> rightward;  ///< Of each joined edge; null when it has been cancelled.
+  std::vector<Place> places;    ///< Of each edge that came in.
+};
+
+/// Coincident edges as one, with what they carry added up: opposite ones cancel.
+class JoinedEdges {
+ public:
+  struct Edge {
+    int left;  ///< Node, lexicographically before the other.
+    int right;
+    EdgeLabel label;
+    int older;  ///< The edge joined before from the same left node; -1 when there is none.
+  };
+  explicit JoinedEdges(const std::vector<Point>& nodes) : nodes_(nodes), newest_(nodes.size(), -1) {}
+  NodedMap::Place add(const NodedEdge& edge);
+  const std::vector<Edge>& edges() const { return edges_; }
+
+ private:
+  const std::vector<Point>& nodes_;
+  std::vector<int> newest_;
+  std::vector<Edge> edges_;
+};
+
+inline NodedMap::Place JoinedEdges::add(const NodedEdge& edge) {
+  const bool is_rightward = nodes_[edge.from] < nodes_[edge.to];
+  const int left = is_rightward ? edge.from : edge.to;
+  const int right = is_rightward ? edge.to : edge.from;
+  int at = newest_[left];
+  while (at >= 0 && edges_[at].right != right) at = edges_[at].older;
+  if (at < 0) {
+    at = static_cast<int>(edges_.size());
+    edges_.push_back({left, right, {.number = at}, newest_[left]});
+    newest_[left] = at;
+  }
+  EdgeLabel& label = edges_[at].label;
+  if (edge.source == Source::kSheet) label.sheet += is_rightward ? 1 : -1;
+  if (edge.source == Source::kRegion) label.region += is_rightward ? 1 : -1;
+  if (edge.source == Source::kCrack) label.is_crack = true;
+  return {at, is_rightward};
+}
+
+inline NodedMap::NodedMap(const std::vector<Point>& nodes, const std::vector<NodedEdge>& edges) {
+  JoinedEdges joined(nodes);
+  places.reserve(edges.size());
+  for (const NodedEdge& edge : edges) places.push_back(joined.add(edge));
+  std::vector<Traits::X_monotone_curve_2> curves;
+  curves.reserve(joined.edges().size());
+  for (const JoinedEdges::Edge& e : joined.edges()) {
+    if (e.label.sheet == 0 && e.label.region == 0 && !e.label.is_crack) continue;
+    curves.emplace_back(Kernel::Segment_2(exactly(nodes[e.left]), exactly(nodes[e.right])), e.label);
+  }
+  CGAL::insert_non_intersecting_curves(map, curves.begin(), curves.end());
+  rightward.resize(joined.edges().size());
+  for (auto h = map.edges_begin(); h != map.edges_end(); ++h) {
+    const Edge right = along(h) > 0 ? Edge(h) : h->twin();
+    const JoinedEdges::Edge& e = joined.edges()[right->curve().data().number];
+    rightward[e.label.number] = right;
+    right->source()->set_data(e.left);
+    right->target()->set_data(e.right);
+    right->set_data(kNoRef);
+    right->twin()->set_data(kNoRef);
+  }
+}
+
+/// Counts in `cover` how often each face is covered, from the unbounded one inwards: `step` is what an edge adds.
+inline void cover_faces(PlanarMap& map, int FaceLabel::*cover, int (*step)(HalfEdge)) {
+  std::vector<PlanarMap::Face_handle> reached{map.unbounded_face()};
+  reached.front()->data().*cover = 0;
+  while (!reached.empty()) {
+    const PlanarMap::Face_handle face = reached.back();
+    reached.pop_back();
+    for_each_side(face, [&](Edge h) {
+      const PlanarMap::Face_handle across = h->twin()->face();
+      if (across->data().*cover != FaceLabel::kUnknown) return;
+      across->data().*cover = face->data().*cover - step(h);
+      reached.push_back(across);
+    });
+  }
+}
+
+/// The next half-edge along a boundary, where only active ones count: the leftmost turn at the end of `h`.
+template <typename IsActive>
+HalfEdge next_active(HalfEdge h, IsActive&& is_active) {
+  HalfEdge next = h->next();
+  while (!is_active(next)) {
+    next = next->twin()->next();
+    BRASH_EXPECTS(next != h->next(), "a chain of edges ends", h->target()->point().x(), h->target()->point().y());
+  }
+  return next;
+}
+
+}  // namespace brash::geometry

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brash/geometry/ledger.hpp"
+#include "brash/ice/crack_pattern.hpp"
+#include "brash/ice/plate.hpp"
+#include "brash/model/checkpoint.hpp"
+
+namespace brash::ice {
+
+/// What a break made.
+struct Broken {
+  std::vector<Plate> pieces;
+  geometry::Extent changed;  ///< around all of the plate that is not as before
+};
+
+/// The level ice, and the ledger of all ice: every operation moves area from one account to another, exactly.
+class Field {
+ public:
+  /// Level ice as the case lays it, all of `ice`: a rectangle, x from 0 to `length`, |y| <= width/2 [m].
+  Field(const model::FieldSection& section, const failure::IceProperties& ice);
+  /// The field of a run that goes on.
+  Field(const model::FieldSection& section, const failure::IceProperties& ice, const model::Checkpoint& checkpoint);
+  void save(model::Checkpoint& checkpoint) const;
+
+  /// The level ice, each in the place of its number.
+  std::span<const Plate> level_ice() const { return level_ice_; }
+  Plate& level_ice(int number) { return level_ice_[static_cast<std::size_t>(number)]; }
+  const geometry::Ledger& ledger() const { return ledger_; }
+  std::vector<geometry::Polygon> outlines() const;  ///< of the level ice
+
+  /// Ice of `plate` inside `section` is crushed and leaves. @return around all of it that is not as before.
+  geometry::Extent crush(Plate& plate, std::span<const geometry::Point> section);
+
+  /// Breaks ice off `plate` and splits it; what `structure` covers of the pieces is crushed and leaves.
+  ///
+  /// @param structure      the structure's leading outlines: no piece is born inside the structure.
+  /// @param smallest_floe  pieces below this area become brash [m2].
+  /// @return the pieces, parts of the plate that lost their connection included.
+  Broken break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
+                   double smallest_floe);
+
+  /// Books a piece that has no body as brash.
+  void to_brash(const Plate& piece);
+  /// Books a crushed floe as deleted.
+  void to_deleted(const Plate& floe);
+
+ private:
+  geometry::Cut cut(Plate& plate, std::span<const geometry::Point> region, std::span<const geometry::Crack> cracks);
+  std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Ring> structure);
+  geometry::ExactArea& account_of(const Plate& plate);
+
+  std::vector<Plate> level_ice_;
+  geometry::Ledger ledger_;
+};
+
+}  // namespace brash::ice

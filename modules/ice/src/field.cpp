@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/ice/field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "brash/core/contract.hpp"
+
+namespace brash::ice {
+namespace {
+
+geometry::Polygon rectangle(double length, double width) {
+  const std::array<Vec2, 4> corners{Vec2{0.0, -0.5 * width}, Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width},
+                                    Vec2{0.0, 0.5 * width}};
+  return {geometry::ring(corners), {}};
+}
+
+std::vector<Plate> laid(const model::FieldSection& section, const failure::IceProperties& ice) {
+  std::vector<Plate> plates;
+  plates.emplace_back(0, Hold::kFast, ice, std::vector{rectangle(section.length, section.width)});
+  return plates;
+}
+
+geometry::ExactArea total(std::span<const geometry::Polygon> polygons) {
+  geometry::ExactArea sum;
+  for (const geometry::Polygon& polygon : polygons) sum += geometry::area(polygon);
+  return sum;
+}
+
+geometry::ExactArea total(std::span<const Plate> plates) {
+  geometry::ExactArea sum;
+  for (const Plate& plate : plates) sum += plate.sheet().area();
+  return sum;
+}
+
+/// The ledger's members, for a checkpoint.
+struct Accounts {
+  geometry::Ledger ledger;
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    auto& ledger = self.ledger;
+    visit("initial", "1", "twice the area at the start, squared grid units", ledger.initial);
+    visit("sheet", "1", "likewise of the sheet", ledger.sheet);
+    visit("floes", "1", "likewise of the floes", ledger.floes);
+    visit("crushed", "1", "likewise crushed by the structure", ledger.crushed);
+    visit("deleted", "1", "likewise of deleted floes", ledger.deleted);
+    visit("brash", "1", "likewise of pieces without a body", ledger.brash);
+    visit("snap", "1", "likewise moved by rounding to the grid", ledger.snap);
+    visit("n_rounded", "1", "crossings rounded to the grid", ledger.n_rounded);
+  }
+};
+
+}  // namespace
+
+Field::Field(const model::FieldSection& section, const failure::IceProperties& ice) : level_ice_(laid(section, ice)) {
+  ledger_.initial = ledger_.sheet = total(level_ice_);
+}
+
+Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, const model::Checkpoint& checkpoint)
+    : level_ice_(laid(section, ice)) {
+  std::vector<std::vector<geometry::Polygon>> outlines(level_ice_.size());
+  const model::Table& table = checkpoint.table("level_ice");
+  for (std::size_t i = 0; i < table.n_rows(); ++i) {
+    PlatePart part;
+    model::RestoredRow row(table, i);
+    PlatePart::visit(part, row);
+    outlines.at(static_cast<std::size_t>(part.level_ice)).push_back(std::move(part.outline));
+  }
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    level_ice_[i] = Plate(static_cast<int>(i), Hold::kFast, level_ice_[i].ice(), std::move(outlines[i]));
+  Accounts accounts;
+  model::restore(checkpoint, "ledger", accounts);
+  ledger_ = accounts.ledger;
+  BRASH_EXPECTS(ledger_.closes() && ledger_.sheet == total(level_ice_), ledger_.missing().to_string());
+}
+
+void Field::save(model::Checkpoint& checkpoint) const {
+  model::Table table{"level_ice", {}};
+  for (const Plate& plate : level_ice_) {
+    for (geometry::Polygon& polygon : plate.outline()) {
+      const PlatePart part{plate.level_ice(), std::move(polygon)};
+      model::SavedRow row(table);
+      PlatePart::visit(part, row);
+    }
+  }
+  checkpoint.tables.push_back(std::move(table));
+  model::save(checkpoint, "ledger", Accounts{ledger_});
+}
+
+std::vector<geometry::Polygon> Field::outlines() const {
+  std::vector<geometry::Polygon> all;
+  for (const Plate& plate : level_ice_) std::ranges::move(plate.outline(), std::back_inserter(all));
+  return all;
+}
+
+/// Cuts a plate and books what it loses; where the pieces go is still to be booked.
+geometry::Cut Field::cut(Plate& plate, std::span<const geometry::Point> region,
+                         std::span<const geometry::Crack> cracks) {
+  const geometry::ExactArea before = plate.area();
+  const geometry::ExactArea laid = plate.sheet().area();  // vertices near another edge are rounded on their way in
+  geometry::Cut cut = plate.sheet().cut(region, cracks);
+  account_of(plate) += plate.area() - before;
+  ledger_.snap += before - laid + cut.snap;
+  ledger_.n_rounded += cut.n_rounded;
+  return cut;
+}
+
+geometry::ExactArea& Field::account_of(const Plate& plate) {
+  return plate.hold() == Hold::kFast ? ledger_.sheet : ledger_.floes;
+}
+
+geometry::Extent Field::crush(Plate& plate, std::span<const geometry::Point> section) {
+  const geometry::Cut crushed = cut(plate, section, {});
+  ledger_.crushed += total(crushed.pieces);
+  return crushed.changed;
+}
+
+/// What is left of a piece outside `structure`; the rest is crushed.
+std::vector<geometry::Polygon> Field::carve(Plate piece, std::span<const geometry::Ring> structure) {
+  for (const geometry::Ring& outline : structure) {
+    const geometry::Cut crushed = piece.sheet().cut(outline);
+    ledger_.crushed += total(crushed.pieces);
+    ledger_.snap += crushed.snap;
+    ledger_.n_rounded += crushed.n_rounded;
+  }
+  return piece.outline();
+}
+
+Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
+                        double smallest_floe) {
+  geometry::Cut broken = cut(plate, plan.cracked.region, plan.cracked.cracks);
+  Broken result{.pieces = {}, .changed = broken.changed};
+  for (geometry::Polygon& detached : plate.sheet().release_detached()) {
+    account_of(plate) -= geometry::area(detached);
+    result.changed.add(geometry::extent(detached));
+    broken.pieces.push_back(std::move(detached));
+  }
+  for (const geometry::Polygon& whole : broken.pieces) {
+    for (geometry::Polygon& carved : carve(plate.piece(whole), structure)) {
+      const geometry::ExactArea area = geometry::area(carved);
+      if (area.square_metres() < smallest_floe) {
+        ledger_.brash += area;
+      } else {
+        ledger_.floes += area;
+        result.pieces.push_back(plate.piece(std::move(carved)));
+      }
+    }
+  }
+  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  return result;
+}
+
+void Field::to_brash(const Plate& piece) {
+  ledger_.floes -= piece.area();
+  ledger_.brash += piece.area();
+}
+
+void Field::to_deleted(const Plate& floe) {
+  ledger_.floes -= floe.area();
+  ledger_.deleted += floe.area();
+}
+
+}  // namespace brash::ice

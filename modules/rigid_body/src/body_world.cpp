@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "body_world.hpp"
+
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "brash/core/contract.hpp"
+
+namespace brash::rigid_body {
+namespace {
+
+constexpr int kMobile = 1;
+constexpr int kFixed = 2;
+
+Body& body_of(const btBroadphaseProxy& proxy) {
+  return rigid_body::body_of(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
+}
+
+/// Floes come before the bodies that they run into.
+std::pair<bool, int> place(const Body& body) { return {!body.is_floe(), body.rank}; }
+
+/// Parts of `other` within reach of those of `body` are near it.
+void collect_near(Body& body, const Body& other, double reach) {
+  for (const auto& near : other.parts)
+    if (std::ranges::any_of(body.parts, [&](const auto& own) { return within_reach(box(*own), box(*near), reach); }))
+      body.near.push_back(near.get());
+}
+
+/// By the places of their boxes, and so by state alone.
+void sort_by_place(std::vector<const Part*>& parts) {
+  const auto key = [](const Part* part) {
+    const auto& [lower, upper] = std::tie(part->now.lower, part->now.upper);
+    return std::tuple(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z, part->body->id, part->number);
+  };
+  std::sort(parts.begin(), parts.end(), [&](const Part* a, const Part* b) {
+    return a->now.lower.x != b->now.lower.x ? a->now.lower.x < b->now.lower.x : key(a) < key(b);
+  });
+}
+
+}  // namespace
+
+BodyWorld::BodyWorld(const WorldSettings& settings, std::unique_ptr<btCollisionConfiguration> rules,
+                     std::unique_ptr<btConstraintSolver> rows)
+    : BulletParts(std::move(rules), std::move(rows)),
+      btDiscreteDynamicsWorld(&dispatcher, &tree, solver.get(), configuration.get()),
+      settings_(settings) {
+  setGravity({0, 0, 0});  // weight comes with the loads
+  getSimulationIslandManager()->setSplitIslands(false);
+  getSolverInfo().m_numIterations = settings.iterations;
+}
+
+/// Bullet's world would look through all pairs for each body that it still has.
+BodyWorld::~BodyWorld() {
+  btOverlappingPairCache& cache = *tree.getOverlappingPairCache();
+  while (cache.getNumOverlappingPairs() > 0) {
+    const btBroadphasePair last = cache.getOverlappingPairArray()[cache.getNumOverlappingPairs() - 1];
+    cache.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
+  }
+}
+
+bool BodyWorld::contains(BodyId id) const {
+  return id.index < by_index_.size() && by_index_[id.index] != nullptr && by_index_[id.index]->id == id;
+}
+
+Body& BodyWorld::get(BodyId id) {
+  BRASH_EXPECTS(contains(id), "no such body", id.index, id.generation);
+  return *by_index_[id.index];
+}
+
+BodyId BodyWorld::insert(std::unique_ptr<Body> body) {
+  order_.clear();
+  const BodyId id{static_cast<std::uint32_t>(by_index_.size()), 0};
+  body->id = id;
+  body->next_pose = body->pose;
+  body->make_bullet_body(hull_margin());
+  body->place();
+  add_to_bullet(*body);
+  by_index_.push_back(body.get());
+  bodies.push_back(std::move(body));
+  list_as_moving(*bodies.back(), true);
+  return id;
+}
+
+void BodyWorld::remove(BodyId id) {
+  order_.clear();
+  Body& body = get(id);
+  links_.forget(body);
+  std::erase_if(given_, [&](const GivenContact& c) { return c.body == id || c.other == id; });
+  removeRigidBody(body.bullet.get());
+  list_as_moving(body, false);
+  by_index_[id.index] = nullptr;
+  bodies.erase(std::ranges::lower_bound(bodies, id, {}, [](const auto& other) { return other->id; }));
+}
+
+void BodyWorld::add_to_bullet(Body& body) {
+  const bool mobile = body.is_floe() && body.is_free();
+  addRigidBody(body.bullet.get(), mobile ? kMobile : kFixed, mobile ? kMobile | kFixed : kMobile);
+  body.box_is_known = false;
+}
+
+void BodyWorld::list_as_moving(const Body& body, bool moves) {
+  if (!body.is_floe()) return;
+  const auto place = std::ranges::lower_bound(moving_, body.id);
+  const bool listed = place != moving_.end() && *place == body.id;
+  if (listed && !moves) moving_.erase(place);
+  if (!listed && moves) moving_.insert(place, body.id);
+}
+
+void BodyWorld::set_settled(Body& body, bool settled) {
+  if (body.settled == settled) return;
+  removeRigidBody(body.bullet.get());
+  body.set_settled(settled);
+  add_to_bullet(body);
+  list_as_moving(body, body.is_free());
+}
+
+/// All bodies in an order that depends on their states only; ranks are set. Few change places from step to step, so
+/// that each is let sink to its own from the order of the step before.
+void BodyWorld::bring_into_order() {
+  if (order_.empty()) {
+    for (const auto& body : bodies) order_.push_back(body.get());
+    std::sort(order_.begin(), order_.end(), [](const Body* a, const Body* b) { return comes_before(*a, *b); });
+  }
+  for (std::size_t i = 1; i < order_.size(); ++i)
+    for (std::size_t j = i; j > 0 && comes_before(*order_[j], *order_[j - 1]); --j) std::swap(order_[j], order_[j - 1]);
+  for (std::size_t i = 0; i < order_.size(); ++i) order_[i]->rank = static_cast<int>(i);
+}
+
+void BodyWorld::step(double dt) {
+  bring_into_order();
+  links_.prepare(dt);
+  stepSimulation(dt, 0);
+  links_.measure();
+  given_.clear();
+}
+
+void BodyWorld::predictUnconstraintMotion(btScalar dt) {
+  for (Body* body : order_) {
+    if (body->kind == BodyKind::kStructure && !body->is_free() && !body->moved) body->twist = {};
+    btRigidBody& b = *body->bullet;
+    b.setLinearVelocity(to_bullet(body->twist.linear));
+    b.setAngularVelocity(to_bullet(body->twist.angular));
+    body->loaded_twist = body->twist;
+    if (!body->is_free()) continue;
+    b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
+    b.clearForces();
+    b.applyCentralForce(to_bullet(body->load.force));
+    b.applyTorque(to_bullet(body->load.moment));
+    b.integrateVelocities(dt);
+    b.clearForces();
+    body->loaded_twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
+  }
+}
+
+void BodyWorld::average_velocities() {
+  for (Body* body : order_) {
+    body->mean_twist = body->twist;
+    if (!body->is_free()) continue;
+    const Vec3 linear = from_bullet(body->bullet->getLinearVelocity());
+    const Vec3 angular = from_bullet(body->bullet->getAngularVelocity());
+    body->mean_twist = {0.5 * (body->twist.linear + linear), 0.5 * (body->twist.angular + angular)};
+  }
+}
+
+void BodyWorld::finish(Body& body, const Pose& pose) {
+  body.pose = pose;
+  body.load = {};
+  BRASH_EXPECTS(is_finite(body.pose, body.twist), "state of body", body.id.index, "is not finite");
+  body.place();
+}
+
+void BodyWorld::move_as_told(Body& body) {
+  if (!body.moved) return;
+  body.pose = body.next_pose;
+  body.moved = false;
+  body.place();
+}
+
+void BodyWorld::updateAabbs() {
+  const double margin = std::max(0.5 * reach_, least_margin());
+  const Vec3 by{margin, margin, margin};
+  for (const auto& body : bodies) {
+    if (body->box_is_known) continue;
+    body->box_is_known = true;
+    const Box at = body->parts.empty() ? Box{body->pose.position, body->pose.position} : body->box;
+    tree.setAabb(body->bullet->getBroadphaseHandle(), to_bullet(at.lower - by), to_bullet(at.upper + by), &dispatcher);
+  }
+}
+
+const std::vector<BodyWorld::Pair>& BodyWorld::sorted_pairs() {
+  pairs_.clear();
+  btBroadphasePairArray& known = tree.getOverlappingPairCache()->getOverlappingPairArray();
+  for (int i = 0; i < known.size(); ++i) {
+    Body* first = &body_of(*known[i].m_pProxy0);
+    Body* second = &body_of(*known[i].m_pProxy1);
+    if (!within_reach(first->box, second->box, 0.0)) continue;
+    if (place(*second) < place(*first)) std::swap(first, second);
+    pairs_.push_back({first, second, &known[i]});
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
+    return std::pair(p.first->rank, p.second->rank) < std::pair(q.first->rank, q.second->rank);
+  });
+  return pairs_;
+}
+
+void BodyWorld::find_near(std::span<const BodyId> floes, double reach) {
+  if (reach != reach_)
+    for (const auto& body : bodies) body->box_is_known = false;
+  reach_ = reach;
+  updateAabbs();
+  for (const BodyId id : floes) {
+    get(id).near.clear();
+    get(id).sought = true;
+  }
+  const btBroadphasePairArray& known = tree.getOverlappingPairCache()->getOverlappingPairArray();
+  for (int i = 0; i < known.size(); ++i) {
+    Body &a = body_of(*known[i].m_pProxy0), &b = body_of(*known[i].m_pProxy1);
+    if (!(a.sought || b.sought) || !within_reach(a.box, b.box, reach)) continue;
+    if (a.sought) collect_near(a, b, reach);
+    if (b.sought) collect_near(b, a, reach);
+  }
+  for (const BodyId id : floes) {
+    get(id).sought = false;
+    sort_by_place(get(id).near);
+  }
+}
+
+}  // namespace brash::rigid_body

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "body.hpp"
+#include "brash/rigid_body/world.hpp"
+#include "links.hpp"
+
+namespace brash::rigid_body {
+
+/// What Bullet's world refers to: there before it and after it.
+struct BulletParts {
+  BulletParts(std::unique_ptr<btCollisionConfiguration> rules, std::unique_ptr<btConstraintSolver> rows)
+      : configuration(std::move(rules)), solver(std::move(rows)), dispatcher(configuration.get()) {}
+
+  std::unique_ptr<btCollisionConfiguration> configuration;
+  std::unique_ptr<btConstraintSolver> solver;
+  btCollisionDispatcher dispatcher;
+  btDbvtBroadphase tree;
+  std::vector<std::unique_ptr<Body>> bodies;  ///< in the order of their ids
+};
+
+/// Bullet's world over the bodies of a World. This part is common to all engines: the bodies, their boxes, the order
+/// of a step and the velocities that loads give. An engine finds the contacts, solves them and moves the bodies.
+class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
+ public:
+  BodyWorld(const WorldSettings& settings, std::unique_ptr<btCollisionConfiguration> rules,
+            std::unique_ptr<btConstraintSolver> rows);
+  ~BodyWorld() override;
+  BodyWorld(const BodyWorld&) = delete;
+  BodyWorld& operator=(const BodyWorld&) = delete;
+
+  const WorldSettings& settings() const { return settings_; }
+  bool contains(BodyId id) const;
+  Body& get(BodyId id);
+  const std::vector<std::unique_ptr<Body>>& all() const { return bodies; }
+  const std::vector<BodyId>& moving() const { return moving_; }
+  BodyId insert(std::unique_ptr<Body> body);
+  void remove(BodyId id);
+  void set_settled(Body& body, bool settled);
+  /// Advances all bodies by `dt` [s].
+  void step(double dt);
+  const std::vector<ContactLoad>& loads() const { return loads_; }
+  double last_change() const { return last_change_; }
+  Links& links() { return links_; }
+  /// For the next step.
+  void add_contact(const GivenContact& contact) { given_.push_back(contact); }
+  /// Fills Body::near of each of the floes with the parts of other bodies within `reach` [m] of its own.
+  void find_near(std::span<const BodyId> floes, double reach);
+
+  /// Boxes are those of the parts, so that pairs are a function of the bodies' states. They reach half the way to the
+  /// neighbours that are asked for.
+  void updateAabbs() override;
+
+ protected:
+  /// Two bodies whose boxes overlap, in the order in which a contact between them is handled.
+  struct Pair {
+    Body* first;  ///< a floe
+    Body* second;
+    btBroadphasePair* pair;
+  };
+
+  /// Those that Bullet's broad phase knows now, in the order of the step.
+  const std::vector<Pair>& sorted_pairs();
+  /// Contacts of this step that were found outside the world.
+  const std::vector<GivenContact>& given() const { return given_; }
+  /// The bodies in the order of the step.
+  const std::vector<Body*>& order() const { return order_; }
+  /// How much larger than its parts a box is, at least [m].
+  virtual double least_margin() const { return 0.0; }
+  /// Inset of the hulls, which Bullet adds again as their margin [m].
+  virtual double hull_margin() const { return 0.0; }
+
+  /// Velocities with the applied loads and the gyroscopic moment, before contacts.
+  void predictUnconstraintMotion(btScalar dt) override;
+  /// Bodies have the velocities that they were given.
+  void saveKinematicState(btScalar) override {}
+  void createPredictiveContacts(btScalar) override {}
+  /// Bullet never puts a body to sleep.
+  void updateActivationState(btScalar) override {}
+
+  /// Mean velocities of the step, once the solver has set Bullet's; Body::twist is still that of its start.
+  void average_velocities();
+  /// Ends the step of a body that moves freely, whose twist is that of its end.
+  static void finish(Body& body, const Pose& pose);
+  /// Ends the step of any other.
+  static void move_as_told(Body& body);
+
+  std::vector<ContactLoad> loads_;
+  double last_change_ = 0.0;
+
+ private:
+  void add_to_bullet(Body& body);
+  void bring_into_order();
+  void list_as_moving(const Body& body, bool moves);
+
+  WorldSettings settings_;
+  std::vector<Body*> by_index_;  ///< of every body there has been; null where it is gone
+  std::vector<BodyId> moving_;   ///< floes that are not settled, sorted
+  std::vector<Body*> order_;     ///< that of the last step; empty when bodies came or went since
+  double reach_ = 0.0;           ///< of the last search for neighbours [m]
+  std::vector<Pair> pairs_;
+  std::vector<GivenContact> given_;
+  Links links_{*this};
+};
+
+inline Body& body_of(const btCollisionObject& object) { return *static_cast<Body*>(object.getUserPointer()); }
+
+}  // namespace brash::rigid_body

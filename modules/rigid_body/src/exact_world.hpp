@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "body_world.hpp"
+#include "bounded_solver.hpp"
+#include "contact_set.hpp"
+#include "joint_rows.hpp"
+
+namespace brash::rigid_body {
+
+/// The engine of this program at Bullet's extension points: contacts are exact overlaps of the parts, a bounded solver
+/// takes the place of Bullet's, and a step is a function of the bodies' states.
+class ExactWorld final : public BodyWorld {
+ public:
+  explicit ExactWorld(const WorldSettings& settings);
+
+  /// Settled floes that are run into are let go first, so that they take the blow as what they are.
+  void performDiscreteCollisionDetection() override;
+
+ private:
+  class Rules;
+  class Rows;
+
+  void find_contacts();
+  void solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info);
+  /// New velocities from the solver, then Eqs. 9 and 10.
+  void integrateTransforms(btScalar dt) override;
+  void advance(Body& body, double dt);
+
+  ContactSet contacts_;
+  JointRows joints_;
+  BoundedSolver bounded_;
+};
+
+}  // namespace brash::rigid_body

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "floe_stress.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "floe_population.hpp"
+
+namespace brash::simulation {
+namespace {
+
+/// Adds the symmetric part of arm x force to a stress (xx, yy, zz, xy, yz, zx).
+void add_dipole(std::array<double, 6>& sum, Vec3 arm, Vec3 force) {
+  sum[0] += arm.x * force.x;
+  sum[1] += arm.y * force.y;
+  sum[2] += arm.z * force.z;
+  sum[3] += 0.5 * (arm.x * force.y + arm.y * force.x);
+  sum[4] += 0.5 * (arm.y * force.z + arm.z * force.y);
+  sum[5] += 0.5 * (arm.z * force.x + arm.x * force.z);
+}
+
+/// The largest principal compression, positive [same unit].
+double largest_compression(const std::array<double, 6>& s) {
+  Eigen::Matrix3d tensor;
+  tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(tensor, Eigen::EigenvaluesOnly);
+  return -solver.eigenvalues()[0];
+}
+
+}  // namespace
+
+std::vector<const rigid_body::ContactLoad*> contacts_by_place(const rigid_body::World& world) {
+  std::vector<const rigid_body::ContactLoad*> contacts;
+  for (const rigid_body::ContactLoad& contact : world.contacts()) contacts.push_back(&contact);
+  std::ranges::sort(contacts, {}, [](const rigid_body::ContactLoad* c) {
+    return std::tie(c->point.x, c->point.y, c->point.z, c->normal.x, c->normal.y, c->normal.z);
+  });
+  return contacts;
+}
+
+void average_stress(const rigid_body::World& world, const std::vector<const rigid_body::ContactLoad*>& contacts,
+                    double dt, FloePopulation& floes) {
+  for (const BodyId body : world.moving()) floes.at(body).dipole = {};
+  for (const rigid_body::ContactLoad* const contact : contacts) {
+    const Vec3 force = contact->normal_force * contact->normal + contact->friction_force;
+    add_dipole(floes.at(contact->body).dipole, contact->point - world.pose(contact->body).position, force);
+    if (contact->other_kind == rigid_body::BodyKind::kFloe)
+      add_dipole(floes.at(contact->other).dipole, contact->point - world.pose(contact->other).position, -force);
+  }
+  for (const BodyId body : world.moving()) {
+    Floe& floe = floes.at(body);
+    const double volume = floe.area.square_metres() * floe.prism.thickness;
+    const double share = averaging_share(floe, dt);
+    MeanStress& stress = floe.stress;
+    for (std::size_t i = 0; i < 6; ++i) stress.now[i] += share * (floe.dipole[i] / volume - stress.now[i]);
+    stress.peak_compression = std::max(stress.peak_compression, largest_compression(stress.now));
+  }
+}
+
+std::vector<BodyId> overstressed(const rigid_body::World& world, const FloePopulation& floes, double strength) {
+  std::vector<BodyId> bodies;
+  for (const BodyId body : world.moving()) {
+    const MeanStress& stress = floes.at(body).stress;
+    if (stress.peak_compression > strength && largest_compression(stress.now) > strength) bodies.push_back(body);
+  }
+  return bodies;
+}
+
+}  // namespace brash::simulation

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "floe_population.hpp"
+#include "mean_pushes.hpp"
+
+namespace brash::simulation {
+
+/// The points of the plan whose way along a direction is less than a limit.
+struct HalfPlane {
+  Vec2 along{};        ///< unit
+  double limit = 0.0;  ///< [m]
+};
+
+/// Puts floes to sleep that have been slow for long, and wakes them; for time.settle_speed > 0.
+/// docs/theory/simulation.md, (S2).
+class Sleep {
+ public:
+  explicit Sleep(const model::Case& resolved) : case_(&resolved) {}
+
+  /// After a step of the world, which may have woken floes.
+  void notice_woken(const rigid_body::World& world, FloePopulation& floes);
+
+  /// Wakes the floes that others push on more, or less, than when they fell asleep. Puts those to sleep that have been
+  /// slow for long.
+  /// @param astern  only floes wholly in it fall asleep.
+  /// @return the kinetic energy that this took [J].
+  double update(rigid_body::World& world, FloePopulation& floes, const HalfPlane& astern);
+
+  /// Level ice has broken within `radius` of `at`, and may have held floes there.
+  void wake_within(rigid_body::World& world, FloePopulation& floes, Vec2 at, double radius);
+
+  /// The floe is about to be removed.
+  void forget(FloePopulation& floes, BodyId body);
+
+  void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;
+  /// Once all floes are restored.
+  void restore(const FloePopulation& floes, const model::Checkpoint& checkpoint);
+
+ private:
+  void wake(rigid_body::World& world, FloePopulation& floes, BodyId body);
+  void woken(FloePopulation& floes, BodyId body);
+  /// Wakes the floes among `pushed_` whose push may move them.
+  void wake_pushed(rigid_body::World& world, FloePopulation& floes);
+  /// Changes the mean force on a floe since it fell asleep [N].
+  void push(FloePopulation& floes, BodyId body, Vec3 change);
+  /// The kinetic energy of a floe at time.settle_speed [J].
+  double slow_energy(const Floe& floe) const;
+  /// The force that would bring a mass [kg] to time.settle_speed in the time of falling asleep [N].
+  double slow_push(double mass) const;
+
+  const model::Case* case_;
+  MeanPushes pushes_;
+  std::vector<BodyId> pushed_;  ///< floes whose push has changed since it was looked at
+};
+
+}  // namespace brash::simulation

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+#include "brash/model/case.hpp"
+
+namespace brash::structure {
+
+/// Vertices of a convex body in the hull's frame [m].
+using ConvexPart = std::vector<Vec3>;
+
+/// A simple polygon of the plan, counter-clockwise, sheet frame [m].
+using Outline = std::vector<Vec2>;
+
+/// The plan of a hull within the thickness of the ice. Either may be several polygons, or none.
+struct Footprint {
+  std::vector<Outline> leading;   ///< union of the sections over the thickness: where the hull touches the ice
+  std::vector<Outline> trailing;  ///< intersection of the sections: where it has passed through the ice
+};
+
+/// The surface of a hull at a point.
+struct Surface {
+  Vec3 normal{};                                          ///< unit, out of the hull, world frame
+  double slope = 0.0;                                     ///< from the horizontal [rad], in (0, pi/2]
+  model::Breaking breaking = model::Breaking::kDownward;  ///< which way the surface bends ice that it meets
+};
+
+/// The section of a hull in the water's surface.
+struct Waterplane {
+  double area = 0.0;    ///< [m2]
+  double radius = 0.0;  ///< of the circle with that area [m]
+  Vec2 centre{};        ///< [m]
+};
+
+/// What a hull displaces in still water.
+struct Displacement {
+  double volume = 0.0;  ///< [m3]
+  Vec3 centre{};        ///< of buoyancy [m]
+  Waterplane waterplane;
+};
+
+/// A closed surface of triangles, each counter-clockwise as seen from outside; hull's frame [m].
+struct TriangleMesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+/// The closed surface of a structure: an immutable value behind one interface, whatever its shape.
+///
+/// Its frame is that of the structure: z upwards, the origin on the waterplane, x ahead. Poses place it in the world,
+/// where the water's surface is z = 0.
+class Hull {
+ public:
+  virtual ~Hull() = default;
+
+  /// Convex parts whose union is the hull: what contacts with floes see.
+  virtual std::span<const ConvexPart> parts() const = 0;
+
+  /// The plan of the hull between the heights `bottom` and `top` [m], world frame.
+  virtual Footprint footprint(const Pose& pose, double bottom, double top) const = 0;
+
+  /// The side of the hull next to `point`, world frame [m]. Horizontal faces, deck and keel, count for nothing.
+  virtual Surface surface_at(const Pose& pose, Vec3 point) const = 0;
+
+  /// What the hull displaces where it lies; all zero when it is out of the water.
+  virtual Displacement displaced(const Pose& pose) const = 0;
+
+  /// What report, ParaView and pictures draw, and nothing else.
+  virtual const TriangleMesh& mesh() const = 0;
+
+  /// Least and largest coordinates, hull's frame [m].
+  std::pair<Vec3, Vec3> bounds() const;
+};
+
+/// Where a hull that goes along `course` meets ice between two heights first.
+struct Foremost {
+  Surface surface;     ///< there
+  double reach = 0.0;  ///< how far along the course the hull reaches, from the origin of the plan [m]
+};
+/// @param course  direction in plan, of any length; the hull meets the ice somewhere.
+Foremost foremost(const Hull& hull, const Pose& pose, double bottom, double top, Vec2 course);
+
+/// The hull of a shape.
+std::unique_ptr<const Hull> make_hull(const model::Shape& shape);
+
+}  // namespace brash::structure

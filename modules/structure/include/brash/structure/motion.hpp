@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "brash/core/vec.hpp"
+#include "brash/model/case.hpp"
+
+namespace brash::structure {
+
+/// Where a structure is, and how it moves, world frame.
+struct State {
+  Pose pose;
+  Twist twist;  ///< of the pose's origin
+};
+
+/// Numbers of a checkpoint, by their names.
+using Numbers = std::map<std::string, double>;
+
+/// How a structure moves: a load goes in, a pose and a twist come out. Time passes in steps of one length, which may
+/// be taken in parts.
+class Motion {
+ public:
+  explicit Motion(const State& start) : now_(start) {}
+  virtual ~Motion() = default;
+
+  const State& now() const { return now_; }
+
+  /// Where the structure is when `share` of a step [-] has passed from now.
+  virtual State after(double share) const = 0;
+
+  /// Goes there.
+  virtual void advance(double share) { now_ = after(share); }
+
+  /// Takes the mean load of the step that ends now: of the ice on the structure, about its origin, world axes. A
+  /// prescribed motion does not heed it.
+  virtual void bear(const Wrench& /*load*/) {}
+
+  /// Velocity through the ice where nothing resists, in plan [m/s]: of the tow, or of the ice's drift against the
+  /// structure.
+  virtual Vec2 course() const = 0;
+
+  /// All that the motion from now on depends on.
+  virtual void save(Numbers& numbers) const;
+  virtual void restore(const Numbers& numbers);
+
+ protected:
+  State now_;
+};
+
+/// The motion of a structure from its start.
+/// @param time_step  length of a step [s].
+std::unique_ptr<Motion> make_motion(const model::StructureSection& structure, double time_step);
+
+}  // namespace brash::structure

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "brash/structure/hull.hpp"
+
+namespace brash::structure {
+
+/// A convex body with plane sides between a lower and an upper ring of as many vertices.
+class Frustum : public Hull {
+ public:
+  /// @param lower  counter-clockwise as seen from above, at one height; hull's frame [m].
+  /// @param upper  likewise, vertex i above vertex i of `lower` along the slope.
+  Frustum(std::vector<Vec3> lower, const std::vector<Vec3>& upper);
+
+  std::span<const ConvexPart> parts() const override { return {&vertices_, 1}; }
+  Footprint footprint(const Pose& pose, double bottom, double top) const override;
+  Surface surface_at(const Pose& pose, Vec3 point) const override;
+  Displacement displaced(const Pose& pose) const override;
+  const TriangleMesh& mesh() const override { return mesh_; }
+
+ private:
+  struct Side {
+    Vec3 normal;    ///< unit, outwards
+    double offset;  ///< of its plane from the origin along the normal [m]
+  };
+
+  Outline section(const std::vector<Vec3>& world, double z) const;
+
+  ConvexPart vertices_;  ///< the lower ring, then the upper one
+  std::vector<Side> sides_;
+  TriangleMesh mesh_;
+};
+
+/// The surface with the outward normal `normal`, unit, world frame.
+Surface surface_with(Vec3 normal);
+
+/// What the part of a closed mesh below z = 0 displaces; `world` are its vertices in the world frame [m].
+Displacement displacement_of(const TriangleMesh& mesh, const std::vector<Vec3>& world);
+
+}  // namespace brash::structure

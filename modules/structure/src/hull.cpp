@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/structure/hull.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "brash/core/contract.hpp"
+#include "cone.hpp"
+
+namespace brash::structure {
+namespace {
+
+std::unique_ptr<const Hull> hull_of(const model::Cone& cone) { return std::make_unique<Cone>(cone); }
+
+}  // namespace
+
+std::unique_ptr<const Hull> make_hull(const model::Shape& shape) {
+  return std::visit([](const auto& kind) { return hull_of(kind); }, shape);
+}
+
+std::pair<Vec3, Vec3> Hull::bounds() const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Vec3 least{kFar, kFar, kFar}, most = -least;
+  for (const ConvexPart& part : parts())
+    for (const Vec3 v : part) {
+      least = {std::min(least.x, v.x), std::min(least.y, v.y), std::min(least.z, v.z)};
+      most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
+    }
+  return {least, most};
+}
+
+/// In the middle of the vertices that reach as far, so that a straight front is met in its middle.
+Foremost foremost(const Hull& hull, const Pose& pose, double bottom, double top, Vec2 course) {
+  constexpr double kAsFar = 1e-6;  // [m]
+  const Vec2 ahead = normalized(course);
+  std::vector<Vec2> vertices;
+  for (const Outline& outline : hull.footprint(pose, bottom, top).leading)
+    vertices.insert(vertices.end(), outline.begin(), outline.end());
+  BRASH_EXPECTS(!vertices.empty(), bottom, top);
+  double reach = dot(ahead, vertices.front());
+  for (const Vec2 v : vertices) reach = std::max(reach, dot(ahead, v));
+  std::erase_if(vertices, [&](Vec2 v) { return dot(ahead, v) < reach - kAsFar; });
+  Vec2 sum{};
+  for (const Vec2 v : vertices) sum += v;
+  const Vec2 middle = sum / static_cast<double>(vertices.size());
+  return {hull.surface_at(pose, {middle.x, middle.y, 0.0}), reach};
+}
+
+}  // namespace brash::structure

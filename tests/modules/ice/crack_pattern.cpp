@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/ice/crack_pattern.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <set>
+
+#include "level_ice.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::ice;
+using namespace brash::ice::testing;
+
+/// A contact in the middle of the front edge.
+geometry::ContactRegion at_the_edge() {
+  geometry::ContactRegion contact;
+  contact.midpoint = {0.0, 1.0};
+  contact.normal = {1.0, 0.0};
+  return contact;
+}
+
+BOOST_AUTO_TEST_SUITE(crack_patterns)
+
+BOOST_AUTO_TEST_CASE(a_circumferential_crack_has_the_breaking_length_as_radius_and_its_wedges_at_random) {
+  const Field field = level_ice(50.0, 50.0);
+  const auto pattern = make_crack_pattern({});
+  std::set<int> drawn;
+  for (std::uint64_t n = 0; n < 50; ++n) {
+    statistics::RandomStream random(1, "cone", 0, "wedges", n);
+    const CrackPlan plan = pattern->plan(field.level_ice()[0], at_the_edge(), {.breaking_length = 2.0}, random);
+    drawn.insert(plan.n_wedges);
+    BOOST_TEST(plan.cracked.cracks.size() == static_cast<std::size_t>(plan.n_wedges - 1));  // one edge is free
+    BOOST_TEST((plan.centre == at_the_edge().midpoint));
+    BOOST_TEST(plan.reach == 2.0);
+    for (const geometry::Point corner : plan.cracked.region)
+      BOOST_TEST(std::abs(norm(geometry::metres(corner) - plan.centre) - 2.0) < 2.0 * geometry::kGridUnit);
+  }
+  BOOST_TEST((drawn == std::set<int>{3, 4, 5}));
+}
+
+BOOST_AUTO_TEST_CASE(one_stream_gives_one_plan) {
+  const Field field = level_ice(50.0, 50.0);
+  const auto pattern = make_crack_pattern({});
+  const auto region = [&] {
+    statistics::RandomStream random(7, "cone", 0, "wedges", 3);
+    return pattern->plan(field.level_ice()[0], at_the_edge(), {.breaking_length = 2.0}, random).cracked.region;
+  };
+  BOOST_TEST((region() == region()));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace

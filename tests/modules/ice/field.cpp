@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/ice/field.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
+#include "level_ice.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::ice;
+using namespace brash::ice::testing;
+
+/// Breaks a circle off the first level ice.
+Broken break_circle(Field& field, Vec2 at, double radius, int n_wedges,
+                    const std::vector<geometry::Ring>& structure = kFarAway, double smallest_floe = 0.01) {
+  Plate& plate = field.level_ice(0);
+  return field.break_off(plate, circle(plate, at, radius, n_wedges), structure, smallest_floe);
+}
+
+BOOST_AUTO_TEST_SUITE(fields)
+
+BOOST_AUTO_TEST_CASE(breaking_moves_area_from_the_sheet_to_the_floes_exactly) {
+  Field field = level_ice(50.0, 50.0);
+  const Broken broken = break_circle(field, {0.0, 1.0}, 3.0, 4);
+  BOOST_TEST(broken.pieces.size() == 4u);
+  BOOST_TEST(field.ledger().closes());
+  BOOST_TEST((field.ledger().floes == total(broken.pieces)));
+  BOOST_TEST((field.ledger().sheet == field.level_ice()[0].area()));
+  // Half of a 16-gon inscribed in the circle.
+  BOOST_TEST(field.ledger().floes.square_metres() == 0.5 * 8.0 * 9.0 * std::sin(kPi / 8.0),
+             boost::test_tools::tolerance(1e-8));  // vertices are rounded to 1e-9 m
+}
+
+BOOST_AUTO_TEST_CASE(no_floe_is_born_inside_the_structure) {
+  Field field = level_ice(50.0, 50.0);
+  const geometry::Ring section = geometry::disc({-6.0, 0.0}, 6.8, 64);
+  for (Plate& piece : break_circle(field, {0.0, 0.0}, 3.0, 5, {section}).pieces)
+    BOOST_TEST(piece.sheet().cut(section).pieces.empty());
+  BOOST_TEST(field.ledger().crushed.square_metres() > 0.0);
+  BOOST_TEST(field.ledger().closes());
+}
+
+BOOST_AUTO_TEST_CASE(small_pieces_become_brash_and_stay_in_the_ledger) {
+  Field field = level_ice(50.0, 50.0);
+  BOOST_TEST(break_circle(field, {0.0, 0.0}, 0.5, 5, kFarAway, 1.0).pieces.empty());
+  BOOST_TEST(field.ledger().brash.square_metres() > 0.3);
+  BOOST_TEST(field.ledger().closes());
+}
+
+BOOST_AUTO_TEST_CASE(crushed_ice_and_deleted_floes_stay_in_the_ledger) {
+  Field field = level_ice(50.0, 50.0);
+  const geometry::Extent crushed = field.crush(field.level_ice(0), geometry::disc({0.0, 10.0}, 1.0, 16));
+  // Half of a 16-gon; the front edge that it cuts is another from corner to corner.
+  BOOST_TEST(field.ledger().crushed.square_metres() == 4.0 * std::sin(kPi / 8.0), boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(crushed.lower.y == -25.0);
+  BOOST_TEST(crushed.upper.y == 25.0);
+  BOOST_TEST(field.crush(field.level_ice(0), geometry::disc({-5.0, 0.0}, 1.0, 16)).is_empty());
+  const Broken broken = break_circle(field, {0.0, -10.0}, 2.0, 3);
+  field.to_deleted(broken.pieces.at(0));
+  field.to_brash(broken.pieces.at(1));
+  BOOST_TEST((field.ledger().floes == broken.pieces.at(2).area()));
+  BOOST_TEST(field.ledger().closes());
+}
+
+BOOST_AUTO_TEST_CASE(ice_cut_off_from_the_sheet_becomes_a_floe) {
+  Field strip = level_ice(10.0, 4.0);
+  // The disc is wider than the strip: what lies before it loses its hold, what lies behind stays the sheet.
+  const Broken broken = break_circle(strip, {4.0, 0.0}, 2.5, 1);
+  BOOST_TEST(broken.pieces.size() == 2u);
+  BOOST_TEST(broken.changed.lower.x == 0.0);  // the part that was cut off reaches to the edge
+  const geometry::IceSheet& sheet = strip.level_ice()[0].sheet();
+  BOOST_TEST(sheet.polygons().size() == 1u);
+  BOOST_TEST(sheet.contains({9.0, 0.0}));
+  BOOST_TEST(!sheet.contains({0.5, 0.0}));
+  BOOST_TEST(strip.ledger().closes());
+}
+
+BOOST_AUTO_TEST_CASE(a_piece_breaks_again_and_the_ledger_closes) {
+  Field field = level_ice(50.0, 50.0);
+  Broken broken = break_circle(field, {0.0, 0.0}, 3.0, 1);
+  BOOST_REQUIRE(broken.pieces.size() == 1u);
+  Plate& floe = broken.pieces[0];
+  const geometry::ExactArea before = field.ledger().floes + field.ledger().snap, sheet = field.ledger().sheet;
+  const Broken again = field.break_off(floe, circle(floe, {0.0, 0.0}, 1.0, 3), kFarAway, 0.01);
+  BOOST_TEST(again.pieces.size() == 3u);
+  BOOST_TEST(floe.area().square_metres() > 0.0);
+  BOOST_TEST((field.ledger().floes == total(again.pieces) + floe.area()));
+  BOOST_TEST((field.ledger().floes + field.ledger().snap == before));
+  BOOST_TEST((field.ledger().sheet == sheet));
+  BOOST_TEST(field.ledger().closes());
+}
+
+BOOST_AUTO_TEST_CASE(a_field_restores_what_it_saved) {
+  Field field = level_ice(50.0, 50.0);
+  (void)break_circle(field, {0.0, 0.0}, 3.0, 4);
+  (void)field.crush(field.level_ice(0), geometry::disc({0.0, 10.0}, 1.0, 16));
+  model::Checkpoint checkpoint;
+  field.save(checkpoint);
+  model::FieldSection section;
+  section.length = section.width = 50.0;
+  const Field restored(section, properties(), checkpoint);
+  BOOST_TEST((restored.outlines() == field.outlines()));
+  BOOST_TEST((restored.ledger().crushed == field.ledger().crushed));
+  BOOST_TEST(restored.ledger().n_rounded == field.ledger().n_rounded);
+  // Accounts that do not fit the ice are refused.
+  model::Table& ledger = checkpoint.table("ledger");
+  std::swap(ledger.column("sheet").values, ledger.column("floes").values);
+  BOOST_CHECK_THROW(Field(section, properties(), checkpoint), ContractViolation);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "brash/ice/plate.hpp"
+#include "edge_contact.hpp"
+
+namespace brash::simulation::testing {
+
+/// A plate of the case's ice with this outline [m].
+inline ice::Plate afloat(const model::Case& resolved, const std::vector<Vec2>& outline) {
+  return {0, ice::Hold::kAfloat, ice_properties(resolved), {{geometry::ring(outline), {}}}};
+}
+
+}  // namespace brash::simulation::testing
