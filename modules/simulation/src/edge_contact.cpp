@@ -113,6 +113,7 @@ void load_contact(const EdgeModel& model, const structure::State& state, EdgeCon
   contact.point = point;
   const double along = std::sin(surface.slope), up = std::cos(surface.slope);
   contact.normal = {along * normal.x, along * normal.y, downward ? -up : up};
+  contact.area = area;
   contact.bound = normal_force;
 }
 
@@ -183,6 +184,20 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
     }
   }
   return contacts;
+}
+
+std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact> contacts, BodyId structure,
+                                                     double friction) {
+  std::vector<rigid_body::GivenContact> given;
+  for (const EdgeContact& contact : contacts)
+    if (contact.bound > 0.0)
+      given.push_back({.body = structure,
+                       .point = contact.point,
+                       .normal = -contact.normal,
+                       .area = contact.area,
+                       .most_normal_force = contact.bound,
+                       .friction = friction});
+  return given;
 }
 
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bearing.hpp"
@@ -11,6 +12,7 @@
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/model/case.hpp"
 #include "brash/model/records.hpp"
+#include "brash/rigid_body/world.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 
@@ -25,6 +27,7 @@ struct EdgeContact {
   Vec3 force{};                        ///< on the structure [N], Eq. 15 with friction; none where a floe presses
   Vec3 point{};                        ///< where it acts [m]
   Vec3 normal{};                       ///< unit, from the structure's surface into the ice
+  double area = 0.0;                   ///< A of Eq. 15 [m2]
   double bound = 0.0;                  ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
@@ -66,6 +69,12 @@ std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose
 /// of the surface at the contact, the heading is that of the structure's velocity there.
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
                                        const structure::State& state);
+
+/// The contacts of a structure that is a body with mass, as the solver takes them: each acts on the structure and on
+/// the ice, which does not yield, and bears its crushing force at most. Contacts that crush nothing are left out.
+/// @param friction  Coulomb coefficient of ice and structure [-].
+std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact> contacts, BodyId structure,
+                                                     double friction);
 
 /// The edge under a floe that presses on it, assessed by the same criterion; nothing where it hardly presses.
 ///
