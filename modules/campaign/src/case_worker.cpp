@@ -73,7 +73,7 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
   remove_if_damaged(checkpoint);
   const simulation::Run run =
       simulation::run(inputs.resolved, {.begun = [&] { recording::expect_unchanged(inputs); },
-                                        .checkpoint = recording::checkpoint_file(checkpoint, true),
+                                        .checkpoint = recording::checkpoint_file(checkpoint, true, inputs),
                                         .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;
   recording::write_run(partial, inputs, run, {}, kept(task.keep));

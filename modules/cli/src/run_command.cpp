@@ -46,7 +46,7 @@ void run_case(const RunOptions& options) {
                                          recording::expect_unchanged(inputs);
                                          remove_run(directory);
                                        },
-                                   .checkpoint = recording::checkpoint_file(checkpoint, options.resume)});
+                                   .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs)});
   if (!run.complete)
     throw Interrupted(
         fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,

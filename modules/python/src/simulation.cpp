@@ -112,7 +112,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
   const recording::Inputs inputs = inputs_of(c);
   simulation::RunOptions options;
-  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume);
+  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume, inputs);
   options.begun = [&] {
     if (!directory.empty()) {
       recording::expect_unchanged(inputs);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/recording/recording.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
 
+#include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
@@ -19,6 +21,42 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
       if (!std::filesystem::exists(path)) return std::nullopt;
       return io::read_checkpoint(path);
     };
+  return store;
+}
+
+namespace {
+
+constexpr const char* kInputs = "input";
+
+/// The hashes of the files that a run reads besides its case, whose values the state has itself.
+model::Table models_of(const Inputs& inputs) {
+  std::vector<std::string> digests;
+  for (std::size_t i = 1; i < inputs.files.size(); ++i) digests.push_back(inputs.files[i].sha256);
+  return {kInputs, {{"sha256", "1", "SHA-256 of a model file", std::move(digests)}}};
+}
+
+}  // namespace
+
+simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs) {
+  simulation::CheckpointStore store = checkpoint_file(path, resume);
+  const model::Table models = models_of(inputs);
+  store.keep = [keep = store.keep, models, recorded = inputs.recorded()](model::Checkpoint checkpoint) {
+    checkpoint.resolved.failure.file = recorded.failure.file;
+    checkpoint.tables.push_back(models);
+    keep(checkpoint);
+  };
+  if (!store.newest) return store;
+  store.newest = [newest = store.newest, models, inputs, path]() -> std::optional<model::Checkpoint> {
+    std::optional<model::Checkpoint> checkpoint = newest();
+    if (!checkpoint) return checkpoint;
+    if (std::ranges::find(checkpoint->tables, models) == checkpoint->tables.end())
+      throw InputError(Complaint{path, "is of a run with another failure model than the one that is there now",
+                                 "a checkpoint of this case with the same model file",
+                                 "put the model file back, or start again without --resume"});
+    if (checkpoint->resolved.failure.file == inputs.recorded().failure.file)
+      checkpoint->resolved.failure.file = inputs.resolved.failure.file;
+    return checkpoint;
+  };
   return store;
 }
 

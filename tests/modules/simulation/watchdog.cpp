@@ -152,7 +152,7 @@ struct Spoilt {
                                      .checkpoint = recording::checkpoint_file(file, false),
                                      .interrupted = [&] { return now >= 2.5; }});
     good = io::read_checkpoint(file);
-    BOOST_REQUIRE(good.floes.size() > 5u);
+    BOOST_REQUIRE(good.table("floe").n_rows() > 5u);
   }
   ~Spoilt() { std::filesystem::remove(file); }
 
@@ -171,18 +171,24 @@ struct Spoilt {
   }
 };
 
+/// Of the fourth floe.
+double& floe_cell(model::Checkpoint& state, const char* column) {
+  return std::get<std::vector<double>>(state.table("floe").column(column).values).at(3);
+}
+
 BOOST_AUTO_TEST_CASE(a_failed_step_ends_the_run_and_leaves_the_state_that_repeats_it) {
   Spoilt run;
   model::Checkpoint spoilt = run.good;
-  spoilt.floes[3].pose.position.x += 1000.0;
+  floe_cell(spoilt, "x") += 1000.0;
   run.resume(spoilt, "floe 3 is at");
 
   spoilt = run.good;
-  spoilt.floes[3].twist.linear.z = 1e200;  // its drag exceeds all numbers
+  floe_cell(spoilt, "linear_z") = 1e200;  // its drag exceeds all numbers
   run.resume(spoilt, "not finite");
 
   spoilt = run.good;
-  std::swap(spoilt.ledger.at("crushed"), spoilt.ledger.at("floes"));  // still the right sum
+  model::Table& ledger = spoilt.table("ledger");
+  std::swap(ledger.column("crushed").values, ledger.column("floes").values);  // still the right sum
   run.resume(spoilt, "the ledger does not fit the floes");
 }
 
