@@ -33,7 +33,7 @@ NO_CHANGE = 1e-6
 
 
 def simulate(brash, folder, case, step):
-    command = [brash, "run", ROOT / "experiments" / "validation" / "cone.toml", "-o", folder]
+    command = [brash, "run", ROOT / "experiments" / "validation" / "cone.toml", "-o", folder, "--replace"]
     for override in UNBROKEN + CASES[case] + [f"time.step={step}", f"time.duration={DURATION}"]:
         command += ["--set", override]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)

@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 # The first two say when, and the clock has a say in when a checkpoint is due; a build without the viewer has no report.
-OTHERS = ["manifest.json", "report.html", "checkpoint.nc"]
+OTHERS = ["manifest.json", "report.html", "checkpoint.nc", "inputs"]
 FILES = ["run.nc", "history.csv", "events.csv", "summary.json", "plan.svg"]
 
 

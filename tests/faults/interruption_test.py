@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ctrl-C, requests to end, closed terminals, kills, and two processes on one folder."""
+import shutil
 import signal
 import unittest
 
@@ -32,7 +33,7 @@ class Interruption(FaultTest):
             self.assertEqual([p.name for p in self.folder.iterdir()], ["checkpoint.nc"])
             self.succeeds(run_command(self.folder, "--resume"))
             self.assertEqual(self.bytes_of(self.folder), whole)
-            (self.folder / "checkpoint.nc").unlink()
+            shutil.rmtree(self.folder)
 
     def test_what_ignores_a_closed_terminal_runs_on(self):
         process = self.begun(["nohup", *run_command(self.folder)])
@@ -113,12 +114,12 @@ class Interruption(FaultTest):
         self.whole()
         folder = self.path / "whole"
         (folder / "checkpoint.nc").unlink()
-        process = start(run_command(folder, "--seed", "2"))
+        process = start(run_command(folder, "--seed", "2", "--replace"))
         self.assertTrue(wait_for((folder / "checkpoint.nc").exists, process))
         process.send_signal(signal.SIGINT)
         process.communicate()
         self.assertEqual(process.returncode, 3)
-        self.assertEqual([p.name for p in folder.iterdir()], ["checkpoint.nc"])
+        self.assertEqual(sorted(p.name for p in folder.iterdir()), ["checkpoint.nc", "inputs"])
 
     def test_a_resume_without_a_checkpoint_says_so_and_runs_from_the_start(self):
         done = self.succeeds(run_command(self.path / "new", "--resume"))

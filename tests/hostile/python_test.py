@@ -29,7 +29,10 @@ def work(shared, own, until, problems):
         try:
             case = brash.Case.from_file(CONE, TINY)
             run = case.run(own, replace=True)
-            assert len(brash.read_results(shared / "run.nc").loads) == len(run.loads)
+            try:
+                assert len(brash.read_results(shared / "run.nc").loads) == len(run.loads)
+            except brash.InputError as error:  # a run that begins removes what an earlier one left
+                assert "No such file" in str(error), error
             assert len(brash.read_results(pathlib.Path(own) / "run.nc").loads) == len(run.loads)
             try:
                 case.run(shared, replace=True)

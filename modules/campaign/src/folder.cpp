@@ -114,12 +114,13 @@ void Folder::refuse_files_of_others() const {
 /// The plan, the base case and the models as they were read.
 void Folder::write_inputs() const {
   const fs::path inputs = fs::path(directory_) / "inputs";
-  for (const io::SourceText& source : plan_.sources)
-    write_file((inputs / fs::path(source.path).filename()).string(), source.text);
+  const auto write = [](const fs::path& copy, const std::string& text) {
+    if (!fs::exists(copy) || read_text(copy) != text) write_file(copy.string(), text);
+  };
+  for (const io::SourceText& source : plan_.sources) write(inputs / fs::path(source.path).filename(), source.text);
   for (const io::Setting& setting : plan_.settings)
     if (const fs::path model = setting.resolved.failure.file; !model.empty())
-      write_file((inputs / "model" / model.filename()).string(),
-                 read_text_file(model.string(), "the file of a failure model"));
+      write(inputs / "model" / model.filename(), read_text_file(model.string(), "the file of a failure model"));
 }
 
 void Folder::prepare(bool resume) const {

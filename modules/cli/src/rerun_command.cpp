@@ -108,10 +108,15 @@ std::vector<std::string> changes_since(const Manifest& manifest, const model::Ca
   };
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   for (const Recorded& input : manifest.inputs) {
-    // The original may have changed or gone: the run has its copy. A model that comes with the program has none.
-    const fs::path file = input.copy.empty() ? fs::path(model) : manifest.folder / input.copy;
+    // The original may have changed or gone: the run has its copy. A model that comes with the program has none, nor
+    // have the inputs of older manifests.
+    const bool is_model = input.copy.empty() && fs::path(input.path).filename() == fs::path(model).filename();
+    const fs::path file = !input.copy.empty()      ? manifest.folder / input.copy
+                          : is_model               ? fs::path(model)
+                          : fs::exists(input.path) ? fs::path(input.path)
+                                                   : manifest.folder / input.path;
     if (!input.copy.empty() && !fs::exists(file)) continue;  // of a campaign, which has it; the case is in the manifest
-    expect((input.copy.empty() ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
+    expect((is_model ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
   }
   // Results may have been cleared away; those that are there must be the run's own.
   for (const Recorded& output : manifest.outputs) {

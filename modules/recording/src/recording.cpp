@@ -40,8 +40,8 @@ model::Table models_of(const Inputs& inputs) {
 simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs) {
   simulation::CheckpointStore store = checkpoint_file(path, resume);
   const model::Table models = models_of(inputs);
-  store.keep = [keep = store.keep, models, recorded = inputs.recorded()](model::Checkpoint checkpoint) {
-    checkpoint.resolved.failure.file = recorded.failure.file;
+  store.keep = [keep = store.keep, models](model::Checkpoint checkpoint) {
+    checkpoint.resolved.failure.file.clear();  // its hash says which it is
     checkpoint.tables.push_back(models);
     keep(checkpoint);
   };
@@ -49,12 +49,12 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
   store.newest = [newest = store.newest, models, inputs, path]() -> std::optional<model::Checkpoint> {
     std::optional<model::Checkpoint> checkpoint = newest();
     if (!checkpoint) return checkpoint;
-    if (std::ranges::find(checkpoint->tables, models) == checkpoint->tables.end())
+    const auto kept = std::ranges::find(checkpoint->tables, kInputs, &model::Table::name);
+    if (kept != checkpoint->tables.end() && *kept != models)
       throw InputError(Complaint{path, "is of a run with another failure model than the one that is there now",
                                  "a checkpoint of this case with the same model file",
                                  "put the model file back, or start again without --resume"});
-    if (checkpoint->resolved.failure.file == inputs.recorded().failure.file)
-      checkpoint->resolved.failure.file = inputs.resolved.failure.file;
+    checkpoint->resolved.failure.file = inputs.resolved.failure.file;
     return checkpoint;
   };
   return store;

@@ -330,11 +330,10 @@ def make_checkpoints(good, folder):
         inner.unlink()
         (folder / "other.nc").unlink()
 
-    restated("counter-missing", lambda f: f.setncattr("counters", "{}"))
-    restated("ledger-of-text", lambda f: f.setncattr("ledger", '{"initial": "much"}'))
-    restated("numbers-of-text", lambda f: f.setncattr("numbers", '{"work": "much"}'))
-    restated("floe-without-area", lambda f: f["present_outline_x"].__setitem__(slice(None), 7))
-    restated("counts-wrong", lambda f: f["present_outline_part_count"].__setitem__(0, 99))
+    restated("tables-missing", lambda f: f.setncattr("tables", "[]"))
+    restated("tables-of-text", lambda f: f.setncattr("tables", '{"floe": "much"}'))
+    restated("floe-without-area", lambda f: f["state_floe_outline_x"].__setitem__(slice(None), 7))
+    restated("counts-wrong", lambda f: f["state_floe_outline_part_count"].__setitem__(0, 99))
     (folder / "gigabyte").mkdir()
     sparse(folder / "gigabyte/checkpoint.nc")
 

@@ -43,16 +43,63 @@ class Rerun(unittest.TestCase):
 
     def test_a_changed_input_is_named_and_its_run_can_be_repeated_all_the_same(self):
         manifest = self.record("a", "--set", "failure.model=wedge")
-        self.case.write_text(self.case.read_text().replace("0.33 m", "0.43 m"))
+        copy = manifest.parent / "inputs" / self.case.name
+        copy.write_text(copy.read_text().replace("0.33 m", "0.43 m"))
         refused = brash("rerun", manifest)
         self.assertEqual((refused.returncode, refused.stdout), (2, ""))
-        self.assertIn(f"input {self.case}", refused.stderr)
+        self.assertIn(f"input {copy}", refused.stderr)
         self.assertNotIn("model", refused.stderr.split("remedy")[0])
         again = brash("rerun", manifest, "--anyway", "-o", self.path / "again")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual((self.path / "again/run.nc").read_bytes(), (self.path / "a/run.nc").read_bytes())
+
+    def test_a_copied_folder_reruns_without_what_the_run_was_given(self):
+        model = self.path / "mine.json"
+        shutil.copy(MODELS / "cone_network.json", model)
+        manifest = self.record("a", "--set", "failure.model=network", "--set", f"failure.file={model}")
+        elsewhere = self.path / "elsewhere"
+        shutil.move(manifest.parent, elsewhere)
+        model.unlink()
         self.case.unlink()
-        self.assertIn("no such file", brash("rerun", manifest).stderr)
+        done = brash("rerun", elsewhere / "manifest.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertNotIn("DIFFERENT", done.stdout)
+
+    def test_a_copied_campaign_reruns_case_by_case(self):
+        model = self.path / "mine.json"
+        shutil.copy(MODELS / "cone_network.json", model)
+        plan = self.path / "plan.toml"
+        plan.write_text('[campaign]\ncase = "mine.toml"\nreplicates = 2\n[set]\ntime.duration = 1\n'
+                        'failure.model = "network"\nfailure.file = "mine.json"\n[output]\nkeep = "history"\n')
+        done = brash("campaign", plan, "-o", self.path / "c")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        shutil.move(self.path / "c", self.path / "elsewhere")
+        for gone in (model, self.case, plan):
+            gone.unlink()
+        done = brash("rerun", self.path / "elsewhere/manifest.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 of 2 cases identical", done.stdout)
+
+    def test_a_run_resumes_with_its_own_model_only(self):
+        model = self.path / "mine.json"
+        shutil.copy(MODELS / "cone_network.json", model)
+        options = ("--set", "failure.model=network", "--set", f"failure.file={model}",
+                   "--set", "output.checkpoint_interval=0.1")
+        self.record("a", *options)
+        folder = self.path / "a"
+        self.assertTrue((folder / "checkpoint.nc").exists())
+        self.record("a", *options, "--resume")
+        model.write_text(model.read_text() + "\n")
+        refused = brash("run", self.case, "--set", "time.duration=1.5", "-o", folder, "--resume", *options)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("another failure model", refused.stderr)
+
+    def test_a_finished_run_is_replaced_on_demand_only(self):
+        manifest = self.record("a", "--set", "failure.model=wedge")
+        refused = brash("run", self.case, "-o", manifest.parent)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--replace", refused.stderr)
+        self.record("a", "--set", "failure.model=wedge", "--replace")
 
     def test_a_changed_model_is_named(self):
         manifest = self.record("a")
@@ -66,13 +113,14 @@ class Rerun(unittest.TestCase):
         shutil.copy(MODELS / "cone_network.json", model)
         manifest = self.record("a", "--set", "failure.model=network", "--set", f"failure.file={model}")
         recorded = hashlib.sha256(model.read_bytes()).hexdigest()
-        model.write_text(model.read_text() + "\n")
+        copy = manifest.parent / "inputs/model/mine.json"
+        copy.write_text(copy.read_text() + "\n")
         refused = brash("rerun", manifest)
         self.assertEqual((refused.returncode, refused.stdout), (2, ""))
-        now = hashlib.sha256(model.read_bytes()).hexdigest()
-        self.assertIn(f"\n  model {model}\n    was {recorded}\n    is  {now}\n", refused.stderr)
+        now = hashlib.sha256(copy.read_bytes()).hexdigest()
+        self.assertIn(f"\n  input {copy}\n    was {recorded}\n    is  {now}\n", refused.stderr)
         self.assertEqual(refused.stderr.count("\n    was "), 1)
-        model.unlink()
+        copy.unlink()
         self.assertEqual(brash("rerun", manifest).returncode, 2)
 
     def test_a_changed_program_is_named(self):

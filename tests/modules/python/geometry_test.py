@@ -120,7 +120,7 @@ class Sheets(unittest.TestCase):
                  lambda: sheet.cut_circumferential([0, 0], 1, angles=[[0.0]]),
                  lambda: sheet.cut([[0, 0], [1, 1], [1, 0], [0, 1]]), lambda: sheet.cut(FIELD, cracks=[[0, 0]]),
                  lambda: sheet.cut(FIELD, cracks=[[[0, 0], [np.inf, 0]]]),
-                 lambda: sheet.contacts([[0, 0], [4, 0], [1, 1], [0, 4]]), lambda: sheet.contains([[1, 2, 3]]),
+                 lambda: sheet.contacts([[0, 0], [4, 4], [4, 0], [0, 4]]), lambda: sheet.contains([[1, 2, 3]]),
                  lambda: sheet.free_edge([0, 0], -1), lambda: sheet.within([[0, 0], [1, 1]]),
                  lambda: brash.fit_trapezoid(sheet, [0, 0], [0, 0], 3),
                  lambda: brash.fit_trapezoid(sheet, [0, 0], [1, 0], 0),

@@ -118,7 +118,7 @@ class Runs(unittest.TestCase):
     def test_a_case_without_a_file_leaves_one(self):
         case = brash.Case.from_text(brash.Case.from_file(CONE, {"time.duration": 0.1}).to_toml(), "mine")
         case.run(self.path / "mine")
-        self.assertEqual(brash.Case.from_file(self.path / "mine/case.toml").to_toml(), case.to_toml())
+        self.assertEqual(brash.Case.from_file(self.path / "mine/inputs/case.toml").to_toml(), case.to_toml())
 
     def test_ctrl_c_keeps_a_checkpoint_and_resume_completes(self):
         def interrupt(*_):
