@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused) {
   for (const char* value : {"inf", "-inf", "nan", "\"nan m\"", "\"inf m\"", "\"1e400 m\"", "1e400"})
     check_has(message_of(with_line("thickness", std::string("thickness = ") + value)),
               {"bad.toml:2:", "ice.thickness", "remedy"});
-  check_has(message_of(with_line("thickness", "thickness = nan")), {"is not finite", "allowed: a finite number >= 0.001"});
+  check_has(message_of(with_line("thickness", "thickness = nan")),
+            {"is not finite", "allowed: a finite number >= 0.001"});
 }
 
 BOOST_AUTO_TEST_CASE(a_unit_that_does_not_fit_is_refused) {

@@ -7,7 +7,7 @@
 inline brash::model::RunResults sample_results() {
   using namespace brash;
   using namespace brash::io;
-using namespace brash::model;
+  using namespace brash::model;
   RunResults results;
   for (int i = 1; i <= 5; ++i) {
     LoadRow row;
