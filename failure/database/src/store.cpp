@@ -113,7 +113,7 @@ class File {
   struct New {};
   /// One that is made. Until it is closed it is in memory: its bytes are written at once, and a failure has a reason.
   /// An absolute path is never taken for an address.
-  File(std::string path, New) : path_(std::filesystem::absolute(path).string()) {
+  File(const std::string& path, New) : path_(std::filesystem::absolute(path).string()) {
     check(nc_create(path_.c_str(), NC_NETCDF4 | NC_CLOBBER | NC_DISKLESS | NC_PERSIST, &id_), "file");
     open_ = true;
   }

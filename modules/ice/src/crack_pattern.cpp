@@ -30,7 +30,7 @@ class Circumferential final : public CrackPattern {
 
 std::unique_ptr<CrackPattern> make_crack_pattern(const model::FailureSection& section) {
   switch (section.pattern) {
-    case model::CrackPattern::kCircumferential:
+    case model::CrackPattern::kDisc:
       return std::make_unique<Circumferential>(section);
   }
   BRASH_EXPECTS(false, static_cast<int>(section.pattern));

@@ -248,6 +248,7 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("field", "kind") == names_in_model<FieldKind>());
   BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
   BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
+  BOOST_TEST(names_in_schema("failure", "pattern") == names_in_model<CrackPattern>());
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
   BOOST_TEST(names_in_schema("contact", "engine") == names_in_model<ContactEngine>());
   BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());

@@ -30,7 +30,7 @@ class CrackPattern {
 };
 
 /// The pattern that the case chooses:
-/// - kCircumferential: a circle around B with the breaking length as radius, divided by radial cracks into 3 to 5
+/// - kDisc: a circle around B with the breaking length as radius, divided by radial cracks into 3 to 5
 ///   wedges (after Nevel). Paper, Sec. 2.2.2, Fig. 2.
 std::unique_ptr<CrackPattern> make_crack_pattern(const model::FailureSection& section);
 

@@ -65,7 +65,7 @@ struct FailureSection {
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
-  CrackPattern pattern = CrackPattern::kCircumferential;
+  CrackPattern pattern = CrackPattern::kDisc;
 
   friend bool operator==(const FailureSection&, const FailureSection&) = default;
 };

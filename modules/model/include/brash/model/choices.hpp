@@ -22,8 +22,10 @@ enum class FieldKind { kLevelIce };
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
 enum class CrackOrder { kCircumferentialFirst, kRadialFirst };
-/// How ice cracks where it fails in bending, ice::make_crack_pattern(). No key chooses it while there is but one.
-enum class CrackPattern { kCircumferential };
+/// [failure] pattern: the cracks of ice that fails in bending, ice::make_crack_pattern().
+enum class CrackPattern {
+  kDisc  ///< a circle of the breaking length with radial cracks: the paper's
+};
 /// [contact] area: the area A of Eq. 15.
 enum class ContactArea {
   kSurface,   ///< of the structure's surface inside the ice
@@ -70,6 +72,8 @@ inline constexpr auto kNames<FailureModel> =
 template <>
 inline constexpr auto kNames<CrackOrder> = std::to_array<Named<CrackOrder>>(
     {{CrackOrder::kCircumferentialFirst, "circumferential-first"}, {CrackOrder::kRadialFirst, "radial-first"}});
+template <>
+inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"}});
 template <>
 inline constexpr auto kNames<ContactArea> = std::to_array<Named<ContactArea>>({{ContactArea::kSurface, "surface"},
                                                                                {ContactArea::kProjected, "projected"}});
