@@ -15,9 +15,10 @@ namespace {
 
 constexpr double kKilo = 1e3;
 
-std::string load_row(const char* name, const statistics::Summary& s, const simulation::LoadSplit& split) {
-  const std::string interval = s.effective_sample_size < simulation::kFewSamples
-                                   ? "[too few samples]"
+std::string load_row(const simulation::RunSummary& run, const char* name, const statistics::Summary& s,
+                     const simulation::LoadSplit& split) {
+  const std::string interval = !simulation::bears_interval(run, s)
+                                   ? "[no interval]"
                                    : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / kKilo, s.mean_95.upper / kKilo);
   return fmt::format("  {:<11}{:>8.1f}  {}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name, s.mean / kKilo,
                      interval, s.standard_deviation / kKilo, s.quantile_99 / kKilo, s.maximum / kKilo,
@@ -35,8 +36,8 @@ std::string loads(const simulation::RunSummary& s) {
            whole;
   std::string text = fmt::format("loads on the structure [kN], from t = {:.2f} s on\n", s.statistics_from);
   text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
-  text += load_row("horizontal", s.horizontal, s.horizontal_split);
-  text += load_row("vertical", s.vertical, s.vertical_split);
+  text += load_row(s, "horizontal", s.horizontal, s.horizontal_split);
+  text += load_row(s, "vertical", s.vertical, s.vertical_split);
   if (!s.horizontal.long_enough) text += fmt::format("  note: the history is {}\n", kTooShort);
   return text + whole;
 }

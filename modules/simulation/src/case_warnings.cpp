@@ -185,4 +185,10 @@ Warnings warnings_of(const RunSummary& s) {
   return warnings;
 }
 
+bool bears_interval(const RunSummary& summary, const statistics::Summary& load) {
+  return load.effective_sample_size >= kFewSamples &&
+         std::ranges::none_of(summary.warnings,
+                              [](const model::Warning& w) { return w.id == "short-run" || w.id == "no-breaks"; });
+}
+
 }  // namespace brash::simulation

@@ -71,14 +71,14 @@ std::optional<double> fastest(std::span<const model::Frame> frames) {
 }
 
 /// An interval of a mean; null where there are too few samples for one.
-nlohmann::ordered_json interval_of(const statistics::Summary& s) {
-  if (s.effective_sample_size < kFewSamples) return {nullptr, nullptr};
+nlohmann::ordered_json interval_of(const RunSummary& run, const statistics::Summary& s) {
+  if (!bears_interval(run, s)) return {nullptr, nullptr};
   return {s.mean_95.lower, s.mean_95.upper};
 }
 
-nlohmann::ordered_json json_of(const statistics::Summary& s, const LoadSplit& by_cause) {
+nlohmann::ordered_json json_of(const RunSummary& run, const statistics::Summary& s, const LoadSplit& by_cause) {
   return {{"mean", s.mean},
-          {"mean_95", interval_of(s)},
+          {"mean_95", interval_of(run, s)},
           {"standard_deviation", s.standard_deviation},
           {"minimum", s.minimum},
           {"maximum", s.maximum},
@@ -196,8 +196,8 @@ std::string to_json(const RunSummary& s) {
       {"warnings", std::move(warnings)},
       {"units", "SI; Fx positive against the structure's motion, Fz positive upwards on the structure"},
       {"statistics_from", s.statistics_from},
-      {"horizontal", json_of(s.horizontal, s.horizontal_split)},
-      {"vertical", json_of(s.vertical, s.vertical_split)},
+      {"horizontal", json_of(s, s.horizontal, s.horizontal_split)},
+      {"vertical", json_of(s, s.vertical, s.vertical_split)},
       {"mean_whole_history", {{"horizontal", s.mean_horizontal_whole}, {"vertical", s.mean_vertical_whole}}},
       {"n_breaks", s.n_breaks},
       {"breaking_frequency", s.breaking_frequency},

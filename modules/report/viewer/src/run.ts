@@ -26,7 +26,7 @@ function warnings(run: Run): HTMLElement | null {
 
 /** An interval of a mean, or why there is none. */
 function interval([lower, upper]: [number | null, number | null]): string {
-  return lower === null || upper === null ? "too few samples for an interval" : `95 %: ${kN(lower)} to ${kN(upper)}`;
+  return lower === null || upper === null ? "no interval: see the warnings" : `95 %: ${kN(lower)} to ${kN(upper)}`;
 }
 
 function keyFigures(run: Run): HTMLElement {

@@ -14,7 +14,7 @@ function moments(data: RunData): HTMLElement {
     ["", "horizontal [kN]", "vertical [kN]"],
     [
       row("mean", (s) => kN(s.mean)),
-      row("95 % interval of the mean", (s) => s.mean_95[0] === null || s.mean_95[1] === null ? "too few samples" : `${kN(s.mean_95[0])} to ${kN(s.mean_95[1])}`),
+      row("95 % interval of the mean", (s) => s.mean_95[0] === null || s.mean_95[1] === null ? "no interval" : `${kN(s.mean_95[0])} to ${kN(s.mean_95[1])}`),
       row("standard deviation", (s) => kN(s.standard_deviation)),
       row("median", (s) => kN(s.quantile_50)),
       row("95 % quantile", (s) => kN(s.quantile_95)),

@@ -15,4 +15,8 @@ inline constexpr double kFewSamples = 10.0;
 /// Those of the case are in derived_scales(); RunSummary::warnings has both. docs/reference/warnings.md
 std::vector<model::Warning> warnings_of(const RunSummary& summary);
 
+/// Whether a mean of `summary` gets an interval: enough independent samples, of a run that is long enough and in which
+/// ice broke.
+bool bears_interval(const RunSummary& summary, const statistics::Summary& load);
+
 }  // namespace brash::simulation
