@@ -193,6 +193,19 @@ model::FailureModel model_named(const std::string& name) {
                              "network, deep-network, superposition, plate, plate-outline, wedge", "take one of these"});
 }
 
+/// The criterion of a case, or another model with those of the case's options that it takes.
+std::unique_ptr<failure::BendingCriterion> criterion_of(const Case& c, const py::object& name) {
+  const model::FailureSection& section = c.resolved.failure;
+  const bool is_own = name.is_none();
+  const model::FailureModel model = is_own ? section.model : model_named(name.cast<std::string>());
+  const std::string file = is_own ? section.file : "";
+  const model::FailureOptions takes = model::options_of(model, !file.empty());
+  return failure::make_criterion(
+      model, file, ice_of(c),
+      {.second_order = section.second_order && takes.second_order,
+       .radial_first = section.order == model::CrackOrder::kRadialFirst && takes.radial_first});
+}
+
 void add_criterion(py::module_& m) {
   const py::object assessment =
       named_tuple(m, "Assessment", "fails sigma_max breaking_length in_range",
@@ -201,14 +214,7 @@ void add_criterion(py::module_& m) {
   py::class_<failure::BendingCriterion>(m, "Criterion", R"(Whether the ice of a case fails in bending, and how far in.
 
 model: network, deep-network, superposition, plate, plate-outline or wedge; left out, that of the case.)")
-      .def(py::init([](const Case& c, const py::object& model) {
-             const model::FailureSection& section = c.resolved.failure;
-             const failure::BendingOptions options{.second_order = section.second_order,
-                                                   .radial_first = section.order == model::CrackOrder::kRadialFirst};
-             if (model.is_none()) return failure::make_criterion(section.model, section.file, ice_of(c), options);
-             return failure::make_criterion(model_named(model.cast<std::string>()), "", ice_of(c));
-           }),
-           py::arg("case"), py::arg("model") = py::none())
+      .def(py::init(&criterion_of), py::arg("case"), py::arg("model") = py::none())
       .def(
           "__call__",
           [assessment](const failure::BendingCriterion& criterion, const py::object& depth,

@@ -63,6 +63,14 @@ class Models(unittest.TestCase):
         with self.assertRaises(brash.InputError):
             brash.Criterion(case)(**load, pressure=np.nan)
 
+    def test_a_criterion_by_name_keeps_the_options_of_the_case(self):
+        case = brash.Case.from_file(CONE, {"algorithm.preset": "brash"})
+        load = dict(depth=0.0, contact_length=0.5, angle=1.0, mu1=0.511, mu2=0.01, pressure=[4e5, 9e5])
+        own, named = brash.Criterion(case)(**load), brash.Criterion(case, "superposition")(**load)
+        plain = brash.Criterion(brash.Case.from_file(CONE), "superposition")(**load)
+        np.testing.assert_array_equal(own.sigma_max, named.sigma_max)
+        self.assertTrue((plain.sigma_max != named.sigma_max).all())
+
     def test_load_ratios_of_a_frictionless_slope(self):
         ratios = brash.load_ratios(np.radians([30, 45]), 0)
         np.testing.assert_allclose(ratios.mu1, 1 / np.tan(np.radians([30, 45])))
