@@ -35,7 +35,7 @@ struct Database {
 
 /// How far a build is.
 struct Progress {
-  int done = 0;    ///< geometries, with the geometries of earlier runs
+  int done = 0;    ///< geometries, earlier runs included
   int failed = 0;  ///< of these, not solved
   int total = 0;
 };

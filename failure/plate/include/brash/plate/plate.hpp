@@ -127,8 +127,7 @@ struct Response {
 
 /// Superposes the unit fields, docs/theory/failure.md, (3): exact in P/N, f/N and l_c/h = 1/plate.thickness.
 ///
-/// @param thickness_over_lc  h / l_c [-], > 0; with shear-flexible profiles, the ratio of the plate they were solved
-/// for.
+/// @param thickness_over_lc  h / l_c [-], > 0; for shear-flexible profiles, the ratio of the plate solved for them.
 /// @param mu1  its sign says which surface P puts in tension and has no other effect.
 /// @param mu2  its sign has no effect on the centre line.
 Response respond(const UnitProfiles& profiles, double thickness_over_lc, double mu1, double mu2);

@@ -9,7 +9,7 @@
 
 namespace brash {
 
-/// A file that one process at a time holds. The holder removes it in the end; the system lets go of it when the process
+/// A file that one process at a time holds. The holder removes it in the end; the system releases it when the process
 /// ends, however it ends, and the file that a killed process leaves locks nobody out. A link, a device or a file that
 /// is no lock of this program is never taken, written or removed.
 class FolderLock {
