@@ -77,7 +77,7 @@ bool Arrangement::Impl::is_in_ice(Point p) const {
   return has_hit && first.from.y < first.to.y;
 }
 
-/// Throws unless every face is covered by the region once or not at all, and ice inside it is what its edges say.
+/// Throws unless every face is covered by the region once or not at all, and ice inside it agrees with its edges.
 void Arrangement::Impl::check_faces() const {
   for (HalfEdge h : map.edge_handles()) {
     const FaceLabel& left = h->face()->data();

@@ -14,7 +14,7 @@ namespace brash::geometry {
 /// The free edge after a cut, as a change of the boundary.
 struct SheetChange {
   FreeEdges::Change change;
-  Int128 twice_area = 0;  ///< What the change adds to twice the area of the sheet.
+  Int128 twice_area = 0;  ///< The change of twice the area of the sheet.
 };
 
 /// The noded edges of a cut as a CGAL::Arrangement_2: half-edges and faces, labelled with ice and region.

@@ -13,7 +13,7 @@
 // differences has at most 91: 128 bits hold it and no filter is needed. Signs of three points are CGAL's (side).
 namespace brash::geometry::exact {
 
-/// a x b about the origin: what a directed edge adds to twice the area of its loop.
+/// a x b about the origin: the share of a directed edge in twice the area of its loop.
 inline Int128 cross(Point a, Point b) { return static_cast<Int128>(a.x) * b.y - static_cast<Int128>(a.y) * b.x; }
 
 /// (b - a) . (c - a)

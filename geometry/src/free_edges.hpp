@@ -40,7 +40,8 @@ class FreeEdges {
     Ref in;
     Ref out;
   };
-  /// What apply() does: `links` lists, for every vertex at which an edge goes or comes, how its edges join afterwards.
+  /// The change that apply() makes: `links` lists, for every vertex at which an edge goes or comes, how its edges join
+  /// afterwards.
   struct Change {
     std::vector<int> removed;
     std::vector<Directed> added;
@@ -78,7 +79,7 @@ class FreeEdges {
   /// The outline loop of the part that `loop` belongs to.
   int outline_of(int loop) const;
 
-  /// Throws when any link, loop, count or area is not what the edges say. Reads everything.
+  /// Throws when any link, loop, count or area disagrees with the edges. Reads everything.
   void check_loops() const;
   /// Throws when edges cross, coincide or come through the pixel of a vertex that is not theirs. Reads everything.
   void check_nodes() const;

@@ -113,7 +113,7 @@ void FreeEdges::relabel(const Stretch& stretch, int loop) {
   }
 }
 
-/// Names the loops anew: walks from run to run over the new links; the longest run that held a loop gives its name.
+/// Names the loops again: walks from run to run over the new links; the longest run that held a loop gives its name.
 void FreeEdges::rebuild_loops(std::vector<Stretch>& stretches, const std::vector<int>& added) {
   for (std::size_t i = 0; i < stretches.size(); ++i) edges_[stretches[i].first].mark = static_cast<int>(i) + 1;
   const auto trace = [&](int start) {
@@ -160,7 +160,7 @@ void FreeEdges::rebuild_loops(std::vector<Stretch>& stretches, const std::vector
 }
 
 void FreeEdges::apply(const Change& change) {
-  // The loops that are touched; they are named anew below.
+  // The loops that are touched; they are named again below.
   std::vector<int> touched;
   touched.reserve(change.removed.size() + change.links.size());
   for (const int id : change.removed) touched.push_back(edges_[id].loop);

@@ -67,7 +67,8 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
   cut.snap = ExactArea(-noding->twice_moved());
   cut.n_rounded = noding->n_rounded();
 
-  // What goes must be what comes, counted on both sides: the sheet from its edges, snap from the re-routed ones.
+  // The area that leaves must equal the area that arrives. Both sides are counted: the sheet from its edges, snap from
+  // the re-routed ones.
   const SheetChange sheet = arrangement->sheet_change();
   ExactArea balance = ExactArea(sheet.twice_area) + cut.snap;
   for (const Polygon& piece : cut.pieces) balance += geometry::area(piece);

@@ -37,7 +37,7 @@ std::string place(Point p) {
 
 std::string polygon_name(std::size_t i) { return "polygon " + std::to_string(i); }
 
-/// Adds a ring with the ice on its left. @return what is wrong with it, or nothing.
+/// Adds a ring with the ice on its left. @return the error in it, or nothing.
 std::string add_ring(Input& input, Ring ring, bool is_hole, std::size_t polygon) {
   constexpr auto kMost = static_cast<std::int64_t>(kMaxCoordinate / kGridUnit);
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
@@ -135,7 +135,7 @@ void IceSheet::check() const {
   const FreeEdges& edges = impl_->boundary;
   edges.check_loops();
   edges.check_nodes();
-  // Made anew from its polygons the sheet is the same; that judges the sides and the nesting of loops.
+  // Made again from its polygons the sheet is the same; that judges the sides and the nesting of loops.
   const std::vector<Polygon> before = polygons();
   const auto again = from_polygons(before);
   BRASH_EXPECTS(again.has_value(), again.error().what);

@@ -24,7 +24,7 @@ std::vector<Vec2> vertices_from(std::span<const Point> part, Point origin) {
   return vertices;
 }
 
-/// What `ring` keeps above the line; convex as `ring` was.
+/// The part of `ring` above the line; convex as `ring` was.
 std::vector<Vec2> clipped(const std::vector<Vec2>& ring, const HalfPlane& line) {
   std::vector<Vec2> kept;
   kept.reserve(ring.size() + 1);

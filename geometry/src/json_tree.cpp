@@ -81,7 +81,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& fault) override {
-    // The library puts its own place in front: "[...] parse error at line 1, column 2: what".
+    // The library puts its own place in front: "[...] parse error at line 1, column 2: reason".
     const std::string_view message = fault.what();
     const std::size_t place = message.find("column ");
     const std::size_t colon = place == std::string_view::npos ? place : message.find(": ", place);

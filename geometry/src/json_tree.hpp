@@ -17,7 +17,7 @@ struct JsonNode {
   enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
   Kind kind = Kind::kNull;
-  /// Byte of the opening bracket; for other values that of the array or object around them.
+  /// Byte of the opening bracket; other values have the opening byte of the array or object around them.
   std::size_t offset = 0;
   double number = 0.0;
   /// The number, where it is a whole one that fits.

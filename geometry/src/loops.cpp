@@ -26,7 +26,7 @@ std::vector<Ring> simple_loops(Ring ring) {
       open.push_back(p);
       continue;
     }
-    // Back at p: what lies between is a loop of its own, and p stays open.
+    // Back at p: the points between are a loop of their own, and p stays open.
     const auto start = open.begin() + static_cast<std::ptrdiff_t>(met->second);
     loops.emplace_back(start, open.end());
     for (auto it = start + 1; it != open.end(); ++it) place.erase(*it);

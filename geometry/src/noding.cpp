@@ -47,7 +47,7 @@ void Noding::gather(std::span<const Point> region, std::span<const Crack> cracks
 }
 
 void Noding::add_crossings() {
-  // The region's edges by their left end: those that can meet an edge are a run of them.
+  // The region's edges by their left end: the edges that can meet a given edge are a run of them.
   std::vector<const Segment*> region;
   region.reserve(segments_.size());
   crossings_.reserve(16);
@@ -146,7 +146,7 @@ void Noding::add_nodes_met(int from, int to, bool is_moved, int depth) {
   const Point b = nodes_[to];
   const Box box = Box::of(a, b);
   const auto n_before = static_cast<std::ptrdiff_t>(targets_.size());
-  // Nodes are sorted by x: those of the box stand between the ends, give or take nodes straight above and below.
+  // Nodes are sorted by x: the nodes of the box stand between the ends, give or take nodes straight above and below.
   const int n = static_cast<int>(n_sorted_);
   int first = std::min({from, to, n});
   while (first > 0 && nodes_[first - 1].x >= box.low.x) --first;
@@ -223,7 +223,7 @@ void Noding::route_all() {
   activate_around(outside);
 }
 
-/// The links at a vertex can be made anew only when all edges there take part.
+/// The links at a vertex can be made again only when all edges there take part.
 void Noding::activate_around(const std::vector<int>& nodes) {
   std::vector<int> fresh;
   const auto add = [&](int id) {

@@ -17,7 +17,7 @@
 
 namespace brash::geometry {
 
-/// What lies along an edge, counted from its lexicographically smaller end to the larger one.
+/// Counts along an edge, directed from its lexicographically smaller end to the larger one.
 struct EdgeLabel {
   int number = -1;
   int sheet = 0;   ///< Sheet edges along it less those against it.
@@ -91,7 +91,7 @@ struct NodedMap {
   std::vector<Place> places;    ///< Of each edge that came in.
 };
 
-/// Coincident edges as one, with what they carry added up: opposite ones cancel.
+/// Coincident edges as one, with the sum of their counts: opposite ones cancel.
 class JoinedEdges {
  public:
   struct Edge {
@@ -151,7 +151,8 @@ inline NodedMap::NodedMap(const std::vector<Point>& nodes, const std::vector<Nod
   }
 }
 
-/// Counts in `cover` how often each face is covered, from the unbounded one inwards: `step` is what an edge adds.
+/// Counts in `cover` how often each face is covered, from the unbounded one inwards: `step` is the count that an edge
+/// adds.
 inline void cover_faces(PlanarMap& map, int FaceLabel::*cover, int (*step)(HalfEdge)) {
   std::vector<PlanarMap::Face_handle> reached{map.unbounded_face()};
   reached.front()->data().*cover = 0;

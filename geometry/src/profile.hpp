@@ -25,7 +25,7 @@ class Profile {
 
   /// The connected chain through B; nothing when it is not a function of y all over the window.
   static std::optional<Profile> of_chain(std::span<const std::vector<Vec2>> edges_in_frame, double reach);
-  /// What a structure at x < 0 sees of all the edges: at each y the ice with the smallest x.
+  /// The ice that faces a structure at x < 0: at each y the ice with the smallest x of all the edges.
   static Profile of_envelope(std::span<const std::vector<Vec2>> edges_in_frame, double reach);
 
   double reach() const { return reach_; }
@@ -36,7 +36,7 @@ class Profile {
   explicit Profile(double reach) : reach_(reach) {}
   /// Appends pieces up to `to`, cut to the window in s and depth.
   void append(int side, Vec2 from, Vec2 to);
-  /// Appends pieces up to `to`; the side's last depth, or `from`'s, is held over what lies before `from`.
+  /// Appends pieces up to `to`; the side's last depth, or `from`'s, is held over the stretch before `from`.
   void add(int side, Vec2 from, Vec2 to);
   /// Takes both sides from a line that runs from +y to -y without stepping back.
   void read(std::span<const Vec2> line);

@@ -10,11 +10,11 @@
 
 namespace brash::geometry {
 
-/// "line L, column C: what", counted from 1, for the byte at `offset` of `text`.
+/// "line L, column C: `what`", counted from 1, for the byte at `offset` of `text`.
 GeometryError error_at(std::string_view text, std::size_t offset, std::string_view what);
 
 /// The grid ring through the closed list of `positions` [m], counter-clockwise, or clockwise for a hole.
-/// @return the ring, or what is wrong with it.
+/// @return the ring, or the error in it.
 tl::expected<Ring, std::string> ring_from_text(std::span<const Vec2> positions, bool is_hole);
 
 /// "x y" or "x,y" with 17 significant digits [m].

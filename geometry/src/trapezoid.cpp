@@ -158,7 +158,7 @@ std::array<Candidate, kStarts> coarse_minima(const Samples& samples, double cont
 }
 
 /// Walks downhill along the axes from `start`, halving `step` where no neighbour is better, down to `finest`. `error`
-/// is asked for that of a shape, if it is less than a limit.
+/// returns the error of a shape, if it is less than a limit.
 template <typename Error>
 Candidate descend(Candidate start, const Error& error, Shape step, double finest) {
   while (std::max({step[0], step[1], step[2]}) > finest) {

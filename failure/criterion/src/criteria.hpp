@@ -18,7 +18,7 @@ std::unique_ptr<BendingCriterion> make_outline_criterion(const IceProperties& ic
 std::unique_ptr<BendingCriterion> make_wedge_criterion(const IceProperties& ice);
 
 /// `exact`, asked only where `fast` exceeds `harmless_stress` [Pa], buckles, is out of its range above, or has no load;
-/// elsewhere the answer is that of `fast`.
+/// elsewhere `fast` gives the answer.
 std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<BendingCriterion> fast,
                                                           std::unique_ptr<BendingCriterion> exact,
                                                           double harmless_stress);

@@ -65,7 +65,7 @@ std::unique_ptr<BendingCriterion> superposition(const std::string& file, const I
                                       ice, options);
 }
 
-/// The stress of a split sheet is screened by that of the whole one.
+/// The stress of the whole sheet screens the stress of a split one.
 std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exact, const IceProperties& ice,
                                            const BendingOptions& options, double margin) {
   if (options.radial_first) margin *= kSplitMargin;

@@ -14,7 +14,7 @@ namespace brash::failure {
 template <class Plate, class Solution>
 class LastSolved {
  public:
-  /// What `solve(plate)` says, or said for an equal plate among the last ones.
+  /// The result of `solve(plate)`, or the remembered result for an equal plate among the last ones.
   template <class Solve>
   Solution get(const Plate& plate, const Solve& solve) {
     {

@@ -10,7 +10,7 @@
 namespace brash::failure {
 namespace {
 
-/// h / l_c of rows that do not state it: that of the paper's validation case, rounded.
+/// h / l_c of rows that do not state it: the rounded ratio of the paper's validation case.
 constexpr double kUsualThickness = 0.1;
 
 /// The plate itself; every row is in range that the plate theory can hold.

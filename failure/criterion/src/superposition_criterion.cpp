@@ -85,7 +85,7 @@ class SuperpositionCriterion final : public BendingCriterion {
   struct Placed {
     meta_model::Geometry geometry;  ///< inside the range
     double pressure = 0.0;          ///< [Pa]
-    Assessment answer;              ///< with what there is to say of the range
+    Assessment answer;              ///< with its range flags set
   };
 
   Placed place(const LoadCase& load) const {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Geometries in a chunk: what a killed build may lose.
+/// Geometries in a chunk: the most that a killed build may lose.
 constexpr int kChunk = 16;
 
 Record solve(int geometry, const DesignPoint& point, const Plan& plan) {
@@ -66,7 +66,7 @@ bool has_digits(const std::string& name, std::size_t from, std::size_t to) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// Whether a build, and nobody else, gives this name to what it puts beside its chunks.
+/// Whether a build, and nobody else, gives this name to the files that it puts beside its chunks.
 bool is_name_of_a_build(const std::string& name) {
   const bool is_chunk = name.size() == 9 && name.ends_with(".nc") && has_digits(name, 0, 6);
   const bool is_part =
@@ -74,7 +74,7 @@ bool is_name_of_a_build(const std::string& name) {
   return is_chunk || is_part || name == "lock" || name == "slurm";
 }
 
-/// What Slurm's rounds leave: the script, the lists of jobs, what the jobs printed.
+/// Whether Slurm's rounds leave a file of this name: the script, the lists of jobs, the output of the jobs.
 bool is_name_of_a_round(const std::string& name) {
   return name == "exec.sh" || name == "submitted.json" || name.ends_with(".txt") || name.ends_with(".part") ||
          (name.starts_with("round-") && name.ends_with(".json"));
@@ -98,7 +98,7 @@ void remove_chunks(const std::string& path) {
   fs::remove(folder, is_not_empty);
 }
 
-/// @throws InputError when the folder of the chunks holds what no build left, or is a link.
+/// @throws InputError when the folder of the chunks holds a file that no build left, or is a link.
 void refuse_files_of_others(const std::string& path) {
   const fs::path folder = path + ".chunks";
   std::error_code ignored;

@@ -29,7 +29,7 @@ class Sobol {
   gsl_qrng* generator_;
 };
 
-/// Stretches [0, 1] by `edge_share` and folds what sticks out onto the ends.
+/// Stretches [0, 1] by `edge_share` and folds the parts that stick out onto the ends.
 double with_ends(double u, double edge_share) { return std::clamp(0.5 + (u - 0.5) / (1.0 - edge_share), 0.0, 1.0); }
 
 /// @param contact_length  c / l_c, of the same point.

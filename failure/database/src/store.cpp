@@ -105,7 +105,7 @@ void resize(UnitProfiles& p, std::size_t n) {
   p.in_plane.rest.resize(n);
 }
 
-/// An open netCDF file; `Error` is what a failure means: RunError when writing, InputError when reading.
+/// An open netCDF file; a failure throws `Error`: RunError when writing, InputError when reading.
 template <typename Error>
 class File {
  public:
@@ -355,7 +355,7 @@ void write_netcdf(const std::string& path, const Database& database) {
 /// write_netcdf in a process of its own: HDF5 does not survive a disk that is full, not even to its exit.
 /// @return 0, or the system's error number.
 int write_apart(const std::string& path, const Database& database) {
-  // What has the name of a part already, a link too, is never opened.
+  // A file that has the name of a part already, a link too, is never opened.
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) return errno;
   const pid_t writer = ::fork();
   if (writer < 0) return errno;

@@ -27,7 +27,7 @@ constexpr double kLoserPlace = 50.0;
 
 double ln_place(double place) { return std::log(place + kPlaceShift); }
 
-/// What a network learns of a row: value and the error that counts as one.
+/// A target that a network learns from a row: value and the error that counts as one.
 struct Target {
   double value = 0.0;
   double tolerance = 1.0;

@@ -10,7 +10,7 @@ namespace brash::meta_model {
 /// degree 2, so it passes through all of them and reproduces quadratics.
 struct Interpolant {
   Eigen::VectorXd offset;      ///< of the features, shape=(n_features,)
-  Eigen::VectorXd factor;      ///< of the features; (feature - offset) / factor is what distances are measured in
+  Eigen::VectorXd factor;      ///< of the features; distances are measured in (feature - offset) / factor
   Eigen::MatrixXd centres;     ///< normalised points, shape=(n_features, n_centres)
   Eigen::MatrixXd weights;     ///< of the powers of the distances, shape=(n_values, n_centres)
   Eigen::MatrixXd polynomial;  ///< of the terms of polynomial_terms(), shape=(n_values, n_terms)

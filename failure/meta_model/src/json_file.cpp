@@ -24,7 +24,7 @@ Json parse(const std::string& path) {
   const std::string text = read_json_text(path, kAllowed);
   try {
     return Json::parse(text);
-  } catch (const Json::exception& error) {  // syntax, or a number beyond what a double holds
+  } catch (const Json::exception& error) {  // syntax, or a number beyond the range of a double
     throw InputError(Complaint{path, fmt::format("is no JSON: {}", error.what()), kAllowed, "copy or write it again"});
   }
 }

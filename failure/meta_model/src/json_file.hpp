@@ -94,7 +94,7 @@ class Place {
 };
 
 /// Reads a model file and checks its format, version and content hash.
-/// @throws InputError naming file, place and what is wrong.
+/// @throws InputError naming file, place and error.
 Json read_model(const std::string& path, const std::string& format, int version);
 
 /// Adds format, version and content hash to `model`, writes it by rename when whole, and returns the hash.

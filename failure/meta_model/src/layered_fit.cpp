@@ -19,7 +19,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The step is done when the weights move relatively less than this; far below what the validation loss can see.
+/// The step is done when the weights move relatively less than this; far below the resolution of the validation loss.
 constexpr double kWeightTolerance = 1e-9;
 /// Rows whose derivatives are computed together: their matrices fit the cache.
 constexpr Eigen::Index kBlock = 512;
@@ -50,7 +50,7 @@ std::vector<Layer> layers_of(Eigen::Index n_inputs, const std::vector<int>& hidd
   return layers;
 }
 
-/// What goes into each layer, and what comes out of the last; x has a column a row of the data.
+/// The inputs of each layer, then the outputs of the last; x has a column a row of the data.
 std::vector<Matrix> forward(const std::vector<Layer>& layers, const double* w, const Matrix& x) {
   std::vector<Matrix> values{x};
   for (const Layer& layer : layers) {
@@ -72,7 +72,7 @@ RowMatrix derivatives(const Problem& problem, const double* w, Eigen::Index n_we
                       Eigen::Index n) {
   const auto values = forward(problem.layers, w, problem.rows->x.middleCols(first, n));
   RowMatrix d(n, n_weights);
-  Matrix slope = problem.rows->tolerance.segment(first, n).cwiseInverse().transpose();  // of what a layer puts out
+  Matrix slope = problem.rows->tolerance.segment(first, n).cwiseInverse().transpose();  // of the outputs of a layer
   for (std::size_t k = problem.layers.size(); k-- > 0;) {
     const Layer& layer = problem.layers[k];
     for (Eigen::Index row = 0; row < n; ++row) {

@@ -15,8 +15,8 @@ struct LayeredRows {
   Eigen::VectorXd tolerance;  ///< the error of y that counts as one; shape=(n,)
 };
 
-/// Fits the weights of a layered network to `training` and puts those with the smallest loss of `validation` into
-/// `weights`; more rows than weights. The order of the weights is that of LayeredNetwork.
+/// Fits the weights of a layered network to `training` and puts the weights with the smallest loss of `validation` into
+/// `weights`; more rows than weights. The weights are in the order of LayeredNetwork.
 LayeredFit fit_layers(const LayeredRows& training, const LayeredRows& validation, const HumpTrainingOptions& options,
                       unsigned long seed, std::vector<double>& weights);
 

@@ -18,7 +18,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The step is done when the weights move relatively less than this; far below what the validation loss can see.
+/// The step is done when the weights move relatively less than this; far below the resolution of the validation loss.
 constexpr double kWeightTolerance = 1e-10;
 
 struct Problem {

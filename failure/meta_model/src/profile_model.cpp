@@ -35,7 +35,7 @@ double interpolate_at(const std::vector<double>& x, const std::vector<double>& y
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
-/// A component of a profile and what it is multiplied with besides the shape's scale.
+/// A component of a profile and its factor besides the shape's scale.
 struct Component {
   std::vector<double> Profiles::*values;
   double share;

@@ -13,13 +13,13 @@ inline constexpr int kStationsBefore = 50;
 inline constexpr int kStationsBehind = 80;
 inline constexpr int kProfileStations = kStationsBefore + kStationsBehind;
 
-/// What the fields at one place of the centre line are multiplied with, so that they are of order 1.
+/// Factors that bring the fields at one place of the centre line to order 1.
 struct BeamScale {
   double membrane = 0.0;
   double bending = 0.0;
 };
 
-/// That of a beam as wide as the load has spread at the distance `x` from the tip over l_c, which bears load and
+/// The scale of a beam as wide as the load has spread at the distance `x` from the tip over l_c, which bears load and
 /// moment.
 BeamScale beam_at(const Geometry& geometry, double x);
 
@@ -29,16 +29,16 @@ double base_width(const Geometry& geometry);
 /// How the fields on the centre line of one geometry are written, so that they change little between geometries.
 struct ProfileShape {
   std::vector<double> station;   ///< follow the geometry, the base line x = b among them; shape=(kProfileStations,)
-  std::vector<double> bending;   ///< what moments are multiplied with at each station
+  std::vector<double> bending;   ///< factors of the moments at each station
   std::vector<double> membrane;  ///< the same for membrane stresses
 };
 
 /// @param reach  of the stations beyond the base line over l_c.
 ProfileShape shape_of(const Geometry& geometry, double reach);
 
-/// What bending depends on: the three lengths, the ratios between them, and h through shear.
+/// The features on which bending depends: the three lengths, the ratios between them, and h through shear.
 Eigen::VectorXd bending_features(const Geometry& geometry);
-/// What the membrane depends on: the ratios alone, and c in so far as it says where the stations lie.
+/// The features on which the membrane depends: the ratios alone, and c in so far as it says where the stations lie.
 Eigen::VectorXd membrane_features(const Geometry& geometry);
 
 }  // namespace brash::meta_model

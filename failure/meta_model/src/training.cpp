@@ -27,7 +27,7 @@ constexpr double kLengthTolerance = 0.05;
 /// Below this sigma/p ice of any strength is crushed before it bends (sigma_f / (R sigma_c) is about 1).
 constexpr double kStressThatMatters = 0.25;
 
-/// What the network learns of a row.
+/// The targets that the network learns from a row.
 std::array<double, kOutputs> targets_of(const Output& y) { return {std::log(y.sigma_over_p), y.lbreak_over_lc}; }
 
 void check_rows(std::span<const Sample> samples) {
@@ -130,7 +130,7 @@ Split split_by_geometry(std::span<const Sample> samples, const TrainingOptions& 
   return split;
 }
 
-/// Puts the hidden units of one network after those that `p` has; W2 is still shape=(hidden, kOutputs) here.
+/// Puts the hidden units of one network after the units of `p`; W2 is still shape=(hidden, kOutputs) here.
 void append(NetworkParameters& p, const Group& group, const WeightLayout& l, const Eigen::VectorXd& w) {
   p.hidden += l.hidden;
   p.w1.insert(p.w1.end(), w.data(), w.data() + l.b1());

@@ -145,7 +145,7 @@ Eigen::MatrixXd slope_work(const ReferenceElement& element, const Eigen::Matrix2
   return result;
 }
 
-/// Integrals of the edge functions of a unit edge, end to end: those of a uniform load.
+/// Integrals of the edge functions of a unit edge, end to end: the nodal loads of a uniform load.
 Eigen::VectorXd edge_load(const ReferenceElement& element) {
   const int k = element.order();
   Eigen::VectorXd along = Eigen::VectorXd::Zero(k + 1);

@@ -10,7 +10,7 @@
 
 namespace brash::plate {
 
-/// What a stretch of the outline, or a line inside, is.
+/// Kind of a stretch of the outline, or of a line inside.
 /// kCrack: a line of symmetry that carries no moments.
 enum class Side { kFree, kTip, kSymmetryY, kSymmetryX, kCrack, kFar, kInterior };
 

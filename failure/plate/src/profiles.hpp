@@ -18,8 +18,8 @@ inline constexpr double kReach = 4.0;
 /// The stations are dense to this distance beyond the base line, over l_c.
 inline constexpr double kDense = 1.5;
 
-/// A place on the centre line around which stations cluster: their spacing falls with the distance from it, to where
-/// that is `scale`.
+/// A place on the centre line around which stations cluster: their spacing falls with the distance from it, down to
+/// a distance of `scale`.
 struct Cluster {
   double place = 0.0;
   double scale = 0.0;
@@ -34,7 +34,7 @@ struct RootExtremes {
   double tensile = 0.0;
 };
 
-/// Those of `field` on the part of the circle that lies in the ice.
+/// The extremes of `field` on the part of the circle that lies in the ice.
 RootExtremes at_root(const Field& field, Vec2 root, double radius);
 
 /// The thickness to solve with: kThinPlate for Kirchhoff's theory, and for plates thinner than it.

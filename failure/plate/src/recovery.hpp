@@ -8,7 +8,7 @@
 
 namespace brash::plate {
 
-/// What a field is under reflection about the x-axis; kNone where the mesh covers both sides.
+/// Parity of a field under reflection about the x-axis; kNone where the mesh covers both sides.
 enum class Parity { kEven, kOdd, kNone };
 
 /// Smooth values on the x-axis: around each vertex there a polynomial of the element's order is fitted to the samples

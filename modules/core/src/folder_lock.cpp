@@ -59,7 +59,7 @@ bool FolderLock::is_at(const std::string& path) const {
 void FolderLock::remove_stale(const std::string& path) {
   FolderLock lock(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (lock.file_ < 0 || !is_lock(lock.file_) || ::flock(lock.file_, LOCK_EX | LOCK_NB) != 0) return;
-  lock.path_ = path;  // what is held is removed in the end
+  lock.path_ = path;  // a held lock is removed in the end
 }
 
 std::optional<FolderLock> FolderLock::take(const std::string& path, double patience) {

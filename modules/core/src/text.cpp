@@ -32,7 +32,7 @@ unsigned code_point(const std::string& text, std::size_t at, std::size_t length)
   return code;
 }
 
-/// Controls (C0, DEL, C1), and what turns the direction of writing or hides in a line: the marks, embeddings,
+/// Controls (C0, DEL, C1), and characters that turn the direction of writing or hide in a line: the marks, embeddings,
 /// overrides and isolates of Unicode's bidirectional algorithm, its line and paragraph separators.
 bool steers(unsigned code) {
   return code < 0x20 || (code >= 0x7f && code <= 0x9f) || code == 0x61c || (code >= 0x200b && code <= 0x200f) ||

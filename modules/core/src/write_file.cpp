@@ -17,7 +17,7 @@ namespace {
 
 /// Creates `path` with `text` in it. @return 0, or the system's error number.
 int write_part(const std::string& path, const std::string& text) {
-  // A name may be left by an earlier process of the same number, or be a trap: what is there is never opened.
+  // A name may be left by an earlier process of the same number, or be a trap: a file that is there is never opened.
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) return errno;
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (file < 0) return errno;

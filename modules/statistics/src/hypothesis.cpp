@@ -46,7 +46,7 @@ Ties ties(std::span<const double> values) {
   return result;
 }
 
-/// Kendall's S, concordant less discordant pairs, with what its distribution needs.
+/// Kendall's S, concordant less discordant pairs, with the quantities that its distribution needs.
 struct Concordance {
   double n = 0.0;
   double score = 0.0;

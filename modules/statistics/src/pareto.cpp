@@ -100,7 +100,7 @@ struct Profile {
 
 double cost_of_shape(double shape, void* profile) { return static_cast<const Profile*>(profile)->cost(shape); }
 
-/// Cost of a level at its best shape, less what the interval allows.
+/// Cost of a level at its best shape, less the cost that the interval allows.
 double level_cost(double x, void* context) {
   auto& profile = *static_cast<Profile*>(context);
   profile.x = x;

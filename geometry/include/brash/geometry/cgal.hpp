@@ -44,7 +44,7 @@ enum class OffGrid {
 
 namespace detail {
 
-/// The grid coordinate [grid units] of a CGAL number [m], or what is wrong with it.
+/// The grid coordinate [grid units] of a CGAL number [m], or the error in it.
 template <typename Number>
 tl::expected<std::int64_t, std::string> grid_coordinate(const Number& value, OffGrid off_grid) {
   const double near = CGAL::to_double(value);
@@ -86,8 +86,8 @@ tl::expected<Ring, GeometryError> ring_from_cgal(const CGAL::Polygon_2<Kernel>& 
 }
 
 /// The polygon on the grid; outlines come out counter-clockwise and holes clockwise, whatever they were.
-/// @return the polygon, or what is wrong with which ring. That rings neither cross nor overlap is
-///   IceSheet::from_polygons' to say.
+/// @return the polygon, or the error and the ring that has it. IceSheet::from_polygons checks that rings neither
+///   cross nor overlap.
 template <typename Kernel>
 tl::expected<Polygon, GeometryError> polygon_from_cgal(const CGAL::Polygon_with_holes_2<Kernel>& polygon,
                                                        OffGrid off_grid = OffGrid::kRefuse) {

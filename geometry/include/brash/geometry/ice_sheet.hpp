@@ -18,7 +18,7 @@ struct Crack {
   Point to;
 };
 
-/// What one cut did. Afterwards sheet, pieces and detached parts tile the old sheet:
+/// The result of one cut. Afterwards sheet, pieces and detached parts tile the old sheet:
 /// `area before = area after + pieces + detached + snap`, exactly; docs/theory/geometry.md, (2).
 struct Cut {
   /// The ice inside the region, split by the cracks: one simple polygon a piece.
@@ -62,7 +62,7 @@ struct ContactRegion {
 /// The ice sheet: its free edges as an exact polygon set on the grid, with a spatial index.
 ///
 /// Every cut is exact up to the rounding of new crossings to the grid (2^-30 m), which is counted. The cost of a cut
-/// or a query is that of the edges near it, whatever the size of the sheet.
+/// or a query depends on the edges near it, not on the size of the sheet.
 class IceSheet {
  public:
   /// @param polygons  the ice, any orientation; simple and disjoint.
@@ -82,7 +82,7 @@ class IceSheet {
   /// Takes the ice inside `region` (simple, counter-clockwise) out of the sheet and splits it along `cracks`.
   ///
   /// Cuts that disconnect the sheet, touch it, run along its edges, swallow whole parts or meet no ice are defined
-  /// outcomes. Cracks count inside the region only; those that do not split a piece leave no trace. Pieces are sorted
+  /// outcomes. Cracks count inside the region only; a crack that splits no piece leaves no trace. Pieces are sorted
   /// by the smallest vertex of their outline, with which it starts. Parts that touch in a vertex only are separate;
   /// holes may touch their outline and each other in vertices.
   /// @throws ContractViolation when the region is not such a ring or the areas do not close; the sheet is unchanged.
@@ -107,9 +107,9 @@ class IceSheet {
   /// with ice on the left [m], the one nearest to `at` first. A closed chain repeats its first point.
   std::vector<std::vector<Vec2>> free_edge(Vec2 at, double radius) const;
 
-  /// Reads everything and throws ContractViolation unless the whole sheet is what the cuts promise: loops are closed
-  /// and their sums right, edges meet in vertices only, none runs through the pixel of another vertex, ice is on the
-  /// left.
+  /// Reads everything and throws ContractViolation unless the whole sheet keeps the promises of the cuts: loops are
+  /// closed and their sums right, edges meet in vertices only, none runs through the pixel of another vertex, ice is
+  /// on the left.
   void check() const;
 
  private:

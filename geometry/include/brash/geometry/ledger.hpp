@@ -9,7 +9,7 @@ namespace brash::geometry {
 
 /// Where every square metre of ice is. Exact.
 ///
-/// `initial = sheet + floes + crushed + deleted + brash + snap`: `snap` is what rounding moved.
+/// `initial = sheet + floes + crushed + deleted + brash + snap`: `snap` is the area that rounding moved.
 struct Ledger {
   ExactArea initial;
   ExactArea sheet;

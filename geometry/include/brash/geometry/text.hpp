@@ -20,9 +20,9 @@ std::string to_wkt(std::span<const Polygon> polygons);
 ///
 /// Coordinates are plan metres within +-kMaxCoordinate and are rounded to the grid. Rings must be closed (the last
 /// position equals the first) and keep an area on the grid; either orientation is read, outlines come out
-/// counter-clockwise and holes clockwise. That rings neither cross nor overlap is IceSheet::from_polygons' to say.
+/// counter-clockwise and holes clockwise. IceSheet::from_polygons checks that rings neither cross nor overlap.
 ///
-/// @return the polygons, or what is wrong: "line L, column C: ...", both from 1, columns in bytes.
+/// @return the polygons, or the error: "line L, column C: ...", both from 1, columns in bytes.
 tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text);
 
 /// One GeoJSON feature.

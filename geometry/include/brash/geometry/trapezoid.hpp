@@ -25,7 +25,7 @@ struct Trapezoid {
 /// Where and how the free edge is fitted.
 struct FitRequest {
   /// Collision point B on the free edge [m], or the middle of the overlap's chord: then the ice ahead of the chord
-  /// counts as crushed, and b is what still stands behind it.
+  /// counts as crushed, and b is the depth of ice still standing behind it.
   Vec2 at;
   /// Unit vector from B into the ice.
   Vec2 towards;
@@ -44,8 +44,8 @@ struct FitRequest {
 ///
 /// - Ice ahead of the tip line counts as standing on it: an edge that is concave at B has b = 0.
 /// - A chain through B that is no function of y, ends in the window although there are other edges, or fits worse
-///   than 0.1 is replaced by what the structure sees of all edges: at each y the ice with the smallest x. The result
-///   is then `reidentified`.
+///   than 0.1 is replaced by the ice that faces the structure: at each y the ice with the smallest x of all edges.
+///   The result is then `reidentified`.
 /// - Without any edge: b = 0 with error 1.
 ///
 /// Always returns a trapezoid. The same input gives the same bits.

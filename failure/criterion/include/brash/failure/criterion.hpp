@@ -69,16 +69,16 @@ struct LoadCase {
   std::vector<Vec2> outline{};
 };
 
-/// What the criterion says of a load case.
+/// The answer of the criterion to a load case.
 struct Assessment {
   bool fails = false;            ///< sigma_max > sigma_f
   double sigma_max = 0.0;        ///< largest principal stress [Pa]
   double breaking_length = 0.0;  ///< l_break [m]
   bool below_range = false;      ///< an input was clamped up to the model's range, or h / l_c lies outside it
   bool above_range = false;      ///< an input exceeds the model's range (and was clamped down)
-  bool outline_refused = false;  ///< the outline could not be meshed; the answer is that of the trapezoid
-  bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are those of first order
-  bool split = false;            ///< a radial crack came first: stress and place are those of the split sheet
+  bool outline_refused = false;  ///< the outline could not be meshed; the answer holds for the trapezoid
+  bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are of first order
+  bool split = false;            ///< a radial crack came first: stress and place belong to the split sheet
 };
 
 /// Says whether the ice fails in bending and how far in. Stateless after construction.
@@ -87,8 +87,8 @@ class BendingCriterion {
   virtual ~BendingCriterion() = default;
   /// @param load  depth >= 0, contact_length > 0, angle in [0, pi), mu1 > 0, pressure >= 0.
   virtual Assessment assess(const LoadCase& load) const = 0;
-  /// Where it is plain at a small price that `load` stays below half the strength: what `assess` would say, but with no
-  /// stress and no breaking length. Nothing where only `assess` can tell.
+  /// The answer of `assess`, without stress and breaking length, if it is plain at a small price that `load` stays
+  /// below half the strength. Nothing where only `assess` can tell.
   virtual std::optional<Assessment> dismiss(const LoadCase& /*load*/) const { return std::nullopt; }
   /// Whether `assess` wants the outline of the load case besides its trapezoid.
   virtual bool needs_outline() const { return false; }
@@ -98,7 +98,7 @@ class BendingCriterion {
   virtual std::optional<std::pair<double, double>> thickness_over_lc_range() const { return std::nullopt; }
 };
 
-/// What goes beyond the paper's criterion. docs/theory/failure.md, (4)
+/// Options that go beyond the paper's criterion. docs/theory/failure.md, (4)
 struct BendingOptions {
   /// The in-plane force N acts on the bent plate: `superposition`, `plate` and `plate-outline`. A plate that buckles
   /// under N fails.

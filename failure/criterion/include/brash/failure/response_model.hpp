@@ -8,7 +8,7 @@
 
 namespace brash::failure {
 
-/// What a failure model says of one row of the inputs of Eq. 17.
+/// The answer of a failure model to one row of the inputs of Eq. 17.
 struct ModelResponse {
   double sigma_over_p = 0.0;    ///< [-]
   double lbreak_over_lc = 0.0;  ///< [-]
@@ -21,14 +21,14 @@ class ResponseModel {
   virtual ~ResponseModel() = default;
 
   /// @param input              b_lc >= 0, c_lc > 0, theta in [0, pi), mu1 > 0, all finite.
-  /// @param thickness_over_lc  h / l_c [-], > 0; 0: that of the training rows, 0.1 for plate and superposition.
+  /// @param thickness_over_lc  h / l_c [-], > 0; 0: the ratio of the training rows, 0.1 for plate and superposition.
   /// @throws RunError when the plate cannot be solved.
   virtual ModelResponse respond(const meta_model::Input& input, double thickness_over_lc = 0.0) const = 0;
 };
 
 /// @param model  `fem`: the plate is solved for each row (about a third of a second); `network`, `deep-network` or
 ///               `superposition`: the model that comes with the program; else the path of a model file.
-/// @throws InputError naming the file and what is wrong.
+/// @throws InputError naming the file and the error.
 std::unique_ptr<ResponseModel> make_response_model(const std::string& model);
 
 }  // namespace brash::failure

@@ -10,7 +10,7 @@
 
 namespace brash::database {
 
-/// One labelled row: what the plate answers to a load point.
+/// One labelled row: the answer of the plate to a load point.
 struct Row {
   LoadPoint load;
   plate::Response response;
@@ -35,7 +35,7 @@ struct Database {
 
 /// How far a build is.
 struct Progress {
-  int done = 0;    ///< geometries, those of earlier runs included
+  int done = 0;    ///< geometries, earlier runs included
   int failed = 0;  ///< of these, not solved
   int total = 0;
 };
@@ -62,7 +62,7 @@ std::string chunk_file(const std::string& path, int first);
 /// @throws RunError when the file cannot be written.
 void solve_chunk(const Plan& plan, const std::string& path, int first);
 
-/// @throws InputError naming the file and what is wrong.
+/// @throws InputError naming the file and the error.
 Database read_database(const std::string& path);
 
 }  // namespace brash::database

@@ -38,7 +38,7 @@ struct Plan {
 };
 
 /// Reads a plan (TOML, strict).
-/// @throws InputError with file, line, key, what is allowed and the remedy.
+/// @throws InputError with file, line, key, the allowed values and the remedy.
 Plan read_plan(const std::string& path);
 
 /// The plan with every key, in a fixed order: equal plans have equal text.

@@ -44,7 +44,7 @@ class HumpNetwork final : public ResponseNetwork {
  public:
   /// Takes trained parameters; their shapes are a contract.
   explicit HumpNetwork(HumpParameters parameters);
-  /// @throws InputError naming the file, the place and what is wrong (also when its hash does not fit).
+  /// @throws InputError naming the file, the place and the error (also when its hash does not fit).
   static HumpNetwork read(const std::string& path);
   /// Writes the model file (JSON) by rename when whole and returns its content hash.
   /// @throws RunError when the file cannot be written.

@@ -24,7 +24,7 @@ struct Output {
   double lbreak_over_lc = 0.0;
 };
 
-/// What the key `format` of a model file says, for a Network, a HumpNetwork and a ProfileModel.
+/// Values of the key `format` of a model file, for a Network, a HumpNetwork and a ProfileModel.
 inline constexpr const char* kNetworkFormat = "brash-network";
 inline constexpr const char* kHumpFormat = "brash-hump-network";
 inline constexpr const char* kProfileFormat = "brash-profiles";
@@ -53,7 +53,7 @@ struct RangeCheck {
   bool inside() const { return !below && !above; }
 };
 
-/// What all networks with the inputs and outputs of Eq. 17 do.
+/// Interface of all networks with the inputs and outputs of Eq. 17.
 class ResponseNetwork {
  public:
   virtual ~ResponseNetwork() = default;
@@ -71,7 +71,7 @@ class ResponseNetwork {
 };
 
 /// Reads a Network or a HumpNetwork, as the file says.
-/// @throws InputError naming the file, the place and what is wrong.
+/// @throws InputError naming the file, the place and the error.
 std::unique_ptr<ResponseNetwork> read_network(const std::string& path);
 
 /// Normalisation of a feature or target: z = (value - offset) / factor, a z-score over the training rows.
@@ -100,7 +100,7 @@ struct NetworkParameters {
 ///
 ///     ln(b/l_c + 0.1),  ln(c/l_c),  ln(1 + 2 b tan(theta/2) / c),  ln(mu1),  mu2^2.
 ///
-/// The third is the base width over the tip width: it says what theta says, and nothing for b = 0, where theta has no
+/// The third is the base width over the tip width: it stands for theta, and says nothing for b = 0, where theta has no
 /// meaning. The last is even, as the stress on the centre line is. y holds ln(sigma/p) and l_break/l_c as z-scores.
 ///
 /// Two networks of the paper's size, one an output, are one network here: W2 has zeros where a hidden unit serves the
@@ -111,7 +111,7 @@ class Network final : public ResponseNetwork {
   explicit Network(NetworkParameters parameters);
 
   /// Reads a model file written by `brash failure train`.
-  /// @throws InputError naming the file, the place and what is wrong (also when its hash does not fit).
+  /// @throws InputError naming the file, the place and the error (also when its hash does not fit).
   static Network read(const std::string& path);
 
   /// Writes the model file (JSON) by rename when whole; reading it gives the same network bit by bit.

@@ -5,7 +5,7 @@
 
 namespace brash::meta_model {
 
-/// What the profiles of a geometry hardly exceed anywhere on the centre line; units as in Profiles.
+/// Values that the profiles of a geometry hardly exceed anywhere on the centre line; units as in Profiles.
 struct ProfileExtremes {
   double bending = 0.0;        ///< of either component, as all of these
   double normal = 0.0;         ///< likewise
@@ -17,9 +17,9 @@ struct ProfileExtremes {
 
 /// Tells how large a model's profiles get without a look at them, at a hundredth of the price.
 ///
-/// Over what a beam of the width over which the load has spread would have, and tangential stresses over 1 + b / base
-/// width, profiles are of order 1. How large that is comes from a lattice of geometries; between its points they may
-/// be somewhat larger.
+/// Profiles are of order 1 when they are divided by the values of a beam as wide as the load has spread. Tangential
+/// stresses are divided by 1 + b / base width instead. The largest quotients come from a lattice of geometries; between
+/// its points they may be somewhat larger.
 /// @see docs/theory/meta-model.md, (2)
 class ProfileBound {
  public:

@@ -39,7 +39,7 @@ struct ProfileSample {
 /// Interpolates unit profiles between solved geometries.
 ///
 /// Profiles are resampled on stations that follow the geometry (the base line x = b is always a station, so its kink
-/// stays in place), divided by what a beam of the width over which the load has spread would have, and written in their
+/// stays in place), divided by the values of a beam as wide as the load has spread, and written in their
 /// principal modes; the modes' coefficients are interpolated by fifth powers of distances with a quadratic part,
 /// bending and membrane each over the features that it depends on. The model passes through the solved geometries up to
 /// the modes that are left out.
@@ -49,7 +49,7 @@ class ProfileModel {
   /// Builds the model from solved geometries; at least 10.
   /// @throws InputError when there are too few.
   static ProfileModel fit(std::span<const ProfileSample> samples, const std::string& data_sha256);
-  /// @throws InputError naming file, place and what is wrong.
+  /// @throws InputError naming file, place and error.
   static ProfileModel read(const std::string& path);
   /// Writes the model file (JSON) by rename when whole and returns its content hash.
   std::string write(const std::string& path) const;

@@ -93,14 +93,14 @@ Trained train(std::span<const Sample> samples, const TrainingOptions& options);
 /// Errors of `network` on `samples`.
 Errors errors(const Network& network, std::span<const Sample> samples);
 
-/// What a model card says besides the numbers of the training.
+/// Entries of a model card besides the numbers of the training.
 struct CardContext {
   std::string model_file;      ///< name of the model file
   std::string content_sha256;  ///< of the model file, as Network::write returns it
   std::string database_file;   ///< name of the database file
 };
 
-/// The model card (Markdown): data hash, range, errors overall and per region, and what the model must not be used for.
+/// The model card (Markdown): data hash, range, errors overall and per region, and uses for which the model is unfit.
 std::string model_card(const Network& network, const TrainingReport& report, const TrainingOptions& options,
                        const CardContext& context);
 

@@ -115,7 +115,7 @@ tl::expected<UnitProfiles, PlateError> solve_outline(const OutlinePlate& plate, 
 /// @return nothing where the plate buckles.
 std::optional<UnitProfiles> compressed(UnitProfiles profiles, double in_plane_load);
 
-/// What decides about failure, for one pair of load ratios.
+/// Stresses and places that decide about failure, for one pair of load ratios.
 struct Response {
   double sigma_over_p = 0.0;         ///< largest principal stress on the centre line, surface that P puts in tension
   double lbreak_over_lc = 0.0;       ///< its place |AB| / l_c
@@ -127,7 +127,7 @@ struct Response {
 
 /// Superposes the unit fields, docs/theory/failure.md, (3): exact in P/N, f/N and l_c/h = 1/plate.thickness.
 ///
-/// @param thickness_over_lc  h / l_c [-], > 0; with shear-flexible profiles, that of the plate they were solved for.
+/// @param thickness_over_lc  h / l_c [-], > 0; for shear-flexible profiles, the ratio of the plate solved for them.
 /// @param mu1  its sign says which surface P puts in tension and has no other effect.
 /// @param mu2  its sign has no effect on the centre line.
 Response respond(const UnitProfiles& profiles, double thickness_over_lc, double mu1, double mu2);

@@ -6,15 +6,15 @@
 
 namespace brash {
 
-/// What a user has to know of bad input. Text from a file may stand in each part: it is shown escaped.
+/// A message to the user about bad input. Text from a file may stand in each part: it is shown escaped.
 struct Complaint {
   std::string where;    ///< file and place in it: "events.csv, line 3"
-  std::string what;     ///< the value and what is wrong with it
-  std::string allowed;  ///< what may stand there instead
-  std::string remedy;   ///< what to do
+  std::string what;     ///< the value and the error in it
+  std::string allowed;  ///< the values that may stand there instead
+  std::string remedy;   ///< the action that helps
 };
 
-/// Bad input or environment. The message names file, key, value, what is allowed and the remedy. Exit code 2.
+/// Bad input or environment. The message names file, key, value, allowed values and remedy. Exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -9,12 +9,12 @@
 namespace brash {
 
 /// The bytes of a file.
-/// @param kind            what is expected, for messages: "a model (JSON)".
+/// @param kind            expected kind of file, for messages: "a model (JSON)".
 /// @param most_mebibytes  size above which it is refused, whatever it states of itself.
 /// @throws InputError when it is a folder, cannot be read or is larger.
 std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mebibytes = 256);
 
-/// The text of a JSON file of at most 64 MiB, not nested deeper than 64: what walks through it may recur.
+/// The text of a JSON file of at most 64 MiB, not nested deeper than 64: a recursive function may walk through it.
 /// @throws InputError as above, or naming the byte.
 std::string read_json_text(const std::string& path, const std::string& kind);
 
@@ -24,7 +24,7 @@ void refuse_deep_json(const std::string& text, const std::string& path, const st
 
 /// Refuses an output that would take the place of a file that the same command reads, under whatever name.
 /// @param output  path to write; empty: nothing is written.
-/// @param inputs  paths to read; those that are not there, and empty ones, are passed over.
+/// @param inputs  paths to read; missing files and empty paths are passed over.
 /// @throws InputError naming both.
 void refuse_overwriting(const std::string& output, std::initializer_list<std::string> inputs);
 

@@ -3,7 +3,7 @@
 
 namespace brash {
 
-/// What long computations of this thread call now and then; it throws when whoever waits for them wants them to end.
+/// A check that long computations of this thread call now and then; it throws when whoever waits wants them to end.
 using InterruptionCheck = void (*)();
 inline thread_local InterruptionCheck interruption_check = nullptr;
 

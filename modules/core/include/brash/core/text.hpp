@@ -7,7 +7,7 @@
 namespace brash {
 
 /// `text` with control characters (C0, DEL, C1), characters that turn the direction of writing, and bytes that are not
-/// UTF-8 escaped: what a file says may not steer a terminal.
+/// UTF-8 escaped: text from a file may not steer a terminal.
 std::string escaped(const std::string& text);
 /// The same, line breaks and tabs left as they are: for messages and tables of several lines.
 std::string escaped_lines(const std::string& text);

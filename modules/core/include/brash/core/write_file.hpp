@@ -9,8 +9,8 @@ namespace brash {
 /// @throws StorageError naming the file and the system's reason; a file that was there before is then as it was.
 void write_file(const std::string& path, const std::string& text);
 
-/// The name under which this process writes `path` before it is whole. It writes there only what it has made itself:
-/// whatever has the name already, a link too, is removed and never opened.
+/// The name under which this process writes `path` before it is whole. It writes there only a file that it has made
+/// itself: any file that has the name already, a link too, is removed and never opened.
 std::string part_of(const std::string& path);
 
 /// Gives the whole file `part` its name, once it is on the disk.

@@ -8,7 +8,7 @@
 
 namespace brash::standards {
 
-/// What the elastic-beam method of ISO 19906 needs. SI, radians.
+/// Input of the elastic-beam method of ISO 19906. SI, radians.
 struct CroasdaleInput {
   double slope = 0.0;               ///< alpha, structure's slope from the horizontal [rad], in (0, pi/2)
   double width = 0.0;               ///< w, of the structure at the waterline [m], > 0

@@ -26,7 +26,7 @@ struct NevelLoad {
 ///
 ///   P = (b_0 sigma h^2/6) [1.05 + 2.0 (a/l) + 0.50 (a/l)^3]      docs/theory/standards.md, (L4)
 ///
-/// Narrow: bending is that of a beam whose width b_0 r grows with the distance r from the tip. Against the exact
+/// Narrow: the wedge bends as a beam whose width b_0 r grows with the distance r from the tip. Against the exact
 /// solution of that beam the formula errs by at most 1.2 % for 0.02 <= a/l <= 0.6 and is 4 % low at 1, 11 % low at 1.5.
 ///
 /// @see D. E. Nevel, The ultimate failure of a floating ice sheet, IAHR 1972; paper, refs. 37, 38.

@@ -16,7 +16,7 @@ enum class Yield {
 
 enum class Breaking { kUpward, kDownward };
 
-/// What Ralston's plastic method for cones needs. SI, radians.
+/// Input of Ralston's plastic method for cones. SI, radians.
 struct RalstonInput {
   double slope = 0.0;               ///< alpha, from the horizontal [rad], in (0, pi/2)
   double waterline_width = 0.0;     ///< w, diameter at the waterline [m], > 0

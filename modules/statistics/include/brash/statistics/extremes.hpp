@@ -53,7 +53,7 @@ tl::expected<GeneralisedPareto, FitError> fit_generalised_pareto(std::span<const
 
 /// Level exceeded once in `return_period` [s] on average when the peaks were counted in `duration` [s].
 ///
-/// x = u + (sigma/xi) [(lambda T)^xi - 1], lambda = n/duration; lambda T > 1. The interval is that of the profile
+/// x = u + (sigma/xi) [(lambda T)^xi - 1], lambda = n/duration; lambda T > 1. The interval comes from the profile
 /// likelihood of x, which follows its skewness (a normal interval would cover 82 to 88 % instead of 95 % for 200 peaks
 /// and twice the record), with the Poisson error of lambda added in quadrature.
 ///

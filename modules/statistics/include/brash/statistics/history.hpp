@@ -39,11 +39,11 @@ struct EvenHistory {
   std::vector<std::vector<double>> pieces;  ///< values every `sampling.step`: the samples themselves where even
   double duration = 0.0;                    ///< sum of the weights [s]
 
-  /// `pieces` as what autocorrelation, spectrum and peaks take.
+  /// `pieces` as the argument of autocorrelation, spectrum and peaks.
   Pieces views() const;
 };
 
-/// Cuts a history at its gaps and resamples what is not even.
+/// Cuts a history at its gaps and resamples the uneven pieces.
 ///
 /// A gap is an interval longer than `longest_interval`. A sample stands for half of the interval on either side, for
 /// half a step where there is a gap or an end. An uneven piece is interpolated linearly, which lowers its spectrum
@@ -56,7 +56,7 @@ EvenHistory make_even(const History& history, double longest_interval = 0.0);
 /// Summary of a stationary history, even or not, with or without gaps.
 ///
 /// Even: the same as of evenly sampled values. Else mean, deviation, skewness and quantiles weigh each sample with its
-/// time. The autocorrelation time is that of the even pieces; no pair of samples straddles a gap.
+/// time. The autocorrelation time is estimated from the even pieces; no pair of samples straddles a gap.
 Summary summarise(const History& history, const EvenHistory& even);
 
 /// The samples between gaps as they were taken, not resampled.

@@ -7,7 +7,7 @@
 
 namespace brash::statistics {
 
-/// A stream of random numbers keyed by what it is for: the same key gives the same numbers, in any order of creation.
+/// A stream of random numbers keyed by its purpose: the same key gives the same numbers, in any order of creation.
 ///
 /// Generator: three of GSL's `ranlxd2` (Luescher, 48 bits), added modulo 1. One of them takes a seed of 31 bits only,
 /// so among 50 000 streams two would be likely to coincide; three take 93 bits, and two of 10^9 streams coincide with a

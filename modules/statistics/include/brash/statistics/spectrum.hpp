@@ -34,7 +34,7 @@ Interval spectrum_factors(const Spectrum& spectrum, double confidence = 0.95);
 /// How alike two spectra are, over the lines of `a` above zero and up to the lower of both last frequencies.
 struct SpectrumComparison {
   std::vector<double> frequency;  ///< [Hz], shape=(n,)
-  std::vector<double> ratio;      ///< density of a over that of b, shape=(n,)
+  std::vector<double> ratio;      ///< density of a over density of b, shape=(n,)
   Interval band;                  ///< ratios of two estimates of one density lie in it, at the stated confidence
   double outside = 0.0;           ///< share of the lines whose ratio does not, about 1 - confidence for one density
   /// Likewise when both have the same variance over these lines: only the shape is compared.
