@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(no_floe_flies) {
       const double half_length = 0.5 * std::sqrt(validation_run().results.floes.at(floe.floe).area) + c.ice.thickness;
       BOOST_TEST(floe.pose.position.z < half_length);
     }
-  // The structure's speed and that of a rising plate with C_d = 1: sqrt(2 (1 - rho_i/rho_w) g h), together.
+  // The structure's speed plus the speed of a rising plate with C_d = 1, sqrt(2 (1 - rho_i/rho_w) g h).
   const double rise = std::sqrt(2.0 * (1.0 - c.ice.density / c.water.density) * 9.81 * c.ice.thickness);
   BOOST_TEST(validation_run().summary.fastest_floe.value() < 2.0 * (model::speed(c.structure.motion) + rise));
 }
