@@ -23,7 +23,7 @@ const simulation::Run& validation_run() {
 BOOST_AUTO_TEST_CASE(the_load_is_the_recorded_one) {
   // Recorded over seeds 1 to 4: mean 103.1 kN; deviation between seeds 3.1 kN, over 8 seeds of the paper's drag
   // 4.1 kN. One seed on another machine is another replicate (a last digit of libm changes the sequence of breaks), so
-  // the bounds are four of the latter.
+  // the bounds are four deviations of 4.1 kN.
   BOOST_TEST(validation_run().summary.mean_horizontal_whole > 86700.0);
   BOOST_TEST(validation_run().summary.mean_horizontal_whole < 119500.0);
 }

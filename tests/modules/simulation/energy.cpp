@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(a_current_gives_a_resting_floe_its_energy) {
   BOOST_TEST(std::abs(row.energy_error) < 0.01 * row.kinetic_energy);
 }
 
-/// Energies of a crowd that collides, tilts and dives for a second, less those at its start [J].
+/// Energies of a crowd that collides, tilts and dives for a second, less the energies at its start [J].
 double error_of_a_crowd(double dt) {
   Pool pool;
   for (int i = 0; i < 3; ++i)
