@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rooms' arrows, read from the includes: a room may include itself and what stands in its row, nothing else.
+// The rooms' arrows, read from the includes: a room may include itself and the rooms in its row, nothing else.
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>

@@ -23,7 +23,7 @@ const simulation::Run& validation_run() {
 BOOST_AUTO_TEST_CASE(the_load_is_the_recorded_one) {
   // Recorded over seeds 1 to 4: mean 103.1 kN; deviation between seeds 3.1 kN, over 8 seeds of the paper's drag
   // 4.1 kN. One seed on another machine is another replicate (a last digit of libm changes the sequence of breaks), so
-  // the bounds are four of the latter.
+  // the bounds are four deviations of 4.1 kN.
   BOOST_TEST(validation_run().summary.mean_horizontal_whole > 86700.0);
   BOOST_TEST(validation_run().summary.mean_horizontal_whole < 119500.0);
 }
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(no_floe_flies) {
       const double half_length = 0.5 * std::sqrt(validation_run().results.floes.at(floe.floe).area) + c.ice.thickness;
       BOOST_TEST(floe.pose.position.z < half_length);
     }
-  // The structure's speed and that of a rising plate with C_d = 1: sqrt(2 (1 - rho_i/rho_w) g h), together.
+  // The structure's speed plus the speed of a rising plate with C_d = 1, sqrt(2 (1 - rho_i/rho_w) g h).
   const double rise = std::sqrt(2.0 * (1.0 - c.ice.density / c.water.density) * 9.81 * c.ice.thickness);
   BOOST_TEST(validation_run().summary.fastest_floe.value() < 2.0 * (model::speed(c.structure.motion) + rise));
 }

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   brash::model::Checkpoint state = brash::io::read_checkpoint(argv[1]);
   const std::string_view fault = argv[2];
   if (fault == "place") floe_cell(state, "x") += 1000.0;
-  if (fault == "later") {  // it leaves what a floe can reach, 100 m from the field, some steps from now
+  if (fault == "later") {  // it leaves the reach of a floe, 100 m from the field, some steps from now
     floe_cell(state, "x") = -99.9;
     floe_cell(state, "y") = 0.0;
     floe_cell(state, "linear_x") = -1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: a folder that holds anything under the names of a campaign's files is gone on with, or an error in words.
-// Nothing outside of it changes. Lines `@ file NAME`, `@ folder NAME` and `@ link NAME` begin what is put there.
+// libFuzzer: a campaign continues in a folder with any content under its file names, or ends with an error in words.
+// Nothing outside the folder changes. Lines `@ file NAME`, `@ folder NAME` and `@ link NAME` begin its entries.
 #include <unistd.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: any bytes are a case, or an InputError. What was read is a case: its own text gives it again.
+// libFuzzer: any bytes are a case, or an InputError. The text of a case that was read gives the same case again.
 #include <cstdlib>
 
 #include "brash/core/error.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: any text is WKT, GeoJSON or an error. What was read is written and read again as it was; a sheet made of
-// it is whole, or refused.
+// libFuzzer: any text is WKT, GeoJSON or an error. Polygons that were read stay the same when written and read again.
+// A sheet made of them is whole, or refused.
 #include <cstdlib>
 
 #include "brash/geometry/text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer: a run.nc whose tables say anything is results that make sense, or an InputError. The bytes change a whole
-// file, value by value and length by length; HDF5 itself, which does not survive all bytes, is not what is searched.
+// file, value by value and length by length; HDF5 itself, which does not survive all bytes, is not searched.
 #include <netcdf.h>
 #include <netcdf_mem.h>
 #include <unistd.h>
@@ -65,7 +65,7 @@ constexpr std::array<double, 16> kValues{0.0,
                                          std::numeric_limits<double>::infinity(),
                                          8193.0};
 
-/// What is done to one variable: at bytes (variable, what, where).
+/// A change of one variable, from the bytes (variable, what, where).
 struct Change {
   int variable, what, where;
 };

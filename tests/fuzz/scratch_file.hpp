@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-/// The bytes of a target as a file of this process, for what reads by name.
+/// The bytes of a target as a file of this process, for readers of a named file.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& end)

@@ -12,7 +12,7 @@ using namespace brash::geometry;
 
 namespace {
 
-/// Cuts and compares sheet and pieces with the exact outcome, up to what rounding can do.
+/// Cuts and compares sheet and pieces with the exact outcome, up to the largest rounding error.
 void cut_and_compare(IceSheet& sheet, const Ring& region, std::span<const Crack> cracks) {
   const std::vector<Polygon> before = sheet.polygons();
   const Cut cut = sheet.cut(region, cracks);

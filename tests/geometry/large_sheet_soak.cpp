@@ -13,7 +13,7 @@ using namespace brash::geometry;
 namespace {
 
 constexpr int kVertices = 100000;
-constexpr double kSpacing = 0.15;  // m
+constexpr double kSpacing = 0.15;                 // m
 constexpr double kLength = kVertices * kSpacing;  // of the sheet, about the origin: coordinates end at kMaxCoordinate
 static_assert(0.5 * kLength < kMaxCoordinate);
 
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(a_large_sheet_is_cut_ten_thousand_times_and_its_memory_foll
     sheet.check();
     const double now = (heap_in_use() - before) / static_cast<double>(sheet.n_vertices());
     BOOST_TEST_MESSAGE(i << " cuts: " << sheet.n_vertices() << " vertices, " << now << " bytes each");
-    // Vectors that grow by doubling hold twice what they need at most.
+    // Vectors that grow by doubling hold at most twice the memory they need.
     BOOST_TEST(now < 2.0 * bytes_a_vertex);
   }
 }

@@ -10,7 +10,7 @@
 namespace brash::geometry::oracle {
 
 /// How far a cut is from the exact outcome [m2]: area in exactly one of the two, for the sheet and for the pieces, and
-/// what rounding can do at most. Pieces that overlap count too.
+/// the largest rounding error. Pieces that overlap count too.
 struct Deviation {
   double sheet = 0.0;
   double pieces = 0.0;

@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_SUITE(trapezoid_fit)
 BOOST_AUTO_TEST_CASE(exact_trapezoids_anywhere_are_found_again) {
   for (const double b : {0.25, 0.8, 1.7}) {
     for (const double theta : {0.0, 30.0, 61.0, 90.0, 120.0}) {
-      // What the window does not show is not asked for.
+      // The window does not show the whole of a wider trapezoid.
       if (0.2 + b * std::tan(radians(0.5 * theta)) > 2.5) continue;
       const Polyline edge = placed(trapezoid_edge(b, 0.4, radians(theta), 8.0), {31.0, -7.0}, 2.1);
       const Trapezoid fit = fit_trapezoid(std::vector<Polyline>{edge},

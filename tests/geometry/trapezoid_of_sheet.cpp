@@ -22,7 +22,7 @@ IceSheet sheet_with_protrusion(double b, double c, double theta, Vec2 at, double
   return IceSheet::from_polygons(std::span(&ice, 1)).value();
 }
 
-/// What a cylinder meets that breaks its way into a sheet: one fit at each contact, in order.
+/// The passage of a cylinder that breaks its way into a sheet: one fit at each contact, in order.
 struct Passage {
   std::vector<Trapezoid> at_edge;
   std::vector<Trapezoid> at_chord;

@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(every_key_with_extremes_is_a_case_or_an_error_in_words) {
   BOOST_TEST(answers.n_accepted > 100);
 }
 
-/// A few values at the borders that the schema allows, and what is usual.
+/// A few values at the borders that the schema allows, and usual values.
 std::vector<std::string> inner_borders(const ordered_json& key) {
   if (key.contains("enum")) {
     std::vector<std::string> names;

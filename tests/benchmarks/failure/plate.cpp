@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One plate: what it takes and what breaks it, beside freefem.edp.
+// One plate: the time of its solution and its response, beside freefem.edp.
 //
 //   bench_plate b c theta h mu1 mu2 [fine]    lengths over l_c, theta in degrees; prints one JSON object
 //

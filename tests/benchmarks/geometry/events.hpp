@@ -29,7 +29,7 @@ std::vector<geometry::Ring> sectors(const Event& event);
 /// How many events of a workload a peer of the given cost is asked for [us an event], about a second in all.
 std::size_t affordable(double microseconds, const Workload& workload);
 
-/// Processor time of this thread [s]: what other programs do does not count.
+/// Processor time of this thread [s], without the time of other programs.
 double processor_time();
 
 }  // namespace brash::benchmarks

@@ -32,7 +32,7 @@ double allocated() {
   return static_cast<double>(heap.uordblks + heap.hblkhd);
 }
 
-/// What Bullet's world needs of each floe.
+/// The state of each floe for Bullet's world.
 std::vector<FloeThen> state(const Field& field) {
   std::vector<FloeThen> floes;
   for (const auto& [body, floe] : field.floes.floes())
@@ -40,7 +40,7 @@ std::vector<FloeThen> state(const Field& field) {
   return floes;
 }
 
-/// Of each step but the first, which has to find and allocate what it needs [s].
+/// Times of each step but the first, which has to find neighbours and allocate memory [s].
 struct StepTimes {
   std::vector<double> water, world, settled, bullet;
 };

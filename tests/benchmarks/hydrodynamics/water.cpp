@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The water on a field of floes beside the world's step over the same floes. Times are those of the process, so that
-// other load on the machine matters little.
+// The water on a field of floes beside the world's step over the same floes. Times are
+// processor times of the process, so that other load on the machine matters little.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -17,7 +17,7 @@ void water(benchmark::State& state, int layers, const std::vector<std::string>& 
   field.water.apply(field.world, field.floes, kStep, {});
   field.world.step(kStep);
   for (auto _ : state) {
-    state.PauseTiming();  // the floes move on, so that their neighbours have to be found anew
+    state.PauseTiming();  // the floes move on, so that the water has to find their neighbours again
     field.world.step(kStep);
     state.ResumeTiming();
     field.water.apply(field.world, field.floes, kStep, {});

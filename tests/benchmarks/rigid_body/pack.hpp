@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-/// One pack of floes, pressed together and at rest in the end, and what steps it: one engine for each executable.
+/// One pack of floes, pressed together and at rest in the end, and the engine that steps it: one for each executable.
 namespace pack {
 
 struct Vec3 {
@@ -22,7 +22,7 @@ struct Floe {
 
 /// Layers of rafted floes between the bed z = 0 and a wall x = 0, both without friction; every second layer is shifted
 /// by half a floe both ways, with halves and quarters at its ends. Each floe bears its weight and a push of kPush times
-/// that towards the wall. So the rest is known: no gaps, the bed bears the weight and the wall the push.
+/// its weight towards the wall. So the rest is known: no gaps, the bed bears the weight and the wall the push.
 struct Pack {
   std::vector<Floe> floes;
   double mass() const;
@@ -40,7 +40,7 @@ Pack make_pack(int along, int across, int layers);
 /// How an engine steps.
 struct Settings {
   double dt = 0.01;         ///< [s]
-  int iterations = 50;      ///< of its solver a step; what that means is the engine's
+  int iterations = 50;      ///< of its solver a step; the engine defines an iteration
   double crushing = 0.5e6;  ///< the program's contacts give way at this, far above every pressure here [Pa]; inf: rigid
 };
 
@@ -61,7 +61,7 @@ class Engine {
 /// The engine of this executable.
 std::unique_ptr<Engine> make_engine(const Pack& pack, const Settings& settings);
 
-/// What a run showed.
+/// The results of a run.
 struct Outcome {
   double seconds = 0.0;         ///< CPU time of a simulated second
   double position_error = 0.0;  ///< largest distance of a centre from its place at the end [m]

@@ -12,7 +12,7 @@
 #include "pack.hpp"
 
 // Debian's library checks its graph of all contacts at every change of it, which takes most of the time and grows with
-// the square of their number. What it calls for that are these; they find no fault at once.
+// the square of their number. The check calls these functions, which here find no fault at once.
 using ContactGraph = SiconosGraph<SP::Interaction, SP::DynamicalSystem, InteractionProperties,
                                   DynamicalSystemProperties, GraphProperties>;
 template <>

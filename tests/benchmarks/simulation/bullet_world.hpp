@@ -42,9 +42,9 @@ class BulletWorld {
 
   void add_structure(const std::vector<Vec3>& hull, const Pose& pose);
   void place_structure(const Pose& from, const Pose& to, Vec3 velocity);
-  /// Floes as they are before a step; those that are gone leave.
+  /// Floes as they are before a step; missing floes leave the world.
   void set_floes(const std::vector<FloeThen>& floes);
-  /// The sheet, in convex parts; those that are known stay.
+  /// The sheet, in convex parts; known parts stay.
   void set_sheet(const std::vector<geometry::Polygon>& sheet, double bottom, double top);
   void step(double dt) { world_.stepSimulation(dt, 0); }
   int n_points();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads that the superposition dismisses without a look at the profiles, against what it says of them.
+// Loads that the superposition dismisses without a look at the profiles, against its full assessment.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -60,7 +60,7 @@ double compare(const IceProperties& ice, const BendingOptions& options) {
                    : 0;
   }
   BOOST_TEST(n_wrong == 0);
-  // What is dismissed saves time: most loads of a run are weak.
+  // Dismissed loads save time: most loads of a run are weak.
   BOOST_TEST(n_weak_dismissed > 0.7 * n_weak);
   BOOST_TEST_MESSAGE("h = " << ice.thickness << " m: " << n_weak_dismissed << " of " << n_weak
                             << " weak loads dismissed, largest stress of a dismissed one " << largest

@@ -74,7 +74,7 @@ std::vector<HeldOutRow> held_out_rows() {
   return rows;
 }
 
-/// Errors that a model must not exceed on these rows; those of the model cards on all held-out rows are about the same.
+/// Errors that a model must not exceed on these rows; the model cards state about the same for all held-out rows.
 struct HeldOutErrors {
   const char* model;
   double median, share_95, share_99;  ///< of the size of predicted / computed stress - 1
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_models_that_come_with_the_program_have_the_errors_that_
   ::unsetenv("BRASH_MODEL_PATH");
   const auto rows = held_out_rows();
   BOOST_REQUIRE(rows.size() == 207u);
-  // What was measured and a tenth more, places 0.01 less: other libraries may round the models differently.
+  // The measured errors and a tenth more, shares of places 0.01 less: other libraries may round the models differently.
   constexpr std::array<HeldOutErrors, 3> kRecorded{{{"network", 0.0255, 0.0862, 0.167, 0.825},
                                                     {"deep-network", 0.0048, 0.0242, 0.0308, 0.970},
                                                     {"superposition", 0.00077, 0.0038, 0.0059, 0.99}}};

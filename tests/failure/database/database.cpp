@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_build_goes_on_and_ends_in_the_same_bytes) {
   const Progress first = build(plan, stopped, [](const Progress&) { return false; });
   BOOST_TEST(first.done == 16);
   BOOST_TEST(!fs::exists(stopped));
-  // What a kill in the middle of a write leaves.
+  // A kill in the middle of a write leaves such a file.
   std::ofstream(stopped + ".chunks/000016.nc.1.part") << "half";
   const Progress second = build(plan, stopped);
   BOOST_TEST(second.done == 20);

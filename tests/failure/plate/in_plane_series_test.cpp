@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMu1 = 0.511;
 
-/// Relative error of the largest stress by the terms, under `share` of the buckling load; also that of first order.
+/// Relative error of the largest stress by the terms, under `share` of the buckling load; also the first-order error.
 struct Errors {
   double terms = 0.0;
   double first_order = 0.0;
@@ -36,7 +36,7 @@ const plate::WedgePlate kWedge{
 const plate::WedgePlate kSplit{.contact_length = 0.5, .thickness = 0.1009, .split = true};
 
 BOOST_AUTO_TEST_CASE(the_terms_are_the_plate_under_that_load) {
-  // What is left out are the higher modes in the terms from r^3 on: about a twentieth of r^3.
+  // The terms from r^3 on leave out the higher modes: about a twentieth of r^3.
   for (const plate::WedgePlate& wedge : {kStraight, kWedge, kSplit}) {
     const Errors low = errors_at(wedge, 0.2), high = errors_at(wedge, 0.5);
     BOOST_TEST(low.terms < 1e-3);

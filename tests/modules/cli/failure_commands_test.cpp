@@ -58,7 +58,7 @@ struct Folder {
   }
 };
 
-/// Runs `brash failure ARGUMENTS` without the program around it; what it throws comes through.
+/// Runs `brash failure ARGUMENTS` without the program around it; exceptions come through.
 void run(std::vector<std::string> arguments) {
   CLI::App app;
   add_failure_command(app);
@@ -67,7 +67,7 @@ void run(std::vector<std::string> arguments) {
   app.parse(arguments);
 }
 
-/// What `run` prints.
+/// The output of `run`.
 std::string output_of(const Folder& folder, const std::vector<std::string>& arguments) {
   const std::string file = (folder.path / "stdout").string();
   std::fflush(stdout);
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(a_superposition_can_be_judged_on_another_database) {
   const Folder folder;
   const std::string model = (folder.path / "small.json").string();
   output_of(folder, {"train", small_database(), "-o", model, "--superposition", "--test", small_database()});
-  // On its own geometries it errs by what resampling and modes leave: 48 rows, far below 1 % in the median.
+  // On its own geometries only resampling and left-out modes cause errors: 48 rows, far below 1 % in the median.
   const std::string card = folder.read("small.md");
   BOOST_TEST(card.find("(`small.nc`)") != std::string::npos);
   BOOST_TEST(card.find("| all | 48 | 24 | 0.") != std::string::npos);

@@ -36,7 +36,7 @@ struct Folder {
   }
 };
 
-/// Runs `brash ARGUMENTS` without the program around it; what it throws comes through.
+/// Runs `brash ARGUMENTS` without the program around it; exceptions come through.
 void run(std::vector<std::string> arguments) {
   CLI::App app;
   add_crack_command(app);
@@ -45,7 +45,7 @@ void run(std::vector<std::string> arguments) {
   app.parse(arguments);
 }
 
-/// What `run` prints, as JSON.
+/// The output of `run`, as JSON.
 nlohmann::json output_of(const Folder& folder, const std::vector<std::string>& arguments) {
   const std::string file = (folder.path / "stdout").string();
   std::fflush(stdout);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(events_are_cut_out_as_wedges_and_the_ledger_closes) {
   BOOST_TEST(ledger["floes"] == floes.to_string());
   // Three wedges of half a 16-gon of radius 2: area 2^2 * 8 sin(2 pi/16) / 2, off by the grid.
   const double expected = (4.0 + 1.0) * 4.0 * std::sin(std::acos(-1.0) / 8);
-  // The second disc has vertices of its own at the cracks' ends: its area lies between that of 16 chords and pi/2.
+  // The second disc has vertices of its own at the cracks' ends: its area is between half a 16-gon and pi/2.
   BOOST_TEST(floes.square_metres() > expected);
   BOOST_TEST(floes.square_metres() < expected + std::acos(-1.0) / 2 - 4.0 * std::sin(std::acos(-1.0) / 8));
 }

@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(the_velocity_after_a_step_is_that_at_which_the_dampers_act)
   const auto vector = [&] { return Vec3{unit(engine), unit(engine), unit(engine)}; };
   for (int k = 0; k < 500; ++k) {
     Damping damping;
-    // From none to many times what stops the floe in one step.
+    // From no damping to many times the damping that stops the floe in one step.
     const double most = k % 10 == 0 ? 0.0 : std::pow(10.0, 6.0 * unit(engine));
     for (int i = 0; i < k % 7; ++i) damping.add(most * (1.0 + unit(engine)), 2.0 * vector());
     if (k % 3 == 0) damping.rotation = most;

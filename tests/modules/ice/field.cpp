@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(crushed_ice_and_deleted_floes_stay_in_the_ledger) {
 
 BOOST_AUTO_TEST_CASE(ice_cut_off_from_the_sheet_becomes_a_floe) {
   Field strip = level_ice(10.0, 4.0);
-  // The disc is wider than the strip: what lies before it loses its hold, what lies behind stays the sheet.
+  // The disc is wider than the strip: the ice before it loses its hold, the ice behind it stays the sheet.
   const Broken broken = break_circle(strip, {4.0, 0.0}, 2.5, 1);
   BOOST_TEST(broken.pieces.size() == 2u);
   BOOST_TEST(broken.changed.lower.x == 0.0);  // the part that was cut off reaches to the edge

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every broken case of tests/corpus/bad/cases must end with an InputError that names all a user needs. What else a
-// message must say stands in the file, in lines `# expect: text`.
+// Every broken case of tests/corpus/bad/cases must end with an InputError that names all a user needs. The file
+// lists further texts that its message must contain, in lines `# expect: text`.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <regex>
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_SUITE(case_corpus)
 BOOST_AUTO_TEST_CASE(every_broken_case_is_refused_with_all_that_a_user_needs) {
   const std::vector<std::filesystem::path> files = corpus();
   BOOST_TEST(files.size() >= 80u);
-  // place: key [= value]: what, then what is allowed and the remedy.
+  // place: key [= value]: the fault, then the allowed values and the remedy.
   const std::regex shape(
       "^[^\n]*\\.toml:[0-9]+:[0-9]+: [^\n]+: [^\n]+\n  allowed: [^\n]+\n(  nearest: [^\n]+\n)?  remedy:  [^\n]+");
   for (const std::filesystem::path& file : files) {
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(every_broken_case_is_refused_with_all_that_a_user_needs) {
     }
     BOOST_TEST(!message.empty(), file.filename() << " is not refused");
     BOOST_TEST(std::regex_search(message, shape), file.filename() << " has a message of another shape:\n" << message);
-    // A message goes to a terminal: what a file says may not steer it.
+    // A message goes to a terminal: the text of a file may not steer it.
     BOOST_TEST(std::none_of(message.begin(), message.end(), [](char c) { return c != '\n' && c >= 0 && c < 0x20; }));
     const std::vector<std::string> texts = expectations(file);
     BOOST_TEST(!texts.empty(), file.filename() << " expects nothing");

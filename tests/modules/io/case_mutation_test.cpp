@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_case_is_read_or_refused_and_nothing_else) {
     const std::string path = scratch.write(std::to_string(i) + ".toml", text);
     try {
       const brash::model::Case read = brash::io::read_case(path);
-      // What is read is a case: its own text gives it again.
+      // The text of a case that was read gives the same case again.
       const brash::model::Case again =
           brash::io::read_case(scratch.write("again/" + std::to_string(i) + ".toml", brash::io::to_toml(read)));
       BOOST_REQUIRE_MESSAGE(again == read, text);

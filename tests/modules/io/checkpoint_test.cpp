@@ -24,7 +24,7 @@ Checkpoint sample() {
   Checkpoint checkpoint;
   checkpoint.resolved = some_case();
   checkpoint.resolved.name = "cone \xc3\xa9";
-  // The corners of what the grid covers, and neighbours that a double would not tell apart.
+  // The corners of the grid, and neighbours that a double would not tell apart.
   const std::int64_t far = std::int64_t{8192} << 30;
   const geometry::Polygon with_hole{{{-far, -far}, {far, -far}, {far, far - 1}, {-far, far}},
                                     {{{0, 0}, {0, 1}, {1, 1}}}};

@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(Overlap_of_breakable_ice_is_not_pushed_apart) {
 
 BOOST_AUTO_TEST_CASE(The_faces_between_parts_of_one_sheet_or_floe_are_no_surfaces) {
   // A floe of two parts pressed 3 cm into a free edge of three parts; the joints of both lie within the overlap or a
-  // centimetre from its end, where the shortest way out of a part alone would be along the edge.
+  // centimetre from its end. There the separating axis of a part alone would run along the edge.
   using Rings = std::vector<std::vector<Vec2>>;
   const Rings ring{rectangle({-2, -1}, {0.03, 1})};
   const auto press = [&](const Rings& parts, const Rings& sheet, double& area) {
@@ -160,12 +160,12 @@ BOOST_AUTO_TEST_CASE(A_corner_that_is_crushed_stops_the_floe_as_a_spring_would) 
       world.step(dt);
       peak = std::max(peak, total_normal_force(world));
     }
-    BOOST_TEST(std::abs(world.twist(floe).linear.x) < 1e-4 * v);  // what the iterations leave of the last approach
+    BOOST_TEST(std::abs(world.twist(floe).linear.x) < 1e-4 * v);  // the iterations leave a little of the last approach
     errors.push_back(std::abs(peak - exact) / exact);
   }
   BOOST_TEST_MESSAGE("relative errors of the peak: " << errors[0] << ' ' << errors[1] << ' ' << errors[2] << ' '
                                                      << errors[3] << ' ' << errors[4]);
-  // The last step's impulse is only what stops the floe, so the largest force is found up to a step before the peak:
+  // The last step's impulse only stops the floe, so the largest force is found up to a step before the peak:
   // (w dt)^2 / 2 low. Semi-implicit Euler's amplitude is (w dt)^2 / 8 off; the rest is left to the solver.
   const double w = std::sqrt(2 * kPressure / kDensity);  // k = 2 h p, m = kDensity h of 1 m2: a quarter period of 47 ms
   double dt = 0.008;

@@ -29,8 +29,8 @@ double depth_along(const PlacedPart& a, const PlacedPart& b, Vec3 normal) {
   return greatest - least;
 }
 
-/// Least depth along the normals of all pairs of edges, either way: many more than those that the solids' difference
-/// has.
+/// Least depth along the normals of all pairs of edges, either way. The solids' difference has far fewer of these
+/// normals.
 double least_depth_over_edges(const PlacedPart& a, const PlacedPart& b) {
   const auto along = [](const PlacedPart& part, const Edge& edge) {
     return part.vertices[static_cast<std::size_t>(edge.to)] - part.vertices[static_cast<std::size_t>(edge.from)];

@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(A_contact_between_free_bodies_keeps_both_momenta) {
                      .area = 0.2,
                      .most_normal_force = 3e4,
                      .friction = 0.2});
-  world.step(1e-9);  // bodies are where they were, so that the arms are those of the impulses
+  world.step(1e-9);  // bodies keep their places, so that the impulses' arms stay the same
   BOOST_TEST(world.contacts().size() == 1U);
   BOOST_TEST(norm(world.twist(floe).linear - Vec3{-0.4, 0, 0.1}) > 0.0);
   const Vec3 after = kMass * world.twist(block).linear + ice.mass * world.twist(floe).linear;

@@ -140,12 +140,12 @@ BOOST_AUTO_TEST_CASE(Floes_that_do_not_break_lie_still_on_each_other) {
       if (c.other == bed) on_bed += c.normal_force;
     BOOST_TEST(on_bed == 5 * weight, boost::test_tools::tolerance(0.01));
   }
-  // Each has kept what it overlaps the one below by.
+  // Each floe has kept its overlap with the floe below.
   for (int i = 0; i < 5; ++i) BOOST_TEST(std::abs(world.pose(floes[i]).position.z - i * thickness) < (i + 1) * 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(Friction_stays_in_the_disc_of_mu_times_the_actual_normal_force) {
-  // A bound far below what the wall would need, oblique slip that turns during the solve, eccentric hits.
+  // A bound far below the pressure that the wall would need, oblique slip that turns during the solve, eccentric hits.
   WorldSettings settings;
   settings.ice_structure = {.friction = 0.25, .restitution = 0.0, .crushing_pressure = 0.2e6};
   settings.ice_ice = settings.ice_structure;
@@ -291,7 +291,7 @@ BOOST_AUTO_TEST_CASE(Contacts_between_floes_take_energy_and_leave_momentum) {
     const double first = energy;
     for (int i = 0; i < 200; ++i) {
       world.step(0.01);
-      // Each impulse takes energy or none. What is allowed is the implicit gyroscopic term's round-off.
+      // Each impulse takes energy or none. The tolerance is the implicit gyroscopic term's round-off.
       BOOST_TEST(world.kinetic_energy() <= energy * (1 + 1e-6));
       energy = world.kinetic_energy();
     }

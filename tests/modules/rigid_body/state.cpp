@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(Neighbours_are_the_bodies_within_reach_where_they_are_now) 
                          [&](BodyId id, std::span<const Solid> solids) { visits.emplace_back(id, solids.size()); });
   BOOST_TEST((visits == std::vector<std::pair<BodyId, std::size_t>>{{other, 1U}, {floe, 2U}}));
 
-  // A step moves the other away, and what is asked for follows.
+  // A step moves the other floe away, and the query follows.
   world.set_state(other, world.pose(other), {{5.0, 0.0, 0.0}, {}});
   world.step(0.01);
   BOOST_TEST(distances(world, floe, 0.16, corner).front() == 0.15, boost::test_tools::tolerance(1e-12));

@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(a_current_gives_a_resting_floe_its_energy) {
   BOOST_TEST(std::abs(row.energy_error) < 0.01 * row.kinetic_energy);
 }
 
-/// Energies of a crowd that collides, tilts and dives for a second, less those at its start [J].
+/// Energies of a crowd that collides, tilts and dives for a second, less the energies at its start [J].
 double error_of_a_crowd(double dt) {
   Pool pool;
   for (int i = 0; i < 3; ++i)
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(the_energies_of_a_run_account_for_the_work_of_the_structure
   BOOST_TEST(std::abs(e.error) < 0.01 * e.work);
   // 5 J were found, where an average step has 800 J of work; 10 J move the smallest floe, 90 kg, at 0.5 m/s.
   BOOST_TEST(e.largest_step_error < 10.0);
-  // Floes are born at rest, afloat; what curvature of the potential hides in their first step is 1e-8 of the work.
+  // Floes are born at rest, afloat. The curvature of the potential hides 1e-8 of the work in their first step.
   BOOST_TEST(std::abs(e.birth_energy) < 1e-6 * e.work);
   model::EnergyLosses::visit([&](const char* cause, const char*, double model::EnergyLosses::*loss) {
     BOOST_TEST((e.losses.*loss > 0.0), cause);  // still water takes energy like everything else

@@ -63,7 +63,7 @@ struct FloatingFloe {
   BodyId body;
 };
 
-/// What an oscillation did: the mean period [s] and its turning points, the start first.
+/// The mean period [s] of an oscillation and its turning points, the start first.
 struct Oscillation {
   double period = 0.0;
   std::vector<double> turns;

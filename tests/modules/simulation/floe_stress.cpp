@@ -20,8 +20,8 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
   Pose right{{2.0, 0.0, 0.0}, {}};
   const BodyId from_left = pool.world.add_structure(std::span(&block, 1), left);
   const BodyId from_right = pool.world.add_structure(std::span(&block, 1), right);
-  // A sweep of the solver adds about m v to what two walls that close this slowly bear: in steps of 10 ms 30 are too
-  // few.
+  // When two walls close this slowly, each sweep of the solver adds about m v to their impulse: 30 sweeps are too few
+  // in steps of 10 ms.
   const double dt = 0.005;
   const double speed = 0.02;
   const int n_steps = 100;

@@ -131,8 +131,9 @@ BOOST_AUTO_TEST_CASE(a_jam_neither_explodes_nor_passes_through_a_wall) {
   BOOST_TEST(basin.floes.floes().size() == static_cast<std::size_t>(kColumns * kRows));
   BOOST_TEST(seen.contacts > basin.floes.floes().size());  // a jam: more points than floes
   BOOST_TEST(seen.nearest > 0.0);
-  // The wall's speed, and that of a floe which rises or slips off a pile: sqrt(2 (1 - rho_i/rho_w) g h) = 0.9 m/s, or
-  // falls from its own length, sqrt(2 g 1.5) = 5.4 m/s. Contacts that throw ice would exceed it at once.
+  // The bound is the wall's speed plus the speed of a floe. A floe that rises or slips off a pile reaches
+  // sqrt(2 (1 - rho_i/rho_w) g h) = 0.9 m/s. A floe that falls from its own length reaches sqrt(2 g 1.5) = 5.4 m/s.
+  // Contacts that throw ice would exceed the bound at once.
   BOOST_TEST(seen.fastest < kSpeed + std::sqrt(2.0 * kGravity * kPitch));
   BOOST_TEST(seen.highest < kHeight);
   BOOST_TEST(seen.lowest > -kHeight);

@@ -21,14 +21,14 @@ using simulation::testing::ice_and_water;
 constexpr double kLength = 4.0;
 constexpr double kBreadth = 3.0;
 
-/// What drag of a pack is off by that closes up, and how often it is taken anew.
+/// Error of the kept drag in a closing pack, and how often drag is recomputed.
 struct PackDrag {
-  double difference = 0.0;  ///< of the force from drag taken anew in the same state, rms over rms [-]
-  double energy = 0.0;      ///< what it takes, over what that would [-]
-  double renewed = 0.0;     ///< share of the floes in a step [-]
+  double difference = 0.0;  ///< of the force from drag recomputed in the same state, rms over rms [-]
+  double energy = 0.0;      ///< lost to the kept drag, over the loss to recomputed drag [-]
+  double renewed = 0.0;     ///< share of the floes whose drag is recomputed in a step [-]
 };
 
-/// 6 x 6 floes of 1.4 m that run into the middle from gaps of 0.3 m, 1.5 s; `speed` [m/s] is that of the corners.
+/// 6 x 6 floes of 1.4 m that run into the middle from gaps of 0.3 m, 1.5 s; `speed` [m/s]: of the corner floes.
 PackDrag drag_of_closing_pack(double speed, const char* travel) {
   const model::Case ice = ice_and_water({std::string("hydrodynamics.drag_travel=") + travel});
   const double dt = 0.01, way = ice.hydrodynamics.drag_travel * ice.ice.thickness;
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(a_floe_that_moves_on_takes_its_drag_anew_and_one_at_rest_do
   }
   // Against the water it makes 0.05 m, a little less for the drag.
   BOOST_TEST(n_taken == 1 + static_cast<int>(0.049 / travel));
-  BOOST_TEST(left == travel - 0.001, boost::test_tools::tolerance(0.01));  // that of its last step in motion
+  BOOST_TEST(left == travel - 0.001, boost::test_tools::tolerance(0.01));  // left after its last step in motion
   BOOST_TEST(rests.floes.floes().at(rests.body).kept_drag.left == left);
 }
 

@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_with_floes_asleep_is_the_uninterrupted_one_to
   std::filesystem::remove(file);
 }
 
-/// What a crack leaves of the sheet's edge far from it is rounded anew; the collision shapes there must follow, or a
-/// resumed run, which lays them all, has others.
+/// A crack rounds the remaining edge of the sheet again, even far from the crack. The collision shapes there must
+/// follow, or a resumed run, which lays all shapes, has others.
 BOOST_AUTO_TEST_CASE(a_state_goes_on_to_the_bit_wherever_in_a_run_it_is_taken) {
   const model::Case resolved = short_case({"failure.under_floes=true"}, 11.0);
   simulation::Simulation whole(resolved);

@@ -25,7 +25,7 @@ double advance(Pool& pool, double seconds, double astern = kEverywhere) {
   return taken;
 }
 
-/// What the pool's floes are taken to have broken off.
+/// The level ice that the pool's floes are taken to have broken off from.
 std::vector<ice::Plate> one_level_ice(const model::Case& resolved) {
   std::vector<ice::Plate> plates;
   plates.emplace_back(0, ice::Hold::kFast, ice_properties(resolved), std::vector<geometry::Polygon>{});
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(a_floe_that_stays_slow_falls_asleep_and_its_kinetic_energy_
 }
 
 BOOST_AUTO_TEST_CASE(a_sleeping_floe_that_is_pushed_goes_on_as_if_it_had_never_slept) {
-  // A drifting floe runs into one at rest, which wakes before the blow: no speed is off by more than that of rest.
+  // A drifting floe runs into one at rest, which wakes before the blow: no speed is off by more than kSlow.
   Pool with(kSleeping), without;
   for (Pool* pool : {&with, &without}) {
     const BodyId rests = pool->add({-1, -1}, {1, 1}, {});
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_floe_wakes_where_the_sheet_breaks) {
   pool.sleep.wake_within(pool.world, pool.floes, {-3, 0}, 2.5);
   BOOST_TEST(!pool.world.is_settled(near));
   BOOST_TEST(pool.world.is_settled(far));
-  BOOST_TEST(pool.floes.floes().at(near).kept_drag.left == 0.0);  // that of its rest is forgotten
+  BOOST_TEST(pool.floes.floes().at(near).kept_drag.left == 0.0);  // its drag at rest is forgotten
   BOOST_TEST(pool.floes.floes().at(far).kept_drag.left > 0.0);
 }
 

@@ -165,7 +165,7 @@ struct Spoilt {
       return says(reason)(error) && says("step 251 failed, from t = 2.5 s")(error) && says(file)(error);
     };
     BOOST_CHECK_EXCEPTION(simulation::run(resolved, options), RunError, keep);
-    // What is left behind is the state before the step, and repeats it.
+    // The checkpoint left behind is the state before the step. A run from it repeats the error.
     BOOST_TEST((io::read_checkpoint(file) == spoilt));
     BOOST_CHECK_EXCEPTION(simulation::run(resolved, options), RunError, says(first));
   }

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(every_part_of_the_key_counts) {
 }
 
 BOOST_AUTO_TEST_CASE(many_neighbouring_keys_give_distinct_uniform_and_uncorrelated_streams) {
-  // More streams than 31-bit seeds can keep apart: with those about 4.7 pairs of 143 000 would coincide.
+  // More streams than 31-bit seeds can keep apart: with such seeds about 4.7 pairs of 143 000 would coincide.
   constexpr int kStreams = 143000;
   std::vector<std::pair<double, double>> starts;
   starts.reserve(kStreams);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads samples as JSON from stdin and prints what the statistics room makes of them, for scipy_check.py to compare.
+// Reads samples as JSON from stdin and prints the results of the statistics room, for scipy_check.py to compare.
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <vector>

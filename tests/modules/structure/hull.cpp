@@ -33,7 +33,7 @@ const structure::Frustum& box() {
   return made;
 }
 
-/// The attitude after a turn about y that lifts what is ahead.
+/// The attitude after a turn about y that lifts the bow.
 Pose pitched(double angle, Vec3 position = {}) {
   return {position, {std::cos(0.5 * angle), 0, -std::sin(0.5 * angle), 0}};
 }

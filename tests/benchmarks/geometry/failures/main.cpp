@@ -90,7 +90,7 @@ Loops kernel_difference(const std::vector<geometry::Polygon>& ice, const geometr
 const Registration kKernel("this one", kernel_difference);
 
 void run_corpus() {
-  // Sheets of a few grid units lose percents to any rounding: they show what a kernel does there, not how well.
+  // Sheets of a few grid units lose percents to any rounding. They show the behaviour of a kernel, not its accuracy.
   constexpr double kSmall = 1e-6;  // [m2]
   Tally tally("Named corpus, sheets of metres");
   Tally small("Named corpus, sheets of grid units");
