@@ -12,8 +12,8 @@
 namespace brash::hydrodynamics {
 namespace {
 
-/// What a plane of a neighbour leaves at a point, 1/2 - distance / gap, linear in the point; body frame. A neighbour
-/// holds the least of its ramps, between 0 and 1.
+/// The share that a plane of a neighbour leaves at a point, 1/2 - distance / gap, linear in the point; body frame. A
+/// neighbour holds the least of its ramps, between 0 and 1.
 struct Ramp {
   double at;
   Vec3 slope;

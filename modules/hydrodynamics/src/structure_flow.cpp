@@ -13,8 +13,8 @@ namespace {
 /// sphere's series is as good.
 constexpr double kNearlySphere = 1e-3;
 
-/// The integral of ds / ((R^2 + s)^2 sqrt(H^2 + s)) from lambda on, with q^2 = H^2 + lambda and e = R^2 - H^2: that of
-/// 2 dq / (q^2 + e)^2 from q on.
+/// The integral of ds / ((R^2 + s)^2 sqrt(H^2 + s)) from lambda on, with q^2 = H^2 + lambda and e = R^2 - H^2. It
+/// equals the integral of 2 dq / (q^2 + e)^2 from q on.
 double alpha(double q, double e) {
   const double ratio = e / (q * q);
   if (std::abs(ratio) < kNearlySphere) return (2.0 / 3.0 - ratio * (0.8 - ratio * 6.0 / 7.0)) / (q * q * q);

@@ -95,7 +95,7 @@ std::vector<geometry::Polygon> Field::outlines() const {
   return all;
 }
 
-/// Cuts a plate and books what it loses; where the pieces go is still to be booked.
+/// Cuts a plate and books its loss; where the pieces go is still to be booked.
 geometry::Cut Field::cut(Plate& plate, std::span<const geometry::Point> region,
                          std::span<const geometry::Crack> cracks) {
   const geometry::ExactArea before = plate.area();
@@ -117,7 +117,7 @@ geometry::Extent Field::crush(Plate& plate, std::span<const geometry::Point> sec
   return crushed.changed;
 }
 
-/// What is left of a piece outside `structure`; the rest is crushed.
+/// The part of a piece outside `structure`; the rest is crushed.
 std::vector<geometry::Polygon> Field::carve(Plate piece, std::span<const geometry::Ring> structure) {
   for (const geometry::Ring& outline : structure) {
     const geometry::Cut crushed = piece.sheet().cut(outline);

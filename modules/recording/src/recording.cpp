@@ -90,7 +90,7 @@ void write_run(const std::string& directory, const Inputs& inputs, const simulat
 }
 
 void remove_results(const std::string& directory) {
-  // What vouches for the others first.
+  // The files that vouch for the others go first.
   for (const char* const name : {"manifest.json", "summary.json", "run.nc", "history.csv", "events.csv"})
     std::filesystem::remove(std::filesystem::path(directory) / name);
 }

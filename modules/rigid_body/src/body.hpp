@@ -28,7 +28,7 @@ struct Part {
   PlacedPart now;
 };
 
-/// An axis-aligned box in the world [m]; that of nothing holds no point.
+/// An axis-aligned box in the world [m]; the default box is empty.
 struct Box {
   Vec3 lower{kFar, kFar, kFar};
   Vec3 upper{-kFar, -kFar, -kFar};
@@ -40,7 +40,7 @@ struct Box {
 bool within_reach(const Box& a, const Box& b, double reach);
 inline Box box(const Part& part) { return {part.now.lower, part.now.upper}; }
 
-/// A floe, a structure or a prism of the sheet, and what Bullet knows of it.
+/// A floe, a structure or a prism of the sheet, and its objects in Bullet.
 struct Body {
   BodyId id;
   BodyKind kind = BodyKind::kFloe;
@@ -71,14 +71,14 @@ struct Body {
   bool add_part(ConvexPart solid, double margin);
   /// Makes Bullet's body. Its hulls are inset by `margin` [m], which Bullet adds again.
   void make_bullet_body(double margin);
-  /// A floe is fixed where it is, or let go; either way it is at rest.
+  /// A floe is fixed where it is, or released; either way it is at rest.
   void set_settled(bool value);
   /// Brings the parts and Bullet's body to the present pose.
   void place();
   double kinetic_energy() const;
 };
 
-/// Pose after moving with `twist` for `dt` [s], Eqs. 9, 10: the rotation is that of the constant angular velocity.
+/// Pose after moving with `twist` for `dt` [s], Eqs. 9, 10: the rotation at constant angular velocity.
 Pose advanced(const Pose& pose, const Twist& twist, double dt);
 
 /// Whether all numbers are finite.

@@ -21,7 +21,7 @@ Body& body_of(const btBroadphaseProxy& proxy) {
 /// Floes come before the bodies that they run into.
 std::pair<bool, int> place(const Body& body) { return {!body.is_floe(), body.rank}; }
 
-/// Parts of `other` within reach of those of `body` are near it.
+/// Parts of `other` within reach of the parts of `body` are near it.
 void collect_near(Body& body, const Body& other, double reach) {
   for (const auto& near : other.parts)
     if (std::ranges::any_of(body.parts, [&](const auto& own) { return within_reach(box(*own), box(*near), reach); }))

@@ -17,7 +17,7 @@
 
 namespace brash::rigid_body {
 
-/// What Bullet's world refers to: there before it and after it.
+/// The objects that Bullet's world refers to: there before it and after it.
 struct BulletParts {
   BulletParts(std::unique_ptr<btCollisionConfiguration> rules, std::unique_ptr<btConstraintSolver> rows)
       : configuration(std::move(rules)), solver(std::move(rows)), dispatcher(configuration.get()) {}
@@ -57,8 +57,8 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   /// Fills Body::near of each of the floes with the parts of other bodies within `reach` [m] of its own.
   void find_near(std::span<const BodyId> floes, double reach);
 
-  /// Boxes are those of the parts, so that pairs are a function of the bodies' states. They reach half the way to the
-  /// neighbours that are asked for.
+  /// A body's box encloses its parts, so that pairs are a function of the bodies' states. It reaches half the way to
+  /// the neighbours that are asked for.
   void updateAabbs() override;
 
  protected:
@@ -69,7 +69,7 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
     btBroadphasePair* pair;
   };
 
-  /// Those that Bullet's broad phase knows now, in the order of the step.
+  /// The pairs that Bullet's broad phase knows now, in the order of the step.
   const std::vector<Pair>& sorted_pairs();
   /// Contacts of this step that were found outside the world.
   const std::vector<GivenContact>& given() const { return given_; }
@@ -88,9 +88,9 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   /// Bullet never puts a body to sleep.
   void updateActivationState(btScalar) override {}
 
-  /// Mean velocities of the step, once the solver has set Bullet's; Body::twist is still that of its start.
+  /// Mean velocities of the step, once the solver has set Bullet's; Body::twist is still the twist at its start.
   void average_velocities();
-  /// Ends the step of a body that moves freely, whose twist is that of its end.
+  /// Ends the step of a body that moves freely. Its twist is already the twist at the end.
   static void finish(Body& body, const Pose& pose);
   /// Ends the step of any other.
   static void move_as_told(Body& body);
@@ -106,7 +106,7 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   WorldSettings settings_;
   std::vector<Body*> by_index_;  ///< of every body there has been; null where it is gone
   std::vector<BodyId> moving_;   ///< floes that are not settled, sorted
-  std::vector<Body*> order_;     ///< that of the last step; empty when bodies came or went since
+  std::vector<Body*> order_;     ///< the order of the last step; empty when bodies came or went since
   double reach_ = 0.0;           ///< of the last search for neighbours [m]
   std::vector<Pair> pairs_;
   std::vector<GivenContact> given_;

@@ -73,7 +73,7 @@ BoundedSolver::Arms BoundedSolver::arms(std::uint32_t first, std::uint32_t secon
   return {a, b, position - a.position, position - b.position};
 }
 
-/// The velocity is that of the bodies.
+/// The velocity comes from the bodies.
 BoundedSolver::Row BoundedSolver::row(const Arms& arms, Vec3 direction) {
   const auto& [first, second, first_arm, second_arm] = arms;
   const Vec3 moment_a = cross(first_arm, direction);

@@ -29,7 +29,7 @@ struct SolverContact {
   Vec3 normal{};                  ///< unit, from the second body into the first
   double friction = 0.0;          ///< [-]
   double restitution = 0.0;       ///< [-]
-  double crushing_impulse = 0.0;  ///< dt sigma_c R [N s/m2]: what a point bears at most per area, Eq. 16; infinite: any
+  double crushing_impulse = 0.0;  ///< dt sigma_c R [N s/m2]: bound of a point per area, Eq. 16; infinite: none
   double parting_speed = 0.0;     ///< at which the positions part [m/s], to take an overlap back; 0: not at all
 };
 
@@ -47,7 +47,7 @@ struct SolverJoint {
   double most = 0.0;         ///< [N s]
 };
 
-/// What a contact point bears.
+/// The impulse of a contact point.
 struct PointImpulse {
   double normal = 0.0;    ///< [N s], >= 0
   Vec3 friction{};        ///< on the first body [N s]
@@ -59,7 +59,7 @@ struct PointImpulse {
 ///
 /// An iteration goes through the joints, then through the normal rows of all points, then through their friction, in
 /// the order in which they were added, and starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)).
-/// There is no warm start: the result is a function of what was added.
+/// There is no warm start: the result is a function of the added bodies, contacts and joints.
 class BoundedSolver {
  public:
   /// A body that never moves, known from the start.
@@ -92,17 +92,17 @@ class BoundedSolver {
   using Spatial = std::array<Pair, 3>;
   using Triple = std::array<double, 3>;
 
-  /// One constraint, an impulse that makes a relative velocity vanish. The relative velocity is that of the first body
-  /// along the row's direction less that of the second. Bodies turn by their spins: angular velocity along each
-  /// principal axis times the root of its moment of inertia [m kg^1/2/s]. An impulse changes the spins by the same
-  /// numbers by which they change the relative velocity.
+  /// One constraint, an impulse that makes a relative velocity vanish. The relative velocity is the velocity of the
+  /// first body along the row's direction less the velocity of the second. Bodies turn by their spins: angular velocity
+  /// along each principal axis times the root of its moment of inertia [m kg^1/2/s]. An impulse changes the spins by
+  /// the same numbers by which they change the relative velocity.
   struct Row {
     Triple turn_a{};        ///< relative velocity per spin of the first body, spin per impulse [kg^-1/2]
     Triple turn_b{};        ///< and of the second
-    double velocity = 0.0;  ///< what is to vanish, before contacts [m/s]
+    double velocity = 0.0;  ///< relative velocity before contacts, which is to vanish [m/s]
     double mass = 0.0;      ///< impulse per relative velocity [kg]
   };
-  /// The points of one contact follow those of the one before.
+  /// The points of a contact follow the points of the contact before.
   struct Contact {
     Vec3 normal{};
     double friction = 0.0;
@@ -125,7 +125,7 @@ class BoundedSolver {
     }
   };
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  /// What a point bears so far, and may bear.
+  /// The impulse of a point so far, and its bound.
   struct Bearing {
     Impulse impulse;
     double bound = std::numeric_limits<double>::infinity();  ///< of the impulse [N s]
@@ -147,7 +147,7 @@ class BoundedSolver {
     std::uint32_t friction = kNone;
     double radius = 0.0;  ///< of the disc [N s]
   };
-  /// What an iteration changes of a body.
+  /// The numbers of a body that an iteration changes.
   struct Moved {
     Spatial velocity{};         ///< velocity and spins, change so far
     double inverse_mass = 0.0;  ///< [1/kg]
@@ -177,11 +177,11 @@ class BoundedSolver {
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
   };
-  /// What a sweep changes.
+  /// How far a sweep starts beyond the last one, and how much it changes.
   struct Sweep {
     double momentum = 0.0;  ///< share of the way from the last sweep but one to the last by which it starts beyond it
     double largest = 0.0;   ///< change of a relative velocity [m/s]
-    double change = 0.0;    ///< sum of changes of impulse, each times that of its relative velocity [J]
+    double change = 0.0;    ///< sum over rows of change of impulse times change of relative velocity [J]
 
     void add(double velocity, double impulse);
   };
@@ -225,8 +225,8 @@ class BoundedSolver {
   std::vector<Moved> moved_;
   std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one
   std::vector<Contact> contacts_;
-  // What an iteration costs is the memory that it goes through. Most points bear nothing, and of those it reads the
-  // normal row alone. Friction is made when they first bear something, one beside the other.
+  // The cost of an iteration is the memory that it goes through. Most points bear nothing; an iteration reads only
+  // their normal rows. A point gets its friction when it first bears something, and frictions lie side by side.
   std::vector<Row> normals_;
   std::vector<std::uint8_t> borne_;  ///< for each point: 1 once it has borne something
   std::vector<Bearing> bearings_;

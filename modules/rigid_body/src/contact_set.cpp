@@ -13,7 +13,7 @@ namespace {
 /// Share of the overlap beyond kKeptOverlap that one step takes back by split impulse, where the ice is not breakable
 /// [-].
 constexpr double kPositionCorrection = 0.2;
-/// Without an overlap there is no contact, and what lies still would begin to fall [m].
+/// Without an overlap there is no contact, and a body at rest on another would begin to fall [m].
 constexpr double kKeptOverlap = 5e-4;
 
 /// The other parts of the part's body.
@@ -50,7 +50,8 @@ void ContactSet::find(const Part& part, Body& second) {
       contacts_.push_back({first_, &second, part.number, narrow_phase_.normal, narrow_phase_.patch, law(second)});
 }
 
-/// What continues the solid of the second part. The parts of the sheet that the first part meets continue each other.
+/// The parts that continue the solid of the second part. The parts of the sheet that the first part meets continue each
+/// other.
 std::span<const Part* const> ContactSet::beside(const Part& part, const Part& of_second) {
   if (of_second.body->kind != BodyKind::kSheet) {
     collect_others(of_second, beside_second_);
@@ -131,7 +132,7 @@ PointImpulse ContactSet::crushed(const Contact& contact, const PatchPoint& point
   return {.normal = normal, .friction = friction, .at_bound = true};
 }
 
-/// What the solver left in a contact point.
+/// The load that the solver left in a contact point.
 ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt) {
   const bool turn = contact.reported_turned();
   const double sign = turn ? -1.0 : 1.0;

@@ -10,7 +10,8 @@
 
 namespace brash::rigid_body {
 
-/// The contacts of one step: found at the present poses, handed to the solver, reported with what it left in them.
+/// The contacts of one step: found at the present poses, handed to the solver, reported with the impulses that it left
+/// in them.
 class ContactSet {
  public:
   explicit ContactSet(const WorldSettings& settings)
@@ -23,7 +24,7 @@ class ContactSet {
   void clear() { contacts_.clear(); }
   /// Contacts of `first`, a floe, come next, until end(). Floes come in the order of the step.
   void begin(Body& first);
-  /// Its box and that of `second` overlap. All these are told before the first of its contacts is found.
+  /// Its box and the box of `second` overlap. All these bodies are told before the first of its contacts is found.
   void meet(const Body& second);
   /// Finds the contacts of the floe with one of those bodies. The two may come either way round, the bodies in the
   /// order of the step.
@@ -62,7 +63,7 @@ class ContactSet {
   }
   void find(const Part& part, Body& second);
   std::span<const Part* const> beside(const Part& part, const Part& of_second);
-  /// What a point bears between bodies that nothing moves, in a step of `dt` [s]: its bound, while they close up.
+  /// The impulse of a point between bodies that nothing moves, in a step of `dt` [s]: its bound, while they close up.
   static PointImpulse crushed(const Contact& contact, const PatchPoint& point, double dt);
   static ContactLoad load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt);
 
@@ -83,7 +84,7 @@ class ContactSet {
 
   ContactLaw ice_structure_;
   ContactLaw ice_ice_;
-  Body ground_;  ///< what bears a given contact without another body
+  Body ground_;  ///< bears a given contact without another body
   NarrowPhase narrow_phase_;
   std::vector<Contact> contacts_;
   std::vector<Listed> listed_;              ///< scratch of report

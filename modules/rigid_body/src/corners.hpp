@@ -25,7 +25,7 @@ class Corners {
 
   /// Room that the heights of all points take.
   std::size_t n_heights() const { return 2 * twos_.size(); }
-  /// Fills `heights` (n_heights() of them, the last perhaps twice) with those of the points over `plane` [m].
+  /// Fills `heights` (n_heights() of them, the last perhaps twice) with the heights of the points over `plane` [m].
   Extent heights_over(const Plane& plane, double* heights) const;
 
  private:

@@ -8,19 +8,19 @@
 
 namespace brash::rigid_body {
 
-/// Finds the ways out of an overlap along which an edge of one part leaves an edge of the other. Scratch space, so that
-/// no call allocates.
+/// Finds the separating axes of an overlap along which an edge of one part leaves an edge of the other. Scratch space,
+/// so that no call allocates.
 ///
-/// The direction of such a way is normal to both edges, and each is the last of its part along it: then it lies
-/// between the normals of the two faces beside the edge, which arcs on the sphere of directions tell without a look at
-/// any other corner (Gregorius, The separating axis test between convex polyhedra, Game Developers Conference, 2013).
-/// With the faces' ways these are all directions in which the Minkowski difference of two convex solids has a face, so
-/// the shortest of them all is the shortest way out. Along that one the edges meet in a point of both: they are no
-/// farther apart than it is long, and pairs that are need no look.
+/// Such an axis is normal to both edges, and each edge is the last of its part along it. Then the axis lies between the
+/// normals of the two faces beside the edge. Arcs on the sphere of directions tell this without a look at any other
+/// corner (Gregorius, The separating axis test between convex polyhedra, Game Developers Conference, 2013). With the
+/// axes of the faces these are all directions in which the Minkowski difference of two convex solids has a face. So the
+/// axis of least depth among them has the least depth of all. Along that axis the edges meet in a point of both: their
+/// distance is at most its depth, and edges farther apart need no look.
 class EdgeWays {
  public:
-  /// Those from b into a shorter than `limit` [m], shortest first, of edges no farther apart than that; `overlap` has
-  /// just found the overlap of a and b.
+  /// The axes from b into a with a depth below `limit` [m], least depth first, of edges no farther apart than `limit`;
+  /// `overlap` has just found the overlap of a and b.
   std::span<const WayOut> find(const OverlapFinder& overlap, const PlacedPart& a, const PlacedPart& b, double limit);
 
  private:

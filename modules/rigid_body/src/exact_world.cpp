@@ -29,7 +29,7 @@ SolverBody to_solver(const Body& body) {
           .axes = {axis(0), axis(1), axis(2)}};
 }
 
-/// Finds the exact overlaps of two bodies. No manifold: what a step finds is gone with it.
+/// Finds the exact overlaps of two bodies. No manifold: a step's overlaps are gone with it.
 class OverlapAlgorithm final : public btCollisionAlgorithm {
  public:
   OverlapAlgorithm(const btCollisionAlgorithmConstructionInfo& info, ContactSet& contacts)
@@ -83,8 +83,8 @@ class ExactWorld::Rules final : public btDefaultCollisionConfiguration {
   OverlapAlgorithm::CreateFunc overlaps;
 };
 
-/// The bounded solver as Bullet calls one: once for all bodies together, and once more for what islands have left,
-/// which is nothing.
+/// The bounded solver as Bullet calls one: once for all bodies together, and once more for the rows that islands have
+/// left, which are none.
 class ExactWorld::Rows final : public btConstraintSolver {
  public:
   btScalar solveGroup(btCollisionObject**, int n_bodies, btPersistentManifold**, int, btTypedConstraint** constraints,

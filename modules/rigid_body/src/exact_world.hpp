@@ -14,7 +14,7 @@ class ExactWorld final : public BodyWorld {
  public:
   explicit ExactWorld(const WorldSettings& settings);
 
-  /// Settled floes that are run into are let go first, so that they take the blow as what they are.
+  /// Settled floes that are run into are released first, so that they take the blow as free floes.
   void performDiscreteCollisionDetection() override;
 
  private:

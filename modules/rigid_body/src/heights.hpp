@@ -42,7 +42,7 @@ class Heights {
 /// For each vertex the planes that it lies beyond: one bit for each.
 class Beyond {
  public:
-  /// Those of which a vertex is more than `reach` [m] above.
+  /// Sets the bits of the planes that a vertex is more than `reach` [m] above.
   void assign(const Heights& heights, double reach) {
     n_words_ = (heights.n_planes() + kBits - 1) / kBits;
     const std::size_t stride = stride_ = heights.stride();

@@ -12,7 +12,7 @@
 
 namespace brash::rigid_body {
 
-/// The links of a world: Bullet's point-to-point constraints, and what they bore in the last step.
+/// The links of a world: Bullet's point-to-point constraints, and their loads in the last step.
 class Links {
  public:
   explicit Links(btDiscreteDynamicsWorld& world) : world_(&world) {}

@@ -7,11 +7,11 @@
 namespace brash::rigid_body {
 namespace {
 
-/// A way out over edges counts only where it is shorter than that through the best face by more than this share: an
-/// edge of one part that lies all but in a face of the other must not tilt the normal of a face contact.
+/// A separating axis of two edges counts only if its depth is below the depth of the best face by more than this share.
+/// An edge of one part that lies all but in a face of the other must not tilt the normal of a face contact.
 constexpr double kShorter = 1e-6;
 
-/// How far beyond a surface one looks for what continues there [m]: many times the gap that rounding leaves between
+/// How far beyond a surface the search for a continuing part looks [m]: many times the gap that rounding leaves between
 /// parts of one solid (1e-9), far below any part.
 constexpr double kBeyond = 1e-6;
 
@@ -41,8 +41,8 @@ bool leads_on(const Overlap& overlap, Vec3 normal, std::span<const Part* const> 
 
 }  // namespace
 
-/// The shortest way out through a face that is a surface of its body. Where there is none (deep inside a solid of many
-/// parts), the shortest through any.
+/// The separating axis of least depth through a face that is a surface of its body. If there is none (deep inside a
+/// solid of many parts), the axis of least depth through any face.
 WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
   const auto shorter = [](const WayOut& a, const WayOut& b) { return a.depth < b.depth; };
   const WayOut shortest = *std::min_element(overlap.ways.begin(), overlap.ways.end(), shorter);
@@ -57,7 +57,7 @@ WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
   return shortest;
 }
 
-/// The direction of the shortest way out of the overlap that ends at a surface: through a face of either part or from
+/// The direction of the separating axis of least depth that ends at a surface: through a face of either part or from
 /// edge to edge.
 Vec3 NarrowPhase::direction(const PartPair& pair, const Overlap& overlap, const Beside& beside) {
   const WayOut face = best_face(overlap, beside);

@@ -21,9 +21,8 @@ class NarrowPhase {
  public:
   /// Whether the parts overlap; then `normal` and `patch` describe how.
   ///
-  /// @param beside_first   other parts of the first part's body. A way out of the overlap that leads into one of them
-  /// is
-  ///                       none: the face between two parts of one solid is no surface.
+  /// @param beside_first   other parts of the first part's body. An axis that leads into one of them does not
+  ///                       separate: the face between two parts of one solid is no surface.
   /// @param beside_second  likewise for the second; for a part of the sheet, the sheet's other parts near by.
   bool find(const PartPair& pair, std::span<const Part* const> beside_first,
             std::span<const Part* const> beside_second);
@@ -32,7 +31,7 @@ class NarrowPhase {
   Patch patch;
 
  private:
-  /// The parts beside those of the pair.
+  /// The parts beside the two parts of the pair.
   struct Beside {
     std::span<const Part* const> first;
     std::span<const Part* const> second;

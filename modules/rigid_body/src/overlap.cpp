@@ -9,8 +9,8 @@ namespace brash::rigid_body {
 namespace {
 
 /// Corners of a patch nearer to each other than this share of its diameter are one point. Measured on the validation
-/// case: a quarter fewer points, mean load 0.7 % and 99 % quantile 6 % off those of four points throughout, within
-/// the spread of replicates.
+/// case: a quarter fewer points, mean load 0.7 % and 99 % quantile 6 % off the loads with four points throughout,
+/// within the spread of replicates.
 constexpr double kMergeWithin = 0.1;
 
 }  // namespace
@@ -31,8 +31,8 @@ PlacedPart placed(const ConvexPart& part, const Pose& pose) {
   return result;
 }
 
-/// Heights of `part` over the planes of `other`, and the ways out through them, their normals times `outwards`; false
-/// when a plane parts the two.
+/// Heights of `part` over the planes of `other`, and the separating axes through them, their normals times `outwards`;
+/// false when a plane parts the two.
 bool OverlapFinder::find_ways(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights) {
   heights.reset(part.corners, other.planes.size());
   for (const Plane& plane : other.planes) {

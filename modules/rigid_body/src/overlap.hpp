@@ -54,9 +54,9 @@ struct Patch {
 /// Scratch space, so that no call allocates.
 class OverlapFinder {
  public:
-  /// The corners are those of either part that lie in the other, and where an edge of one passes a face of the other.
-  /// Only planes that pass through the other part cut its edges, so a hull of many facets costs one height per facet
-  /// and vertex.
+  /// The overlap's corners are the corners of either part inside the other part, and the points where an edge of one
+  /// part passes a face of the other. Only planes that pass through the other part cut its edges, so a hull of many
+  /// facets costs one height per facet and vertex.
   const Overlap& find(const PlacedPart& a, const PlacedPart& b);
   /// Of the last overlap: a's vertices over planes of b, and b's over planes of a.
   const Heights& heights_of_a() const { return of_a_; }

@@ -29,14 +29,14 @@ btVector3 friction_impulse(const btManifoldPoint& p) {
 
 }  // namespace
 
-/// Bullet's solver with an upper limit on the rows of contacts and softness in those of springs.
+/// Bullet's solver with an upper limit on the rows of contacts and softness in the rows of springs.
 class StockWorld::Rows final : public btSequentialImpulseConstraintSolver {
  public:
   StockWorld* world = nullptr;
 
  private:
   void convertContacts(btPersistentManifold**, int n_manifolds, const btContactSolverInfo& info) override {
-    if (n_manifolds == 0) return;  // the call for what islands have left
+    if (n_manifolds == 0) return;  // the call for the manifolds that islands have left
     // Bullet's kernel for contacts looks at the lower limit only, and each change of mode brings it back.
     setConstraintRowSolverLowerLimit(getScalarConstraintRowSolverGeneric());
     world->bounds_.clear();

@@ -27,7 +27,7 @@ class StockWorld final : public BodyWorld {
 
   double least_margin() const override;
   double hull_margin() const override { return settings().collision_margin; }
-  /// Those that touch, in an order that depends on the bodies' states as far as Bullet allows.
+  /// The manifolds that touch, in an order that depends on the bodies' states as far as Bullet allows.
   const std::vector<btPersistentManifold*>& sorted_manifolds();
   bool let_go_those_hit();
   /// Sets the law of a manifold's points and finds their bounds.

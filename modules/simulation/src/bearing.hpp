@@ -8,7 +8,7 @@
 
 namespace brash::simulation {
 
-/// What a floe presses on the edge of the sheet: sums over its contacts there, averaged over its collision time. All
+/// The load of a floe on the edge of the sheet: sums over its contacts there, averaged over its collision time. All
 /// moments are of the in-plane sizes of the normal forces.
 struct Bearing {
   Vec3 force{};                    ///< on the sheet, friction included [N]

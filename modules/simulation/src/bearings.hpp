@@ -12,7 +12,7 @@
 
 namespace brash::simulation {
 
-/// What floes that are awake press on the edges of level ice, each averaged over its floe's collision time.
+/// The loads of awake floes on the edges of level ice, each averaged over its floe's collision time.
 class Bearings {
  public:
   /// The floe's body, and the number of the level ice.

@@ -20,7 +20,7 @@ namespace {
 struct Course {
   double speed = 0.0;       ///< [m/s]
   double start = 0.0;       ///< x of its axis at t = 0 [m]
-  double bow = 0.0;         ///< x of what meets the ice first, at t = 0 [m]
+  double bow = 0.0;         ///< x of the foremost point of the structure, at t = 0 [m]
   double half_width = 0.0;  ///< where it meets the ice [m]
 
   double front(double time) const { return bow + speed * time; }
@@ -114,8 +114,8 @@ void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnin
     warnings.push_back({"long-step", fmt::format("time.step = {} s is longer than the collision time {:.3g} s of a "
                                                  "piece of {:.2g} m2 (Eq. 11): shorten it",
                                                  c.time.step, scales.collision_time, piece)});
-  // A floe between the structure and what holds it comes nearer to its crushing bound by about m v a sweep
-  // (docs/theory/dynamics.md, "What this leaves out").
+  // When the structure squeezes a floe against a support, each sweep adds about m v to the impulse
+  // (docs/theory/dynamics.md, "Squeezed floes"). The floe needs `sweeps` of them to reach its bound.
   const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * piece;
   const double bound =
       c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * c.ice.thickness * std::sqrt(piece);

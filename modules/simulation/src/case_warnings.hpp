@@ -12,7 +12,7 @@ namespace brash::simulation {
 
 using Warnings = std::vector<model::Warning>;
 
-/// Properties outside what has been measured of ice, with the unit that was probably meant.
+/// Properties outside the measured ranges of ice, with the unit that was probably meant.
 void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
 
 /// A structure that does not reach the ice, leaves it, or passes near its borders, which are fixed and rigid.

@@ -18,7 +18,7 @@ ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkp
   return {resolved.field, ice_properties(resolved), checkpoint};
 }
 
-/// What the motion of the structure depends on, a column each.
+/// The state of the structure's motion, a column for each number.
 model::Table saved_motion(const structure::Motion& motion) {
   structure::Numbers numbers;
   motion.save(numbers);

@@ -47,7 +47,7 @@ Foot nearest(const std::vector<Vec2>& line, Vec2 point) {
   return best;
 }
 
-/// Drops what lies before the outermost point of each arm: beyond it the edge is taken to go on sideways.
+/// Drops the part of each arm beyond its outermost point: from there the edge is taken to go on sideways.
 void end_sideways(std::vector<Vec2>& outline, std::size_t contact) {
   const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
   const auto tip = outline.begin() + static_cast<std::ptrdiff_t>(contact);

@@ -33,7 +33,7 @@ struct EdgeContact {
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
 };
 
-/// What the edge contacts depend on besides the sheet.
+/// The inputs of the edge contacts besides the sheet.
 struct EdgeModel {
   const structure::Hull& hull;
   const model::Case& resolved;
@@ -65,8 +65,8 @@ std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose
 /// All contacts of the structure with the sheet, each fitted, loaded and assessed.
 ///
 /// Crushing: F_n = sigma_c A R (Eq. 15). A is the area of the structure's surface inside the ice: the overlap in plan
-/// over cos(slope), or the overlap itself for `contact.area = "projected"`. Slope and direction of breaking are those
-/// of the surface at the contact, the heading is that of the structure's velocity there.
+/// over cos(slope), or the overlap itself for `contact.area = "projected"`. The surface at the contact gives the slope
+/// and the direction of breaking. The structure's velocity there gives the heading.
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
                                        const structure::State& state);
 
@@ -79,8 +79,8 @@ std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact
 /// The edge under a floe that presses on it, assessed by the same criterion; nothing where it hardly presses.
 ///
 /// The mean forces are taken as the line load of the failure model: N along the floe's thrust, f across it, |P| the
-/// vertical part. Its length c is that of an even load with the same second moment about its middle, at least h: plate
-/// theory says nothing of less. docs/theory/simulation.md, (S1).
+/// vertical part. Its length c is the length of an even load with the same second moment about its middle. It is at
+/// least h: plate theory says nothing of less. docs/theory/simulation.md, (S1).
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
                                            const Bearing& bearing);
 

@@ -10,9 +10,9 @@
 
 namespace brash::simulation {
 
-/// What cannot be negative in a step [J] (docs/theory/dynamics.md, (E4)).
+/// Energies taken in a step, which cannot be negative [J] (docs/theory/dynamics.md, (E4)).
 struct Taken {
-  double contacts = 0.0;  ///< by all contacts, from what the loads left
+  double contacts = 0.0;  ///< by all contacts, from the energy that the loads left
   double water = 0.0;     ///< by drag and skin friction at the velocities that they were made for; in water at rest
 };
 
@@ -25,7 +25,7 @@ class EnergyLedger {
   void book_structure(const Wrench& edge, const Wrench& floes, const Twist& passage);
 
   /// Contacts and water in the world's last step, `dt` [s] long. Floes from id `first_newborn` on were born before it.
-  /// Afterwards received() is what the step gave each moving floe.
+  /// Afterwards received() holds the energy that the step gave each moving floe.
   void book_step(const rigid_body::World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt);
 
   /// The floe `body` is about to be deleted.

@@ -21,7 +21,7 @@
 
 namespace brash::simulation {
 
-/// How near a floe is to rest, and what would end it.
+/// How near a floe is to rest, and the push that would wake it.
 struct Rest {
   double slow_for = 0.0;  ///< it has been slower than time.settle_speed for so long [s]
   bool asleep = false;    ///< it is fixed where it is
@@ -35,7 +35,7 @@ struct Rest {
   }
 };
 
-/// A plate afloat, and what each stage of a step knows of it.
+/// A plate afloat, with the data that each stage of a step keeps of it.
 struct Floe {
   std::int64_t id = 0;
   ice::Plate plate;  ///< in the frame of the level ice that it broke off
@@ -52,10 +52,10 @@ struct Floe {
   std::array<double, 6> dipole{};  ///< of the last step: sum of arm x force, symmetric part, as MeanStress::now [N m]
   Rest rest{};
   double asleep_height = 0.0;  ///< potential energy against floating at rest while it is asleep [J]
-  /// Where it was last asked what the floe displaces, and that.
+  /// Cache: the last pose at which the displacement was asked for, and the displacement there.
   mutable std::optional<std::pair<Pose, hydrodynamics::Displacement>> wet{};
 
-  /// What does not follow from its plate.
+  /// The members that do not follow from its plate.
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit("id", "1", "floe_id of the floe", self.id);
@@ -65,7 +65,7 @@ struct Floe {
   }
 };
 
-/// What `floe` displaces at `pose`.
+/// The displacement of `floe` at `pose`.
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose);
 
 /// Weight of a step of `dt` [s] in means over the floe's collision time [-].

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs outside what has been measured of ice: most often a wrong unit.
+// Inputs outside the measured ranges of ice: most often a wrong unit.
 #include <fmt/format.h>
 
 #include <array>

@@ -26,7 +26,7 @@ struct FloePush {
   }
 };
 
-/// Mean forces between floes that touch, for what puts floes to sleep and wakes them (docs/theory/simulation.md, (S2)).
+/// Mean forces between floes that touch. They decide which floes sleep and wake (docs/theory/simulation.md, (S2)).
 /// Nothing is known of a pair while both are asleep: it keeps the mean that it had, and costs a step nothing.
 class MeanPushes {
  public:
@@ -44,7 +44,7 @@ class MeanPushes {
   /// A floe has woken.
   void wake(BodyId floe);
 
-  /// Takes a floe out, and tells the changes for those that it pushed.
+  /// Takes a floe out, and tells the changes for the floes that it pushed.
   void forget(BodyId floe, const Tell& tell);
 
   /// The mean force of the second floe of each pair on the first [N].

@@ -79,7 +79,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// What a run counts that its results do not hold.
+/// The counts of a run that its results do not hold.
 struct Counts {
   RunSummary summary;
 
@@ -97,7 +97,7 @@ struct Counts {
   }
 };
 
-/// A simulation with what has been recorded and counted of it: all that a checkpoint holds.
+/// A simulation with its records and counts: all that a checkpoint holds.
 struct Progress {
   Simulation simulation;
   Recorder recorder;
@@ -160,7 +160,7 @@ void count(RunSummary& counts, const StepReport& report) {
 }
 
 /// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
-/// it to the bit. @return what to say of it.
+/// it to the bit. @return the lines about it for the error message.
 std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
                             std::int64_t n_steps) {
   if (!options.checkpoint.keep) return {};

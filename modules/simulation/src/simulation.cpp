@@ -148,8 +148,8 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
 
 /// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
 /// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
-/// above already: the step is then left whole. What the trailing outlines then cover is crushed, so the contacts are
-/// those of the state that is reached, however short or long the step.
+/// above already: the step is then left whole. The trailing outlines then crush the ice that they cover. So the
+/// contacts belong to the state that is reached, however short or long the step.
 std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
   const auto contacts_after = [&](double part) { return contacts_at(motion->after(part)); };
@@ -325,7 +325,7 @@ void Simulation::Impl::fall_asleep_or_wake() {
   energy.book_fallen_asleep(sleep.update(world, floes, astern()));
 }
 
-/// Contact forces averaged over each floe's collision time: its stress, and what it presses on level ice.
+/// Contact forces averaged over each floe's collision time: its stress, and its load on level ice.
 void Simulation::Impl::average_contacts() {
   const StageTimer::Scope clock(timer, times.loads);
   const double dt = resolved.time.step;
@@ -354,8 +354,8 @@ void Simulation::Impl::watch(const StepReport& report) {
   watchdog.look({world, floes, energy, field.ledger(), report.loads, energy.taken(), motion->now().twist});
 }
 
-// A step goes through these stages, each a function of the state that the one before it left. What happens in a step
-// happens at its end.
+// A step goes through these stages, each a function of the state that the one before it left. All events of a step
+// happen at its end.
 //
 //  1. The structure moves. Contacts with level ice: crushing, wedges, failures, cracks. Eqs. 15, 17 to 19
 //  2. Water loads the floes: weight, buoyancy, drag. Eqs. 13, 14
@@ -363,7 +363,7 @@ void Simulation::Impl::watch(const StepReport& report) {
 //  4. Loads on the structure, impulse / dt by cause, and the energies.
 //  5. The watchdog looks at floes and accounts.
 //  6. Slow floes fall asleep, pushed ones wake.
-//  7. Contact forces are averaged: stress of the floes, and what they press on level ice in the next step.
+//  7. Contact forces are averaged: stress of the floes, and their loads on level ice in the next step.
 //  8. Floes with more stress than sigma_c leave.
 //  9. The structure bears the load in its next motion.
 StepReport Simulation::Impl::step() {
@@ -415,7 +415,8 @@ model::Frame Simulation::frame() const {
     forces.emplace_back(contact.body, contact.normal_force);
     forces.emplace_back(contact.other, contact.normal_force);
   }
-  // Summed in the order of their sizes: that of the contacts names tiles of the sheet, which a resumed run lays again.
+  // Summed in the order of their sizes: the order of the contacts names tiles of the sheet, which a resumed run lays
+  // again.
   std::ranges::sort(forces);
   for (const auto& [body, floe] : impl_->floes.floes()) {
     double sum = 0.0;

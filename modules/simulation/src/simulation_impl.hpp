@@ -20,7 +20,7 @@
 
 namespace brash::simulation {
 
-/// What came of a break.
+/// The result of a break.
 struct Break {
   int n_wedges = 0;
   std::vector<model::FloeRecord> births;
@@ -63,7 +63,7 @@ struct Simulation::Impl {
   EdgeModel edge_model(const ice::Plate& plate) const;
 
   void initial_crack();
-  /// The state as it is becomes what the watchdog starts from.
+  /// The watchdog starts from the present state.
   void begin_watch();
 
   StepReport step();

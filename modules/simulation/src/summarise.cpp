@@ -15,7 +15,7 @@
 namespace brash::simulation {
 namespace {
 
-/// Of what nothing is there to tell from; null in JSON.
+/// Value of a quantity without data; null in JSON.
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 5> kQuantiles{0.05, 0.25, 0.5, 0.75, 0.95};
 

@@ -23,7 +23,7 @@ constexpr double kLeft = 1e-6;
 Watchdog::Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hull)
     : case_(&resolved), hull_(hull), most_lift_(std::max(1.0, resolved.water.density / resolved.ice.density - 1.0)) {}
 
-/// A floe's own speeds are those of the structure, of its rise in the water and of the current.
+/// A floe's own speeds come from the structure, its rise in the water and the current.
 void Watchdog::see_structure(const Twist& twist) {
   const double size = norm(hull_.second - hull_.first);
   const double speed = norm(twist.linear) + norm(twist.angular) * size;
@@ -84,7 +84,7 @@ double Watchdog::impulses(const rigid_body::World& world) const {
 }
 
 /// Contacts take energy, and so does water at rest. With restitution the impacts of several points at once may give
-/// some (docs/theory/dynamics.md, (E4)); the bound is then that of the balance, far wider than what was seen.
+/// some (docs/theory/dynamics.md, (E4)); the bound is then the bound of the balance, far wider than any energy seen.
 void Watchdog::look_at_losses(const Watched& now) const {
   const double rounding = kRounding * (1.0 + now.row.kinetic_energy);
   const double given =
@@ -95,7 +95,7 @@ void Watchdog::look_at_losses(const Watched& now) const {
   if (still && !(water >= -rounding)) throw RunError(fmt::format("drag gave the floes {:.6g} J in this step", -water));
 }
 
-/// Both ledgers close: of area to the last unit, of energy to what the time step leaves open.
+/// Both ledgers close: the ledger of area to the last unit, the ledger of energy to the error of the time step.
 void Watchdog::look_at_balance(const Watched& now) const {
   if (!now.area.closes())
     throw RunError("the ledger does not close: " + now.area.missing().to_string() + " m2 are missing");

@@ -19,7 +19,7 @@ struct Watched {
   const FloePopulation& floes;
   const EnergyLedger& energy;
   const geometry::Ledger& area;
-  const model::LoadRow& row;  ///< what the step reports
+  const model::LoadRow& row;  ///< the load row of the step
   Taken taken;
   Twist structure;  ///< the structure's motion in the step
 };
@@ -31,15 +31,15 @@ class Watchdog {
   /// @param hull  the structure's least and largest coordinates, its frame [m].
   Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hull);
 
-  /// Takes the state before the first step, or that of a checkpoint, as the start.
+  /// Takes the state before the first step, or the state of a checkpoint, as the start.
   void begin(const Watched& start);
   /// @throws RunError naming the floe or the account and the numbers that do not fit.
   void look(const Watched& now);
 
  private:
-  /// What the integration in time may leave open of the energy of floes of this weight [N], in J: dt F (u' - u) / 2 of
-  /// what is constant in F adds up to no more than half of it along one step's travel (docs/theory/dynamics.md,
-  /// Energy); F is the weight, or the lift under water where that is more.
+  /// Largest error that the integration in time may leave in the energy of floes of this weight [N], in J. The constant
+  /// part of F gives dt F (u' - u) / 2 a step. These add up to no more than half the work of F along one step's travel
+  /// (docs/theory/dynamics.md, Energy). F is the weight, or the lift under water where the lift is more.
   double allowance(double weight) const { return 0.5 * most_lift_ * weight * travel_; }
   void see_structure(const Twist& twist);
   double impulses(const rigid_body::World& world) const;

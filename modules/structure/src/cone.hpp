@@ -6,7 +6,7 @@
 namespace brash::structure {
 
 /// A round cone: the paper's structure (Table 1, Fig. 9). Its faceted frustum stands for it in contacts, and where it
-/// heels; upright its slope and what it displaces are those of the round cone.
+/// heels; upright it has the slope and the displacement of the round cone.
 class Cone final : public Frustum {
  public:
   explicit Cone(const model::Cone& cone);

@@ -23,7 +23,7 @@ std::vector<Vec3> below_water(const std::array<Vec3, 3>& triangle) {
 }  // namespace
 
 /// Sums over tetrahedra from a point of the water's surface, so that the waterplane adds nothing. The plan areas of a
-/// closed surface add up to none, so those of its wet part are the waterplane's with the sign changed.
+/// closed surface add up to none, so the plan areas of its wet part are the waterplane's with the sign changed.
 Displacement displacement_of(const TriangleMesh& mesh, const std::vector<Vec3>& world) {
   const Vec3 apex{world.front().x, world.front().y, 0.0};
   double volume = 0.0, area = 0.0;

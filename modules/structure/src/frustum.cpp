@@ -102,8 +102,8 @@ Outline Frustum::section(const std::vector<Vec3>& world, double z) const {
   return convex_hull(std::move(points));
 }
 
-/// The union of a convex body's sections is the plan of the slab between the heights. What is in the lowest and in the
-/// highest section is in all of them.
+/// The union of a convex body's sections is the plan of the slab between the heights. A point in both the lowest and
+/// the highest section is in all of them.
 Footprint Frustum::footprint(const Pose& pose, double bottom, double top) const {
   const std::vector<Vec3> world = in_world(vertices_, pose);
   const Outline lower = section(world, bottom), upper = section(world, top);

@@ -36,7 +36,7 @@ class Frustum : public Hull {
 /// The surface with the outward normal `normal`, unit, world frame.
 Surface surface_with(Vec3 normal);
 
-/// What the part of a closed mesh below z = 0 displaces; `world` are its vertices in the world frame [m].
+/// The displacement of the part of a closed mesh below z = 0; `world` are its vertices in the world frame [m].
 Displacement displacement_of(const TriangleMesh& mesh, const std::vector<Vec3>& world);
 
 }  // namespace brash::structure

@@ -5,7 +5,7 @@
 
 namespace brash::hydrodynamics {
 
-/// What moves and holds the floe in a step besides the water.
+/// Time step, inertia and weight of a floe: all that moves and holds it in a step besides the water.
 struct StepInertia {
   double dt = 0.0;              ///< [s]; 0: the drag of this instant
   double mass = 1.0;            ///< with added mass [kg], > 0

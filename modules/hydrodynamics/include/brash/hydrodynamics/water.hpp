@@ -46,7 +46,7 @@ Displacement displacement(const Prism& prism, const Pose& pose);
 /// Velocity of a floe against the water, body frame.
 Twist against_water(const Pose& pose, const Twist& twist, const Water& water);
 
-/// What the water does against a floe's motion; body frame.
+/// The water's resistance to a floe's motion; body frame.
 ///
 /// Both parts are dampers at the velocity V0 relative to the water at which they were taken, and in proportion to it:
 /// at r V0 they are r times as strong (docs/theory/hydrodynamics.md, (H13)).
@@ -92,8 +92,8 @@ struct WaterLoad {
   Wrench skin_friction;  ///< tangential, on wetted faces
 };
 
-/// Buoyancy, and what `drag` makes of the velocity at the end of the step as weight, water and drag alone give it. That
-/// is exact for the decay v' = -c |v| v and for a steady velocity, and it never reverses a motion.
+/// Buoyancy, and the load of `drag` at the velocity at the end of the step as weight, water and drag alone give it.
+/// This is exact for the decay v' = -c |v| v and for a steady velocity, and it never reverses a motion.
 ///
 /// @param wet  displacement of the floe in `pose`.
 /// @param drag  at the velocity of the start of the step.

@@ -11,7 +11,7 @@
 
 namespace brash::ice {
 
-/// What a break made.
+/// The result of a break.
 struct Broken {
   std::vector<Plate> pieces;
   geometry::Extent changed;  ///< around all of the plate that is not as before
@@ -35,7 +35,7 @@ class Field {
   /// Ice of `plate` inside `section` is crushed and leaves. @return around all of it that is not as before.
   geometry::Extent crush(Plate& plate, std::span<const geometry::Point> section);
 
-  /// Breaks ice off `plate` and splits it; what `structure` covers of the pieces is crushed and leaves.
+  /// Breaks ice off `plate` and splits it. The parts of the pieces under `structure` are crushed and leave.
   ///
   /// @param structure      the structure's leading outlines: no piece is born inside the structure.
   /// @param smallest_floe  pieces below this area become brash [m2].

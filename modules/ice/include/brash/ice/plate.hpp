@@ -24,10 +24,11 @@ struct PlatePart {
   }
 };
 
-/// A piece of ice of even thickness that can break: level ice or a floe. What breaks off a plate is a plate again.
+/// A piece of ice of even thickness that can break: level ice or a floe. A piece that breaks off a plate is a plate
+/// again.
 ///
 /// Its outline is exact, in its own frame. Level ice is fast, and its frame is the world's. A floe keeps the frame of
-/// the level ice that it broke off; its body is the business of those who let it float.
+/// the level ice that it broke off; its body is the business of the caller who lets it float.
 class Plate {
  public:
   /// @param level_ice  its number among the field's level ice.
@@ -40,7 +41,7 @@ class Plate {
   int level_ice() const { return level_ice_; }
   Hold hold() const { return hold_; }
   const failure::IceProperties& ice() const { return ice_; }
-  /// What is left of it now.
+  /// The ice that is left of it now.
   std::vector<geometry::Polygon> outline() const;
   geometry::ExactArea area() const;
 

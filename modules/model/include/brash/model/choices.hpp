@@ -29,7 +29,7 @@ enum class ContactArea {
   kSurface,   ///< of the structure's surface inside the ice
   kProjected  ///< of the overlap in plan
 };
-/// [contact] engine: what finds the contacts of the bodies and solves them.
+/// [contact] engine: finds the contacts of the bodies and solves them.
 enum class ContactEngine {
   kBrash,  ///< exact overlaps and a bounded solver, without a history
   kBullet  ///< Bullet as it is, with the crushing bound

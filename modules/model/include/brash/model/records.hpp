@@ -56,11 +56,11 @@ struct LoadRow {
   double kinetic_energy = 0.0;    ///< of all floes [J]
   double potential_energy = 0.0;  ///< of all floes in gravity and buoyancy, against floating at rest [J]
   double work = 0.0;              ///< done by the structure on the ice since the start [J]
-  /// Of floes at their birth, and what they gained in their first step that no load explains, since the start [J].
+  /// Energy of floes at their birth, and their gain in their first step that no load explains, since the start [J].
   double birth_energy = 0.0;
   double removed_energy = 0.0;  ///< kinetic and potential energy of deleted floes since the start [J]
   EnergyLosses losses;
-  /// What the balance lacks: errors of the integration in time since the start; positive where energy vanished [J].
+  /// Residual of the balance: errors of the integration in time since the start; positive where energy vanished [J].
   double energy_error = 0.0;
   /// The ledger in m2, as doubles of the exact areas.
   double area_sheet = 0.0;

@@ -28,7 +28,7 @@ struct Inputs {
   model::Case recorded() const;
 };
 
-/// Reads a case file, and hashes and copies what it names.
+/// Reads a case file, and hashes and copies the files that it names.
 /// @throws InputError as io::read_case, and naming a model file that cannot be read.
 Inputs read_inputs(const std::string& case_file, const std::vector<std::string>& overrides = {},
                    io::ModelFile model_file = io::ModelFile::kInItsFolder);

@@ -18,7 +18,7 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
 /// one. The path of the model is no part of it, so a copied folder resumes anywhere.
 simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs);
 
-/// What is kept of a run: its summary, its load history as well, or all results.
+/// The results of a run that are kept: its summary, its load history as well, or all results.
 enum class Kept { kSummary, kHistory, kRun };
 
 /// Writes run.nc, history.csv, events.csv, summary.json, copies of the inputs and, last, manifest.json into
@@ -29,8 +29,8 @@ enum class Kept { kSummary, kHistory, kRun };
 void write_run(const std::string& directory, const Inputs& inputs, const simulation::Run& run,
                const std::vector<std::string>& pictures = {}, Kept kept = Kept::kRun);
 
-/// Removes from `directory` the results that write_run writes, of an earlier run: none of them may pass for those of
-/// the run that begins.
+/// Removes the results of an earlier write_run from `directory`: none of them may pass for a result of the run that
+/// begins.
 void remove_results(const std::string& directory);
 
 }  // namespace brash::recording

@@ -28,7 +28,7 @@ struct ContactLaw {
   double crushing_pressure = std::numeric_limits<double>::infinity();
 };
 
-/// What finds the contacts and solves them.
+/// The engine that finds the contacts and solves them.
 enum class Engine {
   kBrash,   ///< exact overlaps, a bounded solver, no history: a step is a function of the state
   kBullet,  ///< Bullet as it is: GJK and EPA, persistent manifolds, sequential impulses; the bound is ours
@@ -40,7 +40,7 @@ struct WorldSettings {
   int iterations = 30;  ///< sweeps of sequential impulses a step, at most
   /// [m], > 0; convex parts thinner than twice this have no contact. Bullet's hulls are inset by it and rounded.
   double collision_margin = 0.005;
-  /// A settled floe is let go, before the contact acts, by a floe that comes nearer faster than this [m/s].
+  /// A floe that comes nearer faster than this releases a settled floe, before the contact acts [m/s].
   double release_speed = std::numeric_limits<double>::infinity();
   /// Bullet keeps contact points from step to step: a repeated run gives the same bytes, one from stored states does
   /// not.
@@ -75,7 +75,7 @@ enum class BodyKind { kFloe, kStructure, kSheet };
 struct ContactLoad {
   BodyId body;                            ///< the floe, or as it was given
   BodyId other;                           ///< structure, sheet or another floe, or as it was given
-  BodyKind other_kind = BodyKind::kFloe;  ///< what that is
+  BodyKind other_kind = BodyKind::kFloe;  ///< kind of `other`
   Vec3 point{};                           ///< [m], world
   Vec3 normal{};                          ///< unit, from `other` into `body`
   double normal_force = 0.0;              ///< impulse / dt [N], >= 0
@@ -87,7 +87,7 @@ struct ContactLoad {
   /// force of the step times such a mean is its share of the change of kinetic energy, exactly (dynamics.md, E2).
   Vec3 body_velocity{};
   Vec3 other_velocity{};
-  /// Kinetic energy that the point takes from what loads alone would have left, P . (u* + u') / 2 with the relative
+  /// Kinetic energy that the point takes from the energy after the loads alone, P . (u* + u') / 2 with the relative
   /// velocities before and after the contacts' impulses [J]. All points together give none (dynamics.md, E4).
   double loss = 0.0;
 };
@@ -138,7 +138,7 @@ struct LinkLoad {
   BodyId other = kNoBody;
   Vec3 point{};                 ///< of `body`, at the start of the step [m], world
   Vec3 force{};                 ///< on `body`, impulse / dt [N]
-  Vec3 relative_velocity{};     ///< of the point of `body` to that of `other`, as ContactLoad::body_velocity [m/s]
+  Vec3 relative_velocity{};     ///< of the point of `body` to the point of `other`, as ContactLoad::body_velocity [m/s]
   double gap = 0.0;             ///< between the points, after the step [m]
   double elastic_energy = 0.0;  ///< of a finite stiffness, after the step [J]
   double loss = 0.0;            ///< as ContactLoad::loss [J]
@@ -172,8 +172,9 @@ class World {
   /// A structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
   /// where they are coplanar to 1e-9 of the hull's size.
   ///
-  /// Without `mass` it moves as move_structure() says. With it, loads and contacts move it like a floe; its frame is
-  /// then that of its centre of mass and principal axes. Structures, sheet and settled floes do not meet each other.
+  /// Without `mass` it moves as move_structure() says. With it, loads and contacts move it like a floe; its frame then
+  /// has its origin in the centre of mass and lies along the principal axes. Structures, sheet and settled floes do not
+  /// meet each other.
   BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose,
                        const std::optional<MassProperties>& mass = std::nullopt, const Twist& twist = {});
   /// Its links go with it.
@@ -186,15 +187,15 @@ class World {
   /// Moors a point of a body to a place in the world [m].
   LinkId moor(const Anchor& anchor, Vec3 place, const LinkLaw& law = {});
   void unlink(LinkId id);
-  /// What links bore in the last step, sorted by id.
+  /// The loads of the links in the last step, sorted by id.
   const std::vector<LinkLoad>& links() const;
 
-  /// Fixes a floe where it is, without velocity, or lets it go again. A settled floe takes no loads and costs next to
-  /// nothing; to those that move it is what the sheet is, and contacts with them are reported. A linked floe cannot
-  /// settle. WorldSettings::release_speed ends it too.
+  /// Fixes a floe where it is, without velocity, or releases it. A settled floe takes no loads and costs next to
+  /// nothing. To moving floes it is like the sheet, and contacts with them are reported. A linked floe cannot settle.
+  /// WorldSettings::release_speed ends it too.
   void set_settled(BodyId id, bool settled);
   bool is_settled(BodyId id) const;
-  /// The floes that are not settled, sorted; holds until one comes, goes, settles or is let go.
+  /// The floes that are not settled, sorted; holds until one comes, goes, settles or is released.
   const std::vector<BodyId>& moving() const;
 
   /// Sets where a structure without mass is at the end of the next step and its velocity during it (of its frame's
@@ -209,8 +210,8 @@ class World {
   /// Advances all bodies by `dt` [s].
   void step(double dt);
 
-  /// What contact points bore in the last step, sorted by (body, other, point). Points that touch and bear nothing are
-  /// left out: most are of floes that drift apart.
+  /// The loads of the contact points in the last step, sorted by (body, other, point). Points that touch and bear
+  /// nothing are left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
   /// how far the contacts are from solved is more than that. Bullet does not tell it: 0.
@@ -218,8 +219,8 @@ class World {
 
   using VisitNeighbours = std::function<void(BodyId, std::span<const Solid>)>;
   /// Calls `visit` for each of `floes`, which are not settled, with the convex parts of other bodies whose boxes come
-  /// within `reach` [m] of those of its own, where they are now; in an order that their places give. Ask for one reach:
-  /// the search is made anew for another.
+  /// within `reach` [m] of the boxes of its own parts, where they are now; in an order that their places give. Ask for
+  /// one reach: another reach repeats the search.
   void visit_neighbours(std::span<const BodyId> floes, double reach, const VisitNeighbours& visit);
 
   BodyKind kind(BodyId id) const;
@@ -232,7 +233,7 @@ class World {
   /// Mean of the velocities at the start and the end of the last step; at rest before the first.
   Twist mean_twist(BodyId id) const;
   void set_state(BodyId id, const Pose& pose, const Twist& twist);
-  /// What the loads of the last step alone made of a floe's velocity, before contacts; at rest before the first.
+  /// A floe's velocity after the loads of the last step alone, before contacts; at rest before the first.
   Twist loaded_twist(BodyId id) const;
   /// Kinetic energy of all floes, added mass included [J].
   double kinetic_energy() const;

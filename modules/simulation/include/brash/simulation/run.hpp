@@ -21,7 +21,7 @@ struct LoadSplit {
   double floe_friction = 0.0;
 };
 
-/// The structure's work and where it is at the end of a run [J]; signs and terms are those of model::LoadRow.
+/// The structure's work and where it is at the end of a run [J]; signs and terms as in model::LoadRow.
 struct EnergyBalance {
   double work = 0.0;
   double birth_energy = 0.0;
@@ -33,7 +33,7 @@ struct EnergyBalance {
   double largest_step_error = 0.0;  ///< of all steps, in magnitude
 };
 
-/// What a run amounts to; everything here follows from the case and its seed.
+/// The summary of a run. Everything here follows from the case and its seed.
 struct RunSummary {
   double statistics_from = 0.0;    ///< loads are summarised from here on [s]; after the run's end: not a number
   statistics::Summary horizontal;  ///< resistance Fx [N]
@@ -81,7 +81,7 @@ struct CheckpointStore {
   std::function<std::optional<model::Checkpoint>()> newest{};  ///< to go on from; nothing: start at 0 s
 };
 
-/// What surrounds the loop of a run.
+/// Options around the loop of a run.
 struct RunOptions {
   /// Called once, when the state that the run begins with is there and before its first step.
   std::function<void()> begun{};

@@ -13,7 +13,7 @@ class BendingCriterion;
 
 namespace brash::simulation {
 
-/// Lengths and times that follow from a case, and what a careful reader would ask about it.
+/// Lengths and times that follow from a case, and warnings about the case.
 struct DerivedScales {
   double characteristic_length = 0.0;    ///< l_c, Eq. 18 [m]
   double thickness_over_lc = 0.0;        ///< h / l_c [-]

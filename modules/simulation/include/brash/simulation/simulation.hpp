@@ -22,7 +22,7 @@ struct FloeDeath {
   double peak_stress = 0.0;  ///< over its life [Pa]
 };
 
-/// What one step did.
+/// The report of one step.
 struct StepReport {
   model::LoadRow loads;
   std::vector<model::CrackEvent> events;
@@ -73,7 +73,7 @@ class Simulation {
   ~Simulation();
 
   /// Advances by one time step.
-  /// @throws RunError when what comes out can be no physics; the simulation is then of no further use.
+  /// @throws RunError when the result can be no physics; the simulation is then of no further use.
   [[nodiscard]] StepReport step();
 
   /// All that the next step depends on; `results` is left to the caller.
@@ -89,7 +89,7 @@ class Simulation {
   /// Largest mean compression so far of each floe present, by its id [Pa].
   std::vector<std::pair<std::int64_t, double>> peak_stresses() const;
   const StageTimes& stage_times() const;
-  /// What a careful reader would ask about the case, derived_scales().warnings.
+  /// Warnings about the case, derived_scales().warnings.
   std::vector<model::Warning> warnings() const;
 
  private:

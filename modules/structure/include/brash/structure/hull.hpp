@@ -38,7 +38,7 @@ struct Waterplane {
   Vec2 centre{};        ///< [m]
 };
 
-/// What a hull displaces in still water.
+/// The displacement of a hull in still water.
 struct Displacement {
   double volume = 0.0;  ///< [m3]
   Vec3 centre{};        ///< of buoyancy [m]
@@ -53,13 +53,13 @@ struct TriangleMesh {
 
 /// The closed surface of a structure: an immutable value behind one interface, whatever its shape.
 ///
-/// Its frame is that of the structure: z upwards, the origin on the waterplane, x ahead. Poses place it in the world,
-/// where the water's surface is z = 0.
+/// Its frame is the frame of the structure: z upwards, the origin on the waterplane, x ahead. Poses place it in the
+/// world, where the water's surface is z = 0.
 class Hull {
  public:
   virtual ~Hull() = default;
 
-  /// Convex parts whose union is the hull: what contacts with floes see.
+  /// Convex parts whose union is the hull. Contacts with floes use them.
   virtual std::span<const ConvexPart> parts() const = 0;
 
   /// The plan of the hull between the heights `bottom` and `top` [m], world frame.
@@ -68,10 +68,10 @@ class Hull {
   /// The side of the hull next to `point`, world frame [m]. Horizontal faces, deck and keel, count for nothing.
   virtual Surface surface_at(const Pose& pose, Vec3 point) const = 0;
 
-  /// What the hull displaces where it lies; all zero when it is out of the water.
+  /// The displacement of the hull where it lies; all zero when it is out of the water.
   virtual Displacement displaced(const Pose& pose) const = 0;
 
-  /// What report, ParaView and pictures draw, and nothing else.
+  /// The surface that report, ParaView and pictures draw, and nothing else.
   virtual const TriangleMesh& mesh() const = 0;
 
   /// Least and largest coordinates, hull's frame [m].
