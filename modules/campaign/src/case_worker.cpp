@@ -34,7 +34,7 @@ void remove_if_damaged(const std::string& checkpoint) {
   }
 }
 
-/// Gives the whole results their final name; what another process published before stays.
+/// Gives the whole results their final name; results that another process published before stay.
 void publish(const std::string& partial, const std::string& folder) {
   std::error_code reason;
   fs::rename(partial, folder, reason);

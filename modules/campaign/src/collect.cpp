@@ -166,7 +166,7 @@ std::string summary(const io::CampaignPlan& plan, const std::vector<Row>& rows, 
   return out.dump(2) + "\n";
 }
 
-/// What made the cases: each combination of program and failure model, and how many cases it made.
+/// The origin of the cases: each combination of program and failure model, and how many cases it made.
 Json makers(const Folder& folder, const std::vector<Row>& rows) {
   Json all = Json::array();
   for (const Row& row : rows) {
@@ -175,7 +175,7 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
     const std::string text = read_text(path);
     refuse_deep_json(text, path, "the manifest of a run");
     const Json manifest = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-    // The first input is the setting's file, the second the failure model's. What is not there is null.
+    // The first input is the setting's file, the second the failure model's. An input that is not there is null.
     const auto at = [&](const char* pointer) {
       const Json::json_pointer place(pointer);
       return manifest.contains(place) ? manifest.at(place) : Json();

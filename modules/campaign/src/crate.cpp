@@ -17,7 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Paths of what the crate lists, relative to the folder, in an order that does not depend on the file system.
+/// Paths of the files that the crate lists, relative to the folder, in an order that does not depend on the file
+/// system.
 std::vector<std::string> listed(const fs::path& folder) {
   std::vector<std::string> settings;
   std::vector<std::string> cases;
@@ -62,7 +63,7 @@ std::string newest_start(const fs::path& folder, const std::vector<std::string>&
   return newest;
 }
 
-/// Takes over what the user said of the whole: who made the results, and under which licence they are given.
+/// Takes over the user's statements about the whole: who made the results, and under which licence they are given.
 void keep_users_words(const fs::path& crate, Json& root) {
   const Json earlier = parsed(crate);
   if (!earlier.is_object() || !earlier.contains("@graph") || !earlier["@graph"].is_array()) return;

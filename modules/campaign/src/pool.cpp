@@ -36,8 +36,8 @@ bool is_ignored(int signal) {
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-/// While it lives, the signals that a pool waits for stay pending instead of acting. What the process was started to
-/// ignore, as under nohup, is not waited for.
+/// While it lives, the signals that a pool waits for stay pending instead of acting. A pool does not
+/// wait for signals that the process was started to ignore, as under nohup.
 class HeldSignals {
  public:
   HeldSignals() {
@@ -103,7 +103,7 @@ pid_t start(const Job& job, const sigset_t& mask) {
   for (const std::string& argument : job.command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
   const Attributes attributes(mask);
-  // What an earlier process of the same number left, or a link: never opened.
+  // A file of an earlier process of the same number, or a link, is never opened.
   std::error_code is_not_there;
   fs::remove(job.messages, is_not_there);
   const Streams streams(job.messages);
@@ -159,7 +159,7 @@ class Running {
   std::map<pid_t, Job> jobs_;
 };
 
-/// The end of what a process said, without trailing blanks; the file goes.
+/// The end of the messages of a process, without trailing blanks; removes their file.
 std::string take_last_words(const std::string& file) {
   constexpr std::size_t kMost = 4000;
   std::string text = read_text(file);
@@ -181,7 +181,7 @@ void keep_state(const Job& job, std::string& error) {
     error.replace(at, left.size(), kept);
 }
 
-/// Writes down that a job failed by itself, and removes what it left but for its state.
+/// Writes down that a job failed by itself, and removes its files except its state.
 void record_failure(const Job& job, const Exit& exit, std::string error) {
   keep_state(job, error);
   nlohmann::ordered_json record{{"case", fs::path(job.record).stem().string()}, {"error", error}};

@@ -21,7 +21,7 @@ void refuse_if_in_queue(const std::string& directory) {
       slurm_folder(directory) + "/submitted.json names");
 }
 
-/// A campaign's folder, locked and prepared, and what is in it.
+/// A campaign's folder, locked and prepared, and its content.
 struct Opened {
   explicit Opened(const Campaign& campaign)
       : lock(FolderLock::take_or_refuse(campaign.directory, "campaign.lock")),

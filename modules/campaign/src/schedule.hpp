@@ -13,10 +13,11 @@ namespace brash::campaign {
 /// Whether the interval of the mean of `values` is as narrow as `rule` wants.
 bool is_narrow(const io::StopRule& rule, std::span<const double> values);
 
-/// Which cases a campaign has and how they stand: the grid and, with a stop rule, what the results so far ask for.
+/// Which cases a campaign has and how they stand: the grid and, with a stop rule, the cases that the results so far ask
+/// for.
 class Schedule {
  public:
-  /// Looks at what `folder` holds.
+  /// Looks at the content of `folder`.
   Schedule(const io::CampaignPlan& plan, const Folder& folder);
 
   /// The first case that is missing and was not handed out yet.

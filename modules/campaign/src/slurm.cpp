@@ -28,7 +28,7 @@ constexpr int kMostIdleRounds = 3;
 /// How long a controller may be away before a command to it has failed [s].
 constexpr int kPatience = 120;
 
-/// Runs what it is given: the words of a command come as arguments, so none of them is read by a shell.
+/// Runs its arguments as a command: the words of a command come as arguments, so none of them is read by a shell.
 constexpr const char* kScript = "#!/bin/sh\nexec \"$@\"\n";
 
 /// The number of the Slurm job that this process is part of; "" when it is none.
@@ -73,7 +73,7 @@ std::string sbatch(const SlurmOptions& options, const std::vector<std::string>& 
   return job.substr(0, job.find(';'));
 }
 
-/// An option that sends what a job prints into `folder`; % begins Slurm's own patterns.
+/// An option that sends the output of a job into `folder`; % begins Slurm's own patterns.
 std::string output_option(const std::string& folder, const char* pattern) {
   std::string option = "--output=";
   for (const char c : folder) option += c == '%' ? "%%" : std::string(1, c);
@@ -100,7 +100,7 @@ Json parts(const std::vector<Job>& jobs, std::size_t n) {
   return all;
 }
 
-/// What was submitted so far, oldest first; empty when nothing was.
+/// The submissions so far, oldest first; empty when there were none.
 Json read_rounds(const std::string& folder) {
   const std::string path = folder + "/submitted.json";
   if (!fs::exists(path)) return Json::array();

@@ -6,14 +6,14 @@
 
 namespace brash::campaign {
 
-/// What a command printed, and its exit code (128 + the signal that ended it).
+/// The output of a command, and its exit code (128 + the signal that ended it).
 struct Printed {
   int code = 0;
   std::string out;
   std::string err;
 };
 
-/// Runs a command that is found on the path, without a shell, and takes what it prints.
+/// Runs a command that is found on the path, without a shell, and takes its output.
 /// @throws RunError when it cannot be started.
 Printed run_command(const std::vector<std::string>& command);
 

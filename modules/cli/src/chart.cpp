@@ -131,7 +131,7 @@ std::string Chart::frame() const {
 }
 
 std::string Chart::svg() const {
-  // What reaches beyond the axes is cut off.
+  // The drawing is cut off at the axes.
   return frame() +
          fmt::format(
              "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} "

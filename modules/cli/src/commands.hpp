@@ -28,7 +28,7 @@ void add_schema_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_rerun_command(CLI::App& app);
 void add_report_command(CLI::App& app);
-/// Last of all: it lists what is there.
+/// Must be added last, because it lists the commands that are there.
 void add_completion_command(CLI::App& app);
 
 }  // namespace brash::cli

@@ -33,7 +33,7 @@ double statistics_from(const std::string& summary) {
   }
 }
 
-/// The history of a run's folder; its statistics begin where those of its summary do.
+/// The history of a run's folder. Its statistics begin at the same time as the statistics of its summary.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
   if (!std::filesystem::is_directory(given)) return given;
   if (const std::string summary = given + "/summary.json"; !choice.has_from && std::filesystem::exists(summary)) {

@@ -10,7 +10,7 @@
 namespace brash::cli {
 namespace {
 
-/// One arm of the shell's `case` for each command: what may follow it.
+/// One arm of the shell's `case` for each command: the words that may follow it.
 void add_arms(const CLI::App& app, const std::string& path, std::string& arms, std::string& paths) {
   std::vector<std::string> words;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {

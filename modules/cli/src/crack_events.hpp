@@ -26,7 +26,7 @@ struct CrackEvent {
 /// one more than the angles, or as many (a full circle).
 ///
 /// @param name  of the file, for messages.
-/// @throws InputError naming file, line, column's name, value and what is allowed.
+/// @throws InputError naming file, line, column's name, value and the allowed values.
 std::vector<CrackEvent> read_crack_events(const std::string& name, const std::string& text);
 
 }  // namespace brash::cli

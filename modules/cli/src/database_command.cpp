@@ -64,7 +64,7 @@ void solve_in_processes(const std::vector<campaign::Job>& jobs, int n_workers) {
   if (!whole || n_done < std::ssize(jobs)) stop(static_cast<int>(n_done), static_cast<int>(jobs.size()), "chunks");
 }
 
-/// Solves what is missing here, and puts the database together.
+/// Solves the missing records on this machine, and puts the database together.
 void build_here(const database::Plan& plan, const std::string& output) {
   catch_requests_to_end();
   const bool terminal = ::isatty(STDERR_FILENO) == 1;

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What `work` returns; what it complains of is of the file `path`.
+/// The result of `work`; its errors name the file `path`.
 template <typename Work>
 auto of_file(const std::string& path, Work work) {
   try {
@@ -66,7 +66,7 @@ void print_errors(const char* name, const meta_model::Errors& e) {
         100 * e.length_on_plateau);
 }
 
-/// The file of a model's card, beside that of the model.
+/// The file of a model's card, beside the model's file.
 std::string card_of(const std::string& model) { return fs::path(model).replace_extension(".md").string(); }
 
 /// Writes the card of the model file `output`; its path.

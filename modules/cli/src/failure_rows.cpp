@@ -30,7 +30,7 @@ constexpr const char* kThickness = ",lc_over_h";
 constexpr std::size_t kColumns = 5;
 constexpr std::array<const char*, kColumns + 1> kNames{"b_lc", "c_lc", "theta_deg", "mu1", "mu2", "lc_over_h"};
 constexpr const char* kRemedy = "correct the line";
-/// h / l_c of rows that do not state it: that of the paper's validation case, rounded.
+/// h / l_c of rows that do not state it: the rounded value of the paper's validation case.
 constexpr double kUsualThickness = 0.1;
 
 struct PredictedRow {

@@ -17,7 +17,7 @@ struct PredictOptions {
 /// @throws InputError with file, line and column of a row that cannot be read.
 void predict_rows(const PredictOptions& options);
 
-/// What a solved record teaches a ProfileModel.
+/// The training sample for a ProfileModel from a solved record.
 meta_model::ProfileSample to_profile_sample(const database::Record& record);
 
 }  // namespace brash::cli

@@ -29,7 +29,8 @@ using geometry::Feature;
 using geometry::IceSheet;
 using geometry::Polygon;
 
-/// What is read takes some twenty times the memory of its text; so much text holds a million vertices.
+/// The largest text that is read [MiB]. Parsed polygons take some twenty times the memory of their text; this much text
+/// holds a million vertices.
 constexpr std::size_t kMostMebibytes = 64;
 
 [[noreturn]] void refuse_polygons(const std::string& where, const std::string& what) {

@@ -23,7 +23,7 @@ constexpr double kConfidence = 0.95;
 
 ordered_json interval(const statistics::Interval& i) { return {i.lower, i.upper}; }
 
-/// What the comparison needs of one history.
+/// The statistics of one history that the comparison needs.
 struct Side {
   Summary load;
   Summary squares;  ///< of the squared deviations
@@ -131,7 +131,7 @@ ordered_json spectrum_json(const LoadHistory& run, const LoadHistory& measured) 
           {"mean_frequency", {compared->mean_frequency_a, compared->mean_frequency_b}}};
 }
 
-/// Names what is different at 5 % after Holm's adjustment, which it adds to each test.
+/// Names the statistics that differ at 5 % after Holm's adjustment, which it adds to each test.
 ordered_json differences(ordered_json& out) {
   std::vector<std::string> names;
   Samples p;

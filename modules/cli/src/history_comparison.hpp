@@ -9,7 +9,7 @@
 namespace brash::cli {
 
 /// A run's history against a measured one: mean, deviation, peaks, distribution and spectrum, each with a 95 % interval
-/// or a test. `differs` names what is different at 5 %, all tests adjusted together by Holm's method.
+/// or a test. `differs` names the statistics that differ at 5 %, all tests adjusted together by Holm's method.
 nlohmann::ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured);
 
 /// The same as text for a reader.

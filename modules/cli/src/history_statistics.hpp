@@ -10,7 +10,7 @@
 
 namespace brash::cli {
 
-/// How to estimate what has a choice; 0 takes the default.
+/// Choices of the estimates; 0 takes the default.
 struct StatisticsSettings {
   double return_period = 3600.0;    ///< of extreme levels [s]
   double block = 0.0;               ///< of block maxima [s]; 0: twenty autocorrelation times
@@ -18,7 +18,7 @@ struct StatisticsSettings {
   std::optional<double> threshold;  ///< of peaks over a threshold; absent: the 90 % quantile
 };
 
-/// What `run`, `stats` and `compare` say of a history whose `long_enough` is false.
+/// The note of `run`, `stats` and `compare` on a history whose `long_enough` is false.
 inline constexpr const char* kTooShort =
     "shorter than 50 autocorrelation times; the intervals are themselves uncertain";
 

@@ -22,12 +22,12 @@ struct HistoryChoice {
   double dt = 0.0;     ///< [s], for files without a column of times; 0: the file has one
   double from = 0.0;   ///< leave out samples before this time [s]
   bool has_from = false;
-  double longest_interval = 0.0;  ///< what is longer is a gap [s]; 0: five times the median
+  double longest_interval = 0.0;  ///< a longer interval is a gap [s]; 0: five times the median
 };
 
 /// Reads a column of a run.nc, named as in history.csv, or of any file that io::read_series reads.
 ///
-/// @throws InputError naming file, place and what is wrong: no such column, not a number, times that do not rise, fewer
+/// @throws InputError naming file, place and fault: no such column, not a number, times that do not rise, fewer
 ///   than two samples.
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice);
 

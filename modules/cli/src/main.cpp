@@ -27,7 +27,8 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 constexpr int kInterrupted = 3;
 
-/// Does what the arguments say. @return the exit code. @throws RunError when not all that it prints can be written.
+/// Runs the command of the arguments. @return the exit code. @throws RunError when not all that it prints can be
+/// written.
 int run(CLI::App& app, int argc, char** argv) {
   int code = 0;
   if (argc < 2) {

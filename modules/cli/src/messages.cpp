@@ -23,7 +23,7 @@ void print_text(const std::string& text) { fmt::print("{}", escaped_lines(text))
 void print_data(const std::string& text) { fmt::print("{}", escaped_as_unicode(text)); }
 
 void secure_streams() {
-  // Each stream gets its own number: they are opened in order. What is printed on a closed stdout is an error.
+  // Each stream gets its own number: they are opened in order. Printing on a closed stdout is an error.
   for (const auto& [stream, mode] :
        {std::pair{STDIN_FILENO, O_RDONLY}, std::pair{STDOUT_FILENO, O_RDONLY}, std::pair{STDERR_FILENO, O_WRONLY}})
     if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", mode));

@@ -10,14 +10,14 @@ namespace brash::cli {
 /// Writes `text` to stderr as it is. Never fails: a reader that has gone and a disk that is full change no exit code.
 void show(const std::string& text) noexcept;
 
-/// Says something on stderr, as show() does; what steers a terminal is escaped.
+/// Says something on stderr, as show() does; characters that control a terminal are escaped.
 void say_text(const std::string& text);
 template <typename... Values>
 void say(fmt::format_string<Values...> format, Values&&... values) {
   say_text(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Prints a result for people on stdout; what steers a terminal is escaped.
+/// Prints a result for people on stdout; characters that control a terminal are escaped.
 /// @throws std::system_error when it cannot be written, here and below.
 void print_text(const std::string& text);
 template <typename... Values>
@@ -25,7 +25,8 @@ void print(fmt::format_string<Values...> format, Values&&... values) {
   print_text(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Prints JSON or TOML on stdout; what steers a terminal is written \uXXXX, which reads back to the same text.
+/// Prints JSON or TOML on stdout; characters that control a terminal are written \uXXXX, which reads back to the same
+/// text.
 void print_data(const std::string& text);
 
 /// Makes closed standard streams safe and signals of a full disk or a closed pipe errors: no file that is opened later

@@ -21,7 +21,7 @@ struct JudgedRow {
   bool on_plateau = false;    ///< the predicted place has at least 99 % of the peak stress
 };
 
-/// What a model answers to the inputs of Eq. 17 and h / l_c.
+/// The answers of a model to the inputs of Eq. 17 and h / l_c.
 using Answers = std::function<meta_model::Output(const meta_model::Input&, double)>;
 
 /// Inputs moved into the model's range. The model must outlive the result.
@@ -35,7 +35,7 @@ std::vector<JudgedRow> judge(const Answers& model, const std::vector<const datab
 /// Two lines for the terminal: all rows, and those where ice bends before it is crushed.
 std::string summary(const std::vector<JudgedRow>& rows);
 
-/// What the card of a model says besides the errors.
+/// The facts on the card of a model besides the errors.
 struct CardFacts {
   std::string model_file;
   std::string content_sha256;

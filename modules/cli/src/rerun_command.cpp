@@ -34,7 +34,7 @@ struct Recorded {
   std::string copy;  ///< in the folder of the run; empty: none
 };
 
-/// What a manifest names is written and compared in one folder: a name, and no path.
+/// The name of a file in a manifest: a name, and no path, because the files are written and compared in one folder.
 std::string name_in(const json& value, const std::string& manifest, const char* key) {
   const std::string name = value.get<std::string>();
   if (!name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos) return name;
@@ -42,7 +42,7 @@ std::string name_in(const json& value, const std::string& manifest, const char* 
                              "a name without /", "name a manifest.json that `brash run` wrote"});
 }
 
-/// What is needed of a manifest.
+/// The entries of a manifest that a rerun needs.
 struct Manifest {
   fs::path folder;
   std::string case_name;
@@ -94,7 +94,7 @@ Manifest read_manifest(const std::string& path) {
   }
 }
 
-/// The hash of a file, or what stands for it when there is none.
+/// The hash of a file, or a word in its place when there is no file.
 std::string hash_of(const fs::path& file) {
   std::error_code ignored;
   return fs::is_regular_file(file, ignored) ? sha256_of_file(file.string()) : "no such file";
@@ -118,7 +118,7 @@ std::vector<std::string> changes_since(const Manifest& manifest, const model::Ca
     if (!input.copy.empty() && !fs::exists(file)) continue;  // of a campaign, which has it; the case is in the manifest
     expect((is_model ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
   }
-  // Results may have been cleared away; those that are there must be the run's own.
+  // Results may have been cleared away; the results that are there must be the run's own.
   for (const Recorded& output : manifest.outputs) {
     const fs::path file = manifest.folder / output.path;
     if (fs::exists(file)) expect("output " + file.string(), output.sha256, hash_of(file));
@@ -153,7 +153,7 @@ fs::path base_of(const Manifest& manifest, const std::string& copy) {
   return fs::exists(manifest.folder / copy) || !fs::exists(campaign / copy) ? manifest.folder : campaign;
 }
 
-/// The case and what it read, from the manifest and the copies.
+/// The case and its input files, from the manifest and the copies.
 recording::Inputs inputs_in(const Manifest& manifest, const std::string& path) {
   try {
     const std::string copy = manifest.inputs.empty() ? "" : manifest.inputs.back().copy;

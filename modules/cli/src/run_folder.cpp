@@ -47,7 +47,7 @@ bool is_manifest(const fs::path& file) {
   }
 }
 
-/// A run replaces what an earlier one left, and nothing else. A folder has no place under the name of a file.
+/// A run replaces the files of an earlier run, and nothing else. A folder has no place under the name of a file.
 void refuse_files_of_others(const fs::path& directory) {
   constexpr std::array kNames{"history.csv", "events.csv", "summary.json", "manifest.json",
                               "run.nc",      "plan.svg",   "report.html",  "checkpoint.nc"};

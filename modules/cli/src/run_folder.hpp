@@ -10,8 +10,8 @@
 
 namespace brash::cli {
 
-/// Makes `directory` this process's alone, for as long as what is returned lives, and removes what a killed process
-/// left half written in it.
+/// Makes `directory` this process's alone, for as long as the returned lock lives, and removes the half-written files
+/// of a killed process.
 /// @throws InputError when another process runs in it, it holds a campaign, or files with names of results that no run
 /// left. @throws StorageError when it cannot be written.
 FolderLock open_run_folder(const std::string& directory);

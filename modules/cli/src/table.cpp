@@ -114,7 +114,7 @@ std::string speed(const model::Case& resolved, const simulation::Run& run) {
   return text + "\n";
 }
 
-/// What is to be known before the numbers are used.
+/// The warnings that a user must know before using the numbers.
 std::string warnings_text(const std::vector<model::Warning>& warnings) {
   std::string text;
   for (const model::Warning& warning : warnings) text += fmt::format("  {}: {}\n", warning.id, warning.text);

@@ -130,7 +130,7 @@ ordered_json trend_of(const Groups& groups, const std::string& of) {
            {{"difference", ends.difference}, {"interval_95", {ends.interval.lower, ends.interval.upper}}}}};
 }
 
-/// Adds Holm's adjustment of all trends and what they say at 5 %.
+/// Adds Holm's adjustment of all trends and their verdicts at 5 %.
 void adjust(ordered_json& trends) {
   std::vector<double> p;
   for (const ordered_json& trend : trends) p.push_back(trend["jonckheere_terpstra"]["p"].get<double>());

@@ -44,7 +44,7 @@ SettingValue value_in(const model::Case& resolved, const std::string& name) {
   return found;
 }
 
-/// Reads a plan: what it says of itself, then each of its settings.
+/// Reads a plan: its own sections first, then each of its settings.
 class PlanReader {
  public:
   PlanReader(const std::string& path, const PlanOptions& options)
@@ -82,7 +82,7 @@ class PlanReader {
              "a section [quick] in the plan", "", "add it, or leave --quick out"}});
   }
 
-  /// [campaign], [stop], [output] and what [quick] replaces of them.
+  /// [campaign], [stop], [output] and their replacements in [quick].
   void read_own(const Json& document) {
     const Json quick = options_.quick ? document.value("quick", Json::object()) : Json::object();
     plan_.replicates = quick.value("replicates", document.at("campaign").at("replicates").get<int>());
@@ -153,7 +153,7 @@ class PlanReader {
            "remove it; campaign.replicates says how many there are");
   }
 
-  /// The text of a file, read once: what is vouched for later is what was read.
+  /// The text of a file, read once, so that a later hash belongs to the same bytes that were read.
   const std::string& text_of(const std::string& path, const std::string& kind) {
     const auto known = std::ranges::find(plan_.sources, path, &SourceText::path);
     if (known != plan_.sources.end()) return known->text;

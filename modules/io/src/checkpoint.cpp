@@ -138,7 +138,7 @@ model::Case read_resolved_case(const NetcdfReader& file) {
                              "use an older checkpoint, or start the run again"});
 }
 
-/// The end of a checkpoint: the digest of all before it. HDF5 ignores what follows its own data, and does not survive
+/// The end of a checkpoint: the digest of all before it. HDF5 ignores bytes after its own data, and does not survive
 /// every damage to it.
 constexpr const char* kSealMark = "brash-sha256:";
 
@@ -148,7 +148,7 @@ std::string seal_of(const std::string& bytes) { return kSealMark + sha256(bytes)
 std::string read_sealed(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse_file(path, "cannot be opened: " + std::generic_category().message(errno));
-  // The end comes first: what has no seal there is not read into memory, however large it is.
+  // The end is checked first. A file without a seal there is not read into memory, however large it is.
   const std::size_t seal_size = seal_of("").size();
   std::string seal(seal_size, '\0');
   stream.seekg(-static_cast<std::streamoff>(seal_size), std::ios::end);

@@ -27,7 +27,7 @@ class Checks {
  public:
   explicit Checks(const CaseSource& source) : source_(source) {}
 
-  /// Reports `key` when something about it does not hold; its place is that of `partner` when only that one is written.
+  /// Reports `key` when something about it does not hold, at the place of `partner` when only `partner` is written.
   void require(bool holds, Key key, Key partner, std::string what, std::string allowed, std::string remedy) {
     if (holds) return;
     std::string written = value_text(source_, key.section, key.name);

@@ -8,7 +8,7 @@
 
 namespace brash::io {
 
-/// What is wrong with values that are each allowed but do not go together.
+/// The problems of values that are each allowed but do not go together.
 std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& source);
 
 }  // namespace brash::io

@@ -36,8 +36,8 @@ constexpr nc_type kType<std::int32_t> = NC_INT;
 template <>
 constexpr nc_type kType<std::int8_t> = NC_BYTE;
 
-/// netCDF does not survive a lack of memory: what it may take for `n_bytes` of values is asked for before.
-/// @throws std::bad_alloc when there is not that much.
+/// Asks for the memory that netCDF may take for `n_bytes` of values. netCDF does not survive a lack of memory.
+/// @throws std::bad_alloc when there is less memory.
 void ask_for_memory(std::size_t n_bytes) {
   constexpr std::size_t kRoom = 16 << 20;  // for its tables and buffers
   constexpr std::size_t kCopies = 4;       // of the values: deflated, and the file in memory, which grows by doubling
@@ -74,7 +74,7 @@ int NetcdfWriter::dimension(const std::string& name, std::size_t length) {
     BRASH_EXPECTS(known == length, name, known, length);
     return id;
   }
-  // A length of zero makes the dimension unlimited, of length zero: what is meant.
+  // A length of zero makes the dimension unlimited, of length zero, as intended.
   check(nc_def_dim(file_, name.c_str(), length, &id), name);
   return id;
 }

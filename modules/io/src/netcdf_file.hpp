@@ -11,7 +11,7 @@
 
 namespace brash::io {
 
-/// What a netCDF variable means.
+/// The meaning of a netCDF variable.
 struct Meaning {
   std::string unit;  ///< UDUNITS; empty: none (containers)
   std::string long_name;
@@ -20,8 +20,8 @@ struct Meaning {
   std::vector<std::int32_t> flags{};                        ///< the same, of a variable of whole numbers
 };
 
-/// A netCDF-4 file that is being written, in memory: HDF5 does not survive a disk that is full. Its bytes depend on
-/// what is written alone.
+/// A netCDF-4 file that is being written, in memory: HDF5 does not survive a disk that is full. Its bytes depend
+/// only on the written values.
 class NetcdfWriter {
  public:
   /// @param shown  name of the file in messages.

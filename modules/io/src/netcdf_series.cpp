@@ -14,7 +14,7 @@
 namespace brash::io {
 namespace {
 
-/// Any netCDF file, read without knowing what is in it.
+/// Any netCDF file, read without knowledge of its content.
 class OpenFile {
  public:
   explicit OpenFile(const std::string& path) : path_(path), source_(path), id_(source_.id()) {}
@@ -78,7 +78,7 @@ class OpenFile {
     double value = otherwise;
     return nc_get_att_double(id_, variable.id, attribute, &value) == NC_NOERR ? value : otherwise;
   }
-  /// What the library writes where nothing was written; not for bytes, all of whose values are in use.
+  /// The fill value of the library for unwritten values; not for bytes, all of whose values are in use.
   static double default_fill(nc_type type) {
     switch (type) {
       case NC_SHORT:

@@ -24,7 +24,7 @@ bool belongs_in_a_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view(".-+=").find(c) != std::string_view::npos;
 }
 
-/// What stands in a setting's name for a value: "50 deg" becomes 50deg, [3, 5] becomes 3-5.
+/// The text of a value in a setting's name: "50 deg" becomes 50deg, [3, 5] becomes 3-5.
 std::string label_of(const toml::node& value) {
   if (const auto* array = value.as_array()) {
     std::string label;
@@ -88,7 +88,7 @@ class AxisReader {
     }
   }
 
-  /// The given labels, or those of the first key's values.
+  /// The given labels, or labels made from the values of the first key.
   std::vector<std::string> labels() {
     std::vector<std::string> made;
     for (const toml::node& value : *rows_.front().values) made.push_back(rows_.front().key + "-" + label_of(value));

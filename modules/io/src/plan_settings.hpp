@@ -19,7 +19,7 @@ struct Assignment {
   std::string name() const { return section + "." + key; }
 };
 
-/// One value of an axis: what its name says and what it sets.
+/// One value of an axis: its label and the keys that it sets.
 struct AxisPoint {
   std::string label;  ///< its part of a setting's name
   std::vector<Assignment> assignments;

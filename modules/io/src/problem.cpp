@@ -19,7 +19,7 @@ std::string Place::text() const {
 }
 
 void refuse(std::vector<Problem> problems) {
-  // What the file says first comes first; overrides come after the file.
+  // Problems follow the order of the file; problems of overrides come last.
   std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
     const bool a_late = !a.place.override_text.empty();
     const bool b_late = !b.place.override_text.empty();

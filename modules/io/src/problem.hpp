@@ -21,10 +21,10 @@ struct Problem {
   Place place;
   std::string key;      ///< "ice.thickness"
   std::string value;    ///< as written; empty when there is none
-  std::string what;     ///< what is wrong
-  std::string allowed;  ///< what may be written instead
+  std::string what;     ///< the fault
+  std::string allowed;  ///< the allowed values
   std::string nearest;  ///< nearest known name; empty when there is none
-  std::string remedy;   ///< what to do
+  std::string remedy;   ///< the user's next action
 };
 
 /// Throws one InputError that lists `problems` in the order of the file.

@@ -59,7 +59,7 @@ bool is_letter(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// What is wrong with the spelling of a unit that is a product of symbols with whole exponents; empty when nothing is.
+/// The spelling error of a unit, a product of symbols with whole exponents; empty when the spelling is right.
 std::string spelling_error(std::string_view unit) {
   if (unit.starts_with("1/")) unit.remove_prefix(2);
   bool symbol_expected = true;

@@ -6,7 +6,7 @@
 
 namespace brash::io {
 
-/// Why a quantity could not be read, and what to do about it.
+/// Why a quantity could not be read, and the remedy.
 struct QuantityError {
   std::string what;
   std::string remedy;

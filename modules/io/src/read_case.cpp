@@ -64,7 +64,7 @@ void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   if (!takes.second_order && !is_written("second_order")) c.failure.second_order = false;
 }
 
-/// What is wrong with a model file outside the folder of the file that names it.
+/// The problem of a model file outside the folder of the file that names it.
 std::vector<Problem> leads_out(const std::string& file, const CaseSource& source) {
   const Place named = place_of(source, "failure", "file");
   if (file.empty() || !named.override_text.empty()) return {};

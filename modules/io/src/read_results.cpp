@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results come from others too: what cannot have come from a run is refused before anyone works with it.
+// Results come from others too: values that cannot have come from a run are refused before anyone works with them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -69,12 +69,12 @@ class Check {
     const auto& [at, q] = pose;
     const bool is_there = is_near(at.x, kFarthestFloe) && is_near(at.y, kFarthestFloe) && is_near(at.z, kFarthestFloe);
     const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    // Attitudes are kept normalised far better than this, which refuses what is none.
+    // Attitudes are kept normalised far better than this tolerance, which refuses quaternions that are no rotation.
     if (!is_there || !is_near(size - 1.0, 1e-3)) file_.refuse(of + " has no place or no attitude");
   }
 
   void frame(const std::string& name, const model::Frame& frame, const std::set<std::int64_t>& floes) const {
-    constexpr double kMostForce = 1e10;  // [N], far above what crushing allows
+    constexpr double kMostForce = 1e10;  // [N], far above the largest crushing force
     if (!std::isfinite(frame.time)) file_.refuse(name + " has no time");
     pose("the structure in " + name, frame.structure);
     for (const model::FloePose& floe : frame.floes) {

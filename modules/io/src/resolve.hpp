@@ -9,7 +9,7 @@
 namespace brash::io {
 
 /// The case that `source` describes, under `name`.
-/// @throws InputError that lists what is wrong.
+/// @throws InputError that lists every problem.
 model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file = ModelFile::kInItsFolder);
 
 }  // namespace brash::io

@@ -9,10 +9,11 @@ namespace brash::io {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// What a strict TOML file may hold: sections of keys. A section within a section is one more, "structure.motion".
+/// The allowed content of a strict TOML file: sections of keys. A section within a section is one more,
+/// "structure.motion".
 class Schema {
  public:
-  /// @param kind  what such a file is, "case" or "plan".
+  /// @param kind  the name of such a file, "case" or "plan".
   /// @param text  a JSON Schema.
   Schema(std::string kind, const char* text);
 
@@ -24,7 +25,7 @@ class Schema {
   const OrderedJson& keys(const std::string& section) const { return sections().at(section).at("properties"); }
   /// A part without listed keys: who reads the file checks it.
   static bool is_free(const OrderedJson& part);
-  /// The preset of a document, by its name: what it states, else the default; empty where the schema has none.
+  /// The preset of a document, by its name: the stated one, else the default; empty where the schema has none.
   std::string preset_of(const nlohmann::json& document) const;
   /// The default of a key under a preset.
   static const OrderedJson& default_in(const OrderedJson& key_schema, const std::string& preset);
@@ -45,7 +46,7 @@ const Schema& schema_of_plans();
 
 /// The JSON type of the values of `key_schema` that are not strings with a unit: "number", "integer", "array", ...
 std::string value_type(const OrderedJson& key_schema);
-/// What may be written, in words and SI: "a number > 0 and <= 10 in m, or a quantity such as \"0.33 m\"".
+/// The allowed values, in words and SI: "a number > 0 and <= 10 in m, or a quantity such as \"0.33 m\"".
 std::string allowed_values(const OrderedJson& key_schema);
 /// `key_schema`'s default as TOML.
 std::string toml_text(const OrderedJson& value);

@@ -32,7 +32,7 @@ struct Layout {
   char decimal_mark = 0;  ///< of the numbers met so far; 0: whole numbers only
 };
 
-/// What separates the cells: the first of these that the first line holds, else blanks.
+/// The separator of the cells: the first of these that the first line holds, else blanks.
 char separator_of(std::string_view first_line) {
   for (const char candidate : {';', '\t', ','})
     if (first_line.find(candidate) != std::string_view::npos) return candidate;

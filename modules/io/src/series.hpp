@@ -11,8 +11,8 @@ namespace brash::io {
 /// Whether a column of this name, without its unit, holds times.
 bool is_time_name(std::string_view name);
 
-/// Converts the columns other than the times whose unit is one that loads and what is measured beside them come in, and
-/// names the unit that they then have.
+/// Converts all columns except the times to SI and names their new unit. Columns in a unit that does not belong to
+/// loads or to quantities measured beside loads stay unchanged.
 void convert_to_si(Series& series);
 
 /// Seconds in a unit such as "ms" or "hours since 2024-01-01"; empty: 1.

@@ -56,7 +56,7 @@ std::optional<double> take_seconds(std::string_view& text) {
   return *whole + fraction;
 }
 
-/// What a time is ahead of Greenwich [s]; nothing or Z is 0.
+/// Offset of a time ahead of Greenwich [s]; no offset or Z is 0.
 std::optional<double> take_zone(std::string_view& text) {
   if (take(text, "Z") || text.empty()) return 0.0;
   const double sign = text.front() == '-' ? -1.0 : 1.0;

@@ -63,7 +63,7 @@ std::vector<Row> read_rows(const NetcdfReader& file) {
   return rows;
 }
 
-/// Where the nodes of rings are given, and in what unit.
+/// The coordinates in which the nodes of rings are given, and their unit.
 struct NodeFrame {
   std::string unit;
   std::string description;

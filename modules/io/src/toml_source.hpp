@@ -29,7 +29,7 @@ std::string read_text(const std::string& path, const std::string& kind);
 CaseSource parse_source(const std::string& text, const std::string& path, const std::vector<std::string>& overrides);
 /// Applies one `section.key=value` override. @throws InputError when it is malformed.
 void apply_override(CaseSource& source, const std::string& text);
-/// Puts `value`, written at `place`, in place of that of `section.key`.
+/// Replaces the value of `section.key` by `value`, which is written at `place`.
 void replace_value(CaseSource& source, const std::string& section, const std::string& key, const toml::node& value,
                    const Place& place);
 /// The place of `node` in `file`; its start when it is not known.

@@ -90,7 +90,7 @@ const valijson::Schema& compiled(const io::Schema& schema) {
   return cases;
 }
 
-/// Reads a tree section by section, collecting what is wrong.
+/// Reads a tree section by section and collects the problems.
 class Reader {
  public:
   Reader(const CaseSource& source, const Schema& schema) : source_(source), schema_(schema) {}
@@ -262,7 +262,8 @@ class Reader {
     valijson::ValidationResults results;
     if (validator.validate(compiled(schema_), valijson::adapters::NlohmannJsonAdapter(document_), &results)) return;
 
-    // The context is <root>, [section], [key], [index of an item]; shorter ones repeat what is reported already.
+    // The context is <root>, [section], [key], [index of an item]; shorter ones repeat problems that are reported
+    // already.
     std::set<std::pair<std::string, std::string>> faulty;
     for (const auto& error : results) {
       if (error.context.size() < 3) continue;
@@ -306,7 +307,7 @@ class Reader {
     return problem;
   }
 
-  /// Moves what is written in long to its short form.
+  /// Moves values from the long form of a key to its short form.
   void shorten() {
     for (const std::string& section : names(schema_.sections())) {
       if (!has_keys(section)) continue;
@@ -319,7 +320,7 @@ class Reader {
     }
   }
 
-  /// The defaults of a case are those of its preset.
+  /// Fills in the defaults, which depend on the preset of the case.
   void add_defaults() {
     const std::string preset = schema_.preset_of(document_);
     for (const std::string& section : names(schema_.sections())) {

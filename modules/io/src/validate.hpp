@@ -9,7 +9,7 @@
 namespace brash::io {
 
 /// The file as JSON in SI, checked against `schema`, with the defaults filled in; without the schema's free parts.
-/// @throws InputError that lists what is wrong.
+/// @throws InputError that lists every problem.
 nlohmann::json validated(const CaseSource& source, const Schema& schema);
 
 }  // namespace brash::io

@@ -40,7 +40,7 @@ bool is_classic(std::string_view bytes) {
   return bytes.size() >= 4 && bytes.starts_with("CDF") && (bytes[3] == 1 || bytes[3] == 2 || bytes[3] == 5);
 }
 
-/// Refuses what is no regular file, and what does not begin as a netCDF file, before all of it is read.
+/// Refuses a path that is no regular file, and a file that does not begin as netCDF, before all of it is read.
 std::string read(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) refuse(path, "cannot be read: " + std::generic_category().message(errno));
@@ -55,7 +55,7 @@ std::string read(const std::string& path) {
   return read_text_file(path, "a netCDF file", kMostMebibytes);
 }
 
-/// What of HDF5 is open; closed in the end.
+/// An open object of HDF5; closed in the end.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -82,7 +82,7 @@ bool is_inside(hid_t dataset) {
 extern "C" herr_t look_at_link(hid_t group, const char* name, const H5L_info_t* link, void*) {
   if (link->type != H5L_TYPE_HARD) return 1;
   const Handle object(H5Oopen(group, name, H5P_DEFAULT), &H5Oclose);
-  if (!object.is_open()) return 0;  // netCDF will say what is wrong with it
+  if (!object.is_open()) return 0;  // netCDF will report the fault
   return H5Iget_type(object.id()) == H5I_DATASET && !is_inside(object.id()) ? 1 : 0;
 }
 

@@ -41,7 +41,7 @@ std::string toml_value(py::handle value, int depth = 0) {
 
 std::string key_of(const std::string& text) { return text.substr(0, text.find('=')); }
 
-/// `overrides` with those of `changes`, a dict, in place of older ones of the same key.
+/// `overrides` with the entries of `changes`, a dict, in place of older overrides of the same key.
 std::vector<std::string> changed(std::vector<std::string> overrides, const py::dict& changes) {
   for (const auto& [key, value] : changes) {
     const std::string name = py::cast<std::string>(key);

@@ -17,7 +17,7 @@ struct RunsNow {
   RunsNow& operator=(const RunsNow&) { return *this; }
 };
 
-/// A case with what it was made from, so that a change is checked as the command line checks it.
+/// A case with its source, so that a change is checked as the command line checks it.
 struct Case {
   std::string text;  ///< of the case file
   std::string path;  ///< of the file; where there is none, its name in messages

@@ -25,13 +25,13 @@ void add_failure(pybind11::module_& m);
 void add_statistics(pybind11::module_& m);
 void add_standards(pybind11::module_& m);
 
-/// Lets Python see Ctrl-C, with the GIL held. @throws pybind11::error_already_set what its handler raises.
+/// Lets Python see Ctrl-C, with the GIL held. @throws pybind11::error_already_set the exception of its handler.
 inline void raise_signals() {
   if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
 }
 
-/// Calls a function all of whose contracts are about its arguments: what breaks them is the caller's input. Ctrl-C ends
-/// it.
+/// Calls a function all of whose contracts are about its arguments: a broken contract is the fault of the caller's
+/// input. Ctrl-C ends it.
 template <typename Call>
 auto with_arguments_of(const char* function, Call call) {
   const CheckedForInterruption checked(&raise_signals);

@@ -10,7 +10,7 @@
 
 namespace brash::python {
 
-/// Lets go of the GIL while it lives. An interpreter that ends waits for those that live (see wait_for_calls()): a
+/// Releases the GIL while it lives. An interpreter that ends waits for every live Released (see wait_for_calls()): a
 /// thread that asks an ended one for the GIL would end the process.
 class Released {
  public:
@@ -64,7 +64,7 @@ class SignalPoll {
   std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
 };
 
-/// Calls `piece(i)` for i in [0, n) without the GIL; raises what a signal handler raised between two pieces.
+/// Calls `piece(i)` for i in [0, n) without the GIL; raises the exception of a signal handler between two pieces.
 template <typename Piece>
 void without_gil(std::size_t n, Piece piece) {
   bool raised = false;

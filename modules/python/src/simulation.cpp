@@ -24,7 +24,7 @@
 namespace brash::python {
 namespace {
 
-/// What some steps did, one after the other.
+/// The effects of some steps, one after the other.
 struct Steps {
   std::vector<model::LoadRow> loads;
   std::vector<model::CrackEvent> events;
@@ -100,7 +100,7 @@ class Frozen {
   const Case& case_;
 };
 
-/// What a run of this case reads; a case without a file is recorded as the text that gives it.
+/// The inputs of a run of this case; a case without a file is recorded as the text that gives it.
 recording::Inputs inputs_of(const Case& c) {
   if (c.has_file) return recording::inputs_of(c.path, c.text, c.resolved);
   return recording::inputs_of("case.toml", io::to_toml(c.resolved), c.resolved);

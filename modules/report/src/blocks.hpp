@@ -15,11 +15,11 @@ class Blocks {
   void add(const std::string& name, const std::vector<double>& values);
   /// Rounded to whole multiples of `unit`; the page multiplies them again.
   void add_rounded(const std::string& name, const std::vector<double>& values, double unit);
-  /// Single precision: what is drawn, and not computed with.
+  /// Single precision, for values that are drawn and not computed with.
   void add_single(const std::string& name, const std::vector<double>& values);
   void add(const std::string& name, const std::vector<std::int32_t>& values, double unit = 1.0);
 
-  /// What the page needs to unpack: name, kind, count and unit of each, in order.
+  /// The directory that the page needs to unpack: name, kind, count and unit of each, in order.
   const nlohmann::ordered_json& directory() const { return directory_; }
   /// All arrays, deflated (zlib), in base64.
   std::string packed() const;

@@ -16,7 +16,7 @@ extern const std::string_view kPage;
 std::string page_with(const nlohmann::ordered_json& data, const std::string& packed);
 
 /// The JSON file `path`.
-/// @throws InputError naming the file and what is wrong with it.
+/// @throws InputError naming the file and its fault.
 nlohmann::ordered_json read_json(const std::string& path);
 
 }  // namespace brash::report

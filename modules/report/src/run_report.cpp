@@ -21,7 +21,7 @@ namespace {
 using nlohmann::ordered_json;
 using Rings = std::vector<std::vector<Vec2>>;
 
-// What is drawn is rounded far below what can be seen; what is read stays as it is.
+// Drawn values are rounded far below the visible size; values that the user reads stay exact.
 constexpr double kOutlineUnit = 1e-4;   ///< of floe outlines [m]
 constexpr double kPlaceUnit = 1e-3;     ///< of poses and sheets [m]
 constexpr double kAttitudeUnit = 5e-5;  ///< of quaternions; half a millimetre at 5 m
@@ -178,7 +178,7 @@ model::Case case_of_run(const std::string& directory) {
   const ordered_json manifest = read_json(path);
   try {
     const ordered_json& described = manifest.at("case");
-    // What shows a case needs no failure model: its file may be gone.
+    // Showing a case needs no failure model: its file may be gone.
     return io::parse_case(described.at("toml").get<std::string>(), described.at("name").get<std::string>() + ".toml",
                           {"failure.file=''"});
   } catch (const InputError& error) {

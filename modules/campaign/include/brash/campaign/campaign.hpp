@@ -10,7 +10,7 @@
 
 namespace brash::campaign {
 
-/// What the manifest of a campaign says that it is.
+/// The format that the manifest of a campaign names.
 constexpr const char* kManifestFormat = "brash-campaign-manifest-1";
 
 /// The numbers that the summary of a run has, by their names in campaign.csv.
@@ -41,7 +41,7 @@ struct Campaign {
 /// Told now and then how far a campaign is, and how many cases are running.
 using Progress = std::function<void(const Counts&, std::size_t n_running)>;
 
-/// Runs what is missing in `n_workers` processes on this machine; when none is missing, writes campaign.csv,
+/// Runs the missing cases in `n_workers` processes on this machine; when none is missing, writes campaign.csv,
 /// campaign.nc, summary.json and manifest.json. Done cases are left alone.
 ///
 /// @return the counts; cases are missing when it was interrupted or a case was killed from outside.
@@ -49,14 +49,14 @@ using Progress = std::function<void(const Counts&, std::size_t n_running)>;
 ///         system refuses a file or a process.
 Counts run_local(const Campaign& campaign, int n_workers, const Progress& progress = {});
 
-/// Submits what is missing to Slurm, with a collector that calls this again; when none is missing, writes the tables.
+/// Submits the missing cases to Slurm, with a collector that calls this again; when none is missing, writes the tables.
 ///
 /// @param slurm  `folder`, `name` and `program` are set here.
 /// @return the counts at submission.
 /// @throws as run_local and submit do.
 Counts run_slurm(const Campaign& campaign, SlurmOptions slurm);
 
-/// The folder of what concerns Slurm in the folder of a campaign.
+/// The folder for the files of Slurm in the folder of a campaign.
 std::string slurm_folder(const std::string& directory);
 
 /// How a case ends for the process that runs it.
@@ -74,7 +74,7 @@ struct CaseTask {
 };
 
 /// Runs a case, from its newest checkpoint where there is one.
-/// @throws what the simulation throws when the case fails by itself. @throws StorageError when the system refuses a
+/// @throws the error of the simulation when the case fails by itself. @throws StorageError when the system refuses a
 /// file.
 CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted);
 

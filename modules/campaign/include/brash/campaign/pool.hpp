@@ -15,7 +15,7 @@ std::string this_program();
 struct Job {
   std::size_t ticket = 0;            ///< the caller's own number for it
   std::vector<std::string> command;  ///< the program's path and its arguments
-  std::string messages;              ///< file that takes what it prints to stderr while it runs; stdout is dropped
+  std::string messages;              ///< file that takes its stderr while it runs; stdout is dropped
   std::string folder;                ///< that it works in, made by itself; removed when it fails, its state kept
   std::string result;                ///< file that is there when the job is done
   std::string record;                ///< file that says why the job failed by itself; empty: the pool stops then
@@ -32,7 +32,7 @@ struct Exit {
 /// Exit code of a job that the system, not the job itself, kept from its end: it stays to be done.
 inline constexpr int kStorageExit = 4;
 
-/// What a pool asks for and tells.
+/// The callbacks of a pool.
 struct PoolCalls {
   std::function<std::optional<Job>()> next;              ///< the job to start now; nothing when there is none now
   std::function<void(const Job&)> ended;                 ///< may make new jobs available

@@ -10,7 +10,7 @@ namespace brash::campaign {
 
 /// How jobs are given to Slurm.
 struct SlurmOptions {
-  std::string folder;                  ///< takes lists of jobs, the numbers of what was submitted, and what it prints
+  std::string folder;                  ///< takes lists of jobs, the numbers of submitted jobs, and their output
   std::string name;                    ///< of the jobs in the queue
   std::string program;                 ///< path of the `brash` command, whose `campaign-chunk` runs a part of the jobs
   int n_tasks = 1;                     ///< parts into which the jobs are divided: tasks of the array
@@ -18,7 +18,7 @@ struct SlurmOptions {
   std::vector<std::string> collector;  ///< command that runs when all parts have ended, however they ended
 };
 
-/// What was submitted.
+/// One submission.
 struct SlurmJobs {
   std::string array;
   std::string collector;
@@ -26,10 +26,10 @@ struct SlurmJobs {
 
 /// Submits `jobs` as an array of tasks, each of which runs its part one after another, and a collector after it.
 ///
-/// The collector is meant to submit again what is missing then. It gives up when that was not less three times in a
-/// row.
+/// The collector is meant to submit the jobs that are still missing again. It gives up when their number has not
+/// fallen three times in a row.
 ///
-/// @throws InputError when what was submitted before is still in the queue. @throws RunError when sbatch fails, or in a
+/// @throws InputError when an earlier submission is still in the queue. @throws RunError when sbatch fails, or in a
 ///         collector that gives up.
 SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options);
 

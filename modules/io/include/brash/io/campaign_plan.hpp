@@ -23,7 +23,7 @@ struct StopRule {
 /// A key of the case file that the plan varies.
 struct VariedKey {
   std::string name;  ///< "structure.angle"
-  std::string unit;  ///< SI, "1" for ratios and what has none
+  std::string unit;  ///< SI, "1" for ratios and values without unit
 
   friend bool operator==(const VariedKey&, const VariedKey&) = default;
 };
@@ -70,13 +70,13 @@ struct CampaignPlan {
 struct PlanOptions {
   bool quick = false;                      ///< with the plan's [quick]
   std::vector<std::string> overrides;      ///< `section.key=value`, applied last to every case
-  std::vector<std::string> known_columns;  ///< what `output.columns` and `stop.statistic` may name
+  std::vector<std::string> known_columns;  ///< names allowed in `output.columns` and `stop.statistic`
 };
 
 /// Reads, checks and resolves the plan of a campaign and each of its settings.
 ///
-/// @throws InputError that lists what is wrong, each with file, line, column (or the override), key, value, what is
-///         allowed, the nearest known name and the remedy.
+/// @throws InputError that lists every problem, each with file, line, column (or the override), key, value, the
+///         allowed values, the nearest known name and the remedy.
 /// @see docs/reference/plan.md.
 CampaignPlan read_campaign_plan(const std::string& path, const PlanOptions& options);
 

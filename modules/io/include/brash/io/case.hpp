@@ -9,15 +9,15 @@
 namespace brash::io {
 
 /// Where failure.file may lead. A case file comes from anyone, so it names files in its own folder, or below; the
-/// command line names any, and so does what the program itself has resolved and written.
+/// command line names any file, and so does a case that the program itself has resolved and written.
 enum class ModelFile { kInItsFolder, kAnywhere };
 
 /// Reads, checks and resolves a case file.
 ///
 /// @param overrides  `section.key=value` as on the command line, applied after the file; the value is TOML, or else a
 ///                   plain string, so that `ice.thickness=40 cm` needs no quotes.
-/// @throws InputError that lists everything wrong, each with file, line, column (or the override), key, value, what is
-///         allowed, the nearest known name and the remedy.
+/// @throws InputError that lists every problem, each with file, line, column (or the override), key, value, the
+///         allowed values, the nearest known name and the remedy.
 model::Case read_case(const std::string& path, const std::vector<std::string>& overrides = {},
                       ModelFile model_file = ModelFile::kInItsFolder);
 

@@ -11,8 +11,8 @@ namespace brash::io {
 /// @throws RunError naming the file and the system's reason.
 void write_checkpoint(const std::string& path, const model::Checkpoint& checkpoint);
 
-/// Reads what write_checkpoint wrote, bit for bit.
-/// @throws InputError naming the file and what is wrong with it.
+/// Reads a checkpoint from write_checkpoint, bit for bit.
+/// @throws InputError naming the file and its fault.
 model::Checkpoint read_checkpoint(const std::string& path);
 
 }  // namespace brash::io

@@ -9,7 +9,7 @@ namespace brash::io {
 
 /// The columns of the rows that a run leaves. `visit(name, unit, meaning, member)` is called for each column, where
 /// `member(row)` is a reference to the value in `row`: one list serves the writing and the reading of every format.
-/// `dimension` and `prefix` are those of netCDF variables.
+/// `dimension` and `prefix` belong to the netCDF variables.
 template <typename Row>
 struct Columns;
 

@@ -19,14 +19,14 @@ void write_results(const std::string& directory, const model::Case& resolved, co
 /// @throws StorageError naming the file and the system's reason.
 void write_history(const std::string& directory, const model::RunResults& results);
 
-/// Reads what write_results wrote into run.nc.
-/// @throws InputError naming the file and what it lacks, or what cannot have come from a run.
+/// Reads the results that write_results wrote into run.nc.
+/// @throws InputError naming the file and the missing part, or the value that cannot have come from a run.
 model::RunResults read_results(const std::string& path);
 
 /// The resolved case in a run.nc, as to_toml() wrote it. @throws InputError likewise.
 std::string read_case_of(const std::string& path);
 
-/// What can differ between two runs of one case without being a difference of the run.
+/// The values that can differ between two equal runs of one case.
 struct Volatile {
   std::string started_at;  ///< ISO 8601, UTC
   double wall_seconds = 0.0;

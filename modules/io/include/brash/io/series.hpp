@@ -37,7 +37,7 @@ struct Series {
 /// whose unit is "... since ..."), and all numeric variables along it alone. Fill values are missing, packed values are
 /// unpacked.
 ///
-/// @throws InputError naming file, line or variable, and what is wrong with it.
+/// @throws InputError naming file, line or variable, and the fault.
 Series read_series(const std::string& path);
 
 }  // namespace brash::io

@@ -26,7 +26,7 @@ struct TableIndex {
 
 /// Columns of one length.
 struct Table {
-  std::string dimension;                                         ///< what a row is
+  std::string dimension;                                        ///< the kind of a row
   std::vector<std::pair<std::string, std::string>> attributes;  ///< of the whole file
   std::vector<TableIndex> indices;
   std::vector<TableColumn> columns;

@@ -22,8 +22,8 @@ class Source {
  public:
   /// Reads the file at `path`, and opens it.
   ///
-  /// @throws InputError when it is a folder, a pipe or a device, cannot be read, is no netCDF file, or refers to what
-  ///         lies outside of it (external storage, external links, virtual data sets).
+  /// @throws InputError when it is a folder, a pipe or a device, cannot be read, is no netCDF file, or refers to data
+  ///         outside of it (external storage, external links, virtual data sets).
   explicit Source(const std::string& path);
   /// Opens `bytes`, which came from `path`. @throws InputError as above.
   Source(const std::string& path, std::string bytes);
