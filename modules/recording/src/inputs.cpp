@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 /// The folder of the copies in the folder of a run.
 constexpr const char* kFolder = "inputs/";
+/// Size of the largest model file, as for all JSON.
+constexpr std::size_t kMostMebibytes = 64;
 
 std::string copy_of_model(const model::Case& resolved) {
   return kFolder + ("model/" + fs::path(resolved.failure.file).filename().string());
@@ -35,7 +37,7 @@ Inputs inputs_of(const std::string& case_file, const std::string& case_text, con
       {case_file, sha256(case_text), case_text.size(), kFolder + fs::path(case_file).filename().string(), case_text});
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   if (model.empty()) return inputs;
-  std::string bytes = read_text_file(model, "the file of a failure model");
+  std::string bytes = read_text_file(model, "the file of a failure model", kMostMebibytes);
   inputs.files.push_back({model, sha256(bytes), bytes.size()});
   if (!resolved.failure.file.empty()) {
     inputs.files.back().copy = copy_of_model(resolved);
@@ -52,7 +54,7 @@ Inputs read_inputs(const std::string& case_file, const std::vector<std::string>&
 void expect_unchanged(const Inputs& inputs) {
   for (std::size_t i = 1; i < inputs.files.size(); ++i) {
     const InputFile& file = inputs.files[i];
-    if (sha256(read_text_file(file.path, "the file of a failure model")) == file.sha256) continue;
+    if (sha256(read_text_file(file.path, "the file of a failure model", kMostMebibytes)) == file.sha256) continue;
     throw InputError(Complaint{file.path, "has changed while the run was reading it", "one file for the whole run",
                                "run again when nobody writes it"});
   }
