@@ -22,7 +22,7 @@ struct MeasuredRange {
 };
 
 // Timco and Weeks 2010: Cold Reg. Sci. Technol. 60, 107 to 129. Timco and Frederking 1996: the same, 24, 1 to 6.
-// Sodhi, Borland and Stanley 1996: CRREL Report 96-12. Hu and Zhou 2016: Int. J. Nav. Archit. Ocean Eng. 8, 121 to 138.
+// Sodhi, Borland and Stanley 1996: CRREL Report 96-12. Hu and Zhou 2016: Int. J. Nav. Archit. Ocean Eng. 8(2).
 constexpr MeasuredRange kThickness{
     "thickness", "ice.thickness", "m", 0.005, 5.0, "level ice: 24 mm in a basin (Sodhi 1996) to a few metres at sea"};
 constexpr MeasuredRange kDensity{"density", "ice.density", "kg/m3",
