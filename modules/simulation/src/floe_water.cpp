@@ -50,7 +50,7 @@ FloeWater::FloeWater(const model::Case& resolved)
 hydrodynamics::Water FloeWater::at(Vec3 position, const structure::State& structure) const {
   hydrodynamics::Water water = water_;
   const Vec3 origin{structure.pose.position.x, structure.pose.position.y, 0.0};
-  if (flow_) water.current += flow_->at(position - origin, plan(structure.twist.linear));
+  if (flow_) water.current += flow_->at(position - origin, plan(structure.twist.linear - water_.current));
   return water;
 }
 

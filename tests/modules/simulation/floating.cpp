@@ -303,3 +303,16 @@ BOOST_AUTO_TEST_CASE(drag_only_takes_energy_from_a_floe) {
   // The wobble of semi-implicit Euler in one step, (w dt)^2 of the energy.
   BOOST_TEST(gained < 1e-4 * start);
 }
+
+BOOST_AUTO_TEST_CASE(a_structure_that_drifts_with_the_current_does_not_stir_the_water) {
+  FloatingFloe floe(1.0, 1.0, ice_and_water({"hydrodynamics.structure_flow=true", "water.current=[0.5, 0.2]"}));
+  const Twist drift{{0.5, 0.2, 0.0}, {}};
+  floe.place(0.0, 0.0, drift);
+  structure::State structure{{{-8.0, 1.0, 0.0}, {}}, drift};
+  for (int i = 0; i < 100; ++i) {
+    floe.water.apply(floe.world, floe.floes, 0.01, structure);
+    floe.world.step(0.01);
+    structure.pose.position += 0.01 * drift.linear;
+  }
+  BOOST_TEST(norm(floe.world.twist(floe.body).linear - drift.linear) < 1e-12);
+}
