@@ -44,11 +44,11 @@ struct LoadedSheet {
   /// The free edge, from y < 0 to y > 0, through the origin, the ice on its right (+x). Beyond its first and last
   /// point, which have the least and the largest y, the edge goes on along -y and +y. Features that are small against
   /// l_c and the contacts are simplified away.
-  std::vector<Vec2> outline;
-  std::vector<EdgeLoad> edge_loads;    ///< shape=(n,), at least one load of either kind
-  std::vector<PatchLoad> patch_loads;  ///< shape=(m,)
-  double thickness = 0.1;              ///< h / l_c [-]
-  double poisson_ratio = 0.3;          ///< nu [-]
+  std::vector<Vec2> outline{};
+  std::vector<EdgeLoad> edge_loads{};    ///< shape=(n,), at least one load of either kind
+  std::vector<PatchLoad> patch_loads{};  ///< shape=(m,)
+  double thickness = 0.1;                ///< h / l_c [-]
+  double poisson_ratio = 0.3;            ///< nu [-]
   /// The membrane stress of the in-plane loads acts on the bent plate; docs/theory/failure.md, (4).
   bool second_order = false;
   /// A radial crack from B has split the sheet along the whole x-axis: no moment across it. In the plane it is closed.
