@@ -7,18 +7,19 @@
 
 #include "brash/structure/patches.hpp"
 #include "plan.hpp"
+#include "sheet_loads.hpp"
 
 namespace brash::simulation {
 namespace {
 
 /// The free edge is looked at this far from B, in characteristic lengths: the stress has faded there.
 constexpr double kFitReach = 2.0;
-/// A criterion that solves the outline gets this much of it, in characteristic lengths: as far as it is meshed finely.
-constexpr double kOutlineReach = 3.0;
-/// The chord's ends lie on the free edge to within this [m]; they are rounded to the geometry's grid, 2^-30 m.
-constexpr double kOnTheEdge = 1e-6;
-/// A floe that presses without any vertical part; the criteria ask for some.
+/// A load without any vertical part; the criteria ask for some.
 constexpr double kLeastMu1 = 1e-6;
+/// A load without any part in the plane, over its vertical part.
+constexpr double kLeastInPlane = 1e-3;
+/// A floe lies flat under the sheet when its normal forces have less than this share in the plane.
+constexpr double kFlat = 0.1;
 
 std::vector<geometry::Ring> on_grid(const std::vector<structure::Outline>& outlines) {
   std::vector<geometry::Ring> rings;
@@ -29,61 +30,6 @@ std::vector<geometry::Ring> on_grid(const std::vector<structure::Outline>& outli
 structure::Footprint footprint(const EdgeModel& model, const Pose& pose) {
   const Freeboard heights = freeboard(model.resolved);
   return model.hull.footprint(pose, heights.bottom, heights.top);
-}
-
-/// A place on a polyline.
-struct Foot {
-  std::size_t segment = 0;
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-/// The place of `line` nearest to `point`; the first of several.
-Foot nearest(const std::vector<Vec2>& line, Vec2 point) {
-  Foot best;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 along = line[i + 1] - line[i];
-    const double square = dot(along, along);
-    const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
-    const double distance = norm(line[i] + s * along - point);
-    if (distance < best.distance) best = {i, distance};
-  }
-  return best;
-}
-
-/// Drops the part of each arm beyond its outermost point: from there the edge is taken to go on sideways.
-void end_sideways(std::vector<Vec2>& outline, std::size_t contact) {
-  const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
-  const auto tip = outline.begin() + static_cast<std::ptrdiff_t>(contact);
-  outline.erase(std::max_element(tip + 1, outline.end(), by_y) + 1, outline.end());
-  outline.erase(outline.begin(), std::min_element(outline.begin(), tip + 1, by_y));
-}
-
-/// The free edge around a contact in the frame of LoadCase::outline, the chord in place of the crushed tip. Empty where
-/// the chord's ends are not on one piece of the edge.
-std::vector<Vec2> outline_of(const geometry::IceSheet& sheet, const geometry::ContactRegion& region, double reach) {
-  const Vec2 at = 0.5 * (region.chord_from + region.chord_to);
-  const auto to_frame = [&](Vec2 point) {
-    return Vec2{dot(point - at, region.normal), dot(point - at, perpendicular(region.normal))};
-  };
-  for (const std::vector<Vec2>& chain : sheet.free_edge(at, reach)) {
-    // With the ice on its left the chain comes from y > 0, dives into the structure and leaves it towards y < 0.
-    const Foot dives = nearest(chain, region.chord_to), leaves = nearest(chain, region.chord_from);
-    if (dives.distance > kOnTheEdge || leaves.distance > kOnTheEdge || dives.segment > leaves.segment) continue;
-    std::vector<Vec2> outline;
-    const auto append = [&](std::size_t from, std::size_t to, Vec2 chord_end) {
-      for (std::size_t i = to; i-- > from;) {
-        if (norm(chain[i] - chord_end) > kOnTheEdge) outline.push_back(to_frame(chain[i]));
-      }
-    };
-    append(leaves.segment + 1, chain.size(), region.chord_from);
-    const std::size_t contact = outline.size();
-    outline.push_back({0.0, -0.5 * region.contact_length});
-    outline.push_back({0.0, 0.5 * region.contact_length});
-    append(0, dives.segment + 1, region.chord_to);
-    end_sideways(outline, contact);
-    return outline;
-  }
-  return {};
 }
 
 /// The crushing load of a contact on the ice.
@@ -121,7 +67,7 @@ void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& 
   if (!(crushed.area > 0.0)) return;
   const Vec2 normal = contact.region.normal;
   const double area = norm(crushed.vector_area);
-  contact.force = -crushed.force;
+  contact.on_ice = crushed.force;
   contact.point = crushed.moment / crushed.area;
   contact.normal = crushed.vector_area / area;
   contact.area = area;
@@ -146,12 +92,32 @@ void fit(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact& c
                                                   .reach = kFitReach * failure::characteristic_length(model.ice)});
 }
 
-void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact& contact) {
-  if (!(contact.load.pressure > 0.0)) return;
-  if (model.criterion.needs_outline())
-    contact.load.outline = outline_of(sheet, contact.region, kOutlineReach * failure::characteristic_length(model.ice));
-  const auto harmless = model.criterion.dismiss(contact.load);
-  contact.assessment = harmless ? *harmless : model.criterion.assess(contact.load);
+/// The direction in which a floe pushes the sheet; if it lies flat under it, the way from the nearest edge into the
+/// ice.
+std::optional<Vec2> push_of(const EdgeModel& model, const geometry::IceSheet& sheet, const Bearing& bearing) {
+  if (norm(bearing.thrust) > kFlat * bearing.weight) return normalized(bearing.thrust);
+  return into_ice_near(sheet, plan(bearing.first / bearing.weight),
+                       kFitReach * failure::characteristic_length(model.ice));
+}
+
+/// Whether a floe presses inside the ice, where a load on the edge does not stand for it.
+bool presses_inside(const geometry::IceSheet& sheet, const EdgeContact& contact) {
+  return contact.floe != model::kNoFloe &&
+         sheet.free_edge(contact.region.midpoint, contact.region.contact_length).empty();
+}
+
+/// What bends the ice [N]: the vertical force, and the force in the plane with the arm h/2.
+double bending_force(const EdgeModel& model, const EdgeContact& contact) {
+  const double arm = 0.5 * model.ice.thickness / failure::characteristic_length(model.ice);
+  return std::abs(contact.on_ice.z) + arm * norm(plan(contact.on_ice));
+}
+
+/// Whether a load within l_c is more than twice as strong. The ice is then judged there.
+bool is_outweighed(const EdgeModel& model, const std::vector<EdgeContact>& contacts, const EdgeContact& own) {
+  const double l_c = failure::characteristic_length(model.ice), most = 2.0 * bending_force(model, own);
+  return std::ranges::any_of(contacts, [&](const EdgeContact& other) {
+    return norm(other.region.midpoint - own.region.midpoint) < l_c && bending_force(model, other) > most;
+  });
 }
 
 }  // namespace
@@ -201,7 +167,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
       contact.region = std::move(region);
       fit(model, sheet, contact);
       load_contact(model, crushing(model, state, sides, contact.region.overlap), contact);
-      assess(model, sheet, contact);
       contacts.push_back(std::move(contact));
     }
   }
@@ -227,28 +192,46 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometr
   const double h = model.ice.thickness;
   // A cantilever of the width h and the length l_c does not break under less.
   const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));
-  if (bearing.weight < harmless || norm(bearing.thrust) == 0.0) return std::nullopt;
-  const LineLoad line = line_load(bearing);
-  if (line.normal <= 0.0) return std::nullopt;
+  if (bearing.weight < harmless) return std::nullopt;
+  const std::optional<Vec2> towards = push_of(model, sheet, bearing);
+  if (!towards) return std::nullopt;
+  const LineLoad line = line_load(bearing, *towards);
 
   EdgeContact contact;
   contact.floe = floe;
+  contact.on_ice = bearing.force;
+  contact.point = line.middle;
   geometry::ContactRegion& region = contact.region;
   region.contact_length = std::max(line.length, h);
-  region.midpoint = line.middle;
+  region.midpoint = plan(line.middle);
   region.normal = line.towards;
   const Vec2 half = 0.5 * region.contact_length * perpendicular(line.towards);
-  region.chord_from = line.middle - half;
-  region.chord_to = line.middle + half;
+  region.chord_from = region.midpoint - half;
+  region.chord_to = region.midpoint + half;
   fit(model, sheet, contact);
+  const double in_plane = std::max(line.normal, kLeastInPlane * line.out_of_plane);
+  if (!(in_plane > 0.0)) return std::nullopt;
   contact.load = {.depth = contact.wedge.depth,
                   .contact_length = region.contact_length,
                   .angle = contact.wedge.angle,
-                  .mu1 = std::max(line.out_of_plane / line.normal, kLeastMu1),
-                  .mu2 = line.across / line.normal,
-                  .pressure = line.normal / (region.contact_length * h)};
-  assess(model, sheet, contact);
+                  .mu1 = std::max(line.out_of_plane / in_plane, kLeastMu1),
+                  .mu2 = line.across / in_plane,
+                  .pressure = in_plane / (region.contact_length * h)};
   return contact;
+}
+
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts) {
+  const bool joint = model.resolved.failure.joint_loads;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    failure::LoadCase load = contacts[i].load;
+    if (!(load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
+    if (model.criterion.needs_outline())
+      place_loads(model, sheet, contacts, i, joint, load);
+    else if (presses_inside(sheet, contacts[i]))
+      continue;
+    const auto harmless = model.criterion.dismiss(load);
+    contacts[i].assessment = harmless ? *harmless : model.criterion.assess(load);
+  }
 }
 
 }  // namespace brash::simulation

@@ -55,6 +55,18 @@ struct LoadRatios {
 /// @see docs/theory/meta-model.md, (1)
 LoadRatios load_ratios(double slope, double friction, double heading);
 
+/// A load on the sheet near a contact, even along a stretch of the free edge or over a disc inside the ice. Frame of
+/// LoadCase::outline.
+struct SheetLoad {
+  Vec2 from{}, to{};          ///< ends of a straight stretch of the outline, in its order [m]
+  double radius = 0.0;        ///< > 0: of a disc around `from` instead [m]
+  Vec2 in_plane{};            ///< [N]; only on the edge
+  double out_of_plane = 0.0;  ///< [N], positive as the contact's own P
+  /// Of the in-plane force about the edge, because it acts above or below mid-thickness [N m]. Positive where it bends
+  /// the ice ahead as the contact's own P does.
+  double moment = 0.0;
+};
+
 /// One contact, ready for the criterion.
 struct LoadCase {
   double depth = 0.0;           ///< b [m]
@@ -67,6 +79,9 @@ struct LoadCase {
   /// the middle of the tip edge (x into the ice, y along the tip edge), ice on its right. (0, -c/2) and (0, c/2) are
   /// points of it, one after the other. f acts along y.
   std::vector<Vec2> outline{};
+  /// The loads on that edge that are to act together, the contact's own among them. Empty: the contact's own load
+  /// alone.
+  std::vector<SheetLoad> loads{};
 };
 
 /// The answer of the criterion to a load case.
@@ -90,7 +105,9 @@ class BendingCriterion {
   /// The answer of `assess`, without stress and breaking length, if it is plain at a small price that `load` stays
   /// below half the strength. Nothing where only `assess` can tell.
   virtual std::optional<Assessment> dismiss(const LoadCase& /*load*/) const { return std::nullopt; }
-  /// Whether `assess` wants the outline of the load case besides its trapezoid.
+  /// Whether an input exceeds the model's range. A shorter step of the structure may bring it back.
+  virtual bool above_range(const LoadCase& /*load*/) const { return false; }
+  /// Whether `assess` wants outline and loads of the load case besides its trapezoid.
   virtual bool needs_outline() const { return false; }
   /// The one h / l_c that its model was trained with; nothing where the model knows h / l_c or needs none.
   virtual std::optional<double> trained_thickness_over_lc() const { return std::nullopt; }

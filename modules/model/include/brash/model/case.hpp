@@ -61,6 +61,7 @@ struct FailureSection {
   CrackOrder order = CrackOrder::kRadialFirst;
   bool second_order = true;  ///< the in-plane force acts on the bent plate
   bool under_floes = true;   ///< the sheet also breaks where floes press on it
+  bool joint_loads = true;   ///< all loads on the sheet act together
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range

@@ -108,6 +108,7 @@ struct FailureOptions {
   bool file = false;          ///< it reads a model file
   bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
   bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
+  bool joint_loads = false;   ///< `joint_loads = true`: it solves the sheet under several loads
 };
 
 /// @param own_file  the model file is not the one that comes with the program; only that one knows the split sheet.
@@ -121,7 +122,7 @@ constexpr FailureOptions options_of(FailureModel model, bool own_file) {
     case FailureModel::kPlate:
       return {.second_order = true, .radial_first = true};
     case FailureModel::kPlateOutline:
-      return {.second_order = true};
+      return {.second_order = true, .radial_first = true, .joint_loads = true};
     case FailureModel::kWedge:
       return {};
   }
