@@ -6,6 +6,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/plate/sheet.hpp"
+#include "crack_path.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
@@ -45,25 +46,22 @@ SheetLoad own_load(const LoadCase& load, double thickness) {
 struct Stresses {
   double largest = 0.0;  ///< across the centre line's length
   double place = 0.0;    ///< |AB| / l_c
+  Surface side = 1.0;    ///< on which it is
   double radial = 0.0;   ///< along the edge at B, on the surface that P puts in compression
 };
-
-/// Stress resultants as stresses on a surface: s 6 m (l_c / h)^2 + n l_c / h, s = 1 on the surface that P puts in
-/// tension.
-plate::Tensor2 on_surface(const plate::SheetState& state, double thickness, double side) {
-  return (6.0 * side / (thickness * thickness)) * state.moment + (1.0 / thickness) * state.membrane;
-}
 
 /// The largest stress on the centre line: principal where P puts the surface in tension, along the line on the other
 /// one, where the edge's own stress belongs to the radial crack. Plate theory holds from h on.
 /// @param unit  k l_c over the strength.
 Stresses largest_stresses(const plate::LineProfile& line, double thickness, double unit) {
-  Stresses result{.radial = unit * on_surface(line.state.front(), thickness, -1.0).yy};
+  Stresses result{.radial = unit * stress_on(-1.0, line.state.front(), thickness).yy};
   std::vector<double> stress;
+  std::vector<bool> on_bottom;
   for (const plate::SheetState& state : line.state) {
-    const plate::Tensor2 top = on_surface(state, thickness, 1.0), bottom = on_surface(state, thickness, -1.0);
+    const plate::Tensor2 top = stress_on(1.0, state, thickness), bottom = stress_on(-1.0, state, thickness);
     const double principal = 0.5 * (top.xx + top.yy) + std::hypot(0.5 * (top.xx - top.yy), top.xy);
     stress.push_back(std::max(principal, bottom.xx));
+    on_bottom.push_back(bottom.xx > principal);
   }
   std::size_t first = 0;
   while (first + 2 < stress.size() && line.station[first] < thickness) ++first;
@@ -71,6 +69,7 @@ Stresses largest_stresses(const plate::LineProfile& line, double thickness, doub
       std::max_element(stress.begin() + static_cast<std::ptrdiff_t>(first), stress.end()) - stress.begin());
   result.largest = unit * stress[at];
   result.place = line.station[at];
+  if (on_bottom[at]) result.side = -1.0;
   if (at > first && at + 1 < stress.size()) {  // the top of the parabola through three stations
     const double left = stress[at] - stress[at - 1], right = stress[at] - stress[at + 1];
     if (left + right > 0.0)
@@ -96,12 +95,12 @@ class OutlineCriterion final : public BendingCriterion {
     if (load.pressure == 0.0) return unloaded(load);
     if (const auto harmless = screened(load)) return *harmless;
     std::optional<Assessment> answer;
-    if (!load.outline.empty()) answer = solve(sheet(load));
+    if (!load.outline.empty()) answer = judge(sheet(load));
     if (answer) return *answer;
     LoadCase alone = load;
     alone.outline.clear();
     alone.loads.clear();
-    answer = solve(sheet(alone));
+    answer = judge(sheet(alone));
     if (!answer) answer = screen_->assess(load);
     answer->outline_refused = true;
     return *answer;
@@ -112,7 +111,7 @@ class OutlineCriterion final : public BendingCriterion {
   Assessment unloaded(LoadCase load) const {
     load.pressure = 1.0;
     load.loads.clear();
-    Assessment answer = solve(sheet(load)).value_or(screen_->assess(load));
+    Assessment answer = judge(sheet(load)).value_or(screen_->assess(load));
     return {.breaking_length = answer.breaking_length};
   }
 
@@ -154,27 +153,38 @@ class OutlineCriterion final : public BendingCriterion {
     return result;
   }
 
+  /// A solved sheet and its stresses on the centre line.
+  struct Solved {
+    plate::SheetSolution solution;
+    Stresses stresses;
+  };
+
   /// Nothing where the sheet cannot be meshed.
-  std::optional<Assessment> solve(plate::LoadedSheet sheet) const {
+  std::optional<Assessment> judge(plate::LoadedSheet sheet) const {
     Assessment answer;
-    auto stress = stresses(sheet, answer);
-    if (!stress) return std::nullopt;
-    const bool may_fail = kSplitMargin * stress->largest > 1.0;
-    if (options_.radial_first && may_fail && stress->radial > 1.0) {
+    std::optional<Solved> solved = solve(sheet, answer);
+    if (!solved) return std::nullopt;
+    const bool may_fail = kSplitMargin * solved->stresses.largest > 1.0;
+    if (options_.radial_first && may_fail && solved->stresses.radial > 1.0) {
       sheet.split = true;
-      if (auto split = stresses(sheet, answer)) {
+      if (auto split = solve(sheet, answer)) {
         answer.split = true;
-        stress = split;
+        solved = std::move(split);
       }
     }
-    answer.sigma_max = stress->largest * ice_.flexural_strength;
-    answer.breaking_length = stress->place * l_c_;
+    const Stresses& stresses = solved->stresses;
+    answer.sigma_max = stresses.largest * ice_.flexural_strength;
+    answer.breaking_length = stresses.place * l_c_;
     answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
+    if (answer.fails && options_.trace_crack) {
+      answer.crack = crack_path(solved->solution, stresses.place, stresses.side, sheet.thickness);
+      for (Vec2& point : answer.crack) point = l_c_ * point;
+    }
     return answer;
   }
 
-  /// Stresses on the centre line over the flexural strength; to first order if the plate buckles.
-  std::optional<Stresses> stresses(plate::LoadedSheet sheet, Assessment& answer) const {
+  /// To first order if the plate buckles.
+  std::optional<Solved> solve(plate::LoadedSheet sheet, Assessment& answer) const {
     auto solution = plate::solve(sheet);
     if (!solution && solution.error().buckled) {
       answer.buckled = true;
@@ -187,7 +197,8 @@ class OutlineCriterion final : public BendingCriterion {
       if (norm(point) < kReach) base = std::max(base, point.x);
     const plate::LineProfile line = solution->along({}, {1.0, 0.0}, base + kBeyond);
     if (line.station.size() < 3) return std::nullopt;
-    return largest_stresses(line, sheet.thickness, foundation_ * l_c_ / ice_.flexural_strength);
+    const Stresses stresses = largest_stresses(line, sheet.thickness, foundation_ * l_c_ / ice_.flexural_strength);
+    return Solved{std::move(*solution), stresses};
   }
 
   std::unique_ptr<BendingCriterion> screen_;

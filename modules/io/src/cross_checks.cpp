@@ -192,6 +192,9 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(!c.failure.joint_loads || takes.joint_loads, {"failure", "joint_loads"}, {"failure", "model"},
                  fmt::format("the model {} knows one load at a time", name),
                  "true with failure.model = \"plate-outline\"", "take this model, or false");
+  checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.traces_crack, {"failure", "pattern"},
+                 {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
+                 "stress with failure.model = \"plate-outline\"", "take this model, or disc");
   std::error_code ignored;
   checks.require(c.failure.file.empty() || std::filesystem::is_regular_file(c.failure.file, ignored),
                  {"failure", "file"}, {"failure", "file"}, fmt::format("there is no file {}", c.failure.file),

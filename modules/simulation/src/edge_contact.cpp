@@ -120,6 +120,17 @@ bool is_outweighed(const EdgeModel& model, const std::vector<EdgeContact>& conta
   });
 }
 
+/// Puts the crack on the sheet, and the contact of a floe where it was judged.
+void move_to(const Frame& frame, EdgeContact& contact) {
+  for (Vec2& point : contact.assessment.crack) point = frame.on_sheet(point);
+  if (contact.floe == model::kNoFloe) return;
+  geometry::ContactRegion& region = contact.region;
+  const Vec2 half = 0.5 * region.contact_length * perpendicular(region.normal);
+  region.midpoint = frame.origin;
+  region.chord_from = frame.origin - half;
+  region.chord_to = frame.origin + half;
+}
+
 }  // namespace
 
 Freeboard freeboard(const model::Case& resolved) { return freeboard(resolved, resolved.ice.thickness); }
@@ -142,9 +153,10 @@ failure::IceProperties ice_properties(const model::Case& resolved) {
 std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
                                                           const failure::IceProperties& ice) {
   const model::FailureSection& section = resolved.failure;
-  return failure::make_criterion(
-      section.model, section.file, ice,
-      {.second_order = section.second_order, .radial_first = section.order == model::CrackOrder::kRadialFirst});
+  return failure::make_criterion(section.model, section.file, ice,
+                                 {.second_order = section.second_order,
+                                  .radial_first = section.order == model::CrackOrder::kRadialFirst,
+                                  .trace_crack = section.pattern == model::CrackPattern::kStress});
 }
 
 std::vector<geometry::Ring> leading_outlines(const EdgeModel& model, const Pose& pose) {
@@ -222,16 +234,19 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometr
 
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts) {
   const bool joint = model.resolved.failure.joint_loads;
+  std::vector<std::optional<Frame>> frames(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     failure::LoadCase load = contacts[i].load;
     if (!(load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
     if (model.criterion.needs_outline())
-      place_loads(model, sheet, contacts, i, joint, load);
+      frames[i] = place_loads(model, sheet, contacts, i, joint, load);
     else if (presses_inside(sheet, contacts[i]))
       continue;
     const auto harmless = model.criterion.dismiss(load);
     contacts[i].assessment = harmless ? *harmless : model.criterion.assess(load);
   }
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (frames[i]) move_to(*frames[i], contacts[i]);
 }
 
 }  // namespace brash::simulation

@@ -89,14 +89,6 @@ Edge with_chords(const Polyline& chain, const std::vector<EdgeContact>& all) {
   return edge;
 }
 
-/// A plane frame: origin at B, x into the ice.
-struct Frame {
-  Vec2 origin{}, x{1.0, 0.0};
-
-  Vec2 turned(Vec2 v) const { return {dot(v, x), dot(v, perpendicular(x))}; }
-  Vec2 place(Vec2 point) const { return turned(point - origin); }
-};
-
 /// The edge in the frame, from y < 0 to y > 0, without the part of each arm beyond its outermost point: from there it
 /// is taken to go on sideways. Nothing where no point is on one side of B.
 std::optional<Polyline> outline_in(const Frame& frame, const Polyline& line) {
@@ -180,8 +172,9 @@ void drop_weak(double reach, double l_c, std::vector<failure::SheetLoad>& loads)
 
 }  // namespace
 
-void place_loads(const EdgeModel& model, const geometry::IceSheet& sheet, const std::vector<EdgeContact>& all,
-                 std::size_t contact, bool joint, failure::LoadCase& load) {
+std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceSheet& sheet,
+                                 const std::vector<EdgeContact>& all, std::size_t contact, bool joint,
+                                 failure::LoadCase& load) {
   const EdgeContact& own = all[contact];
   const double l_c = failure::characteristic_length(model.ice), reach = kReach * l_c;
   const Vec2 at = 0.5 * (own.region.chord_from + own.region.chord_to);
@@ -191,7 +184,7 @@ void place_loads(const EdgeModel& model, const geometry::IceSheet& sheet, const 
     if (edge.line.size() < 2 || (of_structure(own) && !has_chord)) continue;
     const Frame frame{of_structure(own) ? at : nearest(edge.line, at).place, own.region.normal};
     const auto outline = outline_in(frame, edge.line);
-    if (!outline) return;
+    if (!outline) return std::nullopt;
 
     const Freeboard heights = freeboard(model.resolved);
     const double own_way = own.on_ice.z > 0.0 ? 1.0 : -1.0;
@@ -210,8 +203,9 @@ void place_loads(const EdgeModel& model, const geometry::IceSheet& sheet, const 
     }
     drop_weak(reach, l_c, load.loads);
     load.outline = *outline;
-    return;
+    return frame;
   }
+  return std::nullopt;
 }
 
 std::optional<Vec2> into_ice_near(const geometry::IceSheet& sheet, Vec2 at, double reach) {

@@ -94,6 +94,9 @@ struct Assessment {
   bool outline_refused = false;  ///< the outline could not be meshed; the answer holds for the trapezoid
   bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are of first order
   bool split = false;            ///< a radial crack came first: stress and place belong to the split sheet
+  /// The circumferential crack along the stress, if the ice fails and BendingOptions::trace_crack asks for it: from one
+  /// free edge to the other, frame of LoadCase::outline [m]. Empty where it does not reach the edge.
+  std::vector<Vec2> crack{};
 };
 
 /// Says whether the ice fails in bending and how far in. Stateless after construction.
@@ -123,6 +126,8 @@ struct BendingOptions {
   /// Where the edge stress on the other surface exceeds the strength, a radial crack splits the sheet along the centre
   /// line before it breaks circumferentially: `plate`, and `superposition` with the models that come with the program.
   bool radial_first = false;
+  /// Assessment::crack is wanted: `plate-outline`.
+  bool trace_crack = false;
 };
 
 /// The criterion named `model`:
