@@ -72,6 +72,18 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
         self.assertEqual(said, "4 pieces, breaks: 1\n")
         self.assertNotIn(str(BUILD), "".join(p.read_text() for p in (self.prefix / "lib/cmake/brash").iterdir()))
 
+    def test_the_cpp_program_of_the_tutorial_is_built_as_it_stands(self):
+        page = (SOURCE / "docs/tutorials/crack-geometry.md").read_text(encoding="utf-8")
+        folder = self.prefix / "tutorial"
+        folder.mkdir()
+        for name, text in re.findall(r"^```(?:cmake|cpp) (\S+)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
+            (folder / name).write_text(text)
+        for command in ([os.environ["CMAKE"], "-B", "build", f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+                        [os.environ["CMAKE"], "--build", "build"], ["build/floes"]):
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"^[\d.]+ m2\n[\d.]+ m2\nnothing is lost\n$")
+
     def test_documents_schema_and_completion_are_there(self):
         for name in ("share/brash/case.schema.json", "share/doc/brash/README.md", "share/doc/brash/CITATION.cff",
                      "share/doc/brash/docs/glossary.md", "share/brash/models/cone_network.md",
