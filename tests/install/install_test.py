@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An installation works by itself: the program, the Python module, the models and the completion."""
+import gzip
 import json
 import os
 import pathlib
@@ -89,6 +90,10 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
                      "share/doc/brash/docs/glossary.md", "share/brash/models/cone_network.md",
                      "share/bash-completion/completions/brash", "share/man/man1/brash.1.gz", "lib/python3/dist-packages/brash/_brash.pyi"):
             self.assertTrue((self.prefix / name).is_file(), name)
+
+    def test_debian_s_changelog_begins_with_a_version_that_debian_reads(self):
+        text = gzip.decompress((self.prefix / "share/doc/brash/changelog.Debian.gz").read_bytes()).decode()
+        self.assertRegex(text.splitlines()[0], r"^brash \(\d+\.\d+\.\d+-1\) unstable; urgency=medium$")
 
     def test_the_module_goes_where_debian_s_python_looks(self):
         for prefix, wanted in (("/usr", "lib/python3/dist-packages"), ("/usr/local", "lib/python3.*/dist-packages")):
