@@ -17,11 +17,13 @@ import contacts
 import cuts
 import edge
 import histories
+import measured
 import plate
 import water
 
-FIGURES = {"contacts": contacts, "water": water, "cuts": cuts, "histories": histories, "plate": plate,
-           "closed-forms": closed_forms, "edge": edge}
+FIGURES = {"contacts": contacts.draw, "water": water.draw, "cuts": cuts.draw, "histories": histories.draw,
+           "plate": plate.draw, "closed-forms": closed_forms.draw, "edge": edge.draw, "solver": measured.solver,
+           "drag": measured.drag, "crushed": measured.crushed}
 
 
 def main():
@@ -29,8 +31,8 @@ def main():
     # A fixed salt and no date: names of parts in the file do not vary.
     plt.rcParams.update({"svg.hashsalt": "brash", "font.size": 9, "axes.titlesize": 10, "legend.frameon": False,
                          "legend.fontsize": 8, "axes.spines.top": False, "axes.spines.right": False})
-    for name, module in FIGURES.items():
-        figure = module.draw()
+    for name, draw in FIGURES.items():
+        figure = draw()
         figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
         plt.close(figure)
 

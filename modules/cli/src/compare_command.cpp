@@ -76,7 +76,7 @@ void compare(CompareOptions& options) {
   } else {
     print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
-  if (measured.unit.empty())
+  if (measured.unit.empty() && measured_file == options.measured)
     say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.column),
         run.unit.empty() ? "that of the run" : run.unit);
 }

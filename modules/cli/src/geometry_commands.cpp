@@ -72,7 +72,9 @@ IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features)
 /// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
 std::vector<Polygon> read_cutters(const std::string& path) {
   auto polygons = geometry::from_wkt(read_text_file(path, "cutters (WKT)", kMostMebibytes));
-  if (!polygons) refuse_polygons(path, polygons.error().what);
+  if (!polygons)
+    throw InputError(Complaint{path, polygons.error().what, "POLYGON or MULTIPOLYGON (WKT) in plan metres",
+                               "correct the polygon; lines that split the ice go to --cracks"});
   for (std::size_t i = 0; i < polygons->size(); ++i) {
     const Polygon& cutter = (*polygons)[i];
     const std::string name = fmt::format("cutter {}", i + 1);
