@@ -97,6 +97,17 @@ Eigen::MatrixX2d ReferenceElement::gradients(double xi, double eta) const {
   return result;
 }
 
+Eigen::VectorXd ReferenceElement::edge_load() const {
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(order_ + 1);
+  for (const auto& point : line_rule(order_ + 1)) {
+    const Eigen::VectorXd phi = values(point.s, 0.0);
+    along(0) += point.weight * phi(0);
+    for (int i = 1; i < order_; ++i) along(i) += point.weight * phi(2 + i);
+    along(order_) += point.weight * phi(1);
+  }
+  return along;
+}
+
 void ReferenceElement::build_integrals() {
   for (auto& matrix : stiffness_) matrix = Eigen::MatrixXd::Zero(n_rotation(), n_rotation());
   mass_ = Eigen::MatrixXd::Zero(n_lagrange(), n_lagrange());

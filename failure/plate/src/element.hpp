@@ -36,6 +36,8 @@ class ReferenceElement {
   const Eigen::MatrixXd& mass() const { return mass_; }
   /// int phi_i of the Lagrange functions.
   const Eigen::VectorXd& load() const { return load_; }
+  /// Integrals of the functions of the unit edge 0-1 along it, end to end: the nodal loads of an even load.
+  Eigen::VectorXd edge_load() const;
   /// Shear coefficients of the gradient of the deflection, shape=(n_shear, n_lagrange).
   const Eigen::MatrixXd& shear_of_deflection() const { return shear_of_deflection_; }
   /// Shear coefficients of the covariant rotation component a, shape=(n_shear, n_rotation).

@@ -145,22 +145,9 @@ Eigen::MatrixXd slope_work(const ReferenceElement& element, const Eigen::Matrix2
   return result;
 }
 
-/// Integrals of the edge functions of a unit edge, end to end: the nodal loads of a uniform load.
-Eigen::VectorXd edge_load(const ReferenceElement& element) {
-  const int k = element.order();
-  Eigen::VectorXd along = Eigen::VectorXd::Zero(k + 1);
-  for (const auto& point : line_rule(k + 1)) {
-    const Eigen::VectorXd phi = element.values(point.s, 0.0);
-    along(0) += point.weight * phi(0);
-    for (int i = 1; i < k; ++i) along(i) += point.weight * phi(2 + i);
-    along(k) += point.weight * phi(1);
-  }
-  return along;
-}
-
 template <typename Add>
 void for_each_tip_node(const Mesh& mesh, const Nodes& nodes, const ReferenceElement& element, const Add& add) {
-  const Eigen::VectorXd weights = edge_load(element);
+  const Eigen::VectorXd weights = element.edge_load();
   for (const auto& tagged : mesh.tagged) {
     if (tagged.side != Side::kTip) continue;
     const auto& ends = mesh.edges[static_cast<std::size_t>(tagged.edge)];

@@ -85,17 +85,17 @@ class GradedCriteria : public CGAL::Delaunay_mesh_criteria_2<Triangulation> {
   const Domain* domain_;
 };
 
-Side side_of(const Domain& domain, Vec2 middle) {
-  const Segment* nearest = nullptr;
+std::size_t segment_at(const Domain& domain, Vec2 middle) {
+  std::size_t nearest = 0;
   double best = std::numeric_limits<double>::infinity();
-  for (const auto& segment : domain.segments) {
-    const double distance = distance_to(middle, segment.from, segment.to);
+  for (std::size_t i = 0; i < domain.segments.size(); ++i) {
+    const double distance = distance_to(middle, domain.segments[i].from, domain.segments[i].to);
     if (distance < best) {
       best = distance;
-      nearest = &segment;
+      nearest = i;
     }
   }
-  return nearest->side;
+  return nearest;
 }
 
 Mesh extract(const Domain& domain, Triangulation& triangulation) {
@@ -125,7 +125,8 @@ Mesh extract(const Domain& domain, Triangulation& triangulation) {
       if (face->is_constrained((static_cast<int>(i) + 2) % 3)) {
         const Vec2 middle =
             0.5 * (mesh.vertices[static_cast<std::size_t>(ends[0])] + mesh.vertices[static_cast<std::size_t>(ends[1])]);
-        mesh.tagged.push_back({ids[i], side_of(domain, middle)});
+        const std::size_t segment = segment_at(domain, middle);
+        mesh.tagged.push_back({ids[i], domain.segments[segment].side, static_cast<int>(segment)});
       }
     }
     mesh.triangles.push_back(corners);
@@ -144,14 +145,22 @@ double wanted_size(const Domain& domain, Vec2 place) {
   return size;
 }
 
-tl::expected<Mesh, std::string> mesh_domain(const Domain& domain) {
+tl::expected<Mesh, std::string> mesh_domain(const Domain& domain, std::size_t max_vertices) {
   try {
     Triangulation triangulation;
     for (const auto& segment : domain.segments) {
       triangulation.insert_constraint({segment.from.x, segment.from.y}, {segment.to.x, segment.to.y});
     }
     CGAL::Delaunay_mesher_2<Triangulation, GradedCriteria> mesher(triangulation, GradedCriteria(domain));
-    mesher.refine_mesh();
+    if (max_vertices == 0) {
+      mesher.refine_mesh();
+    } else {
+      mesher.init();
+      while (mesher.try_one_step_refine_mesh()) {
+        if (triangulation.number_of_vertices() > max_vertices)
+          return tl::unexpected(std::string("the outline needs too many elements"));
+      }
+    }
     Mesh mesh = extract(domain, triangulation);
     if (mesh.triangles.empty()) return tl::unexpected(std::string("the outline encloses nothing"));
     return mesh;

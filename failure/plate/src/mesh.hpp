@@ -43,6 +43,7 @@ double wanted_size(const Domain& domain, Vec2 place);
 struct TaggedEdge {
   int edge = 0;
   Side side = Side::kFree;
+  int segment = 0;  ///< of the domain
 };
 
 /// A conforming triangulation; local edge e of a triangle joins its local vertices e and (e + 1) % 3.
@@ -55,6 +56,8 @@ struct Mesh {
 };
 
 /// Constrained Delaunay mesh of `domain` with all angles above about 20 degrees where the outline permits.
-tl::expected<Mesh, std::string> mesh_domain(const Domain& domain);
+///
+/// @param max_vertices  refinement that makes more is given up; 0: no limit.
+tl::expected<Mesh, std::string> mesh_domain(const Domain& domain, std::size_t max_vertices = 0);
 
 }  // namespace brash::plate

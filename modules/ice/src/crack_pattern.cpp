@@ -17,8 +17,12 @@ class Circumferential final : public CrackPattern {
                  statistics::RandomStream& random) const override {
     const double radius = assessment.breaking_length;
     const int n_wedges = random.uniform_int(wedges_[0], wedges_[1]);
-    return {geometry::circumferential(plate.sheet(), contact.midpoint, radius, n_wedges, arc_sides_), contact.midpoint,
-            radius, n_wedges};
+    const Vec2 tip = 0.5 * (contact.chord_from + contact.chord_to);  // the breaking length starts here
+    geometry::CrackedRegion cracked = geometry::circumferential(plate.sheet(), tip, radius, n_wedges, arc_sides_);
+    // The cracks meet at the tip, inside crushed ice. One more takes them on to the free edge.
+    const geometry::Crack to_edge{geometry::snap(tip), geometry::snap(contact.midpoint)};
+    if (to_edge.from != to_edge.to) cracked.cracks.push_back(to_edge);
+    return {std::move(cracked), tip, radius, n_wedges};
   }
 
  private:

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "brash/structure/patches.hpp"
+#include "plan.hpp"
+
 namespace brash::simulation {
 namespace {
 
@@ -83,38 +86,55 @@ std::vector<Vec2> outline_of(const geometry::IceSheet& sheet, const geometry::Co
   return {};
 }
 
-/// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical.
-void load_contact(const EdgeModel& model, const structure::State& state, EdgeContact& contact) {
+/// The crushing load of a contact on the ice.
+struct Crushing {
+  Vec3 force{};        ///< with friction [N]
+  Vec3 vector_area{};  ///< sum of area times normal over the surface that crushes [m2]
+  Vec3 moment{};       ///< sum of area times place [m3]
+  double area = 0.0;   ///< of that surface [m2]
+};
+
+/// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip.
+Crushing crushing(const EdgeModel& model, const structure::State& state, std::span<const structure::SidePiece> sides,
+                  const geometry::Polygon& overlap) {
   const model::Case& c = model.resolved;
-  const Vec3 point{contact.region.midpoint.x, contact.region.midpoint.y, 0.0};
-  const Vec2 velocity = plan(velocity_at(state.twist, point - state.pose.position));
+  const bool projected = c.contact.area == model::ContactArea::kProjected;
+  Crushing sum;
+  for (const structure::Patch& patch : structure::patches_within(sides, rings_in_metres(overlap))) {
+    const Vec3 velocity = velocity_at(state.twist, patch.centroid - state.pose.position);
+    const double into_ice = dot(velocity, patch.normal);
+    if (into_ice <= 0.0) continue;  // slides past or leaves
+    const double area = projected ? patch.plan_area : patch.area;
+    const Vec3 slip = velocity - into_ice * patch.normal;
+    const Vec3 friction = norm(slip) > 0.0 ? c.ice.friction_structure * normalized(slip) : Vec3{};
+    sum.force += failure::crushing_force(model.ice, area) * (patch.normal + friction);
+    sum.vector_area += area * patch.normal;
+    sum.moment += area * patch.centroid;
+    sum.area += area;
+  }
+  return sum;
+}
+
+/// The load of a contact with the structure, also as the failure model takes it: N along the chord's normal, f along
+/// the chord, P vertical.
+void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& contact) {
+  if (!(crushed.area > 0.0)) return;
   const Vec2 normal = contact.region.normal;
-  if (dot(velocity, normal) <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
-  const Vec2 way = normalized(velocity);
-  const double heading = std::atan2(-cross(way, normal), dot(way, normal));  // of the motion, from the normal
+  const double area = norm(crushed.vector_area);
+  contact.force = -crushed.force;
+  contact.point = crushed.moment / crushed.area;
+  contact.normal = crushed.vector_area / area;
+  contact.area = area;
+  contact.bound = failure::crushing_force(model.ice, area);
 
-  const structure::Surface surface = model.hull.surface_at(state.pose, point);
-  const failure::LoadRatios ratios = failure::load_ratios(surface.slope, c.ice.friction_structure, heading);
-  const double plan_area = geometry::area(contact.region.overlap).square_metres();
-  const double area =
-      c.contact.area == model::ContactArea::kProjected ? plan_area : plan_area / std::cos(surface.slope);
-  const double normal_force = failure::crushing_force(model.ice, area);
-  const double in_plane = normal_force * ratios.horizontal;
-  const bool downward = surface.breaking == model::Breaking::kDownward;
-
+  const double in_plane = dot(plan(crushed.force), normal);
+  if (!(in_plane > 0.0)) return;
   contact.load = {.depth = contact.wedge.depth,
                   .contact_length = contact.region.contact_length,
                   .angle = contact.wedge.angle,
-                  .mu1 = ratios.mu1,
-                  .mu2 = ratios.mu2,
+                  .mu1 = std::max(std::abs(crushed.force.z) / in_plane, kLeastMu1),
+                  .mu2 = dot(plan(crushed.force), perpendicular(normal)) / in_plane,
                   .pressure = in_plane / (contact.region.contact_length * model.ice.thickness)};
-  const Vec2 on_ice = in_plane * (normal + ratios.mu2 * perpendicular(normal));
-  contact.force = {-on_ice.x, -on_ice.y, downward ? in_plane * ratios.mu1 : -in_plane * ratios.mu1};
-  contact.point = point;
-  const double along = std::sin(surface.slope), up = std::cos(surface.slope);
-  contact.normal = {along * normal.x, along * normal.y, downward ? -up : up};
-  contact.area = area;
-  contact.bound = normal_force;
 }
 
 /// The wedge behind the chord, which the crushed tip has become.
@@ -172,13 +192,15 @@ std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
                                        const structure::State& state) {
   std::vector<EdgeContact> contacts;
+  const Freeboard heights = freeboard(model.resolved);
+  const auto sides = model.hull.sides(state.pose, heights.bottom, heights.top);
   for (const geometry::Ring& outline : leading_outlines(model, state.pose)) {
     for (geometry::ContactRegion& region : sheet.contacts(outline)) {
       if (!(region.contact_length > 0.0)) continue;
       EdgeContact contact;
       contact.region = std::move(region);
       fit(model, sheet, contact);
-      load_contact(model, state, contact);
+      load_contact(model, crushing(model, state, sides, contact.region.overlap), contact);
       assess(model, sheet, contact);
       contacts.push_back(std::move(contact));
     }

@@ -26,8 +26,8 @@ struct EdgeContact {
   failure::Assessment assessment;
   Vec3 force{};                        ///< on the structure [N], Eq. 15 with friction; none where a floe presses
   Vec3 point{};                        ///< where it acts [m]
-  Vec3 normal{};                       ///< unit, from the structure's surface into the ice
-  double area = 0.0;                   ///< A of Eq. 15 [m2]
+  Vec3 normal{};                       ///< unit, mean over the surface that crushes, into the ice
+  double area = 0.0;                   ///< of that surface, seen along `normal` [m2]
   double bound = 0.0;                  ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
@@ -64,9 +64,9 @@ std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose
 
 /// All contacts of the structure with the sheet, each fitted, loaded and assessed.
 ///
-/// Crushing: F_n = sigma_c A R (Eq. 15). A is the area of the structure's surface inside the ice: the overlap in plan
-/// over cos(slope), or the overlap itself for `contact.area = "projected"`. The surface at the contact gives the slope
-/// and the direction of breaking. The structure's velocity there gives the heading.
+/// Crushing: sigma_c R (Eq. 15) along the normal of each part of the structure's surface inside the ice that moves into
+/// it, and friction against its slip. `contact.area = "projected"` takes the part's plan for its area.
+/// docs/theory/simulation.md, (S0).
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
                                        const structure::State& state);
 

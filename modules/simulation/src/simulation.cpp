@@ -207,8 +207,9 @@ bool Simulation::Impl::crush_passed_ice() {
 /// ice an earlier one has just broken off is left to the next step.
 void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
   for (const EdgeContact& contact : contacts) {
+    const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
     const bool broken_off = std::ranges::any_of(report.events, [&](const model::CrackEvent& event) {
-      return norm(event.at - contact.region.midpoint) < event.breaking_length;
+      return norm(event.tip - tip) < event.breaking_length;
     });
     if (!contact.assessment.fails || broken_off) continue;
     model::CrackEvent event{.time = time(),
@@ -224,7 +225,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .breaking_length = contact.assessment.breaking_length,
                             .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
                             .area_before = field.ledger().sheet.square_metres(),
-                            .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
+                            .tip = tip,
                             .towards = contact.region.normal,
                             .pressing_floe = contact.floe};
     Break made = break_off(contact, report);

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/plate/sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <mutex>
+#include <numbers>
+#include <utility>
+
+#include "brash/core/contract.hpp"
+#include "fem.hpp"
+#include "profiles.hpp"
+#include "quadrature.hpp"
+#include "sheet_domain.hpp"
+#include "sheet_fem.hpp"
+#include "sheet_recovery.hpp"
+
+namespace brash::plate {
+
+namespace {
+
+/// Meshes with more vertices are given up: a hundred times as many as a usual one.
+constexpr std::size_t kMostVertices = 20000;
+/// A line may start outside the ice by this much, over l_c: the edge is simplified.
+constexpr double kOutside = 0.05;
+/// Points on which a patch load acts: rings of them.
+constexpr int kPatchRings = 3;
+constexpr int kPatchSpokes = 12;
+
+double seconds_since(std::clock_t start) { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; }
+
+/// A place in a triangle.
+struct Spot {
+  int triangle = 0;
+  double xi = 0.0;
+  double eta = 0.0;
+};
+
+/// The place if it lies in the triangle, to within rounding.
+std::optional<Spot> spot_in(const Mesh& mesh, int triangle, Vec2 place) {
+  constexpr double kRounding = 1e-9;
+  const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+  const Vec2 origin = mesh.vertices[static_cast<std::size_t>(corners[0])];
+  const Vec2 u = mesh.vertices[static_cast<std::size_t>(corners[1])] - origin;
+  const Vec2 v = mesh.vertices[static_cast<std::size_t>(corners[2])] - origin;
+  const double area2 = cross(u, v);
+  const double xi = cross(place - origin, v) / area2;
+  const double eta = cross(u, place - origin) / area2;
+  if (xi < -kRounding || eta < -kRounding || xi + eta > 1.0 + kRounding) return std::nullopt;
+  return Spot{triangle, xi, eta};
+}
+
+/// Every triangle that holds the place: two where it lies on an edge.
+std::vector<Spot> spots_at(const Mesh& mesh, Vec2 place) {
+  std::vector<Spot> spots;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    if (const auto spot = spot_in(mesh, t, place)) spots.push_back(*spot);
+  }
+  return spots;
+}
+
+std::vector<EdgeForce> edge_forces(const LoadedSheet& sheet, const SheetEdge& edge, const Mesh& mesh) {
+  std::vector<EdgeForce> forces;
+  for (const TaggedEdge& tagged : mesh.tagged) {
+    if (tagged.side != Side::kTip) continue;
+    const auto i = static_cast<std::size_t>(tagged.segment);
+    EdgeForce force{.edge = tagged.edge, .outward = perpendicular(normalized(edge.points[i + 1] - edge.points[i]))};
+    for (std::size_t l = 0; l < edge.loads.size(); ++l) {
+      const auto [first, last] = edge.loads[l];
+      if (i < first || i >= last) continue;
+      double length = 0.0;
+      for (std::size_t j = first; j < last; ++j) length += norm(edge.points[j + 1] - edge.points[j]);
+      const EdgeLoad& load = sheet.edge_loads[l];
+      force.in_plane += load.in_plane / length;
+      force.out_of_plane += load.out_of_plane / length;
+      force.moment += load.moment / length;
+    }
+    forces.push_back(force);
+  }
+  return forces;
+}
+
+/// Points of equal share over the disc of a patch load, those in the ice.
+std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Mesh& mesh) {
+  std::vector<PointForce> forces;
+  for (const PatchLoad& load : sheet.patch_loads) {
+    std::vector<Spot> spots;
+    const int rings = load.radius > 0.0 ? kPatchRings : 1;
+    const int spokes = load.radius > 0.0 ? kPatchSpokes : 1;
+    for (int ring = 0; ring < rings; ++ring) {
+      const double radius = load.radius * std::sqrt((ring + 0.5) / rings);
+      for (int spoke = 0; spoke < spokes; ++spoke) {
+        const double angle = 2.0 * std::numbers::pi * (spoke + 0.5 * (ring % 2)) / spokes;
+        const auto found = spots_at(mesh, load.at + radius * Vec2{std::cos(angle), std::sin(angle)});
+        if (!found.empty()) spots.push_back(found.front());
+      }
+    }
+    for (const Spot& spot : spots) {
+      forces.push_back({spot.triangle, spot.xi, spot.eta, load.out_of_plane / static_cast<double>(spots.size())});
+    }
+  }
+  return forces;
+}
+
+std::vector<int> bending_triangles(const Mesh& mesh, const SheetDomain& domain, double reach) {
+  std::vector<int> triangles;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    Vec2 centre;
+    for (const int corner : mesh.triangles[static_cast<std::size_t>(t)]) {
+      centre += mesh.vertices[static_cast<std::size_t>(corner)] / 3.0;
+    }
+    const auto is_near = [&](const Segment& s) { return distance_to_stretch(centre, s.from, s.to) < reach; };
+    if (std::any_of(domain.focus.begin(), domain.focus.end(), is_near)) triangles.push_back(t);
+  }
+  return triangles;
+}
+
+/// Where a line from a place is in the ice: from `enter` to `leave`.
+struct Reach {
+  double enter = 0.0;
+  double leave = 0.0;
+};
+
+Reach reach_of(const Mesh& mesh, Vec2 from, Vec2 direction, double length) {
+  std::vector<double> crossings;
+  for (const TaggedEdge& tagged : mesh.tagged) {
+    if (tagged.side == Side::kCrack || tagged.side == Side::kInterior) continue;
+    const auto& ends = mesh.edges[static_cast<std::size_t>(tagged.edge)];
+    const Vec2 a = mesh.vertices[static_cast<std::size_t>(ends[0])] - from;
+    const Vec2 b = mesh.vertices[static_cast<std::size_t>(ends[1])] - from;
+    const double left = cross(direction, a);
+    const double right = cross(direction, b);
+    if ((left > 0.0) == (right > 0.0)) continue;
+    crossings.push_back(dot(direction, a) + (dot(direction, b) - dot(direction, a)) * left / (left - right));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  double start = 0.0;
+  for (const double crossing : crossings) {
+    if (crossing <= start + 1e-9) continue;
+    const double end = std::min(crossing, length);
+    if (!spots_at(mesh, from + 0.5 * (start + end) * direction).empty()) return {start, end};
+    if (crossing > kOutside || crossing >= length) break;
+    start = crossing;
+  }
+  return {};
+}
+
+std::optional<std::string> fault_of(const LoadedSheet& sheet) {
+  const auto finite = [](Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); };
+  if (sheet.edge_loads.empty() && sheet.patch_loads.empty()) return "there is no load";
+  for (const EdgeLoad& load : sheet.edge_loads) {
+    if (!finite(load.from) || !finite(load.to) || !finite(load.in_plane) || !std::isfinite(load.out_of_plane) ||
+        !std::isfinite(load.moment)) {
+      return "a load is not finite";
+    }
+  }
+  for (const PatchLoad& load : sheet.patch_loads) {
+    if (!finite(load.at) || !std::isfinite(load.radius) || !std::isfinite(load.out_of_plane))
+      return "a load is not finite";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+struct SheetSolution::Impl {
+  Mesh mesh;
+  SheetFields fields;
+  double membrane_unit = 1.0;
+  SheetTimes times;
+  mutable std::mutex mutex;
+  mutable std::optional<SheetRecovery> recovery;
+
+  SheetState state(const std::vector<Spot>& spots) const {
+    SheetState sum;
+    for (const Spot& spot : spots) {
+      const SheetState state = recovery->at(spot.triangle, spot.xi, spot.eta);
+      const double share = 1.0 / static_cast<double>(spots.size());
+      sum.moment = sum.moment + share * state.moment;
+      sum.membrane = sum.membrane + share * state.membrane;
+      sum.deflection += share * state.deflection;
+    }
+    return sum;
+  }
+};
+
+SheetSolution::SheetSolution(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+SheetSolution::SheetSolution(SheetSolution&&) noexcept = default;
+SheetSolution& SheetSolution::operator=(SheetSolution&&) noexcept = default;
+SheetSolution::~SheetSolution() = default;
+
+int SheetSolution::n_elements() const { return static_cast<int>(impl_->mesh.triangles.size()); }
+const SheetTimes& SheetSolution::times() const { return impl_->times; }
+
+LineProfile SheetSolution::along(Vec2 from, Vec2 direction, double length, int n_stations) const {
+  BRASH_EXPECTS(norm(direction) > 0.0 && length > 0.0 && n_stations >= 2, length, n_stations);
+  direction = normalized(direction);
+  const std::lock_guard lock(impl_->mutex);
+  const Reach reach = reach_of(impl_->mesh, from, direction, length);
+  LineProfile profile;
+  if (reach.leave <= reach.enter) return profile;
+  for (int i = 0; i < n_stations; ++i) {
+    const double station = reach.leave * i / (n_stations - 1);
+    auto spots = spots_at(impl_->mesh, from + std::max(reach.enter, station) * direction);
+    if (spots.empty()) continue;
+    profile.station.push_back(station);
+    profile.state.push_back(impl_->state(spots));
+  }
+  return profile;
+}
+
+std::optional<SheetState> SheetSolution::at(Vec2 place) const {
+  const std::lock_guard lock(impl_->mutex);
+  const auto spots = spots_at(impl_->mesh, place);
+  if (spots.empty()) return std::nullopt;
+  return impl_->state(spots);
+}
+
+tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
+  BRASH_EXPECTS(sheet.thickness > 0.0, sheet.thickness);
+  BRASH_EXPECTS(sheet.poisson_ratio >= 0.0 && sheet.poisson_ratio < 0.5, sheet.poisson_ratio);
+  const auto failed = [](const std::string& what) { return tl::unexpected(PlateError{what}); };
+  if (const auto fault = fault_of(sheet)) return failed(*fault);
+
+  auto impl = std::make_unique<SheetSolution::Impl>();
+  const SheetSizes sizes = sizes_of(sheet.accuracy);
+  auto start = std::clock();
+  auto edge = simplified_edge(sheet, sizes.tolerance);
+  if (!edge) return failed(edge.error());
+  const auto domain = domain_of(sheet, *edge, sizes);
+  if (!domain) return failed(domain.error());
+  auto mesh = mesh_domain(domain->domain, kMostVertices);
+  if (!mesh) return failed(mesh.error());
+  impl->mesh = std::move(*mesh);
+  const auto on_edge = edge_forces(sheet, *edge, impl->mesh);
+  const auto inside = point_forces(sheet, impl->mesh);
+  impl->times.mesh = seconds_since(start);
+
+  start = std::clock();
+  impl->fields = {sizes.membrane_order, kOrder, sheet.poisson_ratio, sheet.split, {}, {}};
+  impl->fields.membrane = solve_sheet_membrane(impl->mesh, sizes.membrane_order, sheet.poisson_ratio, on_edge);
+  impl->times.membrane = seconds_since(start);
+
+  start = std::clock();
+  const double h = effective_thickness(Theory::kReissnerMindlin, sheet.thickness);
+  auto bending = solve_sheet_bending(impl->mesh, kOrder,
+                                     {.poisson_ratio = sheet.poisson_ratio,
+                                      .shear_stiffness = shear_stiffness(sheet.poisson_ratio, h),
+                                      .triangles = bending_triangles(impl->mesh, *domain, sizes.bending_reach),
+                                      .membrane = sheet.second_order ? &impl->fields.membrane : nullptr,
+                                      .membrane_order = sizes.membrane_order},
+                                     on_edge, inside);
+  if (!bending)
+    return tl::unexpected(PlateError{"bending: the stiffness is not positive definite", sheet.second_order});
+  impl->fields.bending = std::move(*bending);
+  impl->times.bending = seconds_since(start);
+  impl->recovery.emplace(impl->mesh, impl->fields);
+  return SheetSolution(std::move(impl));
+}
+
+}  // namespace brash::plate

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet_domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+
+#include "production_sizes.hpp"
+
+namespace brash::plate {
+
+namespace {
+
+/// A corner is re-entrant when the ice around it spans this much more than half a turn [rad].
+constexpr double kReentrant = 10.0 * std::numbers::pi / 180.0;
+
+double env(const char* name, double value) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::atof(text) : value;
+}
+
+/// How much more than half a turn the ice around an inner point of the edge spans [rad].
+double turn_at(const std::vector<Vec2>& edge, std::size_t i) {
+  const Vec2 before = edge[i] - edge[i - 1];
+  const Vec2 after = edge[i + 1] - edge[i];
+  return std::atan2(cross(before, after), dot(before, after));
+}
+
+double distance_to_focus(const std::vector<Segment>& focus, Vec2 place) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Segment& s : focus) distance = std::min(distance, distance_to_stretch(place, s.from, s.to));
+  return distance;
+}
+
+/// Ends the crack where the x-axis leaves the ice; that place becomes a point of the edge.
+tl::expected<double, std::string> end_crack(SheetEdge& edge, double far) {
+  if (!edge.origin) return tl::unexpected(std::string("the edge misses B"));
+  auto& points = edge.points;
+  double end = far;
+  std::size_t segment = points.size();
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 a = points[i];
+    const Vec2 b = points[i + 1];
+    if (i == *edge.origin || i + 1 == *edge.origin || std::min(a.y, b.y) > 0.0 || std::max(a.y, b.y) < 0.0) continue;
+    const double x = a.y == b.y ? std::min(a.x, b.x) : a.x + (b.x - a.x) * (a.y / (a.y - b.y));
+    if (x > 0.0 && x < end) {
+      end = x;
+      segment = i;
+    }
+  }
+  if (segment == points.size()) return end;
+  constexpr double kSame = 1e-6;
+  for (const std::size_t i : {segment, segment + 1}) {
+    if (norm(points[i] - Vec2{end, 0.0}) > kSame) continue;
+    points[i].y = 0.0;
+    return points[i].x;
+  }
+  points.insert(points.begin() + static_cast<std::ptrdiff_t>(segment) + 1, Vec2{end, 0.0});
+  for (auto& [from, to] : edge.loads) {
+    if (from > segment) ++from;
+    if (to > segment) ++to;
+  }
+  if (*edge.origin > segment) ++*edge.origin;
+  return end;
+}
+
+void add_sizes(SheetDomain& result, const LoadedSheet& sheet, const SheetEdge& edge, const SheetSizes& sizes) {
+  auto& sources = result.domain.sizes;
+  const auto add = [&](Vec2 from, Vec2 to, double size) { sources.push_back({from, to, size, sizes.gradation}); };
+  for (const auto& [first, last] : edge.loads) {
+    const Vec2 from = edge.points[first];
+    const Vec2 to = edge.points[last];
+    const double tip = std::min(sizes.tip, sizes.tip_share * norm(to - from));
+    add(from, to, tip);
+    add(from, from, sizes.tip_corner * tip);
+    add(to, to, sizes.tip_corner * tip);
+  }
+  for (const PatchLoad& patch : sheet.patch_loads) add(patch.at, patch.at, std::max(sizes.patch, patch.radius));
+  for (std::size_t i = 1; i + 1 < edge.points.size(); ++i) {
+    const double distance = distance_to_focus(result.focus, edge.points[i]);
+    if (distance > sizes.near) continue;
+    if (distance_to_focus(result.focus, edge.points[i + 1]) <= sizes.near) {
+      add(edge.points[i], edge.points[i + 1], sizes.side);
+    }
+    if (turn_at(edge.points, i) > kReentrant) add(edge.points[i], edge.points[i], sizes.root);
+  }
+}
+
+}  // namespace
+
+SheetSizes sizes_of(Accuracy accuracy) {
+  if (accuracy == Accuracy::kFine) {
+    return {.tip = kTipSize,
+            .tip_share = kTipShare,
+            .tip_corner = kTipCornerShare,
+            .root = kRootSize,
+            .side = kSideSize,
+            .centre = kCentreSize,
+            .patch = kCentreSize,
+            .gradation = kGradation,
+            .near = 3.0,
+            .largest = kHalfWidth,
+            .reach = kHalfWidth,
+            .bending_reach = 2.0 * kHalfWidth,
+            .tolerance = {env("F_TOL", 0.01), 0.0},
+            .membrane_order = 3};
+  }
+  return {.tip = env("S_TIP", 0.3),
+          .tip_share = env("S_SHARE", 0.5),
+          .tip_corner = env("S_CORNER", 1.0),
+          .root = env("S_ROOT", 0.1),
+          .side = env("S_SIDE", 10.0),
+          .centre = env("S_CENTRE", 0.25),
+          .patch = env("S_PATCH", 0.25),
+          .gradation = env("S_GRAD", 0.5),
+          .near = env("S_NEAR", 1.5),
+          .largest = env("S_LARGE", 50.0),
+          .reach = env("S_REACH", 30.0),
+          .bending_reach = env("S_BEND", 6.0),
+          .tolerance = {env("S_TOL", 0.02), env("S_TOLG", 0.05)},
+          .membrane_order = static_cast<int>(env("S_MORDER", 2))};
+}
+
+tl::expected<SheetDomain, std::string> domain_of(const LoadedSheet& sheet, SheetEdge& edge, const SheetSizes& sizes) {
+  edge.points.insert(edge.points.begin(), edge.points.front() - Vec2{0.0, sizes.reach});
+  edge.points.push_back(edge.points.back() + Vec2{0.0, sizes.reach});
+  for (auto& [from, to] : edge.loads) ++from, ++to;
+  if (edge.origin) ++*edge.origin;
+  double innermost = 0.0;
+  double base = 0.0;
+  for (const Vec2 point : edge.points) {
+    innermost = std::max(innermost, point.x);
+    if (norm(point) < sizes.near) base = std::max(base, point.x);
+  }
+  const Vec2 right{innermost + sizes.reach, edge.points.front().y};
+  const Vec2 left{innermost + sizes.reach, edge.points.back().y};
+
+  SheetDomain result;
+  double crack = 0.0;
+  if (sheet.split) {
+    const auto end = end_crack(edge, right.x);
+    if (!end) return tl::unexpected(end.error());
+    crack = *end;
+  }
+  auto& segments = result.domain.segments;
+  for (std::size_t i = 0; i + 1 < edge.points.size(); ++i)
+    segments.push_back({edge.points[i], edge.points[i + 1], Side::kFree});
+  for (const auto& [first, last] : edge.loads) {
+    result.focus.push_back({edge.points[first], edge.points[last]});
+    for (std::size_t i = first; i < last; ++i) segments[i].side = Side::kTip;
+  }
+  segments.push_back({edge.points.back(), left, Side::kFar});
+  segments.push_back({left, right, Side::kFar});
+  segments.push_back({right, edge.points.front(), Side::kFar});
+  if (sheet.split) segments.push_back({{0.0, 0.0}, {crack, 0.0}, Side::kCrack});
+
+  const Vec2 fine_end{base + kBreakingZone, 0.0};
+  result.focus.push_back({{0.0, 0.0}, fine_end});
+  for (const PatchLoad& patch : sheet.patch_loads) result.focus.push_back({patch.at, patch.at});
+  result.domain.largest_size = sizes.largest;
+  add_sizes(result, sheet, edge, sizes);
+  result.domain.sizes.push_back({{0.0, 0.0}, fine_end, sizes.centre, sizes.gradation});
+  return result;
+}
+
+}  // namespace brash::plate

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet_edge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brash::plate {
+
+namespace {
+
+using Polyline = std::vector<Vec2>;
+
+/// Points closer than this are one, over l_c.
+constexpr double kSamePoint = 1e-9;
+/// The ends of loads and B lie within this distance of the edge, over l_c.
+constexpr double kOnEdge = 2e-3;
+/// Ends of loads and B closer than this are one, over l_c. Smaller gaps make tiny elements.
+constexpr double kSamePlace = 2e-3;
+/// Loads are made at least so long, over l_c.
+constexpr double kShortestLoad = 0.01;
+/// Times that the tolerance is halved if the simplified edge touches itself.
+constexpr int kHalvings = 12;
+
+/// A place on a polyline: its segment, and its distance from the start along the line.
+struct Station {
+  std::size_t segment = 0;
+  double along = 0.0;
+  double off = std::numeric_limits<double>::infinity();  ///< distance of the projected point
+  Vec2 place{};
+};
+
+std::vector<double> lengths_of(const Polyline& line) {
+  std::vector<double> along{0.0};
+  for (std::size_t i = 1; i < line.size(); ++i) along.push_back(along.back() + norm(line[i] - line[i - 1]));
+  return along;
+}
+
+Station project(const Polyline& line, const std::vector<double>& along, Vec2 place) {
+  Station best;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 step = line[i + 1] - line[i];
+    const double s = std::clamp(dot(place - line[i], step) / dot(step, step), 0.0, 1.0);
+    const Vec2 foot = line[i] + s * step;
+    const double off = norm(place - foot);
+    if (off < best.off) best = {i, along[i] + s * norm(step), off, foot};
+  }
+  return best;
+}
+
+Station station_at(const Polyline& line, const std::vector<double>& along, double where) {
+  where = std::clamp(where, 0.0, along.back());
+  auto i = static_cast<std::size_t>(std::upper_bound(along.begin(), along.end(), where) - along.begin());
+  i = std::clamp<std::size_t>(i, 1, line.size() - 1) - 1;
+  return {i, where, 0.0, line[i] + (where - along[i]) * normalized(line[i + 1] - line[i])};
+}
+
+std::optional<std::string> fault_of(const Polyline& edge) {
+  if (edge.size() < 2) return "the edge has fewer than two points";
+  for (const Vec2 point : edge) {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) return "the edge has a point that is not finite";
+    if (point.y < edge.front().y || point.y > edge.back().y) return "the edge passes its own ends sideways";
+  }
+  return std::nullopt;
+}
+
+/// The loads as stretches of the line, from end to end.
+struct Stretches {
+  std::vector<std::pair<double, double>> loads;
+  std::vector<double> marks;  ///< all ends, ascending, none closer than kSamePlace to another
+};
+
+tl::expected<Stretches, std::string> stretches_of(const Polyline& line, const std::vector<double>& along,
+                                                  const std::vector<EdgeLoad>& loads) {
+  Stretches result;
+  for (const EdgeLoad& load : loads) {
+    const Station from = project(line, along, load.from);
+    const Station to = project(line, along, load.to);
+    if (!(from.off < kOnEdge && to.off < kOnEdge)) return tl::unexpected(std::string("a load lies off the edge"));
+    if (from.along > to.along + kOnEdge) return tl::unexpected(std::string("a load runs against the edge"));
+    const double widen = std::max(0.0, 0.5 * (kShortestLoad - (to.along - from.along)));
+    double first = std::max(0.0, from.along - widen);
+    double last = std::min(along.back(), to.along + widen);
+    result.loads.emplace_back(first, last);
+    result.marks.insert(result.marks.end(), {first, last});
+  }
+  std::sort(result.marks.begin(), result.marks.end());
+  std::vector<double> apart;
+  for (const double mark : result.marks) {
+    if (apart.empty() || mark - apart.back() > kSamePlace) apart.push_back(mark);
+  }
+  result.marks = apart;
+  // Each end takes the nearest mark.
+  const auto snapped = [&](double end) {
+    return *std::min_element(apart.begin(), apart.end(),
+                             [&](double a, double b) { return std::abs(a - end) < std::abs(b - end); });
+  };
+  for (auto& [first, last] : result.loads) {
+    first = snapped(first);
+    last = snapped(last);
+  }
+  return result;
+}
+
+/// A polyline under simplification. Points that are marked stay.
+struct Chain {
+  Polyline points;
+  std::vector<char> marked;
+
+  void add(Vec2 point, bool mark) {
+    points.push_back(point);
+    marked.push_back(mark ? 1 : 0);
+  }
+  void erase(std::size_t from, std::size_t to) {
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(from), points.begin() + static_cast<std::ptrdiff_t>(to));
+    marked.erase(marked.begin() + static_cast<std::ptrdiff_t>(from), marked.begin() + static_cast<std::ptrdiff_t>(to));
+  }
+  bool is_free(std::size_t from, std::size_t to) const {
+    return std::none_of(marked.begin() + static_cast<std::ptrdiff_t>(from),
+                        marked.begin() + static_cast<std::ptrdiff_t>(to), [](char m) { return m != 0; });
+  }
+};
+
+class Simplifier {
+ public:
+  Simplifier(const LoadedSheet& sheet, EdgeTolerance tolerance) : sheet_(&sheet), tolerance_(tolerance) {}
+
+  /// What may be left out at a place.
+  double at(Vec2 place) const {
+    double distance = norm(place);
+    double feature = std::numeric_limits<double>::infinity();
+    for (const EdgeLoad& load : sheet_->edge_loads) {
+      const double off = distance_to_stretch(place, load.from, load.to);
+      distance = std::min(distance, off);
+      // Features as small as a contact matter next to it.
+      feature = std::min(feature, 0.25 * std::max(kShortestLoad, norm(load.to - load.from)) + 0.1 * off);
+    }
+    for (const PatchLoad& load : sheet_->patch_loads) distance = std::min(distance, norm(place - load.at));
+    return scale_ * (std::min(tolerance_.near, feature) + tolerance_.growth * std::max(0.0, distance - 1.0));
+  }
+
+  void halve() { scale_ *= 0.5; }
+
+  /// Appends the points of the line after `first` up to `last` that stay.
+  void thin(const Polyline& line, std::size_t first, std::size_t last, Chain& kept) const {
+    std::size_t farthest = first;
+    double most = 1.0;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distance_to_stretch(line[i], line[first], line[last]) / at(line[i]);
+      if (off > most) {
+        most = off;
+        farthest = i;
+      }
+    }
+    if (farthest == first) {
+      kept.add(line[last], false);
+      return;
+    }
+    thin(line, first, farthest, kept);
+    thin(line, farthest, last, kept);
+  }
+
+  /// Cuts ice off that hangs on a neck narrower than the tolerance. Ice lies on the right: its outline turns clockwise.
+  void cut_necks(Chain& chain) const {
+    for (std::size_t i = 0; i + 2 < chain.points.size(); ++i) {
+      for (std::size_t j = std::min(i + 12, chain.points.size() - 1); j > i + 1; --j) {
+        const auto& p = chain.points;
+        const double narrow = at(p[i]);
+        // A point near a later segment, or a point near an earlier one.
+        if (chain.is_free(i + 1, j) && area(p, i, j) < 0.0 &&
+            (distance_to_stretch(p[i], p[j - 1], p[j]) < narrow ||
+             distance_to_stretch(p[j], p[i], p[i + 1]) < narrow)) {
+          chain.erase(i + 1, j);
+          break;
+        }
+      }
+    }
+  }
+
+ private:
+  static double area(const Polyline& line, std::size_t from, std::size_t to) {
+    double twice = cross(line[to], line[from]);
+    for (std::size_t i = from; i < to; ++i) twice += cross(line[i], line[i + 1]);
+    return 0.5 * twice;
+  }
+
+  const LoadedSheet* sheet_;
+  EdgeTolerance tolerance_;
+  double scale_ = 1.0;
+};
+
+bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double abc = cross(b - a, c - a);
+  const double abd = cross(b - a, d - a);
+  const double cda = cross(d - c, a - c);
+  const double cdb = cross(d - c, b - c);
+  if (((abc > 0.0) != (abd > 0.0)) && ((cda > 0.0) != (cdb > 0.0))) return true;
+  return distance_to_stretch(c, a, b) < kSamePoint || distance_to_stretch(d, a, b) < kSamePoint ||
+         distance_to_stretch(a, c, d) < kSamePoint || distance_to_stretch(b, c, d) < kSamePoint;
+}
+
+bool touches_itself(const Polyline& line) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double left = std::min(line[i].x, line[i + 1].x);
+    const double right = std::max(line[i].x, line[i + 1].x);
+    const double low = std::min(line[i].y, line[i + 1].y);
+    const double high = std::max(line[i].y, line[i + 1].y);
+    for (std::size_t j = i + 2; j + 1 < line.size(); ++j) {
+      const Vec2 c = line[j];
+      const Vec2 d = line[j + 1];
+      if (std::max(c.x, d.x) < left || std::min(c.x, d.x) > right || std::max(c.y, d.y) < low ||
+          std::min(c.y, d.y) > high) {
+        continue;
+      }
+      if (meet(line[i], line[i + 1], c, d)) return true;
+    }
+  }
+  return false;
+}
+
+/// The line with its marks as points, thinned between them, straight under the loads.
+Chain chain_of(const Polyline& line, const std::vector<double>& along, const Stretches& stretches,
+               const Simplifier& simplifier) {
+  Chain chain;
+  chain.add(line.front(), true);
+  Station from = station_at(line, along, 0.0);
+  const auto advance = [&](const Station& to, bool is_loaded) {
+    if (to.along - from.along <= kSamePoint) {
+      chain.points.back() = to.place;
+      chain.marked.back() = 1;
+      return;
+    }
+    if (is_loaded) {
+      chain.add(to.place, true);
+      return;
+    }
+    Polyline section{from.place};
+    for (std::size_t i = from.segment + 1; i <= to.segment; ++i) section.push_back(line[i]);
+    section.push_back(to.place);
+    simplifier.thin(section, 0, section.size() - 1, chain);
+    chain.marked.back() = 1;
+  };
+  for (const double mark : stretches.marks) {
+    const Station to = station_at(line, along, mark);
+    const double middle = 0.5 * (from.along + mark);
+    advance(to, std::any_of(stretches.loads.begin(), stretches.loads.end(),
+                            [&](const auto& load) { return load.first < middle && middle < load.second; }));
+    from = to;
+  }
+  advance({line.size() - 2, along.back(), 0.0, line.back()}, false);
+  simplifier.cut_necks(chain);
+  return chain;
+}
+
+std::size_t index_of(const Polyline& line, Vec2 place) {
+  const auto near =
+      std::min_element(line.begin(), line.end(), [&](Vec2 a, Vec2 b) { return norm(a - place) < norm(b - place); });
+  return static_cast<std::size_t>(near - line.begin());
+}
+
+/// Makes B a point of the edge where it lies on it.
+void insert_origin(SheetEdge& edge) {
+  const Station foot = project(edge.points, lengths_of(edge.points), {0.0, 0.0});
+  if (foot.off > kOnEdge) return;
+  std::size_t i = foot.segment;
+  if (norm(edge.points[i]) > kSamePlace && norm(edge.points[i + 1]) > kSamePlace) {
+    edge.points.insert(edge.points.begin() + static_cast<std::ptrdiff_t>(i) + 1, Vec2{});
+    for (auto& [from, to] : edge.loads) {
+      if (from > i) ++from;
+      if (to > i) ++to;
+    }
+    edge.origin = i + 1;
+    return;
+  }
+  if (norm(edge.points[i]) > norm(edge.points[i + 1])) ++i;
+  edge.points[i] = {0.0, 0.0};
+  edge.origin = i;
+}
+
+}  // namespace
+
+double distance_to_stretch(Vec2 place, Vec2 from, Vec2 to) {
+  const Vec2 along = to - from;
+  const double length2 = dot(along, along);
+  const double s = length2 > 0.0 ? std::clamp(dot(place - from, along) / length2, 0.0, 1.0) : 0.0;
+  const Vec2 off = place - from - s * along;
+  return std::sqrt(dot(off, off));
+}
+
+tl::expected<SheetEdge, std::string> simplified_edge(const LoadedSheet& sheet, EdgeTolerance tolerance) {
+  if (const auto fault = fault_of(sheet.outline)) return tl::unexpected(*fault);
+  Polyline line;
+  for (const Vec2 point : sheet.outline) {
+    if (line.empty() || norm(point - line.back()) > kSamePoint) line.push_back(point);
+  }
+  if (line.size() < 2) return tl::unexpected(std::string("the edge has fewer than two points"));
+  const auto along = lengths_of(line);
+  const auto stretches = stretches_of(line, along, sheet.edge_loads);
+  if (!stretches) return tl::unexpected(stretches.error());
+
+  Simplifier simplifier(sheet, tolerance);
+  for (int attempt = 0; attempt <= kHalvings; ++attempt, simplifier.halve()) {
+    SheetEdge edge{chain_of(line, along, *stretches, simplifier).points, {}, {}};
+    const auto place = [&](double mark) { return index_of(edge.points, station_at(line, along, mark).place); };
+    for (const auto& [first, last] : stretches->loads) edge.loads.emplace_back(place(first), place(last));
+    insert_origin(edge);
+    if (!touches_itself(edge.points)) return edge;
+  }
+  return tl::unexpected(std::string("the edge touches itself"));
+}
+
+}  // namespace brash::plate
