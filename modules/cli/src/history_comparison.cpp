@@ -179,9 +179,9 @@ ordered_json compare_histories(const LoadHistory& run_history, const LoadHistory
 }
 
 std::string comparison_text(const ordered_json& c) {
-  std::string text = "                         run   measured\n";
+  std::string text = "                           run     measured\n";
   const auto row = [&](const char* name, const char* key) {
-    text += fmt::format("  {:<17}{:>11.6g}{:>11.6g}\n", name, c["run"][key].get<double>(),
+    text += fmt::format("  {:<17} {:>12.6g} {:>12.6g}\n", name, c["run"][key].get<double>(),
                         c["measured"][key].get<double>());
   };
   row("mean", "mean");

@@ -11,7 +11,7 @@ namespace brash {
 std::string escaped(const std::string& text);
 /// The same, line breaks and tabs left as they are: for messages and tables of several lines.
 std::string escaped_lines(const std::string& text);
-/// The same, such characters as \uXXXX, which means them in the strings of JSON and TOML; line breaks and bytes that
+/// The same, such characters as "\\u" and four digits, as in the strings of JSON and TOML; line breaks and bytes that
 /// are not UTF-8 are left as they are.
 std::string escaped_as_unicode(const std::string& text);
 /// Whether the character of UTF-8 that begins at `at` steers a terminal or the direction of writing.
