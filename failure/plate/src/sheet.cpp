@@ -2,6 +2,7 @@
 #include "brash/plate/sheet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <mutex>
@@ -51,14 +52,39 @@ std::optional<Spot> spot_in(const Mesh& mesh, int triangle, Vec2 place) {
   return Spot{triangle, xi, eta};
 }
 
-/// Every triangle that holds the place: two where it lies on an edge.
-std::vector<Spot> spots_at(const Mesh& mesh, Vec2 place) {
-  std::vector<Spot> spots;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    if (const auto spot = spot_in(mesh, t, place)) spots.push_back(*spot);
+/// Finds the triangles of a mesh that hold a place.
+class Locator {
+ public:
+  explicit Locator(const Mesh& mesh) : mesh_(&mesh) {
+    boxes_.reserve(mesh.triangles.size());
+    for (const auto& corners : mesh.triangles) {
+      const Vec2 a = mesh.vertices[static_cast<std::size_t>(corners[0])];
+      const Vec2 b = mesh.vertices[static_cast<std::size_t>(corners[1])];
+      const Vec2 c = mesh.vertices[static_cast<std::size_t>(corners[2])];
+      boxes_.push_back(
+          {std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y})});
+    }
   }
-  return spots;
-}
+
+  /// Every one: two where the place lies on an edge.
+  std::vector<Spot> at(Vec2 place) const {
+    constexpr double kMargin = 1e-6;
+    std::vector<Spot> spots;
+    for (std::size_t t = 0; t < boxes_.size(); ++t) {
+      const auto& [left, right, low, high] = boxes_[t];
+      if (place.x < left - kMargin || place.x > right + kMargin || place.y < low - kMargin ||
+          place.y > high + kMargin) {
+        continue;
+      }
+      if (const auto spot = spot_in(*mesh_, static_cast<int>(t), place)) spots.push_back(*spot);
+    }
+    return spots;
+  }
+
+ private:
+  const Mesh* mesh_;
+  std::vector<std::array<double, 4>> boxes_;
+};
 
 std::vector<EdgeForce> edge_forces(const LoadedSheet& sheet, const SheetEdge& edge, const Mesh& mesh) {
   std::vector<EdgeForce> forces;
@@ -82,7 +108,7 @@ std::vector<EdgeForce> edge_forces(const LoadedSheet& sheet, const SheetEdge& ed
 }
 
 /// Points of equal share over the disc of a patch load, those in the ice.
-std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Mesh& mesh) {
+std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Locator& locator) {
   std::vector<PointForce> forces;
   for (const PatchLoad& load : sheet.patch_loads) {
     std::vector<Spot> spots;
@@ -92,7 +118,7 @@ std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Mesh& mesh)
       const double radius = load.radius * std::sqrt((ring + 0.5) / rings);
       for (int spoke = 0; spoke < spokes; ++spoke) {
         const double angle = 2.0 * std::numbers::pi * (spoke + 0.5 * (ring % 2)) / spokes;
-        const auto found = spots_at(mesh, load.at + radius * Vec2{std::cos(angle), std::sin(angle)});
+        const auto found = locator.at(load.at + radius * Vec2{std::cos(angle), std::sin(angle)});
         if (!found.empty()) spots.push_back(found.front());
       }
     }
@@ -122,7 +148,7 @@ struct Reach {
   double leave = 0.0;
 };
 
-Reach reach_of(const Mesh& mesh, Vec2 from, Vec2 direction, double length) {
+Reach reach_of(const Mesh& mesh, const Locator& locator, Vec2 from, Vec2 direction, double length) {
   std::vector<double> crossings;
   for (const TaggedEdge& tagged : mesh.tagged) {
     if (tagged.side == Side::kCrack || tagged.side == Side::kInterior) continue;
@@ -139,7 +165,7 @@ Reach reach_of(const Mesh& mesh, Vec2 from, Vec2 direction, double length) {
   for (const double crossing : crossings) {
     if (crossing <= start + 1e-9) continue;
     const double end = std::min(crossing, length);
-    if (!spots_at(mesh, from + 0.5 * (start + end) * direction).empty()) return {start, end};
+    if (!locator.at(from + 0.5 * (start + end) * direction).empty()) return {start, end};
     if (crossing > kOutside || crossing >= length) break;
     start = crossing;
   }
@@ -167,10 +193,10 @@ std::optional<std::string> fault_of(const LoadedSheet& sheet) {
 struct SheetSolution::Impl {
   Mesh mesh;
   SheetFields fields;
-  double membrane_unit = 1.0;
   SheetTimes times;
   mutable std::mutex mutex;
   mutable std::optional<SheetRecovery> recovery;
+  std::optional<Locator> locator;
 
   SheetState state(const std::vector<Spot>& spots) const {
     SheetState sum;
@@ -197,12 +223,12 @@ LineProfile SheetSolution::along(Vec2 from, Vec2 direction, double length, int n
   BRASH_EXPECTS(norm(direction) > 0.0 && length > 0.0 && n_stations >= 2, length, n_stations);
   direction = normalized(direction);
   const std::lock_guard lock(impl_->mutex);
-  const Reach reach = reach_of(impl_->mesh, from, direction, length);
+  const Reach reach = reach_of(impl_->mesh, *impl_->locator, from, direction, length);
   LineProfile profile;
   if (reach.leave <= reach.enter) return profile;
   for (int i = 0; i < n_stations; ++i) {
     const double station = reach.leave * i / (n_stations - 1);
-    auto spots = spots_at(impl_->mesh, from + std::max(reach.enter, station) * direction);
+    auto spots = impl_->locator->at(from + std::max(reach.enter, station) * direction);
     if (spots.empty()) continue;
     profile.station.push_back(station);
     profile.state.push_back(impl_->state(spots));
@@ -212,7 +238,7 @@ LineProfile SheetSolution::along(Vec2 from, Vec2 direction, double length, int n
 
 std::optional<SheetState> SheetSolution::at(Vec2 place) const {
   const std::lock_guard lock(impl_->mutex);
-  const auto spots = spots_at(impl_->mesh, place);
+  const auto spots = impl_->locator->at(place);
   if (spots.empty()) return std::nullopt;
   return impl_->state(spots);
 }
@@ -234,11 +260,12 @@ tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
   if (!mesh) return failed(mesh.error());
   impl->mesh = std::move(*mesh);
   const auto on_edge = edge_forces(sheet, *edge, impl->mesh);
-  const auto inside = point_forces(sheet, impl->mesh);
+  impl->locator.emplace(impl->mesh);
+  const auto inside = point_forces(sheet, *impl->locator);
   impl->times.mesh = seconds_since(start);
 
   start = std::clock();
-  impl->fields = {sizes.membrane_order, kOrder, sheet.poisson_ratio, sheet.split, {}, {}};
+  impl->fields = {sizes.membrane_order, kOrder, sheet.poisson_ratio, sheet.split, sizes.smallest_patch, {}, {}};
   impl->fields.membrane = solve_sheet_membrane(impl->mesh, sizes.membrane_order, sheet.poisson_ratio, on_edge);
   impl->times.membrane = seconds_since(start);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 
@@ -15,11 +14,6 @@ namespace {
 
 /// A corner is re-entrant when the ice around it spans this much more than half a turn [rad].
 constexpr double kReentrant = 10.0 * std::numbers::pi / 180.0;
-
-double env(const char* name, double value) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::atof(text) : value;
-}
 
 /// How much more than half a turn the ice around an inner point of the edge spans [rad].
 double turn_at(const std::vector<Vec2>& edge, std::size_t i) {
@@ -68,24 +62,28 @@ tl::expected<double, std::string> end_crack(SheetEdge& edge, double far) {
 
 void add_sizes(SheetDomain& result, const LoadedSheet& sheet, const SheetEdge& edge, const SheetSizes& sizes) {
   auto& sources = result.domain.sizes;
-  const auto add = [&](Vec2 from, Vec2 to, double size) { sources.push_back({from, to, size, sizes.gradation}); };
+  // Features far from the places that are looked at need not be fine.
+  const auto add = [&](Vec2 from, Vec2 to, double size) {
+    const double distance = std::min(distance_to_focus(result.lines, from), distance_to_focus(result.lines, to));
+    sources.push_back({from, to, std::max(size, sizes.distance_share * distance), sizes.gradation});
+  };
   for (const auto& [first, last] : edge.loads) {
     const Vec2 from = edge.points[first];
     const Vec2 to = edge.points[last];
     const double tip = std::min(sizes.tip, sizes.tip_share * norm(to - from));
-    add(from, to, tip);
+    for (std::size_t i = first; i < last; ++i) add(edge.points[i], edge.points[i + 1], tip);
     add(from, from, sizes.tip_corner * tip);
     add(to, to, sizes.tip_corner * tip);
   }
-  for (const PatchLoad& patch : sheet.patch_loads) add(patch.at, patch.at, std::max(sizes.patch, patch.radius));
   for (std::size_t i = 1; i + 1 < edge.points.size(); ++i) {
-    const double distance = distance_to_focus(result.focus, edge.points[i]);
+    const Vec2 point = edge.points[i];
+    const double distance = distance_to_focus(result.focus, point);
     if (distance > sizes.near) continue;
-    if (distance_to_focus(result.focus, edge.points[i + 1]) <= sizes.near) {
-      add(edge.points[i], edge.points[i + 1], sizes.side);
-    }
-    if (turn_at(edge.points, i) > kReentrant) add(edge.points[i], edge.points[i], sizes.root);
+    if (distance_to_focus(result.focus, edge.points[i + 1]) <= sizes.near) add(point, edge.points[i + 1], sizes.side);
+    if (turn_at(edge.points, i) > kReentrant) add(point, point, sizes.root);
   }
+  const double centre = sheet.split ? sizes.crack : sizes.centre;
+  for (const Segment& line : result.lines) sources.push_back({line.from, line.to, centre, sizes.gradation});
 }
 
 }  // namespace
@@ -98,29 +96,31 @@ SheetSizes sizes_of(Accuracy accuracy) {
             .root = kRootSize,
             .side = kSideSize,
             .centre = kCentreSize,
-            .patch = kCentreSize,
+            .crack = kCentreSize,
+            .distance_share = 0.0,
             .gradation = kGradation,
             .near = 3.0,
-            .largest = kHalfWidth,
             .reach = kHalfWidth,
             .bending_reach = 2.0 * kHalfWidth,
-            .tolerance = {env("F_TOL", 0.01), 0.0},
-            .membrane_order = 3};
+            .tolerance = {0.006, 0.0},
+            .membrane_order = 3,
+            .smallest_patch = 8};
   }
-  return {.tip = env("S_TIP", 0.3),
-          .tip_share = env("S_SHARE", 0.5),
-          .tip_corner = env("S_CORNER", 1.0),
-          .root = env("S_ROOT", 0.1),
-          .side = env("S_SIDE", 10.0),
-          .centre = env("S_CENTRE", 0.25),
-          .patch = env("S_PATCH", 0.25),
-          .gradation = env("S_GRAD", 0.5),
-          .near = env("S_NEAR", 1.5),
-          .largest = env("S_LARGE", 50.0),
-          .reach = env("S_REACH", 30.0),
-          .bending_reach = env("S_BEND", 6.0),
-          .tolerance = {env("S_TOL", 0.02), env("S_TOLG", 0.05)},
-          .membrane_order = static_cast<int>(env("S_MORDER", 2))};
+  return {.tip = 0.1,
+          .tip_share = 0.2,
+          .tip_corner = 1.0,
+          .root = 0.05,
+          .side = std::numeric_limits<double>::infinity(),
+          .centre = 0.22,
+          .crack = 0.16,
+          .distance_share = 0.25,
+          .gradation = 0.8,
+          .near = 1.0,
+          .reach = 20.0,
+          .bending_reach = 5.0,
+          .tolerance = {0.02, 0.05},
+          .membrane_order = 2,
+          .smallest_patch = 3};
 }
 
 tl::expected<SheetDomain, std::string> domain_of(const LoadedSheet& sheet, SheetEdge& edge, const SheetSizes& sizes) {
@@ -157,11 +157,11 @@ tl::expected<SheetDomain, std::string> domain_of(const LoadedSheet& sheet, Sheet
   if (sheet.split) segments.push_back({{0.0, 0.0}, {crack, 0.0}, Side::kCrack});
 
   const Vec2 fine_end{base + kBreakingZone, 0.0};
-  result.focus.push_back({{0.0, 0.0}, fine_end});
-  for (const PatchLoad& patch : sheet.patch_loads) result.focus.push_back({patch.at, patch.at});
-  result.domain.largest_size = sizes.largest;
+  result.lines.push_back({{0.0, 0.0}, fine_end});
+  for (const PatchLoad& patch : sheet.patch_loads) result.lines.push_back({patch.at, patch.at});
+  result.focus.insert(result.focus.end(), result.lines.begin(), result.lines.end());
+  result.domain.largest_size = sizes.reach;
   add_sizes(result, sheet, edge, sizes);
-  result.domain.sizes.push_back({{0.0, 0.0}, fine_end, sizes.centre, sizes.gradation});
   return result;
 }
 

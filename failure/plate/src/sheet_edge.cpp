@@ -19,6 +19,8 @@ constexpr double kOnEdge = 2e-3;
 constexpr double kSamePlace = 2e-3;
 /// Loads are made at least so long, over l_c.
 constexpr double kShortestLoad = 0.01;
+/// Slots of water narrower than this are closed, over l_c.
+constexpr double kClosed = 1e-4;
 /// Times that the tolerance is halved if the simplified edge touches itself.
 constexpr int kHalvings = 12;
 
@@ -160,16 +162,16 @@ class Simplifier {
     thin(line, farthest, last, kept);
   }
 
-  /// Cuts ice off that hangs on a neck narrower than the tolerance. Ice lies on the right: its outline turns clockwise.
+  /// Cuts ice off that hangs on a neck narrower than the tolerance, and closes slots. Ice lies on the right of the
+  /// edge, so a tongue of ice turns clockwise and a slot of water does not.
   void cut_necks(Chain& chain) const {
     for (std::size_t i = 0; i + 2 < chain.points.size(); ++i) {
       for (std::size_t j = std::min(i + 12, chain.points.size() - 1); j > i + 1; --j) {
         const auto& p = chain.points;
-        const double narrow = at(p[i]);
-        // A point near a later segment, or a point near an earlier one.
-        if (chain.is_free(i + 1, j) && area(p, i, j) < 0.0 &&
-            (distance_to_stretch(p[i], p[j - 1], p[j]) < narrow ||
-             distance_to_stretch(p[j], p[i], p[i + 1]) < narrow)) {
+        if (!chain.is_free(i + 1, j)) continue;
+        const double narrow = area(p, i, j) < 0.0 ? at(p[i]) : kClosed;
+        // A point near a later stretch, or a point near an earlier one.
+        if (distance_to_stretch(p[i], p[j - 1], p[j]) < narrow || distance_to_stretch(p[j], p[i], p[i + 1]) < narrow) {
           chain.erase(i + 1, j);
           break;
         }
@@ -218,6 +220,34 @@ bool touches_itself(const Polyline& line) {
   return false;
 }
 
+/// Moves the points that `thin` kept of a section so that bays stay as wide and cusps as thick as they were: as much
+/// ice lies behind the section as before. Chords alone would make every bay smaller.
+void keep_area(const Polyline& section, std::size_t first, Chain& chain) {
+  auto& points = chain.points;
+  // Twice the area to the left of each kept stretch that was ice or water before.
+  std::vector<double> missing;
+  std::size_t i = 0;
+  for (std::size_t k = first; k + 1 < points.size(); ++k) {
+    double twice = 0.0;
+    for (; i + 1 < section.size() && !(section[i] == points[k + 1]); ++i) {
+      twice += cross(section[i] - points[k], section[i + 1] - points[k]);
+    }
+    missing.push_back(twice);
+  }
+  const Polyline old(points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
+  for (std::size_t k = 1; k + 1 < old.size(); ++k) {
+    const Vec2 before = old[k] - old[k - 1];
+    const Vec2 after = old[k + 1] - old[k];
+    const double length = norm(before) + norm(after);
+    const Vec2 across = old[k + 1] - old[k - 1];
+    if (!(norm(across) > 0.5 * length)) continue;  // a sharp tip stays
+    // Two points share the area of the stretch between them, unless one of the two is fixed.
+    const double area2 = (k == 1 ? 1.0 : 0.5) * missing[k - 1] + (k + 2 == old.size() ? 1.0 : 0.5) * missing[k];
+    const double shift = area2 / length;
+    points[first + k] = old[k] - shift * perpendicular(normalized(across));
+  }
+}
+
 /// The line with its marks as points, thinned between them, straight under the loads.
 Chain chain_of(const Polyline& line, const std::vector<double>& along, const Stretches& stretches,
                const Simplifier& simplifier) {
@@ -237,7 +267,9 @@ Chain chain_of(const Polyline& line, const std::vector<double>& along, const Str
     Polyline section{from.place};
     for (std::size_t i = from.segment + 1; i <= to.segment; ++i) section.push_back(line[i]);
     section.push_back(to.place);
+    const std::size_t first = chain.points.size() - 1;
     simplifier.thin(section, 0, section.size() - 1, chain);
+    keep_area(section, first, chain);
     chain.marked.back() = 1;
   };
   for (const double mark : stretches.marks) {

@@ -11,8 +11,6 @@ namespace brash::plate {
 
 namespace {
 
-/// Fewest triangles to which a cubic is fitted.
-constexpr std::size_t kSmallestPatch = 8;
 /// Points of a triangle at which its stress is sampled: as many squared.
 constexpr int kSamples = 3;
 
@@ -70,7 +68,7 @@ std::vector<int> SheetRecovery::patch(int vertex, bool below) const {
   };
   add(vertex);
   std::size_t before = 0;
-  while (members.size() < kSmallestPatch && members.size() > before) {
+  while (members.size() < fields_->smallest_patch && members.size() > before) {
     before = members.size();
     for (std::size_t i = 0; i < before; ++i) {
       for (const int corner : mesh_->triangles[at_(members[i])]) add(corner);

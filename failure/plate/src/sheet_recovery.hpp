@@ -16,7 +16,8 @@ struct SheetFields {
   int membrane_order = 3;
   int bending_order = 3;
   double poisson_ratio = 0.3;
-  bool split = false;  ///< along the x-axis
+  bool split = false;              ///< along the x-axis
+  std::size_t smallest_patch = 3;  ///< fewest triangles to which a cubic is fitted
   Eigen::MatrixXd membrane;
   Eigen::MatrixXd bending;
 };

@@ -10,6 +10,9 @@ namespace brash::plate {
 
 namespace {
 
+/// Parts of so many triangles are not halved any more: the fronts of single triangles cost more to add up.
+constexpr int kSmallest = 2;
+
 /// Directions across which a set of triangles is halved.
 constexpr std::array<Vec2, 4> kDirections{{{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}}};
 
@@ -56,8 +59,10 @@ class Fronts {
       candidates_.push_back(unknown);
     };
     if (part.left < 0) {
-      const int* unknowns = numbering.element(dissection.order()[static_cast<std::size_t>(part.from)]);
-      std::for_each(unknowns, unknowns + numbering.n_local, add);
+      for (int i = part.from; i < part.to; ++i) {
+        const int* unknowns = numbering.element(dissection.order()[static_cast<std::size_t>(i)]);
+        std::for_each(unknowns, unknowns + numbering.n_local, add);
+      }
     } else {
       for (const int half : {part.left, part.right}) {
         const Front& front = all_[static_cast<std::size_t>(half)];
@@ -123,7 +128,7 @@ class Elimination {
     std::fill_n(work_.begin(), n * n, 0.0);
     Block matrix(work_.data(), n, n);
     if (part.left < 0) {
-      add_element(dissection_->order()[static_cast<std::size_t>(part.from)], matrix);
+      for (int i = part.from; i < part.to; ++i) add_element(dissection_->order()[static_cast<std::size_t>(i)], matrix);
     } else {
       add_half(part.right, matrix);
       add_half(part.left, matrix);
@@ -230,7 +235,7 @@ Dissection::Dissection(const Mesh& mesh, std::vector<int> triangles)
 
 int Dissection::dissect(const Mesh& mesh, int from, int to) {
   Part part{from, to};
-  if (to - from > 1) {
+  if (to - from > kSmallest) {
     halve(mesh, from, to);
     part.left = dissect(mesh, from, (from + to) / 2);
     part.right = dissect(mesh, (from + to) / 2, to);
