@@ -22,6 +22,9 @@ using namespace brash;
 using namespace brash::failure;
 namespace fs = std::filesystem;
 
+/// Largest error of the fast mesh in the stress: docs/theory/failure.md.
+constexpr double kFastMesh = 0.02;
+
 /// Table 1 of the paper.
 IceProperties ice() {
   return {.thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
@@ -234,7 +237,7 @@ BOOST_AUTO_TEST_CASE(the_superposition_is_the_plate_at_a_solved_geometry_for_eve
       const LoadCase at{g.b_lc * l_c, g.c_lc * l_c, g.theta, mu1, 0.2, 4e5};
       const Assessment a = superposition->assess(at), b = plate->assess(at);
       // Resampling the profile and dropping modes leave about 0.1 %; the peak is flat, so its place is looser.
-      BOOST_TEST(a.sigma_max == b.sigma_max, boost::test_tools::tolerance(5e-3));
+      BOOST_TEST(a.sigma_max == b.sigma_max, boost::test_tools::tolerance(kFastMesh));
       BOOST_TEST(a.breaking_length == b.breaking_length, boost::test_tools::tolerance(5e-2));
     }
   }
@@ -288,9 +291,8 @@ BOOST_AUTO_TEST_CASE(the_outline_of_the_trapezoid_gives_what_the_trapezoid_gives
   BOOST_TEST(outline->needs_outline());
   const Assessment a = outline->assess(l), b = make_criterion(model::FailureModel::kPlate, "", ice())->assess(l);
   BOOST_TEST(!a.outline_refused);
-  // A coarse and a fine mesh of the same plate: 1 % of stress. The peak is flat: its place lies where the stress is
-  // within 1 % of it.
-  BOOST_TEST(a.sigma_max == b.sigma_max, boost::test_tools::tolerance(1e-2));
+  // The peak is flat: its place lies where the stress is within 1 % of it.
+  BOOST_TEST(a.sigma_max == b.sigma_max, boost::test_tools::tolerance(kFastMesh));
   const double l_c = characteristic_length(ice()), h_lc = ice().thickness / l_c;
   const auto fields = plate::solve({.depth = l.depth / l_c,
                                     .contact_length = l.contact_length / l_c,
@@ -349,7 +351,8 @@ BOOST_AUTO_TEST_CASE(vertices_within_the_tolerance_of_the_outline_leave_no_trace
   ragged.outline.insert(ragged.outline.begin() + 1, {{0.95, -4.0}, {1.04, -3.0}});
   ragged.outline.insert(ragged.outline.end() - 1, {{1.05, 2.0}, {0.96, 2.5}});
   const auto outline = make_criterion(model::FailureModel::kPlateOutline, "", ice());
-  BOOST_TEST(outline->assess(ragged).sigma_max == outline->assess(plain).sigma_max, boost::test_tools::tolerance(5e-3));
+  BOOST_TEST(outline->assess(ragged).sigma_max == outline->assess(plain).sigma_max,
+             boost::test_tools::tolerance(kFastMesh));
 }
 
 BOOST_AUTO_TEST_CASE(an_outline_that_cannot_be_used_is_assessed_as_its_trapezoid_and_says_so) {
@@ -361,7 +364,7 @@ BOOST_AUTO_TEST_CASE(an_outline_that_cannot_be_used_is_assessed_as_its_trapezoid
   for (const LoadCase& l : {crossed, missing}) {
     const Assessment a = outline->assess(l);
     BOOST_TEST(a.outline_refused);
-    BOOST_TEST(a.sigma_max == expected, boost::test_tools::tolerance(1e-2));
+    BOOST_TEST(a.sigma_max == expected, boost::test_tools::tolerance(kFastMesh));
   }
 }
 

@@ -127,7 +127,8 @@ BOOST_AUTO_TEST_CASE(cracks_split_a_map_of_floes_and_lose_nothing) {
   BOOST_TEST(ledger["n_floes"] == 4);  // the crack from (1, 1) to (2, 2) splits nothing
   BOOST_TEST(ledger["missing"] == "0");
   std::size_t n_holes = 0;
-  for (const auto& f : geometry::from_geojson(read("pieces.geojson")).value()) n_holes += f.polygon.holes.size();
+  const auto written = geometry::from_geojson(read("pieces.geojson"));
+  for (const geometry::Feature& feature : written.value()) n_holes += feature.polygon.holes.size();
   BOOST_TEST(n_holes == 1);
   const auto none = output_of(*this, {"crack", "--sheet", write("none.wkt", "POLYGON EMPTY"), "--cracks", cracks});
   BOOST_TEST(none["n_floes"] == 0);
