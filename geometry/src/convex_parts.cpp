@@ -9,6 +9,7 @@
 #include <CGAL/partition_2.h>
 
 #include <algorithm>
+#include <array>
 #include <list>
 
 #include "brash/core/contract.hpp"
@@ -103,6 +104,20 @@ Ring grown_from(Triangles::Face_handle first, int number) {
   return ring;
 }
 
+/// The triangles by their vertices, so that the plan alone decides their order.
+std::vector<Triangles::Face_handle> sorted_faces(const Triangles& triangles) {
+  std::vector<std::pair<std::array<Point, 3>, Triangles::Face_handle>> faces;
+  for (const Triangles::Face_handle face : triangles.finite_face_handles()) {
+    std::array<Point, 3>& vertices = faces.emplace_back(std::array<Point, 3>{}, face).first;
+    for (int i = 0; i < 3; ++i) vertices[i] = on_grid(face->vertex(i)->point());
+    std::sort(vertices.begin(), vertices.end());
+  }
+  std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Triangles::Face_handle> sorted;
+  for (const auto& [vertices, face] : faces) sorted.push_back(face);
+  return sorted;
+}
+
 /// The polygon as simple rings: where it has holes, or touches itself, it is opened along diagonals.
 std::vector<Ring> simple_rings(const Polygon& polygon) {
   constexpr int kOutside = -1;
@@ -113,6 +128,7 @@ std::vector<Ring> simple_rings(const Polygon& polygon) {
     const std::vector<Kernel::Point_2> points = exactly(ring);
     triangles.insert_constraint(points.begin(), points.end(), true);
   }
+  for (const Triangles::Vertex_handle vertex : triangles.finite_vertex_handles()) vertex->info() = 0;
   for (const Triangles::Face_handle face : triangles.all_face_handles()) face->info() = kOutside;
   for (const Triangles::Face_handle face : triangles.finite_face_handles()) {
     Point thrice{};
@@ -126,7 +142,7 @@ std::vector<Ring> simple_rings(const Polygon& polygon) {
     if (turns == 1) face->info() = 0;
   }
   std::vector<Ring> rings;
-  for (const Triangles::Face_handle face : triangles.finite_face_handles()) {
+  for (const Triangles::Face_handle face : sorted_faces(triangles)) {
     if (face->info() == 0) rings.push_back(grown_from(face, static_cast<int>(rings.size()) + 1));
   }
   return rings;
