@@ -27,9 +27,15 @@ std::recursive_mutex& mutex() {
   return one;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw InputError(Complaint{path, what, "a whole netCDF file with all its data inside",
-                             "copy or write the file again; data elsewhere go into the file with `nccopy`"});
+constexpr const char* kWriteAgain = "copy or write the file again";
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what, const std::string& remedy = kWriteAgain) {
+  throw InputError(Complaint{path, what, "a whole netCDF file with all its data inside", remedy});
+}
+
+[[noreturn]] void refuse_kind(const std::string& path) {
+  refuse(path, "cannot be read: it does not begin as a netCDF file",
+         "name a netCDF file, such as the run.nc of a run or the database that `brash failure database` wrote");
 }
 
 /// Larger files are not read: they would fill the memory of an ordinary machine.
@@ -43,15 +49,17 @@ bool is_classic(std::string_view bytes) {
 /// Refuses a path that is no regular file, and a file that does not begin as netCDF, before all of it is read.
 std::string read(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) refuse(path, "cannot be read: " + std::generic_category().message(errno));
+  if (file < 0)
+    refuse(path, "cannot be read: " + std::generic_category().message(errno), "check the path and its permissions");
   struct stat found {};
   std::array<char, 8> first{};
   const bool is_file = ::fstat(file, &found) == 0 && S_ISREG(found.st_mode);
   const ssize_t n = is_file ? ::pread(file, first.data(), first.size(), 0) : 0;
   ::close(file);
-  if (!is_file) refuse(path, "cannot be read: it is a folder, a pipe or a device");
+  if (!is_file)
+    refuse(path, "cannot be read: it is a folder, a pipe or a device", "name a file, such as the run.nc of a run");
   const std::string_view begin(first.data(), static_cast<std::size_t>(n < 0 ? 0 : n));
-  if (!is_hdf5(begin) && !is_classic(begin)) refuse(path, "cannot be read: it does not begin as a netCDF file");
+  if (!is_hdf5(begin) && !is_classic(begin)) refuse_kind(path);
   return read_text_file(path, "a netCDF file", kMostMebibytes);
 }
 
@@ -94,7 +102,7 @@ void refuse_references(const std::string& path, std::string& bytes) {
       &H5Fclose);
   if (!file.is_open()) refuse(path, "cannot be read: it is no whole HDF5 file");
   if (H5Lvisit(file.id(), H5_INDEX_NAME, H5_ITER_NATIVE, &look_at_link, nullptr) > 0)
-    refuse(path, "refers to data in other files");
+    refuse(path, "refers to data in other files", "bring the data into the file with `nccopy`");
 }
 
 }  // namespace
@@ -107,7 +115,7 @@ Source::Source(const std::string& path, std::string bytes) : bytes_(std::move(by
   if (is_hdf5(bytes_))
     refuse_references(path, bytes_);
   else if (!is_classic(bytes_))
-    refuse(path, "cannot be read: it does not begin as a netCDF file");
+    refuse_kind(path);
   const int status = nc_open_mem(kNameInMemory, NC_NOWRITE, bytes_.size(), bytes_.data(), &id_);
   if (status != NC_NOERR) refuse(path, fmt::format("cannot be read: {}", nc_strerror(status)));
 }
