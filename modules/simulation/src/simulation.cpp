@@ -437,8 +437,8 @@ model::Frame Simulation::frame() const {
   std::ranges::sort(forces);
   for (const auto& [body, floe] : impl_->floes.floes()) {
     double sum = 0.0;
-    for (const auto& [pushed, force] : std::ranges::equal_range(forces, body, {}, &std::pair<BodyId, double>::first))
-      sum += force;
+    auto force = std::ranges::lower_bound(forces, body, {}, &std::pair<BodyId, double>::first);
+    for (; force != forces.end() && force->first == body; ++force) sum += force->second;
     frame.floes.push_back({floe.id, impl_->world.pose(body), sum});
   }
   return frame;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
@@ -17,6 +18,18 @@ constexpr double kRounding = 1e-6;
 /// Relative velocity that sequential impulses leave where they end early [m/s]: they end when none changes by 1e-8 m/s
 /// more, and come that slowly to their end in a pack at rest.
 constexpr double kLeft = 1e-6;
+
+/// The explained energy of a floe in a checkpoint.
+struct SavedEnergy {
+  std::int64_t floe = 0;
+  double explained = 0.0;
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("floe", "1", "floe_id of the floe", self.floe);
+    visit("explained", "J", "energy that its work explains", self.explained);
+  }
+};
 
 }  // namespace
 
@@ -48,6 +61,30 @@ void Watchdog::look(const Watched& now) {
   }
   look_at_losses(now);
   look_at_balance(now);
+}
+
+void Watchdog::save(const FloePopulation& floes, model::Checkpoint& checkpoint) const {
+  model::save(checkpoint, "watchdog", *this);
+  model::Table table{"watched_floe", {}};
+  for (const auto& [body, explained] : explained_) {
+    if (!floes.floes().contains(body)) continue;
+    const SavedEnergy saved{floes.at(body).id, explained};
+    model::SavedRow row(table);
+    SavedEnergy::visit(saved, row);
+  }
+  checkpoint.tables.push_back(std::move(table));
+}
+
+void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& checkpoint) {
+  model::restore(checkpoint, "watchdog", *this);
+  const std::map<std::int64_t, BodyId> bodies = floes.bodies_by_id();
+  const model::Table& table = checkpoint.table("watched_floe");
+  for (std::size_t i = 0; i < table.n_rows(); ++i) {
+    SavedEnergy saved;
+    model::RestoredRow row(table, i);
+    SavedEnergy::visit(saved, row);
+    explained_[bodies.at(saved.floe)] = saved.explained;
+  }
 }
 
 /// No floe is farther from the field than the field is large, or farther below or above the structure than the

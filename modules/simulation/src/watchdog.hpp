@@ -6,6 +6,7 @@
 
 #include "brash/geometry/ledger.hpp"
 #include "brash/model/case.hpp"
+#include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "energy_ledger.hpp"
@@ -31,10 +32,21 @@ class Watchdog {
   /// @param hull  the structure's least and largest coordinates, its frame [m].
   Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hull);
 
-  /// Takes the state before the first step, or the state of a checkpoint, as the start.
+  /// Takes the state before the first step as the start.
   void begin(const Watched& start);
   /// @throws RunError naming the floe or the account and the numbers that do not fit.
   void look(const Watched& now);
+
+  void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;
+  /// Goes on with the accounts of an earlier run, so that it passes or ends a resumed run as it would the whole one.
+  void restore(const FloePopulation& floes, const model::Checkpoint& checkpoint);
+
+  /// The members that are not of one floe.
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("travel", "m", "longest travel of a floe in a step", self.travel_);
+    visit("booked_error", "J", "error of the energies at the start", self.booked_error_);
+  }
 
  private:
   /// Largest error that the integration in time may leave in the energy of floes of this weight [N], in J. The constant

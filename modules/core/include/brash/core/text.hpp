@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace brash {
 
@@ -18,5 +19,8 @@ std::string escaped_as_unicode(const std::string& text);
 bool steers_output(const std::string& text, std::size_t at);
 /// The same, cut after 80 bytes.
 std::string printable(const std::string& text);
+
+/// The name in `known` with the least edit distance from `name` (ties: the first), or "" when none is similar.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace brash
