@@ -169,7 +169,7 @@ class Simplifier {
       for (std::size_t j = std::min(i + 12, chain.points.size() - 1); j > i + 1; --j) {
         const auto& p = chain.points;
         if (!chain.is_free(i + 1, j)) continue;
-        const double narrow = area(p, i, j) < 0.0 ? at(p[i]) : kClosed;
+        const double narrow = area(p, i, j) < 0.0 ? std::min(at(p[i]), at(p[j])) : kClosed;
         // A point near a later stretch, or a point near an earlier one.
         if (distance_to_stretch(p[i], p[j - 1], p[j]) < narrow || distance_to_stretch(p[j], p[i], p[i + 1]) < narrow) {
           chain.erase(i + 1, j);
