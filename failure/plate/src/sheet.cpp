@@ -136,7 +136,7 @@ std::vector<EdgeForce> edge_forces(const LoadedSheet& sheet, const SheetEdge& ed
 }
 
 /// Points of equal share over the disc of a patch load, those in the ice.
-std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Locator& locator) {
+tl::expected<std::vector<PointForce>, std::string> point_forces(const LoadedSheet& sheet, const Locator& locator) {
   std::vector<PointForce> forces;
   for (const PatchLoad& load : sheet.patch_loads) {
     std::vector<Spot> spots;
@@ -150,6 +150,7 @@ std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Locator& lo
         if (!found.empty()) spots.push_back(found.front());
       }
     }
+    if (spots.empty()) return tl::unexpected(std::string("a patch load lies off the ice"));
     for (const Spot& spot : spots) {
       forces.push_back({spot.triangle, spot.xi, spot.eta, load.out_of_plane / static_cast<double>(spots.size())});
     }
@@ -286,6 +287,7 @@ tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
   const auto on_edge = edge_forces(sheet, meshed->edge, impl->mesh);
   impl->locator.emplace(impl->mesh);
   const auto inside = point_forces(sheet, *impl->locator);
+  if (!inside) return failed(inside.error());
   impl->times.mesh = seconds_since(start);
 
   start = std::clock();
@@ -301,7 +303,7 @@ tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
                                       .triangles = bending_triangles(impl->mesh, meshed->domain, sizes.bending_reach),
                                       .membrane = sheet.second_order ? &impl->fields.membrane : nullptr,
                                       .membrane_order = sizes.membrane_order},
-                                     on_edge, inside);
+                                     on_edge, *inside);
   if (!bending)
     return tl::unexpected(PlateError{"bending: the stiffness is not positive definite", sheet.second_order});
   impl->fields.bending = std::move(*bending);
