@@ -21,8 +21,9 @@ namespace brash::plate {
 
 namespace {
 
-/// Meshes with more vertices are given up: a hundred times as many as a usual one.
-constexpr std::size_t kMostVertices = 20000;
+/// If an edge cannot be meshed, it is simplified this much more, so many times.
+constexpr double kCoarser = 2.5;
+constexpr int kAttempts = 3;
 /// A line may start outside the ice by this much, over l_c: the edge is simplified.
 constexpr double kOutside = 0.05;
 /// Points on which a patch load acts: rings of them.
@@ -86,6 +87,33 @@ class Locator {
   std::vector<std::array<double, 4>> boxes_;
 };
 
+struct MeshedSheet {
+  SheetEdge edge;
+  SheetDomain domain;
+  Mesh mesh;
+};
+
+tl::expected<MeshedSheet, std::string> mesh_once(const LoadedSheet& sheet, const SheetSizes& sizes,
+                                                 EdgeTolerance tolerance) {
+  auto edge = simplified_edge(sheet, tolerance);
+  if (!edge) return tl::unexpected(edge.error());
+  auto domain = domain_of(sheet, *edge, sizes);
+  if (!domain) return tl::unexpected(domain.error());
+  auto mesh = mesh_domain(domain->domain, sizes.most_vertices);
+  if (!mesh) return tl::unexpected(mesh.error());
+  return MeshedSheet{std::move(*edge), std::move(*domain), std::move(*mesh)};
+}
+
+tl::expected<MeshedSheet, std::string> mesh_sheet(const LoadedSheet& sheet, const SheetSizes& sizes) {
+  EdgeTolerance tolerance = sizes.tolerance;
+  for (int attempt = 1;; ++attempt) {
+    auto meshed = mesh_once(sheet, sizes, tolerance);
+    if (meshed || attempt == kAttempts) return meshed;
+    tolerance.near *= kCoarser;
+    tolerance.at_any_price = true;
+  }
+}
+
 std::vector<EdgeForce> edge_forces(const LoadedSheet& sheet, const SheetEdge& edge, const Mesh& mesh) {
   std::vector<EdgeForce> forces;
   for (const TaggedEdge& tagged : mesh.tagged) {
@@ -108,7 +136,7 @@ std::vector<EdgeForce> edge_forces(const LoadedSheet& sheet, const SheetEdge& ed
 }
 
 /// Points of equal share over the disc of a patch load, those in the ice.
-std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Locator& locator) {
+tl::expected<std::vector<PointForce>, std::string> point_forces(const LoadedSheet& sheet, const Locator& locator) {
   std::vector<PointForce> forces;
   for (const PatchLoad& load : sheet.patch_loads) {
     std::vector<Spot> spots;
@@ -122,6 +150,7 @@ std::vector<PointForce> point_forces(const LoadedSheet& sheet, const Locator& lo
         if (!found.empty()) spots.push_back(found.front());
       }
     }
+    if (spots.empty()) return tl::unexpected(std::string("a patch load lies off the ice"));
     for (const Spot& spot : spots) {
       forces.push_back({spot.triangle, spot.xi, spot.eta, load.out_of_plane / static_cast<double>(spots.size())});
     }
@@ -252,16 +281,13 @@ tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
   auto impl = std::make_unique<SheetSolution::Impl>();
   const SheetSizes sizes = sizes_of(sheet.accuracy);
   auto start = std::clock();
-  auto edge = simplified_edge(sheet, sizes.tolerance);
-  if (!edge) return failed(edge.error());
-  const auto domain = domain_of(sheet, *edge, sizes);
-  if (!domain) return failed(domain.error());
-  auto mesh = mesh_domain(domain->domain, kMostVertices);
-  if (!mesh) return failed(mesh.error());
-  impl->mesh = std::move(*mesh);
-  const auto on_edge = edge_forces(sheet, *edge, impl->mesh);
+  auto meshed = mesh_sheet(sheet, sizes);
+  if (!meshed) return failed(meshed.error());
+  impl->mesh = std::move(meshed->mesh);
+  const auto on_edge = edge_forces(sheet, meshed->edge, impl->mesh);
   impl->locator.emplace(impl->mesh);
   const auto inside = point_forces(sheet, *impl->locator);
+  if (!inside) return failed(inside.error());
   impl->times.mesh = seconds_since(start);
 
   start = std::clock();
@@ -274,10 +300,10 @@ tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
   auto bending = solve_sheet_bending(impl->mesh, kOrder,
                                      {.poisson_ratio = sheet.poisson_ratio,
                                       .shear_stiffness = shear_stiffness(sheet.poisson_ratio, h),
-                                      .triangles = bending_triangles(impl->mesh, *domain, sizes.bending_reach),
+                                      .triangles = bending_triangles(impl->mesh, meshed->domain, sizes.bending_reach),
                                       .membrane = sheet.second_order ? &impl->fields.membrane : nullptr,
                                       .membrane_order = sizes.membrane_order},
-                                     on_edge, inside);
+                                     on_edge, *inside);
   if (!bending)
     return tl::unexpected(PlateError{"bending: the stiffness is not positive definite", sheet.second_order});
   impl->fields.bending = std::move(*bending);

@@ -103,6 +103,7 @@ SheetSizes sizes_of(Accuracy accuracy) {
             .reach = kHalfWidth,
             .bending_reach = 2.0 * kHalfWidth,
             .tolerance = {0.006, 0.0},
+            .most_vertices = 20000,
             .membrane_order = 3,
             .smallest_patch = 8};
   }
@@ -119,6 +120,7 @@ SheetSizes sizes_of(Accuracy accuracy) {
           .reach = 20.0,
           .bending_reach = 5.0,
           .tolerance = {0.02, 0.05},
+          .most_vertices = 1000,
           .membrane_order = 2,
           .smallest_patch = 3};
 }

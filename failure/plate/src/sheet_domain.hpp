@@ -25,6 +25,7 @@ struct SheetSizes {
   double reach = 0.0;           ///< of the sheet
   double bending_reach = 0.0;   ///< distance from loads and the x-axis beyond which the sheet stays at rest
   EdgeTolerance tolerance;
+  std::size_t most_vertices = 0;  ///< a mesh with more is tried again on a simpler edge, then given up
   int membrane_order = 3;
   /// Fewest triangles to which the stress is fitted. On a coarse mesh more of them smooth it too much.
   std::size_t smallest_patch = 3;

@@ -19,8 +19,8 @@ constexpr double kOnEdge = 2e-3;
 constexpr double kSamePlace = 2e-3;
 /// Loads are made at least so long, over l_c.
 constexpr double kShortestLoad = 0.01;
-/// Slots of water narrower than this are closed, over l_c.
-constexpr double kClosed = 1e-4;
+/// Points of the edge between the two sides of a neck or a slot, at most.
+constexpr std::size_t kPocket = 20;
 /// Times that the tolerance is halved if the simplified edge touches itself.
 constexpr int kHalvings = 12;
 
@@ -104,22 +104,25 @@ tl::expected<Stretches, std::string> stretches_of(const Polyline& line, const st
   return result;
 }
 
-/// A polyline under simplification. Points that are marked stay.
+/// What simplification may do with a point.
+enum class Mark : char { kFree, kLoad, kFixed };
+
+/// A polyline under simplification.
 struct Chain {
   Polyline points;
-  std::vector<char> marked;
+  std::vector<Mark> marked;
 
-  void add(Vec2 point, bool mark) {
+  void add(Vec2 point, Mark mark) {
     points.push_back(point);
-    marked.push_back(mark ? 1 : 0);
+    marked.push_back(mark);
   }
   void erase(std::size_t from, std::size_t to) {
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(from), points.begin() + static_cast<std::ptrdiff_t>(to));
     marked.erase(marked.begin() + static_cast<std::ptrdiff_t>(from), marked.begin() + static_cast<std::ptrdiff_t>(to));
   }
-  bool is_free(std::size_t from, std::size_t to) const {
-    return std::none_of(marked.begin() + static_cast<std::ptrdiff_t>(from),
-                        marked.begin() + static_cast<std::ptrdiff_t>(to), [](char m) { return m != 0; });
+  Mark strongest(std::size_t from, std::size_t to) const {
+    return *std::max_element(marked.begin() + static_cast<std::ptrdiff_t>(from),
+                             marked.begin() + static_cast<std::ptrdiff_t>(to));
   }
 };
 
@@ -155,26 +158,31 @@ class Simplifier {
       }
     }
     if (farthest == first) {
-      kept.add(line[last], false);
+      kept.add(line[last], Mark::kFree);
       return;
     }
     thin(line, first, farthest, kept);
     thin(line, farthest, last, kept);
   }
 
-  /// Cuts ice off that hangs on a neck narrower than the tolerance, and closes slots. Ice lies on the right of the
-  /// edge, so a tongue of ice turns clockwise and a slot of water does not.
+  /// Cuts ice off that hangs on a neck narrower than the tolerance, and closes slots that are as narrow as that
+  /// throughout: the mesh would be as fine as they are. Ice lies on the right of the edge, so a tongue of ice turns
+  /// clockwise and a slot of water does not.
   void cut_necks(Chain& chain) const {
+    const Mark removable = tolerance_.at_any_price ? Mark::kLoad : Mark::kFree;
     for (std::size_t i = 0; i + 2 < chain.points.size(); ++i) {
-      for (std::size_t j = std::min(i + 12, chain.points.size() - 1); j > i + 1; --j) {
+      for (std::size_t j = std::min(i + kPocket, chain.points.size() - 1); j > i + 1; --j) {
         const auto& p = chain.points;
-        if (!chain.is_free(i + 1, j)) continue;
-        const double narrow = area(p, i, j) < 0.0 ? at(p[i]) : kClosed;
+        const double narrow = std::min(at(p[i]), at(p[j]));
         // A point near a later stretch, or a point near an earlier one.
-        if (distance_to_stretch(p[i], p[j - 1], p[j]) < narrow || distance_to_stretch(p[j], p[i], p[i + 1]) < narrow) {
-          chain.erase(i + 1, j);
-          break;
-        }
+        const bool is_neck =
+            distance_to_stretch(p[i], p[j - 1], p[j]) < narrow || distance_to_stretch(p[j], p[i], p[i + 1]) < narrow;
+        if (!is_neck || chain.strongest(i + 1, j) > removable) continue;
+        double length = 0.0;
+        for (std::size_t k = i; k < j; ++k) length += norm(p[k + 1] - p[k]);
+        if (area(p, i, j) > 0.5 * length * narrow && !tolerance_.at_any_price) continue;
+        chain.erase(i + 1, j);
+        break;
       }
     }
   }
@@ -252,34 +260,35 @@ void keep_area(const Polyline& section, std::size_t first, Chain& chain) {
 Chain chain_of(const Polyline& line, const std::vector<double>& along, const Stretches& stretches,
                const Simplifier& simplifier) {
   Chain chain;
-  chain.add(line.front(), true);
+  chain.add(line.front(), Mark::kFixed);
   Station from = station_at(line, along, 0.0);
-  const auto advance = [&](const Station& to, bool is_loaded) {
+  const auto advance = [&](const Station& to, bool is_loaded, Mark mark) {
     if (to.along - from.along <= kSamePoint) {
       chain.points.back() = to.place;
-      chain.marked.back() = 1;
-      return;
+    } else if (is_loaded) {
+      chain.add(to.place, mark);
+    } else {
+      Polyline section{from.place};
+      for (std::size_t i = from.segment + 1; i <= to.segment; ++i) section.push_back(line[i]);
+      section.push_back(to.place);
+      const std::size_t first = chain.points.size() - 1;
+      simplifier.thin(section, 0, section.size() - 1, chain);
+      keep_area(section, first, chain);
     }
-    if (is_loaded) {
-      chain.add(to.place, true);
-      return;
-    }
-    Polyline section{from.place};
-    for (std::size_t i = from.segment + 1; i <= to.segment; ++i) section.push_back(line[i]);
-    section.push_back(to.place);
-    const std::size_t first = chain.points.size() - 1;
-    simplifier.thin(section, 0, section.size() - 1, chain);
-    keep_area(section, first, chain);
-    chain.marked.back() = 1;
-  };
-  for (const double mark : stretches.marks) {
-    const Station to = station_at(line, along, mark);
-    const double middle = 0.5 * (from.along + mark);
-    advance(to, std::any_of(stretches.loads.begin(), stretches.loads.end(),
-                            [&](const auto& load) { return load.first < middle && middle < load.second; }));
+    chain.marked.back() = std::max(chain.marked.back(), mark);
     from = to;
+  };
+  const auto covers = [](double s) { return [s](const auto& load) { return load.first <= s && s <= load.second; }; };
+  const double origin = project(line, along, {0.0, 0.0}).along;
+  const auto& loads = stretches.loads;
+  for (const double mark : stretches.marks) {
+    const bool is_loaded = std::any_of(loads.begin(), loads.end(), covers(0.5 * (from.along + mark)));
+    // The contact at B stays.
+    const bool is_fixed = std::any_of(loads.begin(), loads.end(),
+                                      [&](const auto& load) { return covers(mark)(load) && covers(origin)(load); });
+    advance(station_at(line, along, mark), is_loaded, is_fixed ? Mark::kFixed : Mark::kLoad);
   }
-  advance({line.size() - 2, along.back(), 0.0, line.back()}, false);
+  advance({line.size() - 2, along.back(), 0.0, line.back()}, false, Mark::kFixed);
   simplifier.cut_necks(chain);
   return chain;
 }
@@ -334,7 +343,11 @@ tl::expected<SheetEdge, std::string> simplified_edge(const LoadedSheet& sheet, E
   for (int attempt = 0; attempt <= kHalvings; ++attempt, simplifier.halve()) {
     SheetEdge edge{chain_of(line, along, *stretches, simplifier).points, {}, {}};
     const auto place = [&](double mark) { return index_of(edge.points, station_at(line, along, mark).place); };
-    for (const auto& [first, last] : stretches->loads) edge.loads.emplace_back(place(first), place(last));
+    for (const auto& [first, last] : stretches->loads) {
+      // A load that was cut off acts on the stretch next to it.
+      const std::size_t start = std::min(place(first), edge.points.size() - 2);
+      edge.loads.emplace_back(start, std::max(place(last), start + 1));
+    }
     insert_origin(edge);
     if (!touches_itself(edge.points)) return edge;
   }

@@ -23,6 +23,9 @@ struct SheetEdge {
 struct EdgeTolerance {
   double near = 0.02;
   double growth = 0.0;
+  /// The last resort: necks and narrow mouths are closed also if the ice behind them is loaded or the bay is wide. Its
+  /// loads move to the edge next to it.
+  bool at_any_price = false;
 };
 
 /// Makes the ends of the loads and B points of the edge, straight between the ends of a load, and leaves out what is

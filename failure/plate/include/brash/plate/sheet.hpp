@@ -43,7 +43,8 @@ enum class Accuracy {
 struct LoadedSheet {
   /// The free edge, from y < 0 to y > 0, through the origin, the ice on its right (+x). Beyond its first and last
   /// point, which have the least and the largest y, the edge goes on along -y and +y. Features that are small against
-  /// l_c and the contacts are simplified away.
+  /// l_c and the contacts are simplified away: points, slivers and necks of ice, slots. If the edge cannot be meshed
+  /// otherwise, necks with loads behind them are cut too, and these loads move to the edge next to them.
   std::vector<Vec2> outline{};
   std::vector<EdgeLoad> edge_loads{};    ///< shape=(n,), at least one load of either kind
   std::vector<PatchLoad> patch_loads{};  ///< shape=(m,)
@@ -87,7 +88,9 @@ class SheetSolution {
 
   /// The fields at even distances along a line. It ends where the line leaves the ice, or after `length`.
   ///
-  /// @param from        in the ice or on its edge to within 1e-3 [l_c].
+  /// @param from        in the ice, or off it by at most 0.05, because the edge is simplified [l_c]; the stations
+  /// before
+  ///                    the ice have the state of its edge.
   /// @param direction   of any length > 0.
   /// @param length      over l_c, > 0.
   /// @param n_stations  at least 2.
@@ -106,8 +109,10 @@ class SheetSolution {
 
 /// Solves the floating sheet under all its loads at once.
 ///
-/// @return the solution, or why not: the edge crosses itself, misses B or a load, or leaves no ice ahead of B; the
-/// loads have no resultant or are not finite; the plate buckles (second order).
+/// @return the solution, or why not: the edge touches itself or misses a load, or needs too many elements; there is no
+/// load, or one is not finite or lies off the ice; the edge of a split sheet misses B; the plate buckles (second
+/// order).
+/// @see docs/theory/failure.md, "All loads on one sheet"
 tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet);
 
 }  // namespace brash::plate
