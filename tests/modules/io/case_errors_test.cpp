@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_is_told_the_nearest) {
       message_of(with_more("[failure]\nmodel = \"plates\"\n")),
       {"bad.toml:18:9: failure.model = \"plates\": is not a known name",
        "allowed: one of \"network\", \"deep-network\", \"superposition\", \"plate\", \"plate-outline\", \"wedge\"",
-       "nearest: \"plate\"", "take the default \"superposition\""});
+       "nearest: \"plate\"", "take the default \"plate-outline\""});
 }
 
 BOOST_AUTO_TEST_CASE(an_array_of_another_size_is_refused) {
