@@ -23,7 +23,7 @@ struct Frame {
 ///
 /// Contacts with the structure have crushed the edge: a chord takes its place. Floes press on the edge as it is, or,
 /// where they press farther from it than half the ice's thickness, on a disc inside the ice.
-/// docs/theory/simulation.md, (S2).
+/// docs/theory/simulation.md, (S3).
 ///
 /// @return the frame of `load`: origin B, x into the ice; on the sheet [m].
 ///
