@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "brash/failure/criterion.hpp"
+#include "brash/plate/sheet.hpp"
+#include "crack_path.hpp"
+
+namespace brash::failure {
+
+/// The sheet of a load case, to be solved: its outline with its loads. Without an outline the trapezoid takes its
+/// place, and without loads the contact's own load acts alone.
+plate::LoadedSheet loaded_sheet(const LoadCase& load, const IceProperties& ice, bool second_order);
+
+/// Stresses over the flexural strength.
+struct Stresses {
+  double largest = 0.0;  ///< across the centre line's length
+  double place = 0.0;    ///< |AB| / l_c
+  Surface side = 1.0;    ///< on which it is
+  double radial = 0.0;   ///< along the edge at B, on the surface that P puts in compression
+};
+
+/// The stresses on the line from B into the ice.
+///
+/// The largest one is principal where P puts the surface in tension, and along the line on the other surface: the
+/// edge's own stress there belongs to the radial crack. Plate theory holds from h on.
+///
+/// @return nothing where the line meets no ice.
+std::optional<Stresses> stresses_ahead(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution,
+                                       const IceProperties& ice);
+
+}  // namespace brash::failure
