@@ -20,12 +20,17 @@ double length_of(const Polyline& line) {
   return length;
 }
 
+/// A place on the free edge.
+struct Place {
+  std::size_t segment = 0;
+  double share = 0.0;  ///< of it
+};
+
 /// Where an arm of the crack leaves the ice.
 struct Exit {
-  std::size_t segment = 0;  ///< of the free edge
-  double share = 0.0;       ///< of it
-  Polyline arm;             ///< up to there, from the middle of the crack
-  Vec2 outside{};           ///< a little further
+  Place at;
+  Polyline arm;    ///< up to there, from the middle of the crack
+  Vec2 outside{};  ///< a little further
 };
 
 /// The first crossing of the arm with the edge.
@@ -42,7 +47,7 @@ std::optional<Exit> exit_of(Polyline arm, const Polyline& edge, double beyond) {
       const double s = cross(edge[j] - a, e) / area, t = cross(edge[j] - a, d) / area;
       if (s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0 || s >= nearest) continue;
       nearest = s;
-      first = Exit{j, t, {}, a + s * d + kOutside * normalized(d)};
+      first = Exit{{j, t}, {}, a + s * d + kOutside * normalized(d)};
     }
     if (!first) continue;
     first->arm.assign(arm.begin(), arm.begin() + static_cast<std::ptrdiff_t>(i) + 1);
@@ -52,20 +57,18 @@ std::optional<Exit> exit_of(Polyline arm, const Polyline& edge, double beyond) {
   return std::nullopt;
 }
 
-bool comes_before(const Exit& a, const Exit& b) {
-  return a.segment != b.segment ? a.segment < b.segment : a.share < b.share;
-}
+bool comes_before(Place a, Place b) { return a.segment != b.segment ? a.segment < b.segment : a.share < b.share; }
 
-/// The number of the edge's segment nearest to a point.
-std::size_t nearest_segment(const Polyline& edge, Vec2 point) {
-  std::size_t best = 0;
+/// The place of the edge nearest to a point.
+Place nearest(const Polyline& edge, Vec2 point) {
+  Place best;
   double least = -1.0;
   for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
     const Vec2 along = edge[i + 1] - edge[i];
     const double s = std::clamp(dot(point - edge[i], along) / dot(along, along), 0.0, 1.0);
     const double distance = norm(edge[i] + s * along - point);
     if (least >= 0.0 && distance >= least) continue;
-    best = i;
+    best = {i, s};
     least = distance;
   }
   return best;
@@ -92,9 +95,9 @@ std::optional<CutOff> cut_off(const geometry::IceSheet& sheet, Vec2 tip, const s
   auto one = exit_of({middle, crack.end()}, edge, beyond);
   auto other = exit_of({std::make_reverse_iterator(middle + 1), crack.rend()}, edge, beyond);
   if (!one || !other) return std::nullopt;
-  if (comes_before(*other, *one)) std::swap(one, other);
-  const std::size_t at_tip = nearest_segment(edge, tip);
-  if (at_tip < one->segment || at_tip > other->segment) return std::nullopt;
+  if (comes_before(other->at, one->at)) std::swap(one, other);
+  const Place at_tip = nearest(edge, tip);
+  if (comes_before(at_tip, one->at) || comes_before(other->at, at_tip)) return std::nullopt;
 
   CutOff result;
   result.crack.assign(one->arm.rbegin(), one->arm.rend());
@@ -102,7 +105,7 @@ std::optional<CutOff> cut_off(const geometry::IceSheet& sheet, Vec2 tip, const s
   result.region = result.crack;
   result.region.front() = one->outside;
   result.region.back() = other->outside;
-  for (std::size_t i = other->segment; i > one->segment; --i) result.region.push_back(edge[i]);
+  for (std::size_t i = other->at.segment; i > one->at.segment; --i) result.region.push_back(edge[i]);
   if (signed_area(result.region) < 0.0) std::ranges::reverse(result.region);
   return result;
 }
