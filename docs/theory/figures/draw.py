@@ -14,6 +14,7 @@ import matplotlib.pyplot as plt
 
 import closed_forms
 import contacts
+import cracks
 import cuts
 import edge
 import histories
@@ -21,9 +22,9 @@ import measured
 import plate
 import water
 
-FIGURES = {"contacts": contacts.draw, "water": water.draw, "cuts": cuts.draw, "histories": histories.draw,
-           "plate": plate.draw, "closed-forms": closed_forms.draw, "edge": edge.draw, "solver": measured.solver,
-           "drag": measured.drag, "crushed": measured.crushed}
+FIGURES = {"contacts": contacts.draw, "water": water.draw, "cuts": cuts.draw, "crack-patterns": cracks.draw,
+           "histories": histories.draw, "plate": plate.draw, "closed-forms": closed_forms.draw,
+           "edge": edge.draw, "solver": measured.solver, "drag": measured.drag, "crushed": measured.crushed}
 
 
 def main():
