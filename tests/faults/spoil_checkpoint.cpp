@@ -26,6 +26,9 @@ int main(int argc, char** argv) {
     floe_cell(state, "linear_x") = -1.0;
     for (const char* const still : {"linear_y", "linear_z", "angular_x", "angular_y", "angular_z"})
       floe_cell(state, still) = 0.0;
+    // Its energy is no fault.
+    for (double& explained : std::get<std::vector<double>>(state.table("watched_floe").column("explained").values))
+      explained = 1e9;
   }
   if (fault == "speed") floe_cell(state, "linear_z") = 1e200;  // its drag exceeds all numbers
   if (fault == "ledger") {                                     // still the right sum
