@@ -63,9 +63,10 @@ def write(path, text):
 
 def main():
     program, sources, folder, maintainer = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), sys.argv[4]
-    released = re.search(r"^date-released: (.*)$", (sources / "CITATION.cff").read_text(), re.MULTILINE)[1]
+    citation = (sources / "CITATION.cff").read_text()
+    # The program adds its commit between releases, but a Debian version has no blanks.
+    released, version = (re.search(rf"^{key}: *(\S+)$", citation, re.MULTILINE)[1] for key in ("date-released", "version"))
     date = datetime.datetime.fromisoformat(released).replace(tzinfo=datetime.timezone.utc)
-    version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
     page = HEAD.format(date=released, version=version) + ".SH COMMANDS\n" + "".join(helps(program)) + TAIL
     write(folder / "brash.1.gz", page)
     write(folder / "changelog.gz", (sources / "CHANGELOG.md").read_text())

@@ -4,9 +4,38 @@
 #include <algorithm>
 #include <optional>
 
+#include "overlap.hpp"
 #include "planar_map.hpp"
 
 namespace brash::geometry {
+
+namespace {
+
+Arrangement::Walk walk_from(HalfEdge start, const std::vector<Point>& nodes) {
+  Arrangement::Walk walk;
+  HalfEdge h = start;
+  do {
+    walk.push_back({nodes[h->source()->data()], nodes[h->target()->data()], sheet(h) != 0});
+    h = h->next();
+  } while (h != start);
+  return walk;
+}
+
+/// The boundaries of the faces that are pieces by their label.
+template <typename IsPiece>
+std::vector<Arrangement::Piece> pieces_of(PlanarMap& map, const std::vector<Point>& nodes, IsPiece&& is_piece) {
+  std::vector<Arrangement::Piece> pieces;
+  for (const Face face : map.face_handles()) {
+    if (!is_piece(face->data())) continue;
+    Arrangement::Piece& piece = pieces.emplace_back(Arrangement::Piece{walk_from(face->outer_ccb(), nodes), {}});
+    for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) {
+      piece.holes.push_back(walk_from(*ccb, nodes));
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
 
 struct Arrangement::Impl {
   Impl(const Noding& noded, const FreeEdges& free_edges)
@@ -16,10 +45,8 @@ struct Arrangement::Impl {
   Point to(HalfEdge h) const { return noding.nodes()[h->target()->data()]; }
   bool is_new_sheet_edge(HalfEdge h) const;
   int ice_in(Face face) const;
-  bool is_in_ice(Point p) const;
   void check_faces() const;
   void check_vertices() const;
-  Walk walk_from(HalfEdge start) const;
 
   const Noding& noding;
   const FreeEdges& boundary;
@@ -55,26 +82,8 @@ int Arrangement::Impl::ice_in(Face face) const {
       if (out == first) break;
     }
   });
-  if (ice == FaceLabel::kUnknown) ice = is_in_ice(from(side)) ? 1 : 0;
+  if (ice == FaceLabel::kUnknown) ice = is_in_ice(from(side), noding, noded_map.joined, boundary) ? 1 : 0;
   return ice;
-}
-
-/// Whether `p`, not on the free edge, lies in ice as it is now: edges that took part may have moved or cancelled out.
-bool Arrangement::Impl::is_in_ice(Point p) const {
-  std::vector<int> ignored;
-  for (const Noding::ActiveEdge& e : noding.active()) ignored.push_back(e.id);
-  std::sort(ignored.begin(), ignored.end());
-  const int hit = boundary.first_right_of(p, ignored);
-  FreeEdges::Directed first;
-  bool has_hit = hit >= 0;
-  if (has_hit) first = {boundary.edge(hit).from, boundary.edge(hit).to};
-  for (auto h = map.halfedges_begin(); h != map.halfedges_end(); ++h) {
-    if (sheet(h) <= 0 || !exact::meets_ray(from(h), to(h), p)) continue;
-    if (has_hit && !exact::is_met_before(from(h), to(h), first.from, first.to)) continue;
-    has_hit = true;
-    first = {from(h), to(h)};
-  }
-  return has_hit && first.from.y < first.to.y;
 }
 
 /// Throws unless every face is covered by the region once or not at all, and ice inside it agrees with its edges.
@@ -135,26 +144,22 @@ Arrangement::Cracks Arrangement::drop_useless_cracks() {
   return cracks;
 }
 
-Arrangement::Walk Arrangement::Impl::walk_from(HalfEdge start) const {
-  Walk walk;
-  HalfEdge h = start;
-  do {
-    walk.push_back({from(h), to(h), sheet(h) != 0});
-    h = h->next();
-  } while (h != start);
-  return walk;
+std::vector<Arrangement::Piece> Arrangement::pieces() const {
+  const auto is_piece = [](const FaceLabel& face) { return face.is_piece(); };
+  return pieces_of(impl_->map, impl_->noding.nodes(), is_piece);
 }
 
-std::vector<Arrangement::Piece> Arrangement::pieces() const {
-  std::vector<Piece> pieces;
-  for (const Face face : impl_->map.face_handles()) {
-    if (!face->data().is_piece()) continue;
-    Piece& piece = pieces.emplace_back(Piece{impl_->walk_from(face->outer_ccb()), {}});
-    for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) {
-      piece.holes.push_back(impl_->walk_from(*ccb));
-    }
+std::vector<Arrangement::Piece> Arrangement::overlap(const Noding& noding, const FreeEdges& boundary) {
+  const std::vector<NodedEdge> edges = overlap_edges(noding, boundary);
+  if (edges.empty()) return {};
+  const auto step = [](HalfEdge h) { return sheet(h) + region(h); };
+  NodedMap noded(noding.nodes(), edges);
+  cover_faces(noded.map, &FaceLabel::ice, step);
+  for (const HalfEdge h : noded.map.halfedge_handles()) {
+    const int left = h->face()->data().ice;
+    BRASH_EXPECTS(left == std::max(step(h), 0), "the region is not simple", left, step(h));
   }
-  return pieces;
+  return pieces_of(noded.map, noding.nodes(), [](const FaceLabel& face) { return face.ice == 1; });
 }
 
 /// True for a half-edge of the free edge as it is after the region has gone.

@@ -47,6 +47,9 @@ class Arrangement {
   Cracks drop_useless_cracks();
   /// The faces with ice inside the region.
   std::vector<Piece> pieces() const;
+  /// The same for a region without cracks, by arranging the boundary of these faces alone.
+  /// @throws ContractViolation as the constructor does.
+  static std::vector<Piece> overlap(const Noding& noding, const FreeEdges& boundary);
   /// The free edge without the region.
   SheetChange sheet_change() const;
 

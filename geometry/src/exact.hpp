@@ -64,6 +64,8 @@ inline bool meets_pixel(Point a, Point b, Point p) {
 
 /// True when the open segments a b and c d cross in one point.
 inline bool cross_properly(Point a, Point b, Point c, Point d) {
+  if (a == c || a == d || b == c || b == d)
+    return false;  // Decided without signs that are exactly zero, which are slow.
   const int c_side = side(a, b, c);
   const int d_side = side(a, b, d);
   if (c_side * d_side >= 0) return false;

@@ -85,7 +85,7 @@ std::vector<ContactRegion> IceSheet::contacts(std::span<const Point> section) co
   expect_region(section);
   const Noding noding(impl_->boundary, section, {});
   std::vector<ContactRegion> contacts;
-  for (const Arrangement::Piece& piece : Arrangement(noding, impl_->boundary).pieces()) {
+  for (const Arrangement::Piece& piece : Arrangement::overlap(noding, impl_->boundary)) {
     contacts.push_back(contact_of(piece));
   }
   std::sort(contacts.begin(), contacts.end(),

@@ -81,7 +81,7 @@ Cut IceSheet::cut(std::span<const Point> region, std::span<const Crack> cracks) 
 std::vector<Polygon> IceSheet::within(std::span<const Point> window) const {
   expect_region(window);
   const Noding noding(impl_->boundary, window, {});
-  return polygons_of(Arrangement(noding, impl_->boundary).pieces());
+  return polygons_of(Arrangement::overlap(noding, impl_->boundary));
 }
 
 }  // namespace brash::geometry

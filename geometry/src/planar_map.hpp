@@ -13,17 +13,9 @@
 
 #include "brash/core/contract.hpp"
 #include "free_edges.hpp"
-#include "noding.hpp"
+#include "joined_edges.hpp"
 
 namespace brash::geometry {
-
-/// Counts along an edge, directed from its lexicographically smaller end to the larger one.
-struct EdgeLabel {
-  int number = -1;
-  int sheet = 0;   ///< Sheet edges along it less those against it.
-  int region = 0;  ///< The same for the region's boundary.
-  bool is_crack = false;
-};
 
 /// How often ice and region cover a face: 0 or 1 once all is labelled.
 struct FaceLabel {
@@ -77,69 +69,25 @@ struct NodedMap {
 
   /// The half-edge along the edge that came in with this number; null when it has been cancelled.
   Edge along_edge(int number) const {
-    const auto& [edge, is_rightward] = places[number];
+    const auto& [edge, is_rightward] = joined.places()[number];
     const Edge right = rightward[edge];
     return is_rightward || !is_there(right) ? right : right->twin();
   }
 
-  struct Place {
-    int edge;  ///< Into `rightward`.
-    bool is_rightward;
-  };
+  JoinedEdges joined;
   PlanarMap map;
   std::vector<Edge> rightward;  ///< Of each joined edge; null when it has been cancelled.
-  std::vector<Place> places;    ///< Of each edge that came in.
 };
 
-/// Coincident edges as one, with the sum of their counts: opposite ones cancel.
-class JoinedEdges {
- public:
-  struct Edge {
-    int left;  ///< Node, lexicographically before the other.
-    int right;
-    EdgeLabel label;
-    int older;  ///< The edge joined before from the same left node; -1 when there is none.
-  };
-  explicit JoinedEdges(const std::vector<Point>& nodes) : nodes_(nodes), newest_(nodes.size(), -1) {}
-  NodedMap::Place add(const NodedEdge& edge);
-  const std::vector<Edge>& edges() const { return edges_; }
-
- private:
-  const std::vector<Point>& nodes_;
-  std::vector<int> newest_;
-  std::vector<Edge> edges_;
-};
-
-inline NodedMap::Place JoinedEdges::add(const NodedEdge& edge) {
-  const bool is_rightward = nodes_[edge.from] < nodes_[edge.to];
-  const int left = is_rightward ? edge.from : edge.to;
-  const int right = is_rightward ? edge.to : edge.from;
-  int at = newest_[left];
-  while (at >= 0 && edges_[at].right != right) at = edges_[at].older;
-  if (at < 0) {
-    at = static_cast<int>(edges_.size());
-    edges_.push_back({left, right, {.number = at}, newest_[left]});
-    newest_[left] = at;
-  }
-  EdgeLabel& label = edges_[at].label;
-  if (edge.source == Source::kSheet) label.sheet += is_rightward ? 1 : -1;
-  if (edge.source == Source::kRegion) label.region += is_rightward ? 1 : -1;
-  if (edge.source == Source::kCrack) label.is_crack = true;
-  return {at, is_rightward};
-}
-
-inline NodedMap::NodedMap(const std::vector<Point>& nodes, const std::vector<NodedEdge>& edges) {
-  JoinedEdges joined(nodes);
-  places.reserve(edges.size());
-  for (const NodedEdge& edge : edges) places.push_back(joined.add(edge));
+inline NodedMap::NodedMap(const std::vector<Point>& nodes, const std::vector<NodedEdge>& edges)
+    : joined(nodes, edges), rightward(joined.edges().size()) {
   std::vector<Traits::X_monotone_curve_2> curves;
   curves.reserve(joined.edges().size());
   for (const JoinedEdges::Edge& e : joined.edges()) {
-    if (e.label.sheet == 0 && e.label.region == 0 && !e.label.is_crack) continue;
+    if (e.label.is_cancelled()) continue;
     curves.emplace_back(Kernel::Segment_2(exactly(nodes[e.left]), exactly(nodes[e.right])), e.label);
   }
   CGAL::insert_non_intersecting_curves(map, curves.begin(), curves.end());
-  rightward.resize(joined.edges().size());
   for (auto h = map.edges_begin(); h != map.edges_end(); ++h) {
     const Edge right = along(h) > 0 ? Edge(h) : h->twin();
     const JoinedEdges::Edge& e = joined.edges()[right->curve().data().number];

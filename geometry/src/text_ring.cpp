@@ -16,15 +16,20 @@ GeometryError error_at(std::string_view text, std::size_t offset, std::string_vi
   return {fmt::format("line {}, column {}: {}", line, column, what)};
 }
 
+std::optional<std::string> fault_of_positions(std::span<const Vec2> positions) {
+  for (const Vec2 p : positions) {
+    // A NaN fails both comparisons.
+    if (std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate) continue;
+    return fmt::format("({}, {}) is beyond +-{} m", p.x, p.y, kMaxCoordinate);
+  }
+  return std::nullopt;
+}
+
 tl::expected<Ring, std::string> ring_from_text(std::span<const Vec2> positions, bool is_hole) {
   if (positions.size() < 4) {
     return tl::unexpected(fmt::format("a ring needs at least 4 positions, this has {}", positions.size()));
   }
-  for (const Vec2 p : positions) {
-    // A NaN fails both comparisons.
-    if (std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate) continue;
-    return tl::unexpected(fmt::format("({}, {}) is beyond +-{} m", p.x, p.y, kMaxCoordinate));
-  }
+  if (auto fault = fault_of_positions(positions)) return tl::unexpected(*std::move(fault));
   if (positions.front() != positions.back()) {
     return tl::unexpected(std::string("the ring is not closed: its last position is not its first"));
   }

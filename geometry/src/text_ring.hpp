@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace brash::geometry {
 
 /// "line L, column C: `what`", counted from 1, for the byte at `offset` of `text`.
 GeometryError error_at(std::string_view text, std::size_t offset, std::string_view what);
+
+/// The first position beyond +-kMaxCoordinate or not finite, in words, if there is one.
+std::optional<std::string> fault_of_positions(std::span<const Vec2> positions);
 
 /// The grid ring through the closed list of `positions` [m], counter-clockwise, or clockwise for a hole.
 /// @return the ring, or the error in it.

@@ -19,19 +19,28 @@ class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
 
-  tl::expected<std::vector<Polygon>, GeometryError> read() {
-    std::vector<Polygon> polygons;
-    skip_space();
-    if (is_at_end()) fail("there is no geometry: POLYGON or MULTIPOLYGON is expected");
-    while (!error_ && !is_at_end()) {
-      read_geometry(polygons);
-      skip_space();
-    }
-    if (error_) return tl::unexpected(*error_);
-    return polygons;
+  tl::expected<std::vector<Polygon>, GeometryError> polygons() {
+    return all<Polygon>("POLYGON", [this](std::vector<Polygon>& polygons) { read_polygon(polygons); });
+  }
+  tl::expected<std::vector<Crack>, GeometryError> cracks() {
+    return all<Crack>("LINESTRING", [this](std::vector<Crack>& cracks) { read_line(cracks); });
   }
 
  private:
+  /// Every geometry of the text. `kind` is the word before one member, MULTI and `kind` the word before several.
+  template <typename T, typename ReadMember>
+  tl::expected<std::vector<T>, GeometryError> all(std::string_view kind, const ReadMember& read_member) {
+    std::vector<T> result;
+    skip_space();
+    if (is_at_end()) fail(fmt::format("there is no geometry: {} or MULTI{} is expected", kind, kind));
+    while (!error_ && !is_at_end()) {
+      read_geometry(kind, [&] { read_member(result); });
+      skip_space();
+    }
+    if (error_) return tl::unexpected(*error_);
+    return result;
+  }
+
   void fail_at(std::size_t offset, std::string_view what) {
     if (!error_) error_ = error_at(text_, offset, what);
   }
@@ -69,18 +78,20 @@ class Reader {
     return false;
   }
 
-  void read_geometry(std::vector<Polygon>& polygons) {
-    skip_space();
+  template <typename ReadMember>
+  void read_geometry(std::string_view kind, const ReadMember& read_member) {
     const std::size_t start = at_;
-    const std::string kind = word();
-    if (kind != "POLYGON" && kind != "MULTIPOLYGON") {
-      return fail_at(start, fmt::format("POLYGON or MULTIPOLYGON is expected, not {}", kind.empty() ? found() : kind));
+    const std::string found_kind = word();
+    const bool is_multi = found_kind == fmt::format("MULTI{}", kind);
+    if (found_kind != kind && !is_multi) {
+      return fail_at(start, fmt::format("{} or MULTI{} is expected, not {}", kind, kind,
+                                        found_kind.empty() ? found() : found_kind));
     }
     if (accept_empty() || error_) return;
-    if (kind == "POLYGON") return read_polygon(polygons);
+    if (!is_multi) return read_member();
     expect('(');
     do {
-      read_polygon(polygons);
+      read_member();
     } while (!error_ && accept(','));
     expect(')');
   }
@@ -95,9 +106,7 @@ class Reader {
     polygons.push_back(std::move(polygon));
   }
 
-  Ring read_ring(bool is_hole) {
-    skip_space();
-    const std::size_t start = at_;
+  std::vector<Vec2> read_positions() {
     std::vector<Vec2> positions;
     expect('(');
     do {
@@ -105,11 +114,31 @@ class Reader {
       positions.push_back({x, y});
     } while (!error_ && accept(','));
     expect(')');
+    return positions;
+  }
+
+  Ring read_ring(bool is_hole) {
+    skip_space();
+    const std::size_t start = at_;
+    const std::vector<Vec2> positions = read_positions();
     if (error_) return {};
     auto result = ring_from_text(positions, is_hole);
     if (result) return *std::move(result);
     fail_at(start, result.error());
     return {};
+  }
+
+  void read_line(std::vector<Crack>& cracks) {
+    skip_space();
+    const std::size_t start = at_;
+    const std::vector<Vec2> positions = read_positions();
+    if (error_) return;
+    if (positions.size() < 2) return fail_at(start, "a line needs at least 2 positions, this has 1");
+    if (const auto fault = fault_of_positions(positions)) return fail_at(start, *fault);
+    for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+      const Crack crack{snap(positions[i]), snap(positions[i + 1])};
+      if (crack.from != crack.to) cracks.push_back(crack);
+    }
   }
 
   double number() {
@@ -163,6 +192,8 @@ std::string to_wkt(std::span<const Polygon> polygons) {
   return is_one ? text : text + ')';
 }
 
-tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text) { return Reader(text).read(); }
+tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text) { return Reader(text).polygons(); }
+
+tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text) { return Reader(text).cracks(); }
 
 }  // namespace brash::geometry

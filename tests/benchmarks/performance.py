@@ -51,7 +51,7 @@ def coupled():
                             stdout=subprocess.PIPE).stdout
     runs = json.loads(output)["runs"]
     return [line("coupled step / Bullet's world over the same floes, sheet, cone and iterations, first 10 s of the "
-                 "validation case", [run["coupled_s"] / run["bullet_s"] for run in runs], "<= 1.25")]
+                 "validation case", [run["coupled_s"] / run["bullet_s"] for run in runs], "<= 0.85")]
 
 
 def real_time():

@@ -109,6 +109,17 @@ BOOST_AUTO_TEST_CASE(random_stars_wedges_and_holed_stars_keep_their_area) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(parts_around_a_hole_are_the_same_whatever_was_divided_before) {
+  std::mt19937_64 generator(3);
+  for (int i = 0; i < 100; ++i) {
+    Polygon holed{disc({0, 0}, 3.0, 8 + i % 20), {}};
+    holed.holes.push_back(reversed(shapes::star(generator, 5 + i % 9, 0.2, {1.2, 0.3})));
+    const std::vector<Ring> parts = convex_parts(holed);
+    (void)convex_parts({shapes::star(generator, 30, 0.2), {}});
+    BOOST_TEST((convex_parts(holed) == parts));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(coarse_random_polygons_with_many_coincidences_keep_their_area) {
   // Few units across: collinear and touching vertices in most of them. A union of cells of a checkerboard-like set,
   // given as its directed edges, needs no construction: each cell's hole is listed.

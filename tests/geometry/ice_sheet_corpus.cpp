@@ -35,7 +35,9 @@ void run(const corpus::Case& c) {
       cut.pieces = sheet.release_detached();
       BOOST_TEST(sheet.polygons().size() <= 1u);
     } else {
+      const std::vector<Polygon> seen = sheet.within(event.region);
       cut = sheet.cut(event.region, event.cracks);
+      if (event.cracks.empty()) BOOST_TEST((cut.pieces == seen));
     }
     n_pieces.push_back(cut.pieces.size());
     BOOST_TEST((before == sheet.area() + total(cut.pieces) + cut.snap));

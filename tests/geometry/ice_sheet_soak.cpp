@@ -52,10 +52,12 @@ void cut_and_count(soak::Random& random, IceSheet& sheet, const soak::Event& eve
                    Counts& counts) {
   const std::vector<Polygon> before = ask_oracle ? sheet.polygons() : std::vector<Polygon>{};
   const ExactArea area_before = sheet.area();
+  const std::vector<Polygon> seen = event.cracks.empty() ? sheet.within(event.region) : std::vector<Polygon>{};
   const double start = processor_seconds();
   const Cut cut = sheet.cut(event.region, event.cracks);
   counts.cut_seconds += processor_seconds() - start;
   BOOST_REQUIRE((area_before == sheet.area() + total(cut.pieces) + cut.snap));
+  if (event.cracks.empty()) BOOST_REQUIRE((cut.pieces == seen));
   ledger.floes += total(cut.pieces);
   ledger.snap += cut.snap;
   ++counts.events;

@@ -92,6 +92,30 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
              "line 1, column 32: POLYGON or MULTIPOLYGON is expected, not TRAILING");
 }
 
+BOOST_AUTO_TEST_CASE(lines_are_read_as_the_cracks_between_their_positions) {
+  const auto point = [](double x, double y) { return snap({x, y}); };
+  const auto cracks =
+      cracks_from_wkt("linestring (0 0, 1 2, 1 2, 3 4)\nMULTILINESTRING ((5 5, 6 6), (7 7, 8 8))").value();
+  const std::vector<std::pair<Point, Point>> expected{
+      {point(0, 0), point(1, 2)}, {point(1, 2), point(3, 4)}, {point(5, 5), point(6, 6)}, {point(7, 7), point(8, 8)}};
+  BOOST_REQUIRE(cracks.size() == expected.size());
+  for (std::size_t i = 0; i < cracks.size(); ++i) BOOST_TEST((std::pair(cracks[i].from, cracks[i].to) == expected[i]));
+  BOOST_TEST(cracks_from_wkt("LINESTRING EMPTY").value().empty());
+}
+
+BOOST_AUTO_TEST_CASE(faults_of_lines_are_named_with_their_place) {
+  const auto fault = [](std::string_view text) {
+    const auto result = cracks_from_wkt(text);
+    return result ? std::string() : result.error().what;
+  };
+  BOOST_TEST(fault("") == "line 1, column 1: there is no geometry: LINESTRING or MULTILINESTRING is expected");
+  BOOST_TEST(fault("POLYGON ((0 0, 1 1))") ==
+             "line 1, column 1: LINESTRING or MULTILINESTRING is expected, not POLYGON");
+  BOOST_TEST(fault("LINESTRING (1 1)") == "line 1, column 12: a line needs at least 2 positions, this has 1");
+  BOOST_TEST(fault("LINESTRING (0 0, 9000 1)") == "line 1, column 12: (9000, 1) is beyond +-8192 m");
+  BOOST_TEST(fault("LINESTRING (0 0, nan 1)") == "line 1, column 12: (nan, 1) is beyond +-8192 m");
+}
+
 BOOST_AUTO_TEST_CASE(every_cut_and_every_changed_byte_of_a_text_is_read_or_refused) {
   const std::string text =
       "MULTIPOLYGON (((0 0, 4 0, 4 2, 0 2, 0 0), (1 0.5, 1 1.5, 2 1.5, 1 0.5)), ((8 0, 9 0, 9 1, 8 0)))";

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An installation works by itself: the program, the Python module, the models and the completion."""
+import gzip
 import json
 import os
 import pathlib
@@ -72,11 +73,27 @@ print([line for line in open("/proc/self/maps") if {str(BUILD)!r} in line])""")
         self.assertEqual(said, "4 pieces, breaks: 1\n")
         self.assertNotIn(str(BUILD), "".join(p.read_text() for p in (self.prefix / "lib/cmake/brash").iterdir()))
 
+    def test_the_cpp_program_of_the_tutorial_is_built_as_it_stands(self):
+        page = (SOURCE / "docs/tutorials/crack-geometry.md").read_text(encoding="utf-8")
+        folder = self.prefix / "tutorial"
+        folder.mkdir()
+        for name, text in re.findall(r"^```(?:cmake|cpp) (\S+)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
+            (folder / name).write_text(text)
+        for command in ([os.environ["CMAKE"], "-B", "build", f"-DCMAKE_PREFIX_PATH={self.prefix}"],
+                        [os.environ["CMAKE"], "--build", "build"], ["build/floes"]):
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"^[\d.]+ m2\n[\d.]+ m2\nnothing is lost\n$")
+
     def test_documents_schema_and_completion_are_there(self):
         for name in ("share/brash/case.schema.json", "share/doc/brash/README.md", "share/doc/brash/CITATION.cff",
                      "share/doc/brash/docs/glossary.md", "share/brash/models/cone_network.md",
                      "share/bash-completion/completions/brash", "share/man/man1/brash.1.gz", "lib/python3/dist-packages/brash/_brash.pyi"):
             self.assertTrue((self.prefix / name).is_file(), name)
+
+    def test_debian_s_changelog_begins_with_a_version_that_debian_reads(self):
+        text = gzip.decompress((self.prefix / "share/doc/brash/changelog.Debian.gz").read_bytes()).decode()
+        self.assertRegex(text.splitlines()[0], r"^brash \(\d+\.\d+\.\d+-1\) unstable; urgency=medium$")
 
     def test_the_module_goes_where_debian_s_python_looks(self):
         for prefix, wanted in (("/usr", "lib/python3/dist-packages"), ("/usr/local", "lib/python3.*/dist-packages")):

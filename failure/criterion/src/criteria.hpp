@@ -14,7 +14,9 @@ std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file
 std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const std::string& split_file,
                                                                const IceProperties& ice, const BendingOptions& options);
 std::unique_ptr<BendingCriterion> make_plate_criterion(const IceProperties& ice, const BendingOptions& options);
-std::unique_ptr<BendingCriterion> make_outline_criterion(const IceProperties& ice, const BendingOptions& options);
+/// @param screen  of the trapezoid, first: the sheet is solved where it does not stay far below the strength.
+std::unique_ptr<BendingCriterion> make_outline_criterion(std::unique_ptr<BendingCriterion> screen,
+                                                         const IceProperties& ice, const BendingOptions& options);
 std::unique_ptr<BendingCriterion> make_wedge_criterion(const IceProperties& ice);
 
 /// `exact`, asked only where `fast` exceeds `harmless_stress` [Pa], buckles, is out of its range above, or has no load;

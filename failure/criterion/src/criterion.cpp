@@ -28,8 +28,6 @@ constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
 /// crushed (sigma/p >= 0.25) it is wrong by less than 5 % on geometries that it has not seen:
 /// docs/theory/meta-model.md.
 constexpr double kPlateMargin = 1.25;
-/// The same for the outline, which may differ more from its trapezoid.
-constexpr double kOutlineMargin = 3.0;
 /// A split sheet has up to 1.3 times the stress of a whole one.
 constexpr double kSplitMargin = 1.5;
 
@@ -76,11 +74,12 @@ std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exa
 void refuse_options(FailureModel model, const std::string& file, const BendingOptions& options) {
   const model::FailureOptions takes = model::options_of(model, !file.empty());
   if (options.radial_first && !takes.radial_first) {
-    throw InputError(Complaint{"failure.order",
-                               fmt::format("= \"radial-first\" is not for failure.model = \"{}\"{}", name_of(model),
-                                           file.empty() ? "" : " with a file"),
-                               "failure.model = \"plate\", or \"superposition\" without failure.file",
-                               "take one of these models, or \"circumferential-first\""});
+    throw InputError(
+        Complaint{"failure.order",
+                  fmt::format("= \"radial-first\" is not for failure.model = \"{}\"{}", name_of(model),
+                              file.empty() ? "" : " with a file"),
+                  "failure.model = \"plate\", \"plate-outline\", or \"superposition\" without failure.file",
+                  "take one of these models, or \"circumferential-first\""});
   }
   if (options.second_order && !takes.second_order) {
     throw InputError(Complaint{
@@ -141,7 +140,7 @@ std::unique_ptr<BendingCriterion> make_criterion(FailureModel model, const std::
     case FailureModel::kPlate:
       return screened(make_plate_criterion(ice, options), ice, options, kPlateMargin);
     case FailureModel::kPlateOutline:
-      return screened(make_outline_criterion(ice, options), ice, options, kOutlineMargin);
+      return make_outline_criterion(superposition("", ice, {.second_order = options.second_order}), ice, options);
     case FailureModel::kWedge:
       return make_wedge_criterion(ice);
   }

@@ -14,13 +14,11 @@ class NetworkCriterion final : public BendingCriterion {
         thickness_over_lc_(ice.thickness / l_c_),
         strength_(ice.flexural_strength) {}
 
+  bool above_range(const LoadCase& load) const override { return network_->check(input(load)).above; }
+
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
-    const meta_model::Input wanted{.b_lc = load.depth / l_c_,
-                                   .c_lc = load.contact_length / l_c_,
-                                   .theta = load.angle,
-                                   .mu1 = load.mu1,
-                                   .mu2 = load.mu2};
+    const meta_model::Input wanted = input(load);
     const meta_model::RangeCheck range = network_->check(wanted);
     const meta_model::Input used = network_->clamp(wanted);
     const meta_model::Output y = network_->predict(used);
@@ -39,6 +37,14 @@ class NetworkCriterion final : public BendingCriterion {
   std::optional<double> trained_thickness_over_lc() const override { return network_->thickness_over_lc(); }
 
  private:
+  meta_model::Input input(const LoadCase& load) const {
+    return {.b_lc = load.depth / l_c_,
+            .c_lc = load.contact_length / l_c_,
+            .theta = load.angle,
+            .mu1 = load.mu1,
+            .mu2 = load.mu2};
+  }
+
   std::unique_ptr<meta_model::ResponseNetwork> network_;
   double l_c_;
   double thickness_over_lc_;

@@ -63,6 +63,8 @@ class SuperpositionCriterion final : public BendingCriterion {
     return answer;
   }
 
+  bool above_range(const LoadCase& load) const override { return place(load).answer.above_range; }
+
   /// Largest principal and edge stress by docs/theory/meta-model.md, (2).
   std::optional<Assessment> dismiss(const LoadCase& load) const override {
     const auto [used, pressure, answer] = place(load);

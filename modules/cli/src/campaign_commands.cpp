@@ -99,18 +99,28 @@ std::string without_mean(const std::string& name, const nlohmann::ordered_json& 
   return "";
 }
 
-/// The means of each setting, of the two columns that people look at first.
+/// The columns of the table: all of a plan that chose a few, else the two that people look at first.
+std::vector<std::string> shown_columns(const nlohmann::ordered_json& statistics) {
+  constexpr std::size_t kFew = 6;
+  std::vector<std::string> columns{"horizontal.mean", "vertical.mean"};
+  if (statistics.size() > kFew) return columns;
+  columns.clear();
+  for (const auto& item : statistics.items()) columns.push_back(item.key());
+  return columns;
+}
+
+/// The means of each setting.
 std::string means_table(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
   std::string text = fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
   for (const auto& setting : summary.at("settings")) {
     const std::string name = setting.at("setting");
     std::string shown = name;
-    for (const char* const column : {"horizontal.mean", "vertical.mean"}) {
+    for (const std::string& column : shown_columns(setting.at("statistics"))) {
       if (!setting.at("statistics").contains(column)) continue;
       const auto& statistic = setting.at("statistics").at(column);
       if (statistic.at("mean").is_null()) continue;
-      text += fmt::format("{:<36} {:>4}  {:<16} {:>12.6g}", shown, statistic.at("n").get<int>(), column,
+      text += fmt::format("{:<36} {:>4}  {:<23} {:>12.6g}", shown, statistic.at("n").get<int>(), column,
                           statistic.at("mean").get<double>());
       if (const auto& interval = statistic.at("mean_95"); !interval.is_null())
         text += fmt::format("  [{:.6g}, {:.6g}]", interval[0].get<double>(), interval[1].get<double>());

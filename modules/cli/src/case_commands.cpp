@@ -19,7 +19,8 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
   print_data(io::to_toml(resolved));
   const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));
-  print("\n# set by algorithm.preset = \"{}\": {}\n\n# derived\n", model::name_of(resolved.algorithm.preset), keys);
+  print("\n# set by algorithm.preset = \"{}\": {}\n\n# derived\n", model::name_of(resolved.algorithm.preset),
+        keys.empty() ? "nothing, each of its keys is written" : keys);
   print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
   print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
   print("# mu1 straight ahead             {:.4g}\n", scales.mu1);

@@ -36,6 +36,9 @@ double statistics_from(const std::string& summary) {
 /// The history of a run's folder. Its statistics begin at the same time as the statistics of its summary.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
   if (!std::filesystem::is_directory(given)) return given;
+  if (std::filesystem::is_directory(given + "/cases"))
+    throw InputError(Complaint{given, "is the folder of a campaign", "the folder of a run, or a history",
+                               "give a folder in its cases/; output.keep = \"history\" in the plan keeps histories"});
   if (const std::string summary = given + "/summary.json"; !choice.has_from && std::filesystem::exists(summary)) {
     choice.from = statistics_from(summary);
     choice.has_from = true;
@@ -58,10 +61,14 @@ void check_units(const LoadHistory& run, const LoadHistory& measured, const std:
 
 void compare(CompareOptions& options) {
   const std::string file = run_history(options.run, options.of_run);
-  refuse_overwriting(options.picture, {file, options.measured});
+  const std::string measured_file = run_history(options.measured, options.of_measured);
+  // Another run has the column that is asked for; a measurement may name it otherwise.
+  if (measured_file != options.measured && options.of_measured.column.empty())
+    options.of_measured.column = options.of_run.column;
+  refuse_overwriting(options.picture, {file, measured_file});
   const LoadHistory run = read_history(file, options.of_run);
-  const LoadHistory measured = read_history(options.measured, options.of_measured);
-  check_units(run, measured, options.measured);
+  const LoadHistory measured = read_history(measured_file, options.of_measured);
+  check_units(run, measured, measured_file);
   const nlohmann::ordered_json comparison = compare_histories(run, measured);
   write_file(options.picture, comparison_picture(run, measured, comparison));
   if (options.json) {
@@ -69,7 +76,7 @@ void compare(CompareOptions& options) {
   } else {
     print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
-  if (measured.unit.empty())
+  if (measured.unit.empty() && measured_file == options.measured)
     say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.column),
         run.unit.empty() ? "that of the run" : run.unit);
 }
@@ -81,11 +88,14 @@ void add_compare_command(CLI::App& app) {
   options->of_run.column = "Fx";
   CLI::App* command = app.add_subcommand("compare", "A run against a measured history, with intervals and a picture");
   command->add_option("run", options->run, "folder of a run, its run.nc, or any history")->required();
-  command->add_option("measured", options->measured, "CSV or netCDF file with times")->required();
+  command->add_option("measured", options->measured, "CSV or netCDF file with times, or the folder of another run")
+      ->required();
   command->add_option("--column", options->of_run.column, "of the run")->capture_default_str();
-  command->add_option("--measured-column", options->of_measured.column, "[the first that is not the time]");
+  command->add_option("--measured-column", options->of_measured.column,
+                      "[the first that is not the time; of a folder, the run's]");
   CLI::Option* from = command->add_option("--from", options->of_run.from, "of the run [s] [as its summary]");
-  CLI::Option* measured_from = command->add_option("--measured-from", options->of_measured.from, "[s] [its start]");
+  CLI::Option* measured_from =
+      command->add_option("--measured-from", options->of_measured.from, "[s] [its start; of a folder, as its summary]");
   command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
       ->check(time_span());
   command->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is no gap")

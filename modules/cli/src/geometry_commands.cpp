@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -71,7 +72,9 @@ IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features)
 /// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
 std::vector<Polygon> read_cutters(const std::string& path) {
   auto polygons = geometry::from_wkt(read_text_file(path, "cutters (WKT)", kMostMebibytes));
-  if (!polygons) refuse_polygons(path, polygons.error().what);
+  if (!polygons)
+    throw InputError(Complaint{path, polygons.error().what, "POLYGON or MULTIPOLYGON (WKT) in plan metres",
+                               "correct the polygon; lines that split the ice go to --cracks"});
   for (std::size_t i = 0; i < polygons->size(); ++i) {
     const Polygon& cutter = (*polygons)[i];
     const std::string name = fmt::format("cutter {}", i + 1);
@@ -84,6 +87,14 @@ std::vector<Polygon> read_cutters(const std::string& path) {
     }
   }
   return *std::move(polygons);
+}
+
+/// The rectangle around all ice of the sheet, which is not empty.
+geometry::Ring box_around(const IceSheet& sheet) {
+  geometry::Extent box;
+  for (const Polygon& part : sheet.polygons()) box.add(geometry::extent(part));
+  const std::array corners{box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
+  return geometry::ring(corners);
 }
 
 /// A sheet that is cut again and again, its floes and its ledger.
@@ -104,6 +115,10 @@ class CrackRun {
                       : geometry::cut_circumferential(sheet_, event.centre, event.radius, event.wedges, sides));
   }
   void apply(const Polygon& cutter) { book(sheet_.cut(cutter.outline)); }
+  /// Splits all ice of the sheet along the cracks; every part becomes a floe.
+  void apply(std::span<const geometry::Crack> cracks) {
+    if (sheet_.n_vertices() > 0) book(sheet_.cut(box_around(sheet_), cracks));
+  }
   void release() {
     for (Polygon& part : sheet_.release_detached()) add_floe(std::move(part));
   }
@@ -163,7 +178,7 @@ std::string ledger_text(const CrackRun& run) {
 }
 
 struct CrackOptions {
-  std::string sheet, events, cutters, output;
+  std::string sheet, events, cutters, cracks, output;
   int sides = 16;
   bool release_detached = false;
 };
@@ -176,12 +191,24 @@ void refuse_small_circle(const std::string& path, double radius, int sides) {
                              fmt::format("at least {:.3g} m", least), "enlarge the radius, or take fewer sides"});
 }
 
+std::vector<geometry::Crack> read_cracks(const std::string& path) {
+  auto cracks = geometry::cracks_from_wkt(read_text_file(path, "cracks (WKT)", kMostMebibytes));
+  if (cracks) return *std::move(cracks);
+  throw InputError(Complaint{path, cracks.error().what, "LINESTRING or MULTILINESTRING (WKT) in plan metres",
+                             "correct the line; areas to take out are polygons and go to --cutters"});
+}
+
+void refuse_other_than_one_cut(const CrackOptions& options) {
+  const auto n_given = !options.events.empty() + !options.cutters.empty() + !options.cracks.empty();
+  if (n_given == 1) return;
+  throw InputError(Complaint{"crack", n_given == 0 ? "nothing to cut with" : "two things to cut with",
+                             "one of --events FILE.csv, --cutters FILE.wkt and --cracks FILE.wkt",
+                             "give one of the three"});
+}
+
 void crack(const CrackOptions& options) {
-  if (options.events.empty() == options.cutters.empty()) {
-    throw InputError(Complaint{"crack", options.events.empty() ? "nothing to cut with" : "two things to cut with",
-                               "one of --events FILE.csv and --cutters FILE.wkt", "give one of the two"});
-  }
-  refuse_overwriting(options.output, {options.sheet, options.events, options.cutters});
+  refuse_other_than_one_cut(options);
+  refuse_overwriting(options.output, {options.sheet, options.events, options.cutters, options.cracks});
   const std::vector<Feature> features = read_features(options.sheet);
   CrackRun run(sheet_of(options.sheet, features), features);
   if (!options.events.empty()) {
@@ -191,6 +218,8 @@ void crack(const CrackOptions& options) {
       run.apply(event, options.sides);
       if (options.release_detached) run.release();
     }
+  } else if (!options.cracks.empty()) {
+    run.apply(read_cracks(options.cracks));
   } else {
     for (const Polygon& cutter : read_cutters(options.cutters)) {
       run.apply(cutter);
@@ -273,7 +302,8 @@ void add_crack_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("crack", "Crack a sheet: the geometry kernel alone");
   command->add_option("--sheet", options->sheet, "sheet (GeoJSON or WKT); floes in it are passed on")->required();
   command->add_option("--events", options->events, "crack events: CSV x,y,radius,wedges[,angles] in m and rad");
-  command->add_option("--cutters", options->cutters, "polygons (WKT), each takes its overlap out of the sheet");
+  command->add_option("--cutters", options->cutters, "polygons (WKT), the sheet loses the ice inside each, as a floe");
+  command->add_option("--cracks", options->cracks, "lines (WKT) that split the sheet; every part becomes a floe");
   command->add_option("-o,--output", options->output, "sheet and floes to write (GeoJSON)");
   command->add_option("--sides", options->sides, "chords of a full circle")
       ->capture_default_str()
@@ -282,7 +312,8 @@ void add_crack_command(CLI::App& app) {
                     "make every part but the largest a floe after each cut; else parts stay in the sheet");
   command->footer(
       "Prints the ledger as JSON, areas in m2 as exact text.\n"
-      "Example: brash crack --sheet sheet.wkt --events events.csv -o pieces.geojson");
+      "Example: brash crack --sheet sheet.wkt --events events.csv -o pieces.geojson\n"
+      "         brash crack --sheet floes.geojson --cracks cracks.wkt -o pieces.geojson");
   command->callback([options] { crack(*options); });
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brash/simulation/warnings.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/peaks.hpp"
@@ -60,7 +61,7 @@ ordered_json side_json(const LoadHistory& history, const Side& side) {
           {"n", s.n},
           {"gaps", history.even.sampling.gaps.size()},
           {"mean", s.mean},
-          {"mean_95", interval(s.mean_95)},
+          {"mean_95", interval_of_mean(s)},
           {"standard_deviation", s.standard_deviation},
           {"quantile_99", s.quantile_99},
           {"maximum", s.maximum},
@@ -156,10 +157,6 @@ std::string ratio_row(const char* name, const ordered_json& out, const char* key
                      c["ratio_95"][0].get<double>(), c["ratio_95"][1].get<double>(), c["p_adjusted"].get<double>());
 }
 
-std::string short_note(const char* name, const ordered_json& side) {
-  return side["long_enough"].get<bool>() ? "" : fmt::format("  note: {} is {}\n", name, kTooShort);
-}
-
 }  // namespace
 
 ordered_json compare_histories(const LoadHistory& run_history, const LoadHistory& measured_history) {
@@ -174,14 +171,17 @@ ordered_json compare_histories(const LoadHistory& run_history, const LoadHistory
                          {"p", ks.p_value},
                          {"independent_samples", {run.independent.size(), measured.independent.size()}}};
   out["spectrum"] = spectrum_json(run_history, measured_history);
-  out["differs"] = differences(out);
+  const ordered_json differs = differences(out);
+  const bool bears_verdict =
+      std::min(run.load.effective_sample_size, measured.load.effective_sample_size) >= simulation::kFewSamples;
+  out["differs"] = bears_verdict ? differs : ordered_json();
   return out;
 }
 
 std::string comparison_text(const ordered_json& c) {
-  std::string text = "                         run   measured\n";
+  std::string text = "                           run     measured\n";
   const auto row = [&](const char* name, const char* key) {
-    text += fmt::format("  {:<17}{:>11.6g}{:>11.6g}\n", name, c["run"][key].get<double>(),
+    text += fmt::format("  {:<17} {:>12.6g} {:>12.6g}\n", name, c["run"][key].get<double>(),
                         c["measured"][key].get<double>());
   };
   row("mean", "mean");
@@ -206,6 +206,7 @@ std::string comparison_text(const ordered_json& c) {
         100.0 * s["outside_95"].get<double>(), s["lines"].get<std::size_t>(),
         100.0 * s["shape_outside_95"].get<double>(), s["shape_correlation"].get<double>(),
         s["mean_frequency"][0].get<double>(), s["mean_frequency"][1].get<double>());
+  if (c["differs"].is_null()) return text + "no verdict: a history is too short\n";
   const auto differs = c["differs"].get<std::vector<std::string>>();
   text += differs.empty() ? "no difference at 5 %\n" : fmt::format("different at 5 %: {}\n", fmt::join(differs, ", "));
   return text;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "brash/core/text.hpp"
+#include "brash/simulation/warnings.hpp"
 #include "brash/statistics/extremes.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/peaks.hpp"
@@ -161,7 +162,25 @@ std::size_t fast_length(std::size_t n) {
   return n;
 }
 
+std::string interval_text(const ordered_json& mean_95) {
+  if (mean_95[0].is_null()) return "no interval";
+  return fmt::format("95 % interval [{:.6g}, {:.6g}]", mean_95[0].get<double>(), mean_95[1].get<double>());
+}
+
 }  // namespace
+
+ordered_json interval_of_mean(const statistics::Summary& summary) {
+  if (summary.effective_sample_size < simulation::kFewSamples) return {nullptr, nullptr};
+  return interval(summary.mean_95);
+}
+
+std::string short_note(const char* name, const ordered_json& side) {
+  if (const double samples = side["effective_sample_size"].get<double>(); samples < simulation::kFewSamples)
+    return fmt::format(
+        "  note: {} has {:.1f} independent samples, too few for an interval: give one of {:.2g} s or more\n", name,
+        samples, 2.0 * simulation::kFewSamples * side["autocorrelation_time"].get<double>());
+  return side["long_enough"].get<bool>() ? "" : fmt::format("  note: {} is {}\n", name, kTooShort);
+}
 
 std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& load, double segment) {
   std::size_t longest = 0;
@@ -184,7 +203,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"duration", load.even.duration},
                    {"sampling", sampling_json(load)},
                    {"mean", s.mean},
-                   {"mean_95", interval(s.mean_95)},
+                   {"mean_95", interval_of_mean(s)},
                    {"standard_deviation", s.standard_deviation},
                    {"minimum", s.minimum},
                    {"maximum", s.maximum},
@@ -210,8 +229,7 @@ std::string statistics_text(const ordered_json& s) {
                   s["unit"].is_null() ? "" : fmt::format(" [{}]", printable(s["unit"].get<std::string>())),
                   s["n"].get<std::size_t>(), value("dt"), value("duration"), value("from"));
   text += sampling_text(s["sampling"]);
-  text += fmt::format("  mean                 {:.6g}   95 % interval [{:.6g}, {:.6g}]\n", value("mean"),
-                      s["mean_95"][0].get<double>(), s["mean_95"][1].get<double>());
+  text += fmt::format("  mean                 {:.6g}   {}\n", value("mean"), interval_text(s["mean_95"]));
   text += fmt::format("  standard deviation   {:.6g}\n", value("standard_deviation"));
   text += fmt::format("  minimum, maximum     {:.6g}   {:.6g}\n", value("minimum"), value("maximum"));
   text += fmt::format("  50, 95, 99 %         {:.6g}   {:.6g}   {:.6g}\n", value("quantile_50"), value("quantile_95"),
@@ -230,8 +248,7 @@ std::string statistics_text(const ordered_json& s) {
     text += fmt::format("  highest spectrum at  {:.4g} Hz (lines every {:.4g} Hz)\n", line["frequency"].get<double>(),
                         line["resolution"].get<double>());
   text += extremes_text(s);
-  if (!s["long_enough"].get<bool>()) text += fmt::format("  note: {}\n", kTooShort);
-  return text;
+  return text + short_note("the history", s);
 }
 
 }  // namespace brash::cli

@@ -22,6 +22,13 @@ struct StatisticsSettings {
 inline constexpr const char* kTooShort =
     "shorter than 50 autocorrelation times; the intervals are themselves uncertain";
 
+/// The interval of the mean; nulls below ten independent samples, as in summary.json.
+nlohmann::ordered_json interval_of_mean(const statistics::Summary& summary);
+
+/// The line about a history too short for its statistics, `name` for its subject; "" for one that is long enough.
+/// @param side  with the keys of statistics_of().
+std::string short_note(const char* name, const nlohmann::ordered_json& side);
+
 /// Statistics of a load history, in the unit of the file; keys as in summary.json where both have them.
 nlohmann::ordered_json statistics_of(const LoadHistory& history, const StatisticsSettings& settings = {});
 

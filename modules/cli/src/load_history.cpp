@@ -5,7 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
 
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
@@ -24,8 +27,10 @@ std::size_t load_column(const io::Series& series, const std::string& wanted, con
   for (const std::vector<std::string>& spelled : {series.heads, series.names})
     if (const auto found = std::ranges::find(spelled, wanted); found != spelled.end())
       return static_cast<std::size_t>(found - spelled.begin());
+  const std::string nearest = nearest_name(wanted, series.names);
   throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(wanted)),
-                             fmt::format("one of: {}", fmt::join(series.heads, ", ")), "name another column"});
+                             fmt::format("one of: {}", fmt::join(series.heads, ", ")),
+                             nearest.empty() ? "name another column" : "name another column, such as " + nearest});
 }
 
 void require_rising(const io::Series& series, const std::vector<double>& times) {
@@ -56,11 +61,26 @@ void require_ordinary(const io::Series& series, std::size_t column) {
   }
 }
 
+/// A file whose name says that it is no history gets no line of it blamed.
+void refuse_other_files(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr std::array<std::string_view, 5> kOthers{".toml", ".json", ".html", ".svg", ".wkt"};
+  const auto refuse = [&](const std::string& what, const std::string& remedy) {
+    throw InputError(Complaint{path, what, "a history: CSV or netCDF with a column of times and one of loads", remedy});
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    refuse("is a folder", "name the history in it, such as " + (fs::path(path) / "history.csv").string());
+  if (std::ranges::find(kOthers, fs::path(path).extension().string()) != kOthers.end())
+    refuse("is no history", "name a history, such as the history.csv of a run or the table of a logger");
+}
+
 }  // namespace
 
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   if (std::isnan(choice.from))
     throw InputError(Complaint{path, fmt::format("--from {} is no time", choice.from), "seconds", "give a number"});
+  refuse_other_files(path);
   io::Series series = io::read_series(path);
   if (choice.dt > 0.0) series.time.reset();
   if (choice.dt <= 0.0 && !series.time)

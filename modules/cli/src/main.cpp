@@ -18,6 +18,7 @@
 #include "geometry_commands.hpp"
 #include "messages.hpp"
 #include "stats_commands.hpp"
+#include "usage_error.hpp"
 
 namespace {
 
@@ -66,6 +67,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(0, 1);  // a word that is none is then named
   app.footer("Example: brash run experiments/validation/cone.toml -o results/validation");
+  app.failure_message(brash::cli::usage_error);
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);
   brash::cli::add_schema_command(app);

@@ -237,8 +237,12 @@ void rerun_campaign(const RerunOptions& options) {
 }
 
 void rerun(const RerunOptions& options) {
-  const json manifest = json::parse(read_json_text(options.manifest, "the manifest.json of a run or a campaign"),
-                                    nullptr, /*allow_exceptions=*/false);
+  constexpr const char* kAllowed = "the manifest.json of a run or a campaign";
+  if (fs::is_directory(options.manifest))
+    throw InputError(
+        Complaint{options.manifest, "is a folder", kAllowed,
+                  fmt::format("name the manifest in it: {}", (fs::path(options.manifest) / "manifest.json").string())});
+  const json manifest = json::parse(read_json_text(options.manifest, kAllowed), nullptr, /*allow_exceptions=*/false);
   if (manifest.is_object() && manifest.contains("format") && manifest["format"] == campaign::kManifestFormat)
     rerun_campaign(options);
   else

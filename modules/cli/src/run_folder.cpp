@@ -104,6 +104,10 @@ void write_run_folder(const std::string& directory, const recording::Inputs& inp
 }
 
 std::string write_report(const std::string& directory) {
+  if (!fs::exists(fs::path(directory) / "manifest.json"))
+    throw InputError(Complaint{directory, fs::is_directory(directory) ? "holds no manifest.json" : "is no folder",
+                               "the folder of a run or a campaign",
+                               "give the folder that `brash run` or `brash campaign` wrote"});
   const auto report_run = [](const std::string& folder) {
     return report::write_run_report(folder, closed_form_loads(report::case_of_run(folder)).dump());
   };

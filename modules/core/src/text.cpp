@@ -2,7 +2,9 @@
 #include "brash/core/text.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
+#include <utility>
 
 #include "brash/core/error.hpp"
 
@@ -96,5 +98,40 @@ std::string printable(const std::string& text) {
 InputError::InputError(const Complaint& complaint)
     : std::runtime_error(escaped(complaint.where) + ": " + escaped(complaint.what) +
                          "\n  allowed: " + escaped(complaint.allowed) + "\n  remedy:  " + escaped(complaint.remedy)) {}
+
+namespace {
+
+/// Levenshtein's distance: the least number of insertions, deletions and replacements between two names.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::size_t kLongestName = 64;
+  if (name.size() > kLongestName) return "";
+  const std::string* nearest = nullptr;
+  std::size_t least = 0;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (nearest == nullptr || distance < least) {
+      nearest = &candidate;
+      least = distance;
+    }
+  }
+  // More than half of the letters wrong is no similarity.
+  if (nearest == nullptr || 2 * least > std::max(name.size(), nearest->size())) return "";
+  return *nearest;
+}
 
 }  // namespace brash

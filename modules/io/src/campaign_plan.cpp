@@ -9,6 +9,7 @@
 #include <set>
 
 #include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
 #include "case_keys.hpp"
 #include "plan_settings.hpp"
 #include "resolve.hpp"

@@ -180,14 +180,21 @@ void check_rest(const model::Case& c, Checks& checks) {
                  "lower output.statistics_from or raise time.duration");
   const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
   const std::string_view name = model::name_of(c.failure.model);
-  checks.require(c.failure.order != model::CrackOrder::kRadialFirst || takes.radial_first, {"failure", "order"},
-                 {"failure", "model"}, fmt::format("the model {} cannot split the sheet", name),
-                 "radial-first with failure.model = \"plate\", or \"superposition\" without failure.file",
-                 "take one of these models, or circumferential-first");
+  checks.require(
+      c.failure.order != model::CrackOrder::kRadialFirst || takes.radial_first, {"failure", "order"},
+      {"failure", "model"}, fmt::format("the model {} cannot split the sheet", name),
+      "radial-first with failure.model = \"plate\", \"plate-outline\", or \"superposition\" without failure.file",
+      "take one of these models, or circumferential-first");
   checks.require(!c.failure.second_order || takes.second_order, {"failure", "second_order"}, {"failure", "model"},
                  fmt::format("the model {} is of first order", name),
                  "true with failure.model = \"superposition\", \"plate\" or \"plate-outline\"",
                  "take one of these models, or false");
+  checks.require(!c.failure.joint_loads || takes.joint_loads, {"failure", "joint_loads"}, {"failure", "model"},
+                 fmt::format("the model {} knows one load at a time", name),
+                 "true with failure.model = \"plate-outline\"", "take this model, or false");
+  checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.traces_crack, {"failure", "pattern"},
+                 {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
+                 "stress with failure.model = \"plate-outline\"", "take this model, or disc");
   std::error_code ignored;
   checks.require(c.failure.file.empty() || std::filesystem::is_regular_file(c.failure.file, ignored),
                  {"failure", "file"}, {"failure", "file"}, fmt::format("there is no file {}", c.failure.file),

@@ -30,7 +30,4 @@ struct Problem {
 /// Throws one InputError that lists `problems` in the order of the file.
 [[noreturn]] void refuse(std::vector<Problem> problems);
 
-/// The name in `known` with the least edit distance from `name` (ties: the first), or "" when none is similar.
-std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
-
 }  // namespace brash::io

@@ -2,11 +2,13 @@
 #include "quantity.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <udunits2.h>
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -122,6 +124,13 @@ tl::unexpected<QuantityError> error(std::string what, std::string remedy) {
   return tl::unexpected(QuantityError{std::move(what), std::move(remedy)});
 }
 
+/// "write a unit that converts to Pa: MPa, GPa, kPa or the like"
+std::string unit_remedy(const std::string& unit) {
+  const std::vector<std::string>& usual = usual_units(unit);
+  return usual.empty() ? "write a unit that converts to " + unit
+                       : fmt::format("write a unit that converts to {}: {} or the like", unit, fmt::join(usual, ", "));
+}
+
 /// `value` given in the unit spelled `from`, in the unit spelled `to`.
 tl::expected<double, QuantityError> convert_units(double value, const std::string& from, const std::string& to) {
   static std::mutex mutex;
@@ -129,20 +138,39 @@ tl::expected<double, QuantityError> convert_units(double value, const std::strin
   ut_system* const system = unit_system();
   const Unit target(ut_parse(system, to.c_str(), UT_UTF8));
   const Unit unit(ut_parse(system, from.c_str(), UT_UTF8));
-  if (!unit) return error(fmt::format("the unit {} is not known", printable(from)), "use a unit that UDUNITS-2 knows");
+  if (!unit) return error(fmt::format("the unit {} is not known", printable(from)), unit_remedy(to));
   if (ut_are_convertible(unit.get(), target.get()) == 0 || has_angle(unit.get()) != has_angle(target.get()))
-    return error(fmt::format("the unit {} does not convert to {}", printable(from), to),
-                 fmt::format("write a quantity that converts to {}", to));
+    return error(fmt::format("the unit {} does not convert to {}", printable(from), to), unit_remedy(to));
   const Converter converter(ut_get_converter(unit.get(), target.get()));
   if (!converter)
     return error(fmt::format("the unit {} does not convert to {}", printable(from), to), "use another unit");
   return convert(converter.get(), value);
 }
 
+/// `text` with a decimal point, when it begins with a number with a decimal comma; else "".
+std::string with_decimal_point(std::string_view text) {
+  const std::size_t comma = text.find_first_not_of("0123456789+-");
+  const bool is_one = comma != std::string_view::npos && comma > 0 && text[comma] == ',' && comma + 1 < text.size() &&
+                      is_digit(text[comma + 1]);
+  return is_one ? std::string(text.substr(0, comma)) + "." + std::string(text.substr(comma + 1)) : "";
+}
+
 }  // namespace
+
+const std::vector<std::string>& usual_units(const std::string& unit) {
+  static const std::map<std::string, std::vector<std::string>> kUsual{
+      {"m", {"mm", "cm", "km"}},          {"Pa", {"MPa", "kPa", "GPa"}},  {"s", {"min", "h", "ms"}}, {"rad", {"deg"}},
+      {"m s-1", {"km/h", "knot", "m/s"}}, {"kg m-3", {"kg/m3", "g/cm3"}}, {"N", {"kN", "MN"}},       {"s-1", {"Hz"}},
+      {"N m-1", {"kN/m", "MN/m"}},        {"m2", {"m2", "cm2"}}};
+  static const std::vector<std::string> kNone;
+  const auto found = kUsual.find(unit);
+  return found == kUsual.end() ? kNone : found->second;
+}
 
 tl::expected<double, QuantityError> read_quantity(const std::string& text, const std::string& unit) {
   std::string_view rest = trimmed(text);
+  if (const std::string pointed = with_decimal_point(rest); !pointed.empty())
+    return error("the number has a decimal comma", fmt::format("write a decimal point: {}", printable(pointed)));
   if (rest.starts_with('+')) rest.remove_prefix(1);
   double value = 0.0;
   const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 namespace brash::io {
 
@@ -18,5 +19,8 @@ struct QuantityError {
 /// parts per thousand (not per trillion), deg is the degree of arc; fractional exponents ("m^0.5", which UDUNITS reads
 /// as 5 m^0) and numbers within the unit are refused; angles and pure ratios do not convert into each other.
 tl::expected<double, QuantityError> read_quantity(const std::string& text, const std::string& unit);
+
+/// Units that people use for quantities of the unit `unit`, the likeliest first; none for ratios.
+const std::vector<std::string>& usual_units(const std::string& unit);
 
 }  // namespace brash::io

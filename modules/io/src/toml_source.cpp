@@ -89,6 +89,8 @@ Problem syntax_problem(const std::string& file, const std::string& text, const t
       problem.what.find("redefin") != std::string::npos || problem.what.find("duplicate") != std::string::npos;
   problem.remedy =
       twice ? "remove one of the two" : "correct the line; text needs quotes, so does a number with a unit";
+  if (at.line == 1 && text.starts_with('{'))
+    problem.remedy = "name a TOML file; `brash rerun MANIFEST.json` repeats a run from its manifest";
   return problem;
 }
 
@@ -121,9 +123,10 @@ void lift_subsections(toml::table& tree) {
     if (const toml::table* const keys = node.as_table())
       for (const auto& [key, value] : *keys) found.emplace_back(section.str(), key.str());
   for (const auto& [section, key] : found) {
-    if (!is_subsection(section + "." + key)) continue;
+    const std::string whole = section + "." + key;
+    if (!is_subsection(whole)) continue;
     toml::table& keys = *tree[section].as_table();
-    keys.get(key)->visit([&](auto& typed) { tree.insert_or_assign(section + "." + key, std::move(typed)); });
+    keys.get(key)->visit([&](auto& typed) { tree.insert_or_assign(whole, std::move(typed)); });
     keys.erase(key);
   }
 }

@@ -13,6 +13,7 @@
 #include <valijson/validator.hpp>
 
 #include "brash/core/contract.hpp"
+#include "brash/core/text.hpp"
 #include "quantity.hpp"
 #include "schema.hpp"
 
@@ -96,6 +97,7 @@ class Reader {
   Reader(const CaseSource& source, const Schema& schema) : source_(source), schema_(schema) {}
 
   Json read() {
+    refuse_other_kind();
     for (const auto& [key, node] : source_.tree) {
       if (problems_.size() >= kMostProblems) break;
       read_section(std::string(key.str()), node);
@@ -109,15 +111,35 @@ class Reader {
   }
 
  private:
+  /// A file of another kind has one fault, and not one for each of its keys.
+  void refuse_other_kind() const {
+    const auto has = [&](const char* section) {
+      return source_.tree.contains(section) && place_of(source_, section).override_text.empty();
+    };
+    const auto refuse_as = [&](const char* kind, const std::string& remedy) {
+      refuse({{{source_.file, 1, 1, ""},
+               schema_.kind(),
+               "",
+               fmt::format("is {}", kind),
+               "a " + schema_.kind(),
+               "",
+               remedy}});
+    };
+    const bool of_case = schema_.kind() == "case";
+    const std::string file = printable(source_.file);
+    if (has("design") && has("range"))
+      refuse_as("the plan of a failure database",
+                fmt::format("compute it with `brash failure database {} -o DATABASE.nc`", file));
+    if (of_case && (has("campaign") || has("grid")))
+      refuse_as("the plan of a campaign", fmt::format("run it with `brash campaign {} -o DIR`", file));
+    if (!of_case && has("ice") && has("structure"))
+      refuse_as("a case",
+                fmt::format("run it with `brash run {} -o DIR`, or name it in a plan as campaign.case", file));
+  }
+
   void read_section(const std::string& section, const toml::node& node) {
     const std::vector<std::string> sections = names(schema_.sections());
     if (!schema_.sections().contains(section)) {
-      if (schema_.kind() == "case" && schema_of_plans().sections().contains(section)) {
-        problems_.push_back({place_of(source_, section), "[" + section + "]", "",
-                             "is a section of a campaign's plan, not of a case", "sections " + list(sections), "",
-                             "run a plan with `brash campaign PLAN.toml -o DIR`"});
-        return;
-      }
       const std::string nearest = nearest_name(section, sections);
       problems_.push_back({place_of(source_, section), "[" + section + "]", "", "is not a known section",
                            "sections " + list(sections), nearest.empty() ? "" : "[" + nearest + "]",
@@ -296,8 +318,7 @@ class Reader {
     } else if ((type == "number" && value.is_number()) || (type == "integer" && value.is_number_integer())) {
       problem.what = fmt::format("is out of range ({} in SI)", value.dump());
       if (key_schema.contains("x-limits")) problem.what += ": " + key_schema.at("x-limits").get<std::string>();
-      if (key_schema.value("x-unit", "") == "rad" && source_.tree[section][key].is_number())
-        problem.remedy = fmt::format("write degrees as \"{} deg\"; a bare number is in radians", value.dump());
+      if (type == "number") problem.remedy = remedy_of_range(key_schema, value, source_.tree[section][key].is_number());
     } else if (type == "string" && value.is_string()) {
       problem.what = "is too long";
     } else {
@@ -305,6 +326,29 @@ class Reader {
                                  type == "integer" ? "a whole number" : (type == "array" ? "an " : "a ") + type);
     }
     return problem;
+  }
+
+  /// A bare number was meant in another unit, when it lies within the range in that unit.
+  static std::string remedy_of_range(const OrderedJson& key_schema, const Json& value, bool is_bare) {
+    const std::string unit = key_schema.at("x-unit").get<std::string>();
+    const double least = key_schema.value("minimum", key_schema.value("exclusiveMinimum", -HUGE_VAL));
+    const double most = key_schema.value("maximum", key_schema.value("exclusiveMaximum", HUGE_VAL));
+    for (const std::string& meant : is_bare ? usual_units(unit) : std::vector<std::string>()) {
+      const std::string quantity = value.dump() + " " + meant;
+      const auto converted = read_quantity(quantity, unit);
+      if (converted && *converted >= least && *converted <= most)
+        return fmt::format("write the unit, such as \"{}\": a bare number is in {}", quantity,
+                           unit == "rad" ? "radians" : unit);
+    }
+    const auto written = [&](double limit) {
+      constexpr double kDegrees = 57.29577951308232;
+      if (unit == "rad") return fmt::format("{:.4g} deg", kDegrees * limit);
+      return unit == "1" ? fmt::format("{:.4g}", limit) : fmt::format("{:.4g} {}", limit, unit);
+    };
+    const bool above = value.get<double>() >= most;
+    const bool may_touch = key_schema.contains(above ? "maximum" : "minimum");
+    return above ? fmt::format("lower it, to {}{}", may_touch ? "at most " : "less than ", written(most))
+                 : fmt::format("raise it, to {}{}", may_touch ? "at least " : "more than ", written(least));
   }
 
   /// Moves values from the long form of a key to its short form.

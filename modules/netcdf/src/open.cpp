@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <hdf5_hl.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 #include <sys/stat.h>
@@ -27,9 +26,15 @@ std::recursive_mutex& mutex() {
   return one;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw InputError(Complaint{path, what, "a whole netCDF file with all its data inside",
-                             "copy or write the file again; data elsewhere go into the file with `nccopy`"});
+constexpr const char* kWriteAgain = "copy or write the file again";
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what, const std::string& remedy = kWriteAgain) {
+  throw InputError(Complaint{path, what, "a whole netCDF file with all its data inside", remedy});
+}
+
+[[noreturn]] void refuse_kind(const std::string& path) {
+  refuse(path, "cannot be read: it does not begin as a netCDF file",
+         "name a netCDF file, such as the run.nc of a run or the database that `brash failure database` wrote");
 }
 
 /// Larger files are not read: they would fill the memory of an ordinary machine.
@@ -43,15 +48,17 @@ bool is_classic(std::string_view bytes) {
 /// Refuses a path that is no regular file, and a file that does not begin as netCDF, before all of it is read.
 std::string read(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) refuse(path, "cannot be read: " + std::generic_category().message(errno));
+  if (file < 0)
+    refuse(path, "cannot be read: " + std::generic_category().message(errno), "check the path and its permissions");
   struct stat found {};
   std::array<char, 8> first{};
   const bool is_file = ::fstat(file, &found) == 0 && S_ISREG(found.st_mode);
   const ssize_t n = is_file ? ::pread(file, first.data(), first.size(), 0) : 0;
   ::close(file);
-  if (!is_file) refuse(path, "cannot be read: it is a folder, a pipe or a device");
+  if (!is_file)
+    refuse(path, "cannot be read: it is a folder, a pipe or a device", "name a file, such as the run.nc of a run");
   const std::string_view begin(first.data(), static_cast<std::size_t>(n < 0 ? 0 : n));
-  if (!is_hdf5(begin) && !is_classic(begin)) refuse(path, "cannot be read: it does not begin as a netCDF file");
+  if (!is_hdf5(begin) && !is_classic(begin)) refuse_kind(path);
   return read_text_file(path, "a netCDF file", kMostMebibytes);
 }
 
@@ -86,15 +93,36 @@ extern "C" herr_t look_at_link(hid_t group, const char* name, const H5L_info_t* 
   return H5Iget_type(object.id()) == H5I_DATASET && !is_inside(object.id()) ? 1 : 0;
 }
 
+// HDF5 reads the image where it is: it neither copies nor frees it. H5LTopen_file_image could do so too, but leaks.
+extern "C" {
+void* image_itself(size_t, H5FD_file_image_op_t, void* bytes) { return bytes; }
+void* image_copied(void* to, const void*, size_t, H5FD_file_image_op_t, void*) { return to; }
+herr_t image_left(void*, H5FD_file_image_op_t, void*) { return 0; }
+void* bytes_shared(void* bytes) { return bytes; }
+herr_t bytes_left(void*) { return 0; }
+}
+
+/// Opens the HDF5 file `bytes`; < 0 when it is none. Each image open at a time has a name of its own.
+hid_t open_image(std::string& bytes) {
+  const Handle list(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
+  constexpr std::size_t kIncrement = std::size_t{1} << 16;
+  H5FD_file_image_callbacks_t callbacks{&image_itself, &image_copied, nullptr,     &image_left,
+                                        &bytes_shared, &bytes_left,   bytes.data()};
+  if (H5Pset_fapl_core(list.id(), kIncrement, /*backing_store=*/false) < 0 ||
+      H5Pset_file_image_callbacks(list.id(), &callbacks) < 0 ||
+      H5Pset_file_image(list.id(), bytes.data(), bytes.size()) < 0)
+    return -1;
+  const std::string name = fmt::format("image-{}", fmt::ptr(bytes.data()));
+  return H5Fopen(name.c_str(), H5F_ACC_RDONLY, list.id());
+}
+
 /// @throws InputError when anything in the HDF5 file `bytes` lies outside of it. netCDF would follow it.
 void refuse_references(const std::string& path, std::string& bytes) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const Handle file(
-      H5LTopen_file_image(bytes.data(), bytes.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE),
-      &H5Fclose);
+  const Handle file(open_image(bytes), &H5Fclose);
   if (!file.is_open()) refuse(path, "cannot be read: it is no whole HDF5 file");
   if (H5Lvisit(file.id(), H5_INDEX_NAME, H5_ITER_NATIVE, &look_at_link, nullptr) > 0)
-    refuse(path, "refers to data in other files");
+    refuse(path, "refers to data in other files", "bring the data into the file with `nccopy`");
 }
 
 }  // namespace
@@ -107,7 +135,7 @@ Source::Source(const std::string& path, std::string bytes) : bytes_(std::move(by
   if (is_hdf5(bytes_))
     refuse_references(path, bytes_);
   else if (!is_classic(bytes_))
-    refuse(path, "cannot be read: it does not begin as a netCDF file");
+    refuse_kind(path);
   const int status = nc_open_mem(kNameInMemory, NC_NOWRITE, bytes_.size(), bytes_.data(), &id_);
   if (status != NC_NOERR) refuse(path, fmt::format("cannot be read: {}", nc_strerror(status)));
 }

@@ -49,6 +49,12 @@ void Body::make_bullet_body(double margin) {
     bullet->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
 }
 
+void Body::set_mass(const MassProperties& value) {
+  mass = value;
+  bullet->setMassProps(value.mass, to_bullet(value.inertia));
+  bullet->updateInertiaTensor();
+}
+
 void Body::set_settled(bool value) {
   settled = value;
   twist = {};

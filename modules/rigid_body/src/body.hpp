@@ -73,6 +73,7 @@ struct Body {
   void make_bullet_body(double margin);
   /// A floe is fixed where it is, or released; either way it is at rest.
   void set_settled(bool value);
+  void set_mass(const MassProperties& value);
   /// Brings the parts and Bullet's body to the present pose.
   void place();
   double kinetic_energy() const;

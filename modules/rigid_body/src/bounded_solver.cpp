@@ -96,8 +96,8 @@ void BoundedSolver::add_point(const SolverContact& contact, const PatchPoint& po
   positions_.push_back(point.position);
   if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
   if (contact.parting_speed > 0.0) {
-    Parting& parting = partings_.emplace_back(contact.normal, normal, Impulse{}, contact.first, contact.second);
-    parting.row.velocity = -contact.parting_speed;
+    partings_.push_back({contact.normal, normal, {}, contact.first, contact.second});
+    partings_.back().row.velocity = -contact.parting_speed;
   }
   normal.velocity -= std::max(0.0, -contact.restitution * normal.velocity);
 }

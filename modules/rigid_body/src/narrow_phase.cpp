@@ -43,14 +43,14 @@ bool leads_on(const Overlap& overlap, Vec3 normal, std::span<const Part* const> 
 
 /// The separating axis of least depth through a face that is a surface of its body. If there is none (deep inside a
 /// solid of many parts), the axis of least depth through any face.
-WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
-  const auto shorter = [](const WayOut& a, const WayOut& b) { return a.depth < b.depth; };
-  const WayOut shortest = *std::min_element(overlap.ways.begin(), overlap.ways.end(), shorter);
+SeparatingAxis NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
+  const auto shorter = [](const SeparatingAxis& a, const SeparatingAxis& b) { return a.depth < b.depth; };
+  const SeparatingAxis shortest = *std::min_element(overlap.axes.begin(), overlap.axes.end(), shorter);
   if (beside.none() || !leads_on(overlap, shortest.normal, beside.first, beside.second)) return shortest;
   // Few are tried before one leads out, so they are ordered as they are asked for, the first of equals first.
-  ways_ = overlap.ways;
-  for (auto rest = ways_.begin(); rest != ways_.end(); ++rest) {
-    const auto next = std::min_element(rest, ways_.end(), shorter);
+  axes_ = overlap.axes;
+  for (auto rest = axes_.begin(); rest != axes_.end(); ++rest) {
+    const auto next = std::min_element(rest, axes_.end(), shorter);
     std::rotate(rest, next, next + 1);
     if (!leads_on(overlap, rest->normal, beside.first, beside.second)) return *rest;
   }
@@ -60,9 +60,10 @@ WayOut NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
 /// The direction of the separating axis of least depth that ends at a surface: through a face of either part or from
 /// edge to edge.
 Vec3 NarrowPhase::direction(const PartPair& pair, const Overlap& overlap, const Beside& beside) {
-  const WayOut face = best_face(overlap, beside);
-  for (const WayOut& way : edge_ways_.find(finder_, pair.first->now, pair.second->now, (1.0 - kShorter) * face.depth))
-    if (beside.none() || !leads_on(overlap, way.normal, beside.first, beside.second)) return way.normal;
+  const SeparatingAxis face = best_face(overlap, beside);
+  for (const SeparatingAxis& axis :
+       edge_axes_.find(finder_, pair.first->now, pair.second->now, (1.0 - kShorter) * face.depth))
+    if (beside.none() || !leads_on(overlap, axis.normal, beside.first, beside.second)) return axis.normal;
   return face.normal;
 }
 

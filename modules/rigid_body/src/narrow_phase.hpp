@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "body.hpp"
-#include "edge_ways.hpp"
+#include "edge_axes.hpp"
 #include "overlap.hpp"
 
 namespace brash::rigid_body {
@@ -37,12 +37,12 @@ class NarrowPhase {
     std::span<const Part* const> second;
     bool none() const { return first.empty() && second.empty(); }
   };
-  WayOut best_face(const Overlap& overlap, const Beside& beside);
+  SeparatingAxis best_face(const Overlap& overlap, const Beside& beside);
   Vec3 direction(const PartPair& pair, const Overlap& overlap, const Beside& beside);
 
   OverlapFinder finder_;
-  EdgeWays edge_ways_;
-  std::vector<WayOut> ways_;
+  EdgeAxes edge_axes_;
+  std::vector<SeparatingAxis> axes_;
 };
 
 }  // namespace brash::rigid_body

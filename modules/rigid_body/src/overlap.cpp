@@ -33,12 +33,12 @@ PlacedPart placed(const ConvexPart& part, const Pose& pose) {
 
 /// Heights of `part` over the planes of `other`, and the separating axes through them, their normals times `outwards`;
 /// false when a plane parts the two.
-bool OverlapFinder::find_ways(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights) {
+bool OverlapFinder::find_axes(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights) {
   heights.reset(part.corners, other.planes.size());
   for (const Plane& plane : other.planes) {
     const double depth = -heights.add(part.corners, plane).least;
     if (depth <= kTouch) return false;
-    overlap_.ways.push_back({outwards * plane.normal, depth});
+    overlap_.axes.push_back({outwards * plane.normal, depth});
   }
   return true;
 }
@@ -69,8 +69,8 @@ void OverlapFinder::add_corners(const PlacedPart& part, const Heights& heights) 
 
 const Overlap& OverlapFinder::find(const PlacedPart& a, const PlacedPart& b) {
   overlap_.vertices.clear();
-  overlap_.ways.clear();
-  if (!find_ways(a, b, 1.0, of_a_) || !find_ways(b, a, -1.0, of_b_)) return overlap_;
+  overlap_.axes.clear();
+  if (!find_axes(a, b, 1.0, of_a_) || !find_axes(b, a, -1.0, of_b_)) return overlap_;
   add_corners(a, of_a_);
   add_corners(b, of_b_);
   return overlap_;

@@ -25,16 +25,16 @@ struct PlacedPart {
   Vec3 upper{};
 };
 
-/// A translation of a along the normal of a face of either that ends the overlap with b.
-struct WayOut {
+/// An axis along which a translation of a ends the overlap with b.
+struct SeparatingAxis {
   Vec3 normal{};       ///< unit, from b into a
   double depth = 0.0;  ///< length of the translation [m]
 };
 
 /// The common solid of two convex parts.
 struct Overlap {
-  std::vector<Vec3> vertices;  ///< its corners, some more than once; empty: the parts do not overlap
-  std::vector<WayOut> ways;    ///< one for each face of both, in no order of length
+  std::vector<Vec3> vertices;        ///< its corners, some more than once; empty: the parts do not overlap
+  std::vector<SeparatingAxis> axes;  ///< one for each face of both, in no order of length
 };
 
 /// A point of a contact with its share of the contact's area.
@@ -72,7 +72,7 @@ class OverlapFinder {
   const Patch& project(Vec3 normal);
 
  private:
-  bool find_ways(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights);
+  bool find_axes(const PlacedPart& part, const PlacedPart& other, double outwards, Heights& heights);
   void add_corners(const PlacedPart& part, const Heights& heights);
   void hull_2d();
   void lump(double u0, double v0);

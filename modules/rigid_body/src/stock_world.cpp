@@ -78,7 +78,7 @@ double StockWorld::least_margin() const { return gContactBreakingThreshold; }
 
 void StockWorld::performDiscreteCollisionDetection() {
   btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
-  if (let_go_those_hit()) btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+  if (wake_hit_bodies()) btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
 }
 
 const std::vector<btPersistentManifold*>& StockWorld::sorted_manifolds() {
@@ -91,8 +91,8 @@ const std::vector<btPersistentManifold*>& StockWorld::sorted_manifolds() {
   return manifolds_;
 }
 
-/// Settled floes that another body runs into. @return whether there are any.
-bool StockWorld::let_go_those_hit() {
+/// Wakes the sleeping floes that another body runs into. @return whether there are any.
+bool StockWorld::wake_hit_bodies() {
   std::vector<Body*> hit;
   for (const btPersistentManifold* m : sorted_manifolds()) {
     Body &a = body_of(*m->getBody0()), &b = body_of(*m->getBody1());

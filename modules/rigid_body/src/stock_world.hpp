@@ -29,7 +29,7 @@ class StockWorld final : public BodyWorld {
   double hull_margin() const override { return settings().collision_margin; }
   /// The manifolds that touch, in an order that depends on the bodies' states as far as Bullet allows.
   const std::vector<btPersistentManifold*>& sorted_manifolds();
-  bool let_go_those_hit();
+  bool wake_hit_bodies();
   /// Sets the law of a manifold's points and finds their bounds.
   void prepare(btPersistentManifold& manifold, double dt, std::vector<Bound>& bounds);
   void integrateTransforms(btScalar dt) override;

@@ -176,6 +176,13 @@ void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   body.place();
 }
 
+void World::set_mass(BodyId id, const MassProperties& mass, const Twist& twist) {
+  Body& body = world_->get(id);
+  BRASH_EXPECTS(body.is_free() && mass.mass > 0.0 && is_finite({}, twist), id.index, mass.mass);
+  body.set_mass(mass);
+  body.twist = twist;
+}
+
 double World::kinetic_energy() const {
   double sum = 0.0;
   for (const BodyId id : world_->moving()) sum += kinetic_energy(id);

@@ -10,11 +10,10 @@ namespace brash::simulation {
 
 void add_contact(Bearing& bearing, const rigid_body::ContactLoad& contact) {
   const Vec3 normal = -contact.normal_force * contact.normal;
-  const Vec2 thrust{normal.x, normal.y};
-  const Vec2 at{contact.point.x, contact.point.y};
-  const double weight = norm(thrust);
+  const Vec3 at = contact.point;
+  const double weight = norm(normal);
   bearing.force += normal - contact.friction_force;
-  bearing.thrust += thrust;
+  bearing.thrust += plan(normal);
   bearing.weight += weight;
   bearing.first += weight * at;
   bearing.second[0] += weight * at.x * at.x;
@@ -30,18 +29,17 @@ void approach(Bearing& mean, const Bearing& now, double share) {
   for (std::size_t i = 0; i < 3; ++i) mean.second[i] += share * (now.second[i] - mean.second[i]);
 }
 
-LineLoad line_load(const Bearing& bearing) {
-  BRASH_EXPECTS(bearing.weight > 0.0 && norm(bearing.thrust) > 0.0, bearing.weight);
-  LineLoad load{.middle = bearing.first / bearing.weight, .towards = bearing.thrust / norm(bearing.thrust)};
-  const Vec2 side = perpendicular(load.towards);
+LineLoad line_load(const Bearing& bearing, Vec2 towards) {
+  BRASH_EXPECTS(bearing.weight > 0.0, bearing.weight);
+  LineLoad load{.middle = bearing.first / bearing.weight, .towards = towards};
+  const Vec2 side = perpendicular(towards);
   const double square = (side.x * side.x * bearing.second[0] + 2.0 * side.x * side.y * bearing.second[1] +
                          side.y * side.y * bearing.second[2]) /
                         bearing.weight;
-  const double offset = dot(side, load.middle);
+  const double offset = dot(side, plan(load.middle));
   load.length = std::sqrt(12.0 * std::max(0.0, square - offset * offset));  // an even load's variance is length^2 / 12
-  const Vec2 in_plane{bearing.force.x, bearing.force.y};
-  load.normal = dot(in_plane, load.towards);
-  load.across = dot(in_plane, side);
+  load.normal = dot(plan(bearing.force), towards);
+  load.across = dot(plan(bearing.force), side);
   load.out_of_plane = std::abs(bearing.force.z);
   return load;
 }

@@ -8,13 +8,13 @@
 
 namespace brash::simulation {
 
-/// The load of a floe on the edge of the sheet: sums over its contacts there, averaged over its collision time. All
-/// moments are of the in-plane sizes of the normal forces.
+/// The load of a floe on the sheet: sums over its contacts there, averaged over its collision time. All moments are of
+/// the sizes of the normal forces.
 struct Bearing {
   Vec3 force{};                    ///< on the sheet, friction included [N]
   Vec2 thrust{};                   ///< in-plane part of its normal forces [N]
-  double weight = 0.0;             ///< sum of the sizes of these parts [N]
-  Vec2 first{};                    ///< first moments about the origin [N m]
+  double weight = 0.0;             ///< sum of the sizes of the normal forces [N]
+  Vec3 first{};                    ///< first moments about the origin [N m]
   std::array<double, 3> second{};  ///< second moments xx, xy, yy about the origin [N m2]
 
   template <typename Self, typename Visit>
@@ -37,17 +37,18 @@ void add_contact(Bearing& bearing, const rigid_body::ContactLoad& contact);
 /// Moves `mean` by `share` of its distance to `now`.
 void approach(Bearing& mean, const Bearing& now, double share);
 
-/// A bearing as an even load on a straight piece of edge.
+/// A bearing as an even load on a straight line.
 struct LineLoad {
-  Vec2 middle{};
-  Vec2 towards{};             ///< unit vector along the thrust, into the ice
-  double length = 0.0;        ///< across it [m]
+  Vec3 middle{};
+  Vec2 towards{};             ///< unit vector across the line, into the ice
+  double length = 0.0;        ///< [m]
   double normal = 0.0;        ///< N along `towards` [N]
   double across = 0.0;        ///< f counter-clockwise from it [N]
   double out_of_plane = 0.0;  ///< |P| [N]
 };
 
 /// @param bearing  with some weight.
-LineLoad line_load(const Bearing& bearing);
+/// @param towards  unit vector.
+LineLoad line_load(const Bearing& bearing, Vec2 towards);
 
 }  // namespace brash::simulation

@@ -48,7 +48,7 @@ void Bearings::forget(BodyId floe) {
 void Bearings::forget_within(int level_ice, Vec2 at, double radius) {
   std::erase_if(mean_, [&](const auto& entry) {
     const auto& [pair, mean] = entry;
-    return pair.second == level_ice && mean.weight > 0.0 && norm(mean.first / mean.weight - at) < radius;
+    return pair.second == level_ice && mean.weight > 0.0 && norm(plan(mean.first / mean.weight) - at) < radius;
   });
 }
 

@@ -5,17 +5,21 @@
 #include <cmath>
 #include <limits>
 
+#include "brash/structure/patches.hpp"
+#include "plan.hpp"
+#include "sheet_loads.hpp"
+
 namespace brash::simulation {
 namespace {
 
 /// The free edge is looked at this far from B, in characteristic lengths: the stress has faded there.
 constexpr double kFitReach = 2.0;
-/// A criterion that solves the outline gets this much of it, in characteristic lengths: as far as it is meshed finely.
-constexpr double kOutlineReach = 3.0;
-/// The chord's ends lie on the free edge to within this [m]; they are rounded to the geometry's grid, 2^-30 m.
-constexpr double kOnTheEdge = 1e-6;
-/// A floe that presses without any vertical part; the criteria ask for some.
+/// A load without any vertical part; the criteria ask for some.
 constexpr double kLeastMu1 = 1e-6;
+/// A load without any part in the plane, over its vertical part.
+constexpr double kLeastInPlane = 1e-3;
+/// A floe lies flat under the sheet when its normal forces have less than this share in the plane.
+constexpr double kFlat = 0.1;
 
 std::vector<geometry::Ring> on_grid(const std::vector<structure::Outline>& outlines) {
   std::vector<geometry::Ring> rings;
@@ -28,93 +32,55 @@ structure::Footprint footprint(const EdgeModel& model, const Pose& pose) {
   return model.hull.footprint(pose, heights.bottom, heights.top);
 }
 
-/// A place on a polyline.
-struct Foot {
-  std::size_t segment = 0;
-  double distance = std::numeric_limits<double>::infinity();
+/// The crushing load of a contact on the ice.
+struct Crushing {
+  Vec3 force{};        ///< with friction [N]
+  Vec3 vector_area{};  ///< sum of area times normal over the surface that crushes [m2]
+  Vec3 moment{};       ///< sum of area times place [m3]
+  double area = 0.0;   ///< of that surface [m2]
 };
 
-/// The place of `line` nearest to `point`; the first of several.
-Foot nearest(const std::vector<Vec2>& line, Vec2 point) {
-  Foot best;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 along = line[i + 1] - line[i];
-    const double square = dot(along, along);
-    const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
-    const double distance = norm(line[i] + s * along - point);
-    if (distance < best.distance) best = {i, distance};
-  }
-  return best;
-}
-
-/// Drops the part of each arm beyond its outermost point: from there the edge is taken to go on sideways.
-void end_sideways(std::vector<Vec2>& outline, std::size_t contact) {
-  const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
-  const auto tip = outline.begin() + static_cast<std::ptrdiff_t>(contact);
-  outline.erase(std::max_element(tip + 1, outline.end(), by_y) + 1, outline.end());
-  outline.erase(outline.begin(), std::min_element(outline.begin(), tip + 1, by_y));
-}
-
-/// The free edge around a contact in the frame of LoadCase::outline, the chord in place of the crushed tip. Empty where
-/// the chord's ends are not on one piece of the edge.
-std::vector<Vec2> outline_of(const geometry::IceSheet& sheet, const geometry::ContactRegion& region, double reach) {
-  const Vec2 at = 0.5 * (region.chord_from + region.chord_to);
-  const auto to_frame = [&](Vec2 point) {
-    return Vec2{dot(point - at, region.normal), dot(point - at, perpendicular(region.normal))};
-  };
-  for (const std::vector<Vec2>& chain : sheet.free_edge(at, reach)) {
-    // With the ice on its left the chain comes from y > 0, dives into the structure and leaves it towards y < 0.
-    const Foot dives = nearest(chain, region.chord_to), leaves = nearest(chain, region.chord_from);
-    if (dives.distance > kOnTheEdge || leaves.distance > kOnTheEdge || dives.segment > leaves.segment) continue;
-    std::vector<Vec2> outline;
-    const auto append = [&](std::size_t from, std::size_t to, Vec2 chord_end) {
-      for (std::size_t i = to; i-- > from;) {
-        if (norm(chain[i] - chord_end) > kOnTheEdge) outline.push_back(to_frame(chain[i]));
-      }
-    };
-    append(leaves.segment + 1, chain.size(), region.chord_from);
-    const std::size_t contact = outline.size();
-    outline.push_back({0.0, -0.5 * region.contact_length});
-    outline.push_back({0.0, 0.5 * region.contact_length});
-    append(0, dives.segment + 1, region.chord_to);
-    end_sideways(outline, contact);
-    return outline;
-  }
-  return {};
-}
-
-/// Crushing force of a contact (Eq. 15) resolved into the sheet's plane and the vertical.
-void load_contact(const EdgeModel& model, const structure::State& state, EdgeContact& contact) {
+/// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip.
+Crushing crushing(const EdgeModel& model, const structure::State& state, std::span<const structure::SidePiece> sides,
+                  const geometry::Polygon& overlap) {
   const model::Case& c = model.resolved;
-  const Vec3 point{contact.region.midpoint.x, contact.region.midpoint.y, 0.0};
-  const Vec2 velocity = plan(velocity_at(state.twist, point - state.pose.position));
+  const bool projected = c.contact.area == model::ContactArea::kProjected;
+  Crushing sum;
+  for (const structure::Patch& patch : structure::patches_within(sides, rings_in_metres(overlap))) {
+    const Vec3 velocity = velocity_at(state.twist, patch.centroid - state.pose.position);
+    const double into_ice = dot(velocity, patch.normal);
+    if (into_ice <= 0.0) continue;  // slides past or leaves
+    const double area = projected ? patch.plan_area : patch.area;
+    const Vec3 slip = velocity - into_ice * patch.normal;
+    const Vec3 friction = norm(slip) > 0.0 ? c.ice.friction_structure * normalized(slip) : Vec3{};
+    sum.force += failure::crushing_force(model.ice, area) * (patch.normal + friction);
+    sum.vector_area += area * patch.normal;
+    sum.moment += area * patch.centroid;
+    sum.area += area;
+  }
+  return sum;
+}
+
+/// The load of a contact with the structure, also as the failure model takes it: N along the chord's normal, f along
+/// the chord, P vertical.
+void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& contact) {
+  if (!(crushed.area > 0.0)) return;
   const Vec2 normal = contact.region.normal;
-  if (dot(velocity, normal) <= 0.0) return;  // the structure slides past or leaves: nothing is crushed
-  const Vec2 way = normalized(velocity);
-  const double heading = std::atan2(-cross(way, normal), dot(way, normal));  // of the motion, from the normal
+  const double area = norm(crushed.vector_area);
+  contact.on_ice = crushed.force;
+  contact.point = crushed.moment / crushed.area;
+  contact.normal = crushed.vector_area / area;
+  contact.area = area;
+  contact.bound = failure::crushing_force(model.ice, area);
 
-  const structure::Surface surface = model.hull.surface_at(state.pose, point);
-  const failure::LoadRatios ratios = failure::load_ratios(surface.slope, c.ice.friction_structure, heading);
-  const double plan_area = geometry::area(contact.region.overlap).square_metres();
-  const double area =
-      c.contact.area == model::ContactArea::kProjected ? plan_area : plan_area / std::cos(surface.slope);
-  const double normal_force = failure::crushing_force(model.ice, area);
-  const double in_plane = normal_force * ratios.horizontal;
-  const bool downward = surface.breaking == model::Breaking::kDownward;
-
+  const double in_plane = dot(plan(crushed.force), normal);
+  if (!(in_plane > 0.0)) return;
   contact.load = {.depth = contact.wedge.depth,
                   .contact_length = contact.region.contact_length,
                   .angle = contact.wedge.angle,
-                  .mu1 = ratios.mu1,
-                  .mu2 = ratios.mu2,
+                  .mu1 = std::max(std::abs(crushed.force.z) / in_plane, kLeastMu1),
+                  .mu2 = dot(plan(crushed.force), perpendicular(normal)) / in_plane,
                   .pressure = in_plane / (contact.region.contact_length * model.ice.thickness)};
-  const Vec2 on_ice = in_plane * (normal + ratios.mu2 * perpendicular(normal));
-  contact.force = {-on_ice.x, -on_ice.y, downward ? in_plane * ratios.mu1 : -in_plane * ratios.mu1};
-  contact.point = point;
-  const double along = std::sin(surface.slope), up = std::cos(surface.slope);
-  contact.normal = {along * normal.x, along * normal.y, downward ? -up : up};
-  contact.area = area;
-  contact.bound = normal_force;
 }
 
 /// The wedge behind the chord, which the crushed tip has become.
@@ -126,12 +92,43 @@ void fit(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact& c
                                                   .reach = kFitReach * failure::characteristic_length(model.ice)});
 }
 
-void assess(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact& contact) {
-  if (!(contact.load.pressure > 0.0)) return;
-  if (model.criterion.needs_outline())
-    contact.load.outline = outline_of(sheet, contact.region, kOutlineReach * failure::characteristic_length(model.ice));
-  const auto harmless = model.criterion.dismiss(contact.load);
-  contact.assessment = harmless ? *harmless : model.criterion.assess(contact.load);
+/// The direction in which a floe pushes the sheet; if it lies flat under it, the way from the nearest edge into the
+/// ice.
+std::optional<Vec2> push_of(const EdgeModel& model, const geometry::IceSheet& sheet, const Bearing& bearing) {
+  if (norm(bearing.thrust) > kFlat * bearing.weight) return normalized(bearing.thrust);
+  return into_ice_near(sheet, plan(bearing.first / bearing.weight),
+                       kFitReach * failure::characteristic_length(model.ice));
+}
+
+/// Whether a floe presses inside the ice, where a load on the edge does not stand for it.
+bool presses_inside(const geometry::IceSheet& sheet, const EdgeContact& contact) {
+  return contact.floe != model::kNoFloe &&
+         sheet.free_edge(contact.region.midpoint, contact.region.contact_length).empty();
+}
+
+/// What bends the ice [N]: the vertical force, and the force in the plane with the arm h/2.
+double bending_force(const EdgeModel& model, const EdgeContact& contact) {
+  const double arm = 0.5 * model.ice.thickness / failure::characteristic_length(model.ice);
+  return std::abs(contact.on_ice.z) + arm * norm(plan(contact.on_ice));
+}
+
+/// Whether a load within l_c is more than twice as strong. The ice is then judged there.
+bool is_outweighed(const EdgeModel& model, const std::vector<EdgeContact>& contacts, const EdgeContact& own) {
+  const double l_c = failure::characteristic_length(model.ice), most = 2.0 * bending_force(model, own);
+  return std::ranges::any_of(contacts, [&](const EdgeContact& other) {
+    return norm(other.region.midpoint - own.region.midpoint) < l_c && bending_force(model, other) > most;
+  });
+}
+
+/// Puts the crack on the sheet, and the contact of a floe where it was judged.
+void move_to(const Frame& frame, EdgeContact& contact) {
+  for (Vec2& point : contact.assessment.crack) point = frame.on_sheet(point);
+  if (contact.floe == model::kNoFloe) return;
+  geometry::ContactRegion& region = contact.region;
+  const Vec2 half = 0.5 * region.contact_length * perpendicular(region.normal);
+  region.midpoint = frame.origin;
+  region.chord_from = frame.origin - half;
+  region.chord_to = frame.origin + half;
 }
 
 }  // namespace
@@ -156,9 +153,10 @@ failure::IceProperties ice_properties(const model::Case& resolved) {
 std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
                                                           const failure::IceProperties& ice) {
   const model::FailureSection& section = resolved.failure;
-  return failure::make_criterion(
-      section.model, section.file, ice,
-      {.second_order = section.second_order, .radial_first = section.order == model::CrackOrder::kRadialFirst});
+  return failure::make_criterion(section.model, section.file, ice,
+                                 {.second_order = section.second_order,
+                                  .radial_first = section.order == model::CrackOrder::kRadialFirst,
+                                  .trace_crack = section.pattern == model::CrackPattern::kStress});
 }
 
 std::vector<geometry::Ring> leading_outlines(const EdgeModel& model, const Pose& pose) {
@@ -172,14 +170,15 @@ std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
                                        const structure::State& state) {
   std::vector<EdgeContact> contacts;
+  const Freeboard heights = freeboard(model.resolved);
+  const auto sides = model.hull.sides(state.pose, heights.bottom, heights.top);
   for (const geometry::Ring& outline : leading_outlines(model, state.pose)) {
     for (geometry::ContactRegion& region : sheet.contacts(outline)) {
       if (!(region.contact_length > 0.0)) continue;
       EdgeContact contact;
       contact.region = std::move(region);
       fit(model, sheet, contact);
-      load_contact(model, state, contact);
-      assess(model, sheet, contact);
+      load_contact(model, crushing(model, state, sides, contact.region.overlap), contact);
       contacts.push_back(std::move(contact));
     }
   }
@@ -205,28 +204,49 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometr
   const double h = model.ice.thickness;
   // A cantilever of the width h and the length l_c does not break under less.
   const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));
-  if (bearing.weight < harmless || norm(bearing.thrust) == 0.0) return std::nullopt;
-  const LineLoad line = line_load(bearing);
-  if (line.normal <= 0.0) return std::nullopt;
+  if (bearing.weight < harmless) return std::nullopt;
+  const std::optional<Vec2> towards = push_of(model, sheet, bearing);
+  if (!towards) return std::nullopt;
+  const LineLoad line = line_load(bearing, *towards);
 
   EdgeContact contact;
   contact.floe = floe;
+  contact.on_ice = bearing.force;
+  contact.point = line.middle;
   geometry::ContactRegion& region = contact.region;
   region.contact_length = std::max(line.length, h);
-  region.midpoint = line.middle;
+  region.midpoint = plan(line.middle);
   region.normal = line.towards;
   const Vec2 half = 0.5 * region.contact_length * perpendicular(line.towards);
-  region.chord_from = line.middle - half;
-  region.chord_to = line.middle + half;
+  region.chord_from = region.midpoint - half;
+  region.chord_to = region.midpoint + half;
   fit(model, sheet, contact);
+  const double in_plane = std::max(line.normal, kLeastInPlane * line.out_of_plane);
+  if (!(in_plane > 0.0)) return std::nullopt;
   contact.load = {.depth = contact.wedge.depth,
                   .contact_length = region.contact_length,
                   .angle = contact.wedge.angle,
-                  .mu1 = std::max(line.out_of_plane / line.normal, kLeastMu1),
-                  .mu2 = line.across / line.normal,
-                  .pressure = line.normal / (region.contact_length * h)};
-  assess(model, sheet, contact);
+                  .mu1 = std::max(line.out_of_plane / in_plane, kLeastMu1),
+                  .mu2 = line.across / in_plane,
+                  .pressure = in_plane / (region.contact_length * h)};
   return contact;
+}
+
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts) {
+  const bool joint = model.resolved.failure.joint_loads;
+  std::vector<std::optional<Frame>> frames(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    failure::LoadCase load = contacts[i].load;
+    if (!(load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
+    if (model.criterion.needs_outline())
+      frames[i] = place_loads(model, sheet, contacts, i, joint, load);
+    else if (presses_inside(sheet, contacts[i]))
+      continue;
+    const auto harmless = model.criterion.dismiss(load);
+    contacts[i].assessment = harmless ? *harmless : model.criterion.assess(load);
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (frames[i]) move_to(*frames[i], contacts[i]);
 }
 
 }  // namespace brash::simulation

@@ -24,10 +24,10 @@ struct EdgeContact {
   geometry::Trapezoid wedge;
   failure::LoadCase load;
   failure::Assessment assessment;
-  Vec3 force{};                        ///< on the structure [N], Eq. 15 with friction; none where a floe presses
+  Vec3 on_ice{};                       ///< force on the ice, friction included [N]
   Vec3 point{};                        ///< where it acts [m]
-  Vec3 normal{};                       ///< unit, from the structure's surface into the ice
-  double area = 0.0;                   ///< A of Eq. 15 [m2]
+  Vec3 normal{};                       ///< unit, mean over the surface that crushes, into the ice
+  double area = 0.0;                   ///< of that surface, seen along `normal` [m2]
   double bound = 0.0;                  ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
@@ -62,11 +62,11 @@ std::vector<geometry::Ring> leading_outlines(const EdgeModel& model, const Pose&
 /// Where it has passed through the whole thickness.
 std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose);
 
-/// All contacts of the structure with the sheet, each fitted, loaded and assessed.
+/// All contacts of the structure with the sheet, each fitted and loaded.
 ///
-/// Crushing: F_n = sigma_c A R (Eq. 15). A is the area of the structure's surface inside the ice: the overlap in plan
-/// over cos(slope), or the overlap itself for `contact.area = "projected"`. The surface at the contact gives the slope
-/// and the direction of breaking. The structure's velocity there gives the heading.
+/// Crushing: sigma_c R (Eq. 15) along the normal of each part of the structure's surface inside the ice that moves into
+/// it, and friction against its slip. `contact.area = "projected"` takes the part's plan for its area.
+/// docs/theory/simulation.md, (S0).
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
                                        const structure::State& state);
 
@@ -76,12 +76,17 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
 std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact> contacts, BodyId structure,
                                                      double friction);
 
-/// The edge under a floe that presses on it, assessed by the same criterion; nothing where it hardly presses.
+/// The edge under a floe that presses on it; nothing where it hardly presses.
 ///
 /// The mean forces are taken as the line load of the failure model: N along the floe's thrust, f across it, |P| the
-/// vertical part. Its length c is the length of an even load with the same second moment about its middle. It is at
-/// least h: plate theory says nothing of less. docs/theory/simulation.md, (S1).
+/// vertical part. A floe flat under the sheet has no thrust; its line lies along the nearest edge. Its length c is the
+/// length of an even load with the same second moment about its middle. It is at least h: plate theory says nothing of
+/// less. docs/theory/simulation.md, (S1).
 std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
                                            const Bearing& bearing);
+
+/// Judges contacts with the same sheet by the model's criterion. A criterion that does not solve the sheet knows loads
+/// on the edge alone: floes that press farther inside than the length of their line are not judged.
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts);
 
 }  // namespace brash::simulation

@@ -46,10 +46,11 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     const double skin_friction = dt * power(floe.skin_friction, twist);
     const Twist end = world.twist(body);
     const Twist start{2.0 * twist.linear - end.linear, 2.0 * twist.angular - end.angular};
+    taken_.water += floe.shed;
     taken_.water -= dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, start));
-    losses_.drag -= drag;
+    losses_.drag += floe.shed - drag;
     losses_.skin_friction -= skin_friction;
-    received_[body] += drag + skin_friction;
+    received_[body] += drag + skin_friction - floe.shed;
     if (floe.id >= first_newborn) birth_ += floes.energy(world, body, floe) - received_[body];
   }
 }

@@ -27,6 +27,11 @@ const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose)
   return floe.wet->second;
 }
 
+rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resolved) {
+  return rigid_body::mass_properties(floe.prism, resolved.ice.density,
+                                     floe.wet_share * resolved.hydrodynamics.added_mass);
+}
+
 double averaging_share(const Floe& floe, double dt) { return 1.0 - std::exp(-dt / floe.collision_time); }
 
 std::optional<Pose> FloePopulation::complete(Floe& floe) const {
@@ -49,7 +54,7 @@ std::optional<Pose> FloePopulation::complete(Floe& floe) const {
   const double mass = case_->ice.density * h * floe.area.square_metres();
   floe.weight = mass * kGravity;
   floe.rest_potential = potential(floe, placed.pose, case_->water.density);
-  floe.inertia = rigid_body::mass_properties(floe.prism, case_->ice.density, case_->hydrodynamics.added_mass);
+  floe.inertia = inertia_of(floe, *case_);
   floe.collision_time = collision_time(*case_, mass);
   return placed.pose;
 }

@@ -41,7 +41,9 @@ struct Floe {
   ice::Plate plate;  ///< in the frame of the level ice that it broke off
   Prism prism{};
   geometry::ExactArea area{};
-  rigid_body::MassProperties inertia{};  ///< with added mass
+  rigid_body::MassProperties inertia{};  ///< with added mass, as far as it is wet
+  double wet_share = 1.0;                ///< of the added mass that it has [-]
+  double shed = 0.0;                     ///< kinetic energy that it left to the water with added mass in this step [J]
   double weight = 0.0;                   ///< m g, without added mass [N]
   double rest_potential = 0.0;           ///< potential energy floating at rest [J]
   double collision_time = 0.0;           ///< T_col of Eqs. 11, 12 [s]
@@ -59,6 +61,7 @@ struct Floe {
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit("id", "1", "floe_id of the floe", self.id);
+    visit("wet_share", "1", "share of the added mass that it has", self.wet_share);
     KeptDrag::visit(self.kept_drag, visit);
     MeanStress::visit(self.stress, visit);
     Rest::visit(self.rest, visit);
@@ -67,6 +70,9 @@ struct Floe {
 
 /// The displacement of `floe` at `pose`.
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose);
+
+/// Mass and inertia of `floe` with the share `wet_share` of the added mass.
+rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resolved);
 
 /// Weight of a step of `dt` [s] in means over the floe's collision time [-].
 double averaging_share(const Floe& floe, double dt);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "floe_water.hpp"
 
+#include <algorithm>
+
+#include "brash/core/constants.hpp"
 #include "brash/structure/hull.hpp"
 
 namespace brash::simulation {
@@ -31,6 +34,25 @@ void apply_to(rigid_body::World& world, BodyId body, Floe& floe, double dt, cons
   floe.skin_friction = load.skin_friction;
 }
 
+/// Below this share of the displacement at rest a floe loses its added mass, in proportion to what is wet.
+constexpr double kWellWet = 0.5;
+
+/// Gives a floe the added mass of its wet part. Added mass that leaves keeps its velocity; added mass that comes is at
+/// rest and takes its share of the momentum, as in an impact on water.
+void take_added_mass(rigid_body::World& world, BodyId body, Floe& floe, const model::Case& resolved) {
+  const double at_rest = floe.weight / (kGravity * resolved.water.density);
+  const double share = std::min(1.0, displaced(floe, world.pose(body)).volume / (kWellWet * at_rest));
+  floe.shed = 0.0;
+  if (share == floe.wet_share) return;
+  const double before = world.kinetic_energy(body), old_mass = floe.inertia.mass;
+  floe.wet_share = share;
+  floe.inertia = inertia_of(floe, resolved);
+  const Twist twist = world.twist(body);
+  const double kept = std::min(1.0, old_mass / floe.inertia.mass);
+  world.set_mass(body, floe.inertia, {kept * twist.linear, kept * twist.angular});
+  floe.shed = before - world.kinetic_energy(body);
+}
+
 }  // namespace
 
 FloeWater::FloeWater(const model::Case& resolved)
@@ -50,7 +72,7 @@ FloeWater::FloeWater(const model::Case& resolved)
 hydrodynamics::Water FloeWater::at(Vec3 position, const structure::State& structure) const {
   hydrodynamics::Water water = water_;
   const Vec3 origin{structure.pose.position.x, structure.pose.position.y, 0.0};
-  if (flow_) water.current += flow_->at(position - origin, plan(structure.twist.linear));
+  if (flow_) water.current += flow_->at(position - origin, plan(structure.twist.linear - water_.current));
   return water;
 }
 
@@ -58,6 +80,7 @@ void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt
   due_.clear();
   for (const BodyId body : world.moving()) {
     Floe& floe = floes.at(body);
+    take_added_mass(world, body, floe, *case_);
     const Pose pose = world.pose(body);
     const hydrodynamics::Water water = at(pose.position, structure);
     if (displaced(floe, pose).volume <= 0.0) {

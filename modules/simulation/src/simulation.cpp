@@ -51,6 +51,7 @@ class TimedCriterion final : public failure::BendingCriterion {
     const StageTimer::Scope clock(timer_, seconds_);
     return criterion_->dismiss(load);
   }
+  bool above_range(const failure::LoadCase& load) const override { return criterion_->above_range(load); }
   bool needs_outline() const override { return criterion_->needs_outline(); }
   std::optional<double> trained_thickness_over_lc() const override { return criterion_->trained_thickness_over_lc(); }
   std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
@@ -134,7 +135,7 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   return made;
 }
 
-/// Every contact of the structure with level ice, were the structure in `state`.
+/// Every contact of the structure with level ice, were the structure in `state`; not yet judged.
 std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state) const {
   std::vector<EdgeContact> contacts;
   for (const ice::Plate& plate : field.level_ice()) {
@@ -150,11 +151,14 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
 /// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
 /// above already: the step is then left whole. The trailing outlines then crush the ice that they cover. So the
 /// contacts belong to the state that is reached, however short or long the step.
-std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, StepReport& report) {
+std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
   const auto contacts_after = [&](double part) { return contacts_at(motion->after(part)); };
-  const auto above_range = [](const std::vector<EdgeContact>& contacts) {
-    return std::ranges::any_of(contacts, [](const EdgeContact& c) { return c.assessment.above_range; });
+  const auto above_range = [&](const std::vector<EdgeContact>& contacts) {
+    return std::ranges::any_of(contacts, [&](const EdgeContact& contact) {
+      const failure::BendingCriterion& criterion = *criteria[static_cast<std::size_t>(contact.level_ice)];
+      return contact.load.pressure > 0.0 && criterion.above_range(contact.load);
+    });
   };
   std::vector<EdgeContact> contacts = contacts_after(share);
   if (0.5 * share >= shortest && above_range(contacts) && !above_range(contacts_after(0.0))) {
@@ -166,25 +170,37 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, Step
 
   motion->advance(share);
   if (crush_passed_ice()) contacts = contacts_at(motion->now());
-  for (const EdgeContact& contact : contacts) count_range(contact.assessment, report);
   return contacts;
 }
 
-/// The edge of level ice under the floes that press on it, by their forces up to the step before. In the order of the
-/// floes.
-std::vector<EdgeContact> Simulation::Impl::contacts_of_floes(StepReport& report) const {
-  std::vector<EdgeContact> contacts;
-  if (!resolved.failure.under_floes) return contacts;
+/// Adds the edges of level ice under the floes that press on them, by their forces up to the step before. In the order
+/// of the floes; not yet judged.
+void Simulation::Impl::add_contacts_of_floes(std::vector<EdgeContact>& contacts) const {
+  if (!resolved.failure.under_floes) return;
   for (const auto& [pair, bearing] : bearings.all()) {
     const auto& [body, level_ice] = pair;
     const ice::Plate& plate = field.level_ice()[static_cast<std::size_t>(level_ice)];
     auto contact = bearing_contact(edge_model(plate), plate.sheet(), floes.at(body).id, bearing);
     if (!contact) continue;
     contact->level_ice = level_ice;
-    count_range(contact->assessment, report);
     contacts.push_back(std::move(*contact));
   }
-  return contacts;
+}
+
+/// Judges the contacts of each level ice together. @return the most stressed one first where loads act together: it
+/// breaks the ice first.
+void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& report) const {
+  for (const ice::Plate& plate : field.level_ice()) {
+    std::vector<EdgeContact> here;
+    for (EdgeContact& contact : contacts)
+      if (contact.level_ice == plate.level_ice()) here.push_back(std::move(contact));
+    std::erase_if(contacts, [&](const EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
+    assess(edge_model(plate), plate.sheet(), here);
+    for (const EdgeContact& contact : here) count_range(contact.assessment, report);
+    std::ranges::move(here, std::back_inserter(contacts));
+  }
+  if (resolved.failure.joint_loads)
+    std::ranges::stable_sort(contacts, std::greater{}, [](const EdgeContact& c) { return c.assessment.sigma_max; });
 }
 
 /// The structure has penetrated the whole thickness of the ice that the trailing outlines cover. This ice is crushed
@@ -207,9 +223,9 @@ bool Simulation::Impl::crush_passed_ice() {
 /// ice an earlier one has just broken off is left to the next step.
 void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
   for (const EdgeContact& contact : contacts) {
-    const bool broken_off = std::ranges::any_of(report.events, [&](const model::CrackEvent& event) {
-      return norm(event.at - contact.region.midpoint) < event.breaking_length;
-    });
+    const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
+    const bool broken_off = std::ranges::any_of(
+        report.events, [&](const model::CrackEvent& event) { return norm(event.tip - tip) < event.breaking_length; });
     if (!contact.assessment.fails || broken_off) continue;
     model::CrackEvent event{.time = time(),
                             .at = contact.region.midpoint,
@@ -224,7 +240,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .breaking_length = contact.assessment.breaking_length,
                             .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
                             .area_before = field.ledger().sheet.square_metres(),
-                            .tip = 0.5 * (contact.region.chord_from + contact.region.chord_to),
+                            .tip = tip,
                             .towards = contact.region.normal,
                             .pressing_floe = contact.floe};
     Break made = break_off(contact, report);
@@ -243,16 +259,17 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
-    const std::vector<EdgeContact> contacts = move_within_range(share, report);
+    std::vector<EdgeContact> contacts = move_within_range(share);
     done += share;
     for (const EdgeContact& contact : contacts) {
-      const Vec3 arm = contact.point - motion->now().pose.position;
-      report.loads.crushing += in_load_axes(Wrench{share * contact.force, share * cross(arm, contact.force)});
+      const Vec3 arm = contact.point - motion->now().pose.position, force = -contact.on_ice;
+      report.loads.crushing += in_load_axes(Wrench{share * force, share * cross(arm, force)});
     }
+    if (done >= 1.0) add_contacts_of_floes(contacts);
+    judge(contacts, report);
     break_ice(contacts, report);
   }
   --report.n_substeps;
-  break_ice(contacts_of_floes(report), report);
   for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
   world.move_structure(structure_body, motion->now().pose, motion->now().twist);
 }
@@ -420,8 +437,8 @@ model::Frame Simulation::frame() const {
   std::ranges::sort(forces);
   for (const auto& [body, floe] : impl_->floes.floes()) {
     double sum = 0.0;
-    for (const auto& [pushed, force] : std::ranges::equal_range(forces, body, {}, &std::pair<BodyId, double>::first))
-      sum += force;
+    auto force = std::ranges::lower_bound(forces, body, {}, &std::pair<BodyId, double>::first);
+    for (; force != forces.end() && force->first == body; ++force) sum += force->second;
     frame.floes.push_back({floe.id, impl_->world.pose(body), sum});
   }
   return frame;

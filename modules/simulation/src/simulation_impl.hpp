@@ -76,9 +76,10 @@ struct Simulation::Impl {
   void average_contacts();
   void remove_crushed_floes(StepReport& report);
 
-  std::vector<EdgeContact> move_within_range(double& share, StepReport& report);
+  std::vector<EdgeContact> move_within_range(double& share);
   std::vector<EdgeContact> contacts_at(const structure::State& state) const;
-  std::vector<EdgeContact> contacts_of_floes(StepReport& report) const;
+  void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
+  void judge(std::vector<EdgeContact>& contacts, StepReport& report) const;
   bool crush_passed_ice();
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
@@ -17,6 +18,20 @@ constexpr double kRounding = 1e-6;
 /// Relative velocity that sequential impulses leave where they end early [m/s]: they end when none changes by 1e-8 m/s
 /// more, and come that slowly to their end in a pack at rest.
 constexpr double kLeft = 1e-6;
+
+/// The account of a floe in a checkpoint.
+struct SavedAccount {
+  std::int64_t floe = 0;
+  double explained = 0.0;
+  double travel = 0.0;
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("floe", "1", "floe_id of the floe", self.floe);
+    visit("explained", "J", "energy that its work explains", self.explained);
+    visit("travel", "m", "longest travel in a step", self.travel);
+  }
+};
 
 }  // namespace
 
@@ -34,13 +49,14 @@ void Watchdog::see_structure(const Twist& twist) {
 void Watchdog::begin(const Watched& start) {
   see_structure(start.structure);
   booked_error_ = start.row.energy_error;
-  for (const auto& [body, floe] : start.floes.floes()) explained_[body] = start.floes.energy(start.world, body, floe);
+  for (const auto& [body, floe] : start.floes.floes())
+    accounts_[body].explained = start.floes.energy(start.world, body, floe);
 }
 
 void Watchdog::look(const Watched& now) {
   see_structure(now.structure);
-  if (explained_.size() > now.floes.floes().size())
-    std::erase_if(explained_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
+  if (accounts_.size() > now.floes.floes().size())
+    std::erase_if(accounts_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
   for (const BodyId body : now.world.moving()) {
     const Floe& floe = now.floes.at(body);
     look_at_place(floe, now.world.pose(body).position, now.row.time);
@@ -48,6 +64,30 @@ void Watchdog::look(const Watched& now) {
   }
   look_at_losses(now);
   look_at_balance(now);
+}
+
+void Watchdog::save(const FloePopulation& floes, model::Checkpoint& checkpoint) const {
+  model::save(checkpoint, "watchdog", *this);
+  model::Table table{"watched_floe", {}};
+  for (const auto& [body, account] : accounts_) {
+    if (!floes.floes().contains(body)) continue;
+    const SavedAccount saved{floes.at(body).id, account.explained, account.travel};
+    model::SavedRow row(table);
+    SavedAccount::visit(saved, row);
+  }
+  checkpoint.tables.push_back(std::move(table));
+}
+
+void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& checkpoint) {
+  model::restore(checkpoint, "watchdog", *this);
+  const std::map<std::int64_t, BodyId> bodies = floes.bodies_by_id();
+  const model::Table& table = checkpoint.table("watched_floe");
+  for (std::size_t i = 0; i < table.n_rows(); ++i) {
+    SavedAccount saved;
+    model::RestoredRow row(table, i);
+    SavedAccount::visit(saved, row);
+    accounts_[bodies.at(saved.floe)] = {saved.explained, saved.travel};
+  }
 }
 
 /// No floe is farther from the field than the field is large, or farther below or above the structure than the
@@ -67,13 +107,24 @@ void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
 void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe) {
   const double energy = now.floes.energy(now.world, body, floe);
   const double received = now.energy.received().at(body);
-  double& explained = explained_[body];  // nothing of a floe that is new
-  explained += received;
-  if (energy - explained <= allowance(floe.weight)) return;
+  Account& account = accounts_[body];  // nothing of a floe that is new
+  account.explained += received;
+  account.travel = std::max(account.travel, case_->time.step * norm(now.world.mean_twist(body).linear));
+  const double allowed = allowance(floe.weight, account.travel);
+  if (energy - account.explained <= allowed) return;
   throw RunError(
       fmt::format("floe {} of {:.4g} kg has an energy of {:.6g} J, of which its work explains {:.6g} J and "
                   "the time step {:.3g} J",
-                  floe.id, floe.inertia.mass, energy, explained, allowance(floe.weight)));
+                  floe.id, floe.inertia.mass, energy, account.explained, allowed));
+}
+
+double Watchdog::allowance_of_all(const FloePopulation& floes) const {
+  double sum = 0.0;
+  for (const auto& [body, floe] : floes.floes()) {
+    const auto account = accounts_.find(body);
+    sum += allowance(floe.weight, account == accounts_.end() ? 0.0 : account->second.travel);
+  }
+  return sum;
 }
 
 /// Sum of the contacts' normal impulses of the last step [N s].
@@ -88,7 +139,7 @@ double Watchdog::impulses(const rigid_body::World& world) const {
 void Watchdog::look_at_losses(const Watched& now) const {
   const double rounding = kRounding * (1.0 + now.row.kinetic_energy);
   const double given =
-      case_->contact.restitution > 0.0 ? allowance(now.floes.weight()) : rounding + kLeft * impulses(now.world);
+      case_->contact.restitution > 0.0 ? allowance_of_all(now.floes) : rounding + kLeft * impulses(now.world);
   const auto& [contacts, water] = now.taken;
   if (!(contacts >= -given)) throw RunError(fmt::format("contacts gave the floes {:.6g} J in this step", -contacts));
   const bool still = case_->water.current == Vec2{} && !case_->hydrodynamics.structure_flow;
@@ -103,7 +154,7 @@ void Watchdog::look_at_balance(const Watched& now) const {
     throw RunError("the ledger does not fit the floes: they lack " + (now.area.floes - now.floes.area()).to_string() +
                    " m2");
   const double error = now.row.energy_error - booked_error_;
-  const double allowed = allowance(now.floes.weight());
+  const double allowed = allowance_of_all(now.floes);
   if (!(std::abs(error) <= allowed))
     throw RunError(
         fmt::format("the energies do not close: {:.6g} J of {:.6g} J of work are missing, the time step "

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "brash/geometry/ledger.hpp"
 #include "brash/model/case.hpp"
+#include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "energy_ledger.hpp"
@@ -31,16 +33,35 @@ class Watchdog {
   /// @param hull  the structure's least and largest coordinates, its frame [m].
   Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hull);
 
-  /// Takes the state before the first step, or the state of a checkpoint, as the start.
+  /// Takes the state before the first step as the start.
   void begin(const Watched& start);
   /// @throws RunError naming the floe or the account and the numbers that do not fit.
   void look(const Watched& now);
+
+  void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;
+  /// Goes on with the accounts of an earlier run, so that it passes or ends a resumed run as it would the whole one.
+  void restore(const FloePopulation& floes, const model::Checkpoint& checkpoint);
+
+  /// The members that are not of one floe.
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("travel", "m", "longest travel that structure, rise and current give in a step", self.travel_);
+    visit("booked_error", "J", "error of the energies at the start", self.booked_error_);
+  }
 
  private:
   /// Largest error that the integration in time may leave in the energy of floes of this weight [N], in J. The constant
   /// part of F gives dt F (u' - u) / 2 a step. These add up to no more than half the work of F along one step's travel
   /// (docs/theory/dynamics.md, Energy). F is the weight, or the lift under water where the lift is more.
-  double allowance(double weight) const { return 0.5 * most_lift_ * weight * travel_; }
+  /// @param travel  longest travel of the floe in a step [m].
+  double allowance(double weight, double travel) const { return 0.5 * most_lift_ * weight * std::max(travel, travel_); }
+  double allowance_of_all(const FloePopulation& floes) const;
+  /// Of a floe.
+  struct Account {
+    double explained = 0.0;  ///< energy that its work explains [J]
+    double travel = 0.0;     ///< longest in a step [m]
+  };
+
   void see_structure(const Twist& twist);
   double impulses(const rigid_body::World& world) const;
 
@@ -50,11 +71,11 @@ class Watchdog {
   void look_at_balance(const Watched& now) const;
 
   const model::Case* case_;
-  std::pair<Vec3, Vec3> hull_;          ///< least and largest coordinates, its frame [m]
-  double travel_ = 0.0;                 ///< of a step, at most until now [m]
-  double most_lift_;                    ///< F over the weight
-  double booked_error_ = 0.0;           ///< of the energies at the start [J]
-  std::map<BodyId, double> explained_;  ///< energy of each floe that its work explains [J]
+  std::pair<Vec3, Vec3> hull_;  ///< least and largest coordinates, its frame [m]
+  double travel_ = 0.0;         ///< that structure, rise and current give in a step, at most until now [m]
+  double most_lift_;            ///< F over the weight
+  double booked_error_ = 0.0;   ///< of the energies at the start [J]
+  std::map<BodyId, Account> accounts_;
 };
 
 }  // namespace brash::simulation

@@ -49,6 +49,18 @@ Outline intersection(Outline one, const Outline& other) {
   return convex_hull(std::move(one));
 }
 
+/// The part of a convex polygon at heights of at least `sign * height`, as `sign` turns the axis: 1 up, -1 down.
+std::vector<Vec3> beyond(const std::vector<Vec3>& outline, double height, double sign) {
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec3 a = outline[i], b = outline[(i + 1) % outline.size()];
+    const double at_a = sign * (a.z - height), at_b = sign * (b.z - height);
+    if (at_a >= 0.0) kept.push_back(a);
+    if ((at_a > 0.0 && at_b < 0.0) || (at_a < 0.0 && at_b > 0.0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return kept;
+}
+
 TriangleMesh mesh_of(const std::vector<Vec3>& vertices) {
   TriangleMesh mesh{vertices, {}};
   const int n = static_cast<int>(vertices.size() / 2);
@@ -115,6 +127,19 @@ Footprint Frustum::footprint(const Pose& pose, double bottom, double top) const 
   if (Outline leading = convex_hull(std::move(slab)); !leading.empty()) result.leading.push_back(std::move(leading));
   if (Outline trailing = intersection(lower, upper); !trailing.empty()) result.trailing.push_back(std::move(trailing));
   return result;
+}
+
+std::vector<SidePiece> Frustum::sides(const Pose& pose, double bottom, double top) const {
+  const std::vector<Vec3> world = in_world(vertices_, pose);
+  const std::size_t n = sides_.size();
+  std::vector<SidePiece> pieces;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    std::vector<Vec3> outline{world[i], world[next], world[n + next], world[n + i]};
+    outline = beyond(beyond(outline, bottom, 1.0), top, -1.0);
+    if (outline.size() >= 3) pieces.push_back({rotate(pose.rotation, sides_[i].normal), std::move(outline)});
+  }
+  return pieces;
 }
 
 Surface Frustum::surface_at(const Pose& pose, Vec3 point) const {

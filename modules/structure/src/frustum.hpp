@@ -16,6 +16,7 @@ class Frustum : public Hull {
 
   std::span<const ConvexPart> parts() const override { return {&vertices_, 1}; }
   Footprint footprint(const Pose& pose, double bottom, double top) const override;
+  std::vector<SidePiece> sides(const Pose& pose, double bottom, double top) const override;
   Surface surface_at(const Pose& pose, Vec3 point) const override;
   Displacement displaced(const Pose& pose) const override;
   const TriangleMesh& mesh() const override { return mesh_; }

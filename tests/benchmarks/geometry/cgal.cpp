@@ -47,7 +47,7 @@ void cgal_event(benchmark::State& state) {
 }
 BENCHMARK(cgal_event)
     ->RangeMultiplier(10)
-    ->Range(100, 10000)
+    ->Range(100, 100000)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond)
     ->Iterations(1);

@@ -112,6 +112,28 @@ BOOST_AUTO_TEST_CASE(cutters_take_their_overlap) {
   BOOST_TEST(released["n_floes"] == 3);
 }
 
+BOOST_AUTO_TEST_CASE(cracks_split_a_map_of_floes_and_lose_nothing) {
+  // Two floes, one with a hole, and a bent crack through both that begins outside and ends inside the second one.
+  const std::string sheet = write("floes.wkt",
+                                  "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))\n"
+                                  "POLYGON ((20 0, 30 0, 30 10, 20 10, 20 0), (24 7, 26 7, 26 9, 24 9, 24 7))");
+  const std::string cracks = write("cracks.wkt",
+                                   "LINESTRING (-1 4, 5 4, 12 6, 25 5)\n"
+                                   "MULTILINESTRING ((25 5, 31 5), (1 1, 2 2))");
+  const std::string pieces = (path / "pieces.geojson").string();
+  const auto ledger = output_of(*this, {"crack", "--sheet", sheet, "--cracks", cracks, "-o", pieces});
+  BOOST_TEST(ledger["initial"] == "196");
+  BOOST_TEST(ledger["sheet"] == "0");
+  BOOST_TEST(ledger["n_floes"] == 4);  // the crack from (1, 1) to (2, 2) splits nothing
+  BOOST_TEST(ledger["missing"] == "0");
+  std::size_t n_holes = 0;
+  const auto written = geometry::from_geojson(read("pieces.geojson"));
+  for (const geometry::Feature& feature : written.value()) n_holes += feature.polygon.holes.size();
+  BOOST_TEST(n_holes == 1);
+  const auto none = output_of(*this, {"crack", "--sheet", write("none.wkt", "POLYGON EMPTY"), "--cracks", cracks});
+  BOOST_TEST(none["n_floes"] == 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_fit_finds_the_trapezoid_of_a_sheet) {
   // A protrusion of depth 1, tip 0.5 and 90 deg on the left edge of a sheet.
   const std::string sheet =

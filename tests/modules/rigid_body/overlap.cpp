@@ -125,9 +125,10 @@ BOOST_AUTO_TEST_CASE(Two_boxes_overlap_in_a_box_with_a_way_out_through_each_face
   const ConvexPart box = cube();
   OverlapFinder finder;
   const Overlap& overlap = finder.find(placed(box, {{1.5, 1.0, 0.2}, {}}), placed(box, {}));
-  BOOST_TEST(overlap.ways.size() == 12u);
-  const auto shortest = std::min_element(overlap.ways.begin(), overlap.ways.end(),
-                                         [](const WayOut& p, const WayOut& q) { return p.depth < q.depth; });
+  BOOST_TEST(overlap.axes.size() == 12u);
+  const auto shortest =
+      std::min_element(overlap.axes.begin(), overlap.axes.end(),
+                       [](const SeparatingAxis& p, const SeparatingAxis& q) { return p.depth < q.depth; });
   BOOST_TEST(shortest->depth == 0.5, boost::test_tools::tolerance(kRoundOff));
   BOOST_TEST(norm(shortest->normal - Vec3{1, 0, 0}) == 0.0);
   BOOST_TEST(finder.project({1, 0, 0}).area == 1.0 * 1.8, boost::test_tools::tolerance(kRoundOff));

@@ -101,3 +101,29 @@ BOOST_AUTO_TEST_CASE(the_fixed_edge_met_head_on_is_loaded_by_0_511) {
   BOOST_TEST(found == 0.511, boost::test_tools::tolerance(1e-3));  // three digits
   BOOST_TEST(std::abs(row.crushing.force.y) < 1e-6 * row.crushing.force.x);
 }
+
+BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_cone_by_the_pressure_on_its_front_half) {
+  // Once the cone has cut its channel its front half is inside the ice over the whole thickness. The pressure on it has
+  // the resultant p tan(a) (Rt^2 - Rb^2), with the radii at the top and the bottom of the ice.
+  const auto force_in_channel = [](const std::string& friction) {
+    simulation::Simulation run(ice_and_water(
+        {"failure.model=wedge", "field.initial_crack=false", "ice.flexural_strength=1e8", "structure.waterline_width=2",
+         "structure.height=2", "structure.height_under_water=1", "structure.start_distance=1.1", "time.step=0.01",
+         "time.duration=5", "ice.friction_structure=" + friction}));
+    model::LoadRow row;
+    while (run.time() < 3.0) row = run.step().loads;
+    return row.crushing.force;
+  };
+  const double h = 0.33, top = h * (1.0 - 900.0 / 1025.0), bottom = top - h;
+  const double outer = 1.0 + top / std::tan(kAngle), inner = 1.0 + bottom / std::tan(kAngle);
+  const double exact = kPressure * std::tan(kAngle) * (outer * outer - inner * inner);
+  const double found = force_in_channel("0").x;
+  BOOST_TEST_MESSAGE("horizontal force " << found << " N, exact " << exact << " N");
+  BOOST_TEST(exact == 307.6e3, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(found == exact, boost::test_tools::tolerance(2e-3));
+
+  // Friction acts against the slip: along x it has the share sqrt(1 - sin^2 a cos^2 phi) of the normal force.
+  const double friction =
+      0.1 * kPressure * (outer * outer - inner * inner) / std::cos(kAngle) * std::comp_ellint_2(std::sin(kAngle));
+  BOOST_TEST(force_in_channel("0.1").x == exact + friction, boost::test_tools::tolerance(2e-3));
+}

@@ -128,6 +128,7 @@ BOOST_AUTO_TEST_CASE(drag_is_kept_for_a_way_on_which_a_turn_of_the_motion_counts
 }
 
 BOOST_AUTO_TEST_CASE(a_floe_that_comes_into_the_water_has_drag_at_once) {
+  double with_drag_of_every_step = 0.0;
   for (const char* travel : {"0", "0.1", "10"}) {
     FloatingFloe floe(kLength, kBreadth, ice_and_water({std::string("hydrodynamics.drag_travel=") + travel}));
     floe.place(1.0, 0.0);  // dropped flat
@@ -137,7 +138,9 @@ BOOST_AUTO_TEST_CASE(a_floe_that_comes_into_the_water_has_drag_at_once) {
       lowest = std::min(lowest, floe.heave());
     }
     BOOST_TEST_MESSAGE("dropped from 1 m with drag kept for " << travel << " h: down to " << lowest << " m");
-    BOOST_TEST(lowest == -0.936, boost::test_tools::tolerance(0.01));  // with drag of every step
+    if (with_drag_of_every_step == 0.0) with_drag_of_every_step = lowest;
+    BOOST_TEST(lowest < -0.5);  // without drag it would go down about as far as it came from
+    BOOST_TEST(lowest == with_drag_of_every_step, boost::test_tools::tolerance(0.01));
   }
 }
 

@@ -136,6 +136,20 @@ BOOST_AUTO_TEST_CASE(a_state_goes_on_to_the_bit_wherever_in_a_run_it_is_taken) {
   }
 }
 
+/// Floes that rise on the structure come and go by long work, of which the watchdog keeps account.
+BOOST_AUTO_TEST_CASE(a_resumed_upward_run_ends_in_the_whole_state_of_the_uninterrupted_one) {
+  simulation::Simulation whole(short_case({"structure.breaking=upward"}, 8.0));
+  std::vector<simulation::Simulation> twins;
+  while (whole.time() < 8.0 - 1e-9) {
+    if (std::lround(whole.time() / 0.01) % 200 == 100)
+      twins.emplace_back(short_case({"structure.breaking=upward"}, 8.0), whole.checkpoint());
+    (void)whole.step();
+    for (simulation::Simulation& twin : twins) (void)twin.step();
+  }
+  BOOST_TEST(twins.size() == 4u);
+  for (const simulation::Simulation& twin : twins) BOOST_TEST((twin.checkpoint() == whole.checkpoint()));
+}
+
 BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
   const std::string file = (std::filesystem::temp_directory_path() / "brash-test-checkpoint.nc").string();
   const auto [whole, resumed] = whole_and_resumed(short_case(), file);

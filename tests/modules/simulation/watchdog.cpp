@@ -21,11 +21,11 @@ using namespace brash::simulation::testing;
 
 constexpr double kStep = 0.01;
 constexpr Twist kTow{{1.202, 0.0, 0.0}, {}};  // of the case's structure
+const std::pair<Vec3, Vec3> kHull{{-8.7, -8.7, -5.68}, {8.7, 8.7, 3.4}};
 
 /// A pool with its own watchdog and a ledger of area that fits its floes.
 struct Guarded : Pool {
-  explicit Guarded(std::vector<std::string> overrides = {})
-      : Pool(std::move(overrides)), watchdog(resolved, {{-8.7, -8.7, -5.68}, {8.7, 8.7, 3.4}}) {
+  explicit Guarded(std::vector<std::string> overrides = {}) : Pool(std::move(overrides)), watchdog(resolved, kHull) {
     for (const Vec2 corner : {Vec2{0, 0}, Vec2{1.1, 0}, Vec2{0, 1.1}})
       bodies.push_back(
           add(corner, corner + Vec2{1, 1}, {{0.5 - 0.5 * corner.x, 0.3 - 0.4 * corner.y, 0}, {0, 0.1, 0.2}}));
@@ -33,11 +33,12 @@ struct Guarded : Pool {
     area.initial = area.floes;
     model::LoadRow row;
     ledger.report(world, floes, row);
-    watchdog.begin({world, floes, ledger, area, row, {}, kTow});
+    watchdog.begin(watched(row, {}));
   }
   void look(const model::LoadRow& row) { look(row, ledger.taken()); }
-  void look(const model::LoadRow& row, const Taken& taken) {
-    watchdog.look({world, floes, ledger, area, row, taken, kTow});
+  void look(const model::LoadRow& row, const Taken& taken) { watchdog.look(watched(row, taken)); }
+  Watched watched(const model::LoadRow& row, const Taken& taken) const {
+    return {world, floes, ledger, area, row, taken, kTow};
   }
   void steps(int n) {
     for (int i = 0; i < n; ++i) look(step(kStep));
@@ -90,6 +91,34 @@ BOOST_AUTO_TEST_CASE(a_floe_born_with_energy_ends_the_run) {
   pool.area.floes += pool.floes.floes().at(late).area;
   pool.area.initial += pool.floes.floes().at(late).area;
   BOOST_CHECK_EXCEPTION(pool.steps(1), RunError, says("floe 3 of 445.5 kg has an energy of"));
+}
+
+/// A floe that a checkpoint finds short of its explained energy may get this energy back.
+BOOST_AUTO_TEST_CASE(a_restored_watchdog_goes_on_with_the_accounts_of_the_first) {
+  const Twist drift{{0.6, 0.0, 0.0}, {}};  // 80 J, of which the time step explains 43 J
+  Guarded pool;
+  pool.kick(drift);
+  const model::LoadRow start = pool.step(kStep);
+  pool.watchdog = Watchdog(pool.resolved, kHull);
+  pool.watchdog.begin(pool.watched(start, {}));
+  pool.kick({{-0.6, 0.0, 0.0}, {}});
+  pool.steps(1);
+
+  model::Checkpoint saved;
+  pool.watchdog.save(pool.floes, saved);
+  Watchdog restored(pool.resolved, kHull), anew(pool.resolved, kHull);
+  restored.restore(pool.floes, saved);
+  anew.begin(pool.watched(start, {}));
+  pool.kick(drift);
+  const model::LoadRow row = pool.step(kStep);
+  BOOST_CHECK_NO_THROW(pool.look(row));
+  BOOST_CHECK_NO_THROW(restored.look(pool.watched(row, pool.ledger.taken())));
+  BOOST_CHECK_EXCEPTION(anew.look(pool.watched(row, pool.ledger.taken())), RunError, says("floe 1 of 445.5 kg has"));
+
+  model::Checkpoint later, of_restored;
+  pool.watchdog.save(pool.floes, later);
+  restored.save(pool.floes, of_restored);
+  BOOST_TEST((of_restored == later));
 }
 
 BOOST_AUTO_TEST_CASE(a_floe_outside_ends_the_run) {

@@ -35,10 +35,10 @@ BOOST_AUTO_TEST_CASE(looking_ahead_moves_nothing_and_parts_of_a_step_make_it_who
   BOOST_TEST(motion->now().pose.position.x == -6.985, boost::test_tools::tolerance(1e-15));
 }
 
-BOOST_AUTO_TEST_CASE(a_motion_goes_on_from_its_saved_numbers) {
+BOOST_AUTO_TEST_CASE(a_motion_goes_on_from_a_checkpoint) {
   const auto motion = towed(), again = towed();
   motion->advance(1.0);
-  structure::Numbers saved;
+  model::Checkpoint saved;
   motion->save(saved);
   again->restore(saved);
   BOOST_TEST((again->now().pose == motion->now().pose));

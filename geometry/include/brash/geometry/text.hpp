@@ -25,6 +25,12 @@ std::string to_wkt(std::span<const Polygon> polygons);
 /// @return the polygons, or the error: "line L, column C: ...", both from 1, columns in bytes.
 tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text);
 
+/// Reads LINESTRING and MULTILINESTRING geometries, one or several after one another, as the straight cracks between
+/// their positions, in their order. Coordinates as in from_wkt(). Two positions on one grid point make no crack.
+///
+/// @return the cracks, or the error as of from_wkt().
+tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text);
+
 /// One GeoJSON feature.
 struct Feature {
   Polygon polygon;

@@ -55,6 +55,18 @@ struct LoadRatios {
 /// @see docs/theory/meta-model.md, (1)
 LoadRatios load_ratios(double slope, double friction, double heading);
 
+/// A load on the sheet near a contact, even along a stretch of the free edge or over a disc inside the ice. Frame of
+/// LoadCase::outline.
+struct SheetLoad {
+  Vec2 from{}, to{};          ///< ends of a straight stretch of the outline, in its order [m]
+  double radius = 0.0;        ///< > 0: of a disc around `from` instead [m]
+  Vec2 in_plane{};            ///< [N]; only on the edge
+  double out_of_plane = 0.0;  ///< [N], positive as the contact's own P
+  /// Of the in-plane force about the edge, because it acts above or below mid-thickness [N m]. Positive where it bends
+  /// the ice ahead as the contact's own P does.
+  double moment = 0.0;
+};
+
 /// One contact, ready for the criterion.
 struct LoadCase {
   double depth = 0.0;           ///< b [m]
@@ -67,6 +79,9 @@ struct LoadCase {
   /// the middle of the tip edge (x into the ice, y along the tip edge), ice on its right. (0, -c/2) and (0, c/2) are
   /// points of it, one after the other. f acts along y.
   std::vector<Vec2> outline{};
+  /// The loads on that edge that are to act together, the contact's own among them. Empty: the contact's own load
+  /// alone.
+  std::vector<SheetLoad> loads{};
 };
 
 /// The answer of the criterion to a load case.
@@ -79,6 +94,9 @@ struct Assessment {
   bool outline_refused = false;  ///< the outline could not be meshed; the answer holds for the trapezoid
   bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are of first order
   bool split = false;            ///< a radial crack came first: stress and place belong to the split sheet
+  /// The circumferential crack along the stress, if the ice fails and BendingOptions::trace_crack asks for it: from one
+  /// free edge to the other, frame of LoadCase::outline [m]. Empty where it does not reach the edge.
+  std::vector<Vec2> crack{};
 };
 
 /// Says whether the ice fails in bending and how far in. Stateless after construction.
@@ -90,7 +108,9 @@ class BendingCriterion {
   /// The answer of `assess`, without stress and breaking length, if it is plain at a small price that `load` stays
   /// below half the strength. Nothing where only `assess` can tell.
   virtual std::optional<Assessment> dismiss(const LoadCase& /*load*/) const { return std::nullopt; }
-  /// Whether `assess` wants the outline of the load case besides its trapezoid.
+  /// Whether an input exceeds the model's range. A shorter step of the structure may bring it back.
+  virtual bool above_range(const LoadCase& /*load*/) const { return false; }
+  /// Whether `assess` wants outline and loads of the load case besides its trapezoid.
   virtual bool needs_outline() const { return false; }
   /// The one h / l_c that its model was trained with; nothing where the model knows h / l_c or needs none.
   virtual std::optional<double> trained_thickness_over_lc() const { return std::nullopt; }
@@ -106,6 +126,8 @@ struct BendingOptions {
   /// Where the edge stress on the other surface exceeds the strength, a radial crack splits the sheet along the centre
   /// line before it breaks circumferentially: `plate`, and `superposition` with the models that come with the program.
   bool radial_first = false;
+  /// Assessment::crack is wanted: `plate-outline`.
+  bool trace_crack = false;
 };
 
 /// The criterion named `model`:

@@ -23,7 +23,7 @@ class CrackPattern {
  public:
   virtual ~CrackPattern() = default;
   /// @param contact     where the plate is loaded, plate frame: midpoint B and normal into the ice.
-  /// @param assessment  with the breaking length.
+  /// @param assessment  with the breaking length, and the crack in the plate's frame where the criterion knows it.
   /// @param random      of this break alone.
   virtual CrackPlan plan(const Plate& plate, const geometry::ContactRegion& contact,
                          const failure::Assessment& assessment, statistics::RandomStream& random) const = 0;
@@ -32,6 +32,8 @@ class CrackPattern {
 /// The pattern that the case chooses:
 /// - kDisc: a circle around B with the breaking length as radius, divided by radial cracks into 3 to 5
 ///   wedges (after Nevel). Paper, Sec. 2.2.2, Fig. 2.
+/// - kStress: the crack of the assessment from free edge to free edge, divided as the disc is, at equal lengths of the
+///   crack. The disc where there is no such crack.
 std::unique_ptr<CrackPattern> make_crack_pattern(const model::FailureSection& section);
 
 }  // namespace brash::ice

@@ -56,16 +56,17 @@ struct FieldSection {
 
 /// [failure]
 struct FailureSection {
-  FailureModel model = FailureModel::kSuperposition;
+  FailureModel model = FailureModel::kPlateOutline;
   std::string file;  ///< model file, absolute; empty: the model that comes with the program
   CrackOrder order = CrackOrder::kRadialFirst;
   bool second_order = true;  ///< the in-plane force acts on the bent plate
   bool under_floes = true;   ///< the sheet also breaks where floes press on it
+  bool joint_loads = true;   ///< all loads on the sheet act together
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
-  CrackPattern pattern = CrackPattern::kDisc;
+  CrackPattern pattern = CrackPattern::kStress;
 
   friend bool operator==(const FailureSection&, const FailureSection&) = default;
 };

@@ -24,7 +24,8 @@ enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlate
 enum class CrackOrder { kCircumferentialFirst, kRadialFirst };
 /// [failure] pattern: the cracks of ice that fails in bending, ice::make_crack_pattern().
 enum class CrackPattern {
-  kDisc  ///< a circle of the breaking length with radial cracks: the paper's
+  kDisc,   ///< a circle of the breaking length with radial cracks: the paper's
+  kStress  ///< a crack along the stress to the free edge, with radial cracks
 };
 /// [contact] area: the area A of Eq. 15.
 enum class ContactArea {
@@ -73,7 +74,8 @@ template <>
 inline constexpr auto kNames<CrackOrder> = std::to_array<Named<CrackOrder>>(
     {{CrackOrder::kCircumferentialFirst, "circumferential-first"}, {CrackOrder::kRadialFirst, "radial-first"}});
 template <>
-inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"}});
+inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"},
+                                                                                 {CrackPattern::kStress, "stress"}});
 template <>
 inline constexpr auto kNames<ContactArea> = std::to_array<Named<ContactArea>>({{ContactArea::kSurface, "surface"},
                                                                                {ContactArea::kProjected, "projected"}});
@@ -108,6 +110,8 @@ struct FailureOptions {
   bool file = false;          ///< it reads a model file
   bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
   bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
+  bool traces_crack = false;  ///< `pattern = "stress"`: it knows the stress as a field
+  bool joint_loads = false;   ///< `joint_loads = true`: it solves the sheet under several loads
 };
 
 /// @param own_file  the model file is not the one that comes with the program; only that one knows the split sheet.
@@ -121,7 +125,7 @@ constexpr FailureOptions options_of(FailureModel model, bool own_file) {
     case FailureModel::kPlate:
       return {.second_order = true, .radial_first = true};
     case FailureModel::kPlateOutline:
-      return {.second_order = true};
+      return {.second_order = true, .radial_first = true, .traces_crack = true, .joint_loads = true};
     case FailureModel::kWedge:
       return {};
   }

@@ -233,6 +233,8 @@ class World {
   /// Mean of the velocities at the start and the end of the last step; at rest before the first.
   Twist mean_twist(BodyId id) const;
   void set_state(BodyId id, const Pose& pose, const Twist& twist);
+  /// Changes the mass of a body that the step moves, between two steps. Its velocity becomes that of `twist`.
+  void set_mass(BodyId id, const MassProperties& mass, const Twist& twist);
   /// A floe's velocity after the loads of the last step alone, before contacts; at rest before the first.
   Twist loaded_twist(BodyId id) const;
   /// Kinetic energy of all floes, added mass included [J].

@@ -31,6 +31,12 @@ struct Surface {
   model::Breaking breaking = model::Breaking::kDownward;  ///< which way the surface bends ice that it meets
 };
 
+/// A plane piece of the sides of a hull.
+struct SidePiece {
+  Vec3 normal{};              ///< unit, out of the hull, world frame
+  std::vector<Vec3> outline;  ///< convex, world frame [m]
+};
+
 /// The section of a hull in the water's surface.
 struct Waterplane {
   double area = 0.0;    ///< [m2]
@@ -64,6 +70,9 @@ class Hull {
 
   /// The plan of the hull between the heights `bottom` and `top` [m], world frame.
   virtual Footprint footprint(const Pose& pose, double bottom, double top) const = 0;
+
+  /// The sides of the hull between the heights `bottom` and `top` [m], without deck and keel.
+  virtual std::vector<SidePiece> sides(const Pose& pose, double bottom, double top) const = 0;
 
   /// The side of the hull next to `point`, world frame [m]. Horizontal faces, deck and keel, count for nothing.
   virtual Surface surface_at(const Pose& pose, Vec3 point) const = 0;

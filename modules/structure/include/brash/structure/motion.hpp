@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <memory>
-#include <string>
 
 #include "brash/core/vec.hpp"
 #include "brash/model/case.hpp"
+#include "brash/model/checkpoint.hpp"
 
 namespace brash::structure {
 
@@ -14,10 +13,13 @@ namespace brash::structure {
 struct State {
   Pose pose;
   Twist twist;  ///< of the pose's origin
-};
 
-/// Numbers of a checkpoint, by their names.
-using Numbers = std::map<std::string, double>;
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    model::visit_pose(self.pose, visit);
+    model::visit_twist(self.twist, visit);
+  }
+};
 
 /// How a structure moves: a load goes in, a pose and a twist come out. Time passes in steps of one length, which may
 /// be taken in parts.
@@ -42,9 +44,9 @@ class Motion {
   /// structure.
   virtual Vec2 course() const = 0;
 
-  /// All that the motion from now on depends on.
-  virtual void save(Numbers& numbers) const;
-  virtual void restore(const Numbers& numbers);
+  /// Saves in a table of its own all that the motion from now on depends on.
+  virtual void save(model::Checkpoint& checkpoint) const;
+  virtual void restore(const model::Checkpoint& checkpoint);
 
  protected:
   State now_;

@@ -17,11 +17,12 @@ namespace brash::rigid_body {
 /// axes of the faces these are all directions in which the Minkowski difference of two convex solids has a face. So the
 /// axis of least depth among them has the least depth of all. Along that axis the edges meet in a point of both: their
 /// distance is at most its depth, and edges farther apart need no look.
-class EdgeWays {
+class EdgeAxes {
  public:
   /// The axes from b into a with a depth below `limit` [m], least depth first, of edges no farther apart than `limit`;
   /// `overlap` has just found the overlap of a and b.
-  std::span<const WayOut> find(const OverlapFinder& overlap, const PlacedPart& a, const PlacedPart& b, double limit);
+  std::span<const SeparatingAxis> find(const OverlapFinder& overlap, const PlacedPart& a, const PlacedPart& b,
+                                       double limit);
 
  private:
   /// An edge where it is now.
@@ -39,7 +40,7 @@ class EdgeWays {
   Beyond beyond_;
   std::vector<PlacedEdge> edges_a_;
   std::vector<PlacedEdge> edges_b_;
-  std::vector<WayOut> ways_;
+  std::vector<SeparatingAxis> axes_;
 };
 
 }  // namespace brash::rigid_body

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../../modules/rigid_body/src/edge_ways.hpp"
+#include "../../../modules/rigid_body/src/edge_axes.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -69,18 +69,18 @@ BOOST_AUTO_TEST_CASE(Two_crossed_edges_part_along_the_normal_of_both) {
   const PlacedPart upper = placed(beam, {{0, 0, 2 * std::sqrt(2.0) - 0.1}, both});
   OverlapFinder finder;
   finder.find(upper, lower);
-  EdgeWays edges;
-  const auto ways = edges.find(finder, upper, lower, 1.0);
-  BOOST_TEST_REQUIRE(!ways.empty());
-  BOOST_TEST(ways[0].depth == 0.1, boost::test_tools::tolerance(1e-10));
-  BOOST_TEST(norm(ways[0].normal - Vec3{0, 0, 1}) < kRoundOff);
+  EdgeAxes edges;
+  const auto axes = edges.find(finder, upper, lower, 1.0);
+  BOOST_TEST_REQUIRE(!axes.empty());
+  BOOST_TEST(axes[0].depth == 0.1, boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(norm(axes[0].normal - Vec3{0, 0, 1}) < kRoundOff);
 }
 
 BOOST_AUTO_TEST_CASE(The_shortest_way_out_is_that_of_all_normals_of_edges_and_faces) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> about(-1.0, 1.0);
   OverlapFinder finder;
-  EdgeWays edges;
+  EdgeAxes edges;
   int n_overlaps = 0, n_shorter = 0;
   for (int trial = 0; trial < 4000; ++trial) {
     const ConvexPart first = random_floe(random), second = random_floe(random);
@@ -97,18 +97,18 @@ BOOST_AUTO_TEST_CASE(The_shortest_way_out_is_that_of_all_normals_of_edges_and_fa
     if (overlap.vertices.empty()) continue;
     ++n_overlaps;
     double face = std::numeric_limits<double>::infinity();
-    for (const WayOut& way : overlap.ways) face = std::min(face, way.depth);
-    const auto ways = edges.find(finder, a, b, face);
-    for (const WayOut& way : ways) {
-      BOOST_TEST(std::abs(norm(way.normal) - 1.0) < kRoundOff);
-      BOOST_TEST(std::abs(depth_along(a, b, way.normal) - way.depth) < kRoundOff);
+    for (const SeparatingAxis& axis : overlap.axes) face = std::min(face, axis.depth);
+    const auto axes = edges.find(finder, a, b, face);
+    for (const SeparatingAxis& axis : axes) {
+      BOOST_TEST(std::abs(norm(axis.normal) - 1.0) < kRoundOff);
+      BOOST_TEST(std::abs(depth_along(a, b, axis.normal) - axis.depth) < kRoundOff);
     }
     const double expected = least_depth_over_edges(a, b);
-    const double found = ways.empty() ? face : ways[0].depth;
+    const double found = axes.empty() ? face : axes[0].depth;
     BOOST_TEST(std::abs(found - std::min(face, expected)) < kRoundOff);
     n_shorter += expected < face - kRoundOff;
   }
-  BOOST_TEST_MESSAGE(n_overlaps << " overlaps, the shortest way over edges in " << n_shorter);
+  BOOST_TEST_MESSAGE(n_overlaps << " overlaps, the least depth over edges in " << n_shorter);
   BOOST_TEST(n_overlaps > 1000);
   BOOST_TEST(n_shorter > 200);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edge_ways.hpp"
+#include "edge_axes.hpp"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ bool boxes_overlap(Vec3 lower, Vec3 upper, Vec3 other_lower, Vec3 other_upper) {
 }  // namespace
 
 /// Edges that no plane of the other part keeps farther from it than `reach`.
-void EdgeWays::collect_near(const PlacedPart& part, const Heights& heights, double reach,
+void EdgeAxes::collect_near(const PlacedPart& part, const Heights& heights, double reach,
                             std::vector<PlacedEdge>& edges) {
   edges.clear();
   beyond_.assign(heights, reach);
@@ -36,25 +36,25 @@ void EdgeWays::collect_near(const PlacedPart& part, const Heights& heights, doub
   }
 }
 
-void EdgeWays::try_pair(const PlacedEdge& e, const PlacedEdge& f, double limit) {
+void EdgeAxes::try_pair(const PlacedEdge& e, const PlacedEdge& f, double limit) {
   // The normals beside each edge lie on both sides of the plane normal to the other edge.
   if (dot(f.left, e.along) * dot(f.right, e.along) >= 0.0) return;
   if (dot(e.left, f.along) * dot(e.right, f.along) >= 0.0) return;
   Vec3 normal = cross(e.along, f.along);
   if (dot(normal, f.left + f.right) < 0.0) normal = -normal;
-  if (dot(normal, e.left + e.right) >= 0.0) return;  // both edges are the last of their parts the same way
+  if (dot(normal, e.left + e.right) >= 0.0) return;  // both edges are the last of their parts on the same side
   const double length = norm(normal);
   if (length <= kParallel * norm(e.along) * norm(f.along)) return;
   normal = normal / length;
   const double depth = dot(normal, f.from - e.from);
-  if (depth < limit) ways_.push_back({normal, depth});
+  if (depth < limit) axes_.push_back({normal, depth});
 }
 
-std::span<const WayOut> EdgeWays::find(const OverlapFinder& overlap, const PlacedPart& a, const PlacedPart& b,
-                                       double limit) {
-  ways_.clear();
+std::span<const SeparatingAxis> EdgeAxes::find(const OverlapFinder& overlap, const PlacedPart& a, const PlacedPart& b,
+                                               double limit) {
+  axes_.clear();
   collect_near(a, overlap.heights_of_a(), limit, edges_a_);
-  if (edges_a_.empty()) return ways_;
+  if (edges_a_.empty()) return axes_;
   collect_near(b, overlap.heights_of_b(), limit, edges_b_);
   const Vec3 reach{limit, limit, limit};
   for (const PlacedEdge& e : edges_a_) {
@@ -62,8 +62,9 @@ std::span<const WayOut> EdgeWays::find(const OverlapFinder& overlap, const Place
     for (const PlacedEdge& f : edges_b_)
       if (boxes_overlap(lower, upper, f.lower, f.upper)) try_pair(e, f, limit);
   }
-  std::sort(ways_.begin(), ways_.end(), [](const WayOut& p, const WayOut& q) { return p.depth < q.depth; });
-  return ways_;
+  std::sort(axes_.begin(), axes_.end(),
+            [](const SeparatingAxis& p, const SeparatingAxis& q) { return p.depth < q.depth; });
+  return axes_;
 }
 
 }  // namespace brash::rigid_body

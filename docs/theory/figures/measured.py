@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""contact-solver.md, drag-accuracy.md and crushed-floes.md: their measurements."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+from style import GREY, RED, SERIES
+from tables import numbers, table
+
+
+def solver():
+    figure, axes = plt.subplots(1, 2, figsize=(8.5, 3.0), constrained_layout=True)
+    head, *rows = table("contact-solver.md", "mean resistance [kN]")
+    for (name, *cells), colour in zip(rows, SERIES):
+        points = [(float(n), float(cell)) for n, cell in zip(head[1:], cells) if cell]
+        axes[0].semilogx(*zip(*points), "o-", ms=4, color=colour, label=name.split(" (")[0])
+    axes[0].set(xlabel="iterations", ylim=(40, 52))
+    axes[0].set_title("mean resistance of a jam [kN]", loc="left")
+    rows = [[float(cell) for cell in row] for row in table("contact-solver.md", "sweeps | without: mean")[1:]]
+    sweeps, *columns = zip(*rows)
+    for values, colour, style, name in zip(columns, (SERIES[0], SERIES[0], SERIES[1], SERIES[1]), ("o-", "o:", "o-", "o:"),
+                                           ("without, mean", "without, 90 %", "with momentum, mean", "with, 90 %")):
+        axes[1].loglog(sweeps, values, style, ms=4, color=colour, label=name)
+    axes[1].set_xlabel("sweeps")
+    axes[1].set_title("residual of a row in a run [m/s]", loc="left")
+    for axis in axes:
+        axis.set_xticks(sweeps, [f"{n:g}" for n in sweeps])
+        axis.minorticks_off()
+        axis.legend()
+    return figure
+
+
+def intervals(axis, rows, name):
+    for i, (label, *cells) in enumerate(reversed(rows)):
+        mean, low, high = numbers(cells[0])[:3]
+        axis.errorbar(mean, i, xerr=[[mean - low], [high - mean]], fmt="o", ms=5, capsize=4, color=SERIES[0])
+    axis.set_yticks(range(len(rows)), [row[0].replace("`", "") for row in reversed(rows)])
+    axis.set(ylim=(-0.6, len(rows) - 0.4), ylabel=name)
+    axis.set_title("mean horizontal load [kN]", loc="left")
+
+
+def drag():
+    figure, axes = plt.subplots(1, 2, figsize=(8.5, 2.4), constrained_layout=True)
+    _, *laws = table("drag-accuracy.md", "| mean | crushing")
+    intervals(axes[0], laws, "drag")
+    _, *kept = table("drag-accuracy.md", "drag_travel")
+    intervals(axes[1], kept, "drag_travel")
+    return figure
+
+
+def crushed():
+    figure, axes = plt.subplots(1, 2, figsize=(8.5, 2.8), constrained_layout=True,
+                                gridspec_kw={"width_ratios": (1, 1.2)})
+    slender = np.linspace(0, 8, 50)
+    axes[0].plot(slender, 0.5 * (1 + 0.3 * slender / 2), color=SERIES[0])
+    axes[0].set(xlabel="length over width $L/W$", ylim=(0, 1.15))
+    axes[0].set_title(r"largest possible stress over $\sigma_c$", loc="left")
+    [_, _, fine] = next(row for row in table("crushed-floes.md", "20 s of validation")[1:] if "mean stress" in row[0])
+    _, *hard = table("crushed-floes.md", "cone, ice, time")
+    bars = list(zip(("validation, median", "validation, 95 %", "validation, largest"), numbers(fine)))
+    bars += [(f"{row[0]}, largest", numbers(row[2])[0]) for row in hard]
+    for i, (_, value) in enumerate(reversed(bars)):
+        axes[1].barh(i, value, color=SERIES[0], alpha=0.8, height=0.6)
+    axes[1].set_yticks(range(len(bars)), [name for name, _ in reversed(bars)])
+    axes[1].set_xlim(0, 1.08)
+    axes[1].set_title(r"measured mean stress over $\sigma_c$ = 1 MPa", loc="left")
+    axes[0].axhline(1, color=RED, ls="--", lw=1)
+    axes[0].text(0.1, 1.03, "the floe is crushed", color=RED)
+    axes[1].axvline(1, color=RED, ls="--", lw=1)
+    axes[0].axhline(0.5, color=GREY, ls=":", lw=1)
+    axes[0].text(7.9, 0.42, "without friction", color=GREY, ha="right")
+    return figure

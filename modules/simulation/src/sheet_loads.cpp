@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace brash::simulation {
+namespace {
+
+using Polyline = std::vector<Vec2>;
+
+/// Loads so far from B along the edge bend the ice ahead of B by 1 % of the same load at B, in characteristic lengths.
+constexpr double kReach = 5.0;
+/// Share of all loads that may be left out.
+constexpr double kWeak = 0.02;
+/// The chord's ends lie on the free edge to within this [m]; they are rounded to the geometry's grid, 2^-30 m.
+constexpr double kOnTheEdge = 1e-6;
+
+/// A place on a polyline.
+struct Foot {
+  std::size_t segment = 0;
+  Vec2 place{};
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The place of `line` nearest to `point`; the first of several.
+Foot nearest(const Polyline& line, Vec2 point) {
+  Foot best;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 along = line[i + 1] - line[i];
+    const double square = dot(along, along);
+    const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
+    const Vec2 place = line[i] + s * along;
+    const double distance = norm(place - point);
+    if (distance < best.distance) best = {i, place, distance};
+  }
+  return best;
+}
+
+bool presses(const EdgeContact& contact) { return contact.load.pressure > 0.0; }
+bool of_structure(const EdgeContact& contact) { return contact.floe == model::kNoFloe; }
+
+/// A crushed stretch of the edge, which runs with the ice on its left: it dives into the structure and leaves it.
+struct Crushed {
+  Foot dives, leaves;
+  std::size_t contact = 0;
+};
+
+/// The stretches of `chain` that contacts have crushed, one after the other.
+std::vector<Crushed> crushed_stretches(const Polyline& chain, const std::vector<EdgeContact>& all) {
+  std::vector<Crushed> stretches;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!of_structure(all[i]) || !presses(all[i])) continue;
+    const Crushed found{nearest(chain, all[i].region.chord_to), nearest(chain, all[i].region.chord_from), i};
+    const bool on_chain = found.dives.distance < kOnTheEdge && found.leaves.distance < kOnTheEdge;
+    if (on_chain && found.dives.segment <= found.leaves.segment) stretches.push_back(found);
+  }
+  std::ranges::stable_sort(stretches, {}, [](const Crushed& c) { return c.dives.segment; });
+  return stretches;
+}
+
+/// The edge with chords in place of its crushed stretches, the ice on its left; a stretch that another one covers
+/// stays.
+struct Edge {
+  Polyline line;
+  std::vector<std::size_t> chords;  ///< contacts whose chord is on it
+};
+
+Edge with_chords(const Polyline& chain, const std::vector<EdgeContact>& all) {
+  Edge edge;
+  const auto append = [&](Vec2 point) {
+    if (edge.line.empty() || norm(edge.line.back() - point) > kOnTheEdge) edge.line.push_back(point);
+  };
+  std::size_t next = 0;  // point of the chain
+  for (const Crushed& stretch : crushed_stretches(chain, all)) {
+    if (stretch.dives.segment + 1 < next) continue;
+    const geometry::ContactRegion& region = all[stretch.contact].region;
+    while (next <= stretch.dives.segment) append(chain[next++]);
+    if (norm(edge.line.back() - region.chord_to) <= kOnTheEdge) edge.line.pop_back();
+    edge.line.push_back(region.chord_to);
+    edge.line.push_back(region.chord_from);
+    edge.chords.push_back(stretch.contact);
+    next = stretch.leaves.segment + 1;
+  }
+  while (next < chain.size()) append(chain[next++]);
+  return edge;
+}
+
+/// The edge in the frame, from y < 0 to y > 0, without the part of each arm beyond its outermost point: from there it
+/// is taken to go on sideways. Nothing where no point is on one side of B.
+std::optional<Polyline> outline_in(const Frame& frame, const Polyline& line) {
+  Polyline outline;
+  for (auto point = line.rbegin(); point != line.rend(); ++point) outline.push_back(frame.place(*point));
+  const Foot origin = nearest(outline, {});
+  const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
+  const auto after = outline.begin() + static_cast<std::ptrdiff_t>(origin.segment) + 1;
+  outline.erase(std::max_element(after, outline.end(), by_y) + 1, outline.end());
+  const auto before = outline.begin() + static_cast<std::ptrdiff_t>(origin.segment) + 1;
+  outline.erase(outline.begin(), std::min_element(outline.begin(), before, by_y));
+  if (outline.size() < 2 || !(outline.front().y < 0.0) || !(outline.back().y > 0.0)) return std::nullopt;
+  return outline;
+}
+
+/// The load of a contact in the frame, without its place.
+class Resultant {
+ public:
+  Resultant(const EdgeContact& contact, const Frame& frame, double mid_height, double own_way)
+      : in_plane_(frame.turned(plan(contact.on_ice))),
+        out_of_plane_(own_way * contact.on_ice.z),
+        // N above mid-thickness bends the edge up, N below it down.
+        eccentricity_(own_way * (contact.point.z - mid_height)) {}
+
+  failure::SheetLoad on_edge(Vec2 from, Vec2 to) const {
+    const Vec2 inwards = -1.0 * perpendicular(normalized(to - from));
+    return {.from = from,
+            .to = to,
+            .in_plane = in_plane_,
+            .out_of_plane = out_of_plane_,
+            .moment = eccentricity_ * dot(in_plane_, inwards)};
+  }
+  failure::SheetLoad on_disc(Vec2 centre, double radius) const {
+    return {.from = centre, .to = centre, .radius = radius, .out_of_plane = out_of_plane_};
+  }
+
+ private:
+  Vec2 in_plane_;
+  double out_of_plane_;
+  double eccentricity_;
+};
+
+/// The load of a floe: on the edge, or on a disc where it presses inside the ice.
+void place_floe(const EdgeContact& contact, const Resultant& load, const Frame& frame, const Polyline& outline,
+                double thickness, std::vector<failure::SheetLoad>& loads) {
+  const Vec2 middle = frame.place(contact.region.midpoint);
+  const Foot foot = nearest(outline, middle);
+  const Vec2 along = outline[foot.segment + 1] - outline[foot.segment];
+  const bool inside = cross(along, middle - outline[foot.segment]) < 0.0;
+  const double half = 0.5 * contact.region.contact_length;
+  if (inside && foot.distance > 0.5 * thickness) {
+    loads.push_back(load.on_disc(middle, half));
+    return;
+  }
+  const Vec2 side = half * normalized(along);
+  const Vec2 from = nearest(outline, foot.place - side).place, to = nearest(outline, foot.place + side).place;
+  if (norm(to - from) > kOnTheEdge) loads.push_back(load.on_edge(from, to));
+}
+
+/// How much a load bends the ice near B, about [N].
+double weight_of(const failure::SheetLoad& load, double reach, double l_c) {
+  const double near = std::max(0.0, 1.0 - norm(0.5 * (load.from + load.to)) / reach);
+  return near * (std::abs(load.out_of_plane) + std::abs(load.moment) / l_c);
+}
+
+/// Leaves loads out that together bend the ice near B by a share of kWeak at most.
+void drop_weak(double reach, double l_c, std::vector<failure::SheetLoad>& loads) {
+  const auto weight = [&](const failure::SheetLoad& load) { return weight_of(load, reach, l_c); };
+  std::vector<double> weights;
+  for (const failure::SheetLoad& load : loads) weights.push_back(weight(load));
+  std::ranges::sort(weights);
+  const double allowed = kWeak * std::accumulate(weights.begin(), weights.end(), 0.0);
+  double dropped = 0.0, least = 0.0;
+  for (const double w : weights) {
+    dropped += w;
+    least = w;
+    if (dropped > allowed) break;
+  }
+  std::erase_if(loads, [&](const failure::SheetLoad& load) { return weight(load) < least; });
+}
+
+}  // namespace
+
+std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceSheet& sheet,
+                                 const std::vector<EdgeContact>& all, std::size_t contact, bool joint,
+                                 failure::LoadCase& load) {
+  const EdgeContact& own = all[contact];
+  const double l_c = failure::characteristic_length(model.ice), reach = kReach * l_c;
+  const Vec2 at = 0.5 * (own.region.chord_from + own.region.chord_to);
+  for (const Polyline& chain : sheet.free_edge(at, reach)) {
+    const Edge edge = with_chords(chain, all);
+    const bool has_chord = std::ranges::find(edge.chords, contact) != edge.chords.end();
+    if (edge.line.size() < 2 || (of_structure(own) && !has_chord)) continue;
+    const Frame frame{of_structure(own) ? at : nearest(edge.line, at).place, own.region.normal};
+    const auto outline = outline_in(frame, edge.line);
+    if (!outline) return std::nullopt;
+
+    const Freeboard heights = freeboard(model.resolved);
+    const double own_way = own.on_ice.z > 0.0 ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const EdgeContact& other = all[i];
+      if (!presses(other) || (i != contact && !joint)) continue;
+      const Resultant resultant(other, frame, 0.5 * (heights.top + heights.bottom), own_way);
+      const auto on_outline = [&](Vec2 end) { return nearest(*outline, end).distance < kOnTheEdge; };
+      if (of_structure(other)) {
+        const Vec2 from = frame.place(other.region.chord_from), to = frame.place(other.region.chord_to);
+        const bool is_there = std::ranges::find(edge.chords, i) != edge.chords.end();
+        if (is_there && on_outline(from) && on_outline(to)) load.loads.push_back(resultant.on_edge(from, to));
+      } else if (norm(frame.place(other.region.midpoint)) < reach) {
+        place_floe(other, resultant, frame, *outline, model.ice.thickness, load.loads);
+      }
+    }
+    drop_weak(reach, l_c, load.loads);
+    load.outline = *outline;
+    return frame;
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec2> into_ice_near(const geometry::IceSheet& sheet, Vec2 at, double reach) {
+  const std::vector<Polyline> chains = sheet.free_edge(at, reach);
+  if (chains.empty() || chains.front().size() < 2) return std::nullopt;
+  const Polyline& chain = chains.front();
+  const std::size_t i = nearest(chain, at).segment;
+  return perpendicular(normalized(chain[i + 1] - chain[i]));
+}
+
+}  // namespace brash::simulation

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every row of docs/reference/mistakes.md: its command answers with its remedy, one sentence."""
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+ROW = re.compile(r"^\| ([^|]+) \| `([^|`]+)` \| ([^|]+) \|$")
+
+
+def rows():
+    """Mistake, words of the command and remedy of each row."""
+    lines = (SOURCE / "docs/reference/mistakes.md").read_text(encoding="utf-8").splitlines()
+    return [(match[1], shlex.split(match[2]), match[3]) for match in map(ROW.match, lines) if match]
+
+
+class Mistakes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+        self.succeeds("schema", "--template", stdout=(self.path / "mine.toml").open("w"))
+        self.succeeds("run", "mine.toml", "--set", "time.duration=0.1")
+        shutil.copy(SOURCE / "experiments/failure_database/cone_network.json", self.path)
+        (self.path / "short.csv").write_text("time,Fx\n0,1\n0.01,2\n0.02,3\n")
+
+    def call(self, *arguments, stdout=subprocess.PIPE):
+        return subprocess.run([BRASH, *arguments], cwd=self.path, text=True, stdout=stdout, stderr=subprocess.PIPE)
+
+    def succeeds(self, *arguments, **options):
+        done = self.call(*arguments, **options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_each_mistake_is_told_its_remedy(self):
+        self.assertEqual(len(rows()), 10)
+        for mistake, words, remedy in rows():
+            with self.subTest(mistake):
+                before = sorted(self.path.rglob("*"))
+                done = self.call(*words)
+                self.assertNotIn(". ", remedy)
+                if done.returncode == 0:  # a result that cannot be used is told below it
+                    self.assertIn(f": {remedy}\n", done.stdout.splitlines(keepends=True)[-1])
+                else:
+                    self.assertEqual(done.returncode, 2, done.stderr)
+                    self.assertEqual(re.findall(r"^  remedy:  (.*)$", done.stderr, re.MULTILINE), [remedy])
+                self.assertEqual(sorted(self.path.rglob("*")), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
