@@ -146,7 +146,8 @@ class Simplifier {
       feature = std::min(feature, kContactShare * length + kDistanceShare * off);
     }
     for (const PatchLoad& load : sheet_->patch_loads) distance = std::min(distance, norm(place - load.at));
-    return scale_ * (std::min(tolerance_.near, feature) + tolerance_.growth * std::max(0.0, distance - 1.0));
+    const double near = tolerance_.at_any_price ? tolerance_.near : std::min(tolerance_.near, feature);
+    return scale_ * (near + tolerance_.growth * std::max(0.0, distance - 1.0));
   }
 
   void halve() { scale_ *= 0.5; }
