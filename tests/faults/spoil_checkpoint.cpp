@@ -21,9 +21,9 @@ int main(int argc, char** argv) {
   const std::string_view fault = argv[2];
   if (fault == "place") floe_cell(state, "x") += 1000.0;
   if (fault == "later") {  // it leaves the reach of a floe, 100 m from the field, some steps from now
-    floe_cell(state, "x") = -99.9;
+    floe_cell(state, "x") = -99.99;
     floe_cell(state, "y") = 0.0;
-    floe_cell(state, "linear_x") = -1.0;
+    floe_cell(state, "linear_x") = -0.2;  // too slow for the watch on energies
     for (const char* const still : {"linear_y", "linear_z", "angular_x", "angular_y", "angular_z"})
       floe_cell(state, still) = 0.0;
   }

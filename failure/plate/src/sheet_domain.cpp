@@ -71,7 +71,13 @@ void add_sizes(SheetDomain& result, const LoadedSheet& sheet, const SheetEdge& e
     const Vec2 from = edge.points[first];
     const Vec2 to = edge.points[last];
     const double tip = std::min(sizes.tip, sizes.tip_share * norm(to - from));
-    for (std::size_t i = first; i < last; ++i) add(edge.points[i], edge.points[i + 1], tip);
+    for (std::size_t i = first; i < last; ++i) {
+      // In pieces of l_c at most: of a long contact only the middle need be fine.
+      const Vec2 whole = edge.points[i + 1] - edge.points[i];
+      const double n = std::ceil(norm(whole));
+      for (double piece = 0.0; piece < n; ++piece)
+        add(edge.points[i] + piece / n * whole, edge.points[i] + (piece + 1.0) / n * whole, tip);
+    }
     add(from, from, sizes.tip_corner * tip);
     add(to, to, sizes.tip_corner * tip);
   }

@@ -19,6 +19,10 @@ constexpr double kOnEdge = 2e-3;
 constexpr double kSamePlace = 2e-3;
 /// Loads are made at least so long, over l_c.
 constexpr double kShortestLoad = 0.01;
+/// Next to a load, what may be left out is this share of its length and this share of the distance. The stress close to
+/// a short contact follows the sides of its wedge: with eight times as much, one edge in thirty errs by 2 to 5 %.
+constexpr double kContactShare = 0.03;
+constexpr double kDistanceShare = 0.01;
 /// Points of the edge between the two sides of a neck or a slot, at most.
 constexpr std::size_t kPocket = 20;
 /// Times that the tolerance is halved if the simplified edge touches itself.
@@ -138,10 +142,12 @@ class Simplifier {
       const double off = distance_to_stretch(place, load.from, load.to);
       distance = std::min(distance, off);
       // Features as small as a contact matter next to it.
-      feature = std::min(feature, 0.25 * std::max(kShortestLoad, norm(load.to - load.from)) + 0.1 * off);
+      const double length = std::max(kShortestLoad, norm(load.to - load.from));
+      feature = std::min(feature, kContactShare * length + kDistanceShare * off);
     }
     for (const PatchLoad& load : sheet_->patch_loads) distance = std::min(distance, norm(place - load.at));
-    return scale_ * (std::min(tolerance_.near, feature) + tolerance_.growth * std::max(0.0, distance - 1.0));
+    const double near = tolerance_.at_any_price ? tolerance_.near : std::min(tolerance_.near, feature);
+    return scale_ * (near + tolerance_.growth * std::max(0.0, distance - 1.0));
   }
 
   void halve() { scale_ *= 0.5; }

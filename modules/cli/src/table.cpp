@@ -69,6 +69,9 @@ std::string ice(const simulation::RunSummary& s) {
   text += "  quantiles               5 %  25 %  50 %  75 %  95 %\n";
   text += quantile_row("piece area [m2]", s.piece_area_quantiles);
   text += quantile_row("breaking length [m]", s.breaking_length_quantiles);
+  text +=
+      fmt::format("  of the breaks {} under floes, {} after a radial crack, {} on the true edge, {} along the stress\n",
+                  s.breaks.under_floes, s.breaks.radial_first, s.breaks.true_edge, s.breaks.along_stress);
   text += fmt::format("  failure model: {} steps shortened, {} inputs clamped below its range, {} above\n",
                       s.n_substepped, s.n_below_range, s.n_above_range);
   if (s.n_outlines_refused > 0) {

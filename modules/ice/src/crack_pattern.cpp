@@ -54,7 +54,7 @@ class AlongStress final : public Circumferential {
     const Vec2 tip = tip_of(contact);
     const std::optional<CutOff> cut = cut_off(plate.sheet(), tip, assessment.crack);
     if (!cut) return disc(plate, contact, assessment.breaking_length, n_wedges);
-    CrackPlan plan{{geometry::ring(cut->region), {}}, tip, 0.0, n_wedges};
+    CrackPlan plan{{geometry::ring(cut->region), {}}, tip, 0.0, n_wedges, true};
     for (const Vec2 point : cut->region) plan.reach = std::max(plan.reach, norm(point - tip));
     for (int i = 1; i < n_wedges; ++i)
       plan.cracked.cracks.push_back(

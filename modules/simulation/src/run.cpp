@@ -88,6 +88,7 @@ struct Counts {
     auto& counts = self.summary;
     visit("n_substepped", "1", "steps that were cut into parts", counts.n_substepped);
     visit("n_below_range", "1", "assessments below the failure model's range", counts.n_below_range);
+    BreakCounts::visit(counts.breaks, visit);
     visit("n_outlines_refused", "1", "outlines that could not be meshed", counts.n_outlines_refused);
     visit("n_above_range", "1", "assessments above the failure model's range", counts.n_above_range);
     visit("n_steps_too_long", "1", "births with a collision time below the step", counts.n_steps_too_long);
@@ -152,6 +153,7 @@ void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, cons
 void count(RunSummary& counts, const StepReport& report) {
   counts.n_substepped += report.n_substeps > 1 ? 1 : 0;
   counts.n_below_range += report.n_below_range;
+  counts.breaks += report.breaks;
   counts.n_outlines_refused += report.n_outlines_refused;
   counts.n_above_range += report.n_above_range;
   counts.n_steps_too_long += report.n_steps_too_long;

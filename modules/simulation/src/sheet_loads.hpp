@@ -30,8 +30,9 @@ struct Frame {
 /// @param all      contacts on the same sheet, `contact` among them.
 /// @param contact  number of the contact in `all`.
 /// @param joint    whether the other loads act too.
-std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceSheet& sheet, const std::vector<EdgeContact>& all,
-                 std::size_t contact, bool joint, failure::LoadCase& load);
+std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceSheet& sheet,
+                                 const std::vector<EdgeContact>& all, std::size_t contact, bool joint,
+                                 failure::LoadCase& load);
 
 /// The direction from the free edge nearest to `at` into the ice, square to that edge; nothing without an edge within
 /// `reach` [m].

@@ -23,6 +23,7 @@ namespace brash::simulation {
 /// The result of a break.
 struct Break {
   int n_wedges = 0;
+  bool along_stress = false;
   std::vector<model::FloeRecord> births;
 };
 

@@ -95,6 +95,12 @@ nlohmann::ordered_json json_of(const RunSummary& run, const statistics::Summary&
             {"floe_friction", by_cause.floe_friction}}}};
 }
 
+nlohmann::ordered_json json_of(BreakCounts breaks) {
+  nlohmann::ordered_json json;
+  BreakCounts::visit(breaks, [&](const char* name, const char*, const char*, int count) { json[name] = count; });
+  return json;
+}
+
 nlohmann::ordered_json json_of(const geometry::Ledger& ledger) {
   return {{"initial", ledger.initial.to_string()},
           {"sheet", ledger.sheet.to_string()},
@@ -200,6 +206,7 @@ std::string to_json(const RunSummary& s) {
       {"vertical", json_of(s, s.vertical, s.vertical_split)},
       {"mean_whole_history", {{"horizontal", s.mean_horizontal_whole}, {"vertical", s.mean_vertical_whole}}},
       {"n_breaks", s.n_breaks},
+      {"breaks_decided", json_of(s.breaks)},
       {"breaking_frequency", s.breaking_frequency},
       {"breaking_length_quantiles", s.breaking_length_quantiles},
       {"n_floes_born", s.n_floes_born},

@@ -64,7 +64,7 @@ class Models(unittest.TestCase):
             brash.Criterion(case)(**load, pressure=np.nan)
 
     def test_a_criterion_by_name_keeps_the_options_of_the_case(self):
-        case = brash.Case.from_file(CONE, {"algorithm.preset": "brash"})
+        case = brash.Case.from_file(CONE, {"algorithm.preset": "brash", "failure.model": "superposition"})
         load = dict(depth=0.0, contact_length=0.5, angle=1.0, mu1=0.511, mu2=0.01, pressure=[4e5, 9e5])
         own, named = brash.Criterion(case)(**load), brash.Criterion(case, "superposition")(**load)
         plain = brash.Criterion(brash.Case.from_file(CONE), "superposition")(**load)

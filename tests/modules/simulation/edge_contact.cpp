@@ -7,6 +7,7 @@
 #include "brash/core/constants.hpp"
 #include "brash/ice/field.hpp"
 #include "brash/io/case.hpp"
+#include "sheet_loads.hpp"
 
 namespace {
 
@@ -169,6 +170,73 @@ BOOST_AUTO_TEST_CASE(a_mean_bearing_approaches_what_stays) {
   for (int i = 0; i < 3; ++i) simulation::approach(mean, now, 0.5);
   BOOST_TEST(mean.weight == 0.875 * now.weight, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(simulation::line_load(mean, {1.0, 0.0}).length == 2.0, boost::test_tools::tolerance(1e-6));
+}
+
+/// A floe of 1 m by 1 m that lies flat under the sheet, `depth` from its edge, and pushes it up by `force`.
+simulation::Bearing flat_bearing(double depth, double force) {
+  simulation::Bearing bearing;
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) {
+      rigid_body::ContactLoad contact;
+      contact.point = {depth + x, y, -0.29};
+      contact.normal = {0.0, 0.0, -1.0};
+      contact.normal_force = 0.25 * force;
+      simulation::add_contact(bearing, contact);
+    }
+  return bearing;
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_flat_under_the_sheet_loads_it_where_it_lies) {
+  Scene scene;
+  const auto criterion = failure::make_criterion(model::FailureModel::kPlateOutline, "", scene.ice);
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, *criterion};
+  const auto load_of = [&](double depth) {
+    const std::vector contacts{simulation::bearing_contact(model, scene.sheet(), 7, flat_bearing(depth, 9e4)).value()};
+    failure::LoadCase load = contacts[0].load;
+    BOOST_TEST(simulation::place_loads(model, scene.sheet(), contacts, 0, true, load).has_value());
+    return load;
+  };
+  const failure::LoadCase inside = load_of(2.0);
+  BOOST_REQUIRE_EQUAL(inside.loads.size(), 1u);
+  BOOST_TEST(inside.loads[0].radius > 0.4);
+  BOOST_TEST(inside.loads[0].from.x == 2.0, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(inside.loads[0].out_of_plane == 9e4, boost::test_tools::tolerance(1e-9));
+  // The farther inside it pushes, the less it bends the edge, and the farther off the ice breaks.
+  const failure::Assessment near = criterion->assess(load_of(1.0)), far = criterion->assess(load_of(3.0));
+  BOOST_TEST(near.sigma_max > 0.0);
+  BOOST_TEST(far.breaking_length > near.breaking_length);
+}
+
+BOOST_AUTO_TEST_CASE(a_model_of_the_trapezoid_leaves_a_floe_under_the_sheet_out) {
+  Scene scene;
+  const auto criterion = failure::make_criterion(model::FailureModel::kSuperposition, "", scene.ice);
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, *criterion};
+  const auto stress = [&](double depth) {
+    std::vector contacts{simulation::bearing_contact(model, scene.sheet(), 7, flat_bearing(depth, 9e4)).value()};
+    simulation::assess(model, scene.sheet(), contacts);
+    return contacts[0].assessment.sigma_max;
+  };
+  BOOST_TEST(stress(0.5) > 0.0);
+  BOOST_TEST(stress(4.0) == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_force_above_mid_thickness_has_a_moment_that_lifts_the_edge) {
+  Scene scene;
+  const Listening criterion(true);
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, criterion};
+  const structure::State state{{{-6.7, 0.0, 0.0}, {}}, {{1.202, 0.0, 0.0}, {}}};
+  const auto contacts = simulation::edge_contacts(model, scene.sheet(), state);
+  BOOST_REQUIRE_EQUAL(contacts.size(), 1u);
+  failure::LoadCase load = contacts[0].load;
+  BOOST_REQUIRE(simulation::place_loads(model, scene.sheet(), contacts, 0, true, load).has_value());
+  BOOST_REQUIRE_EQUAL(load.loads.size(), 1u);
+  // The cone crushes the upper part of the ice; its force acts there.
+  const double top = scene.ice.thickness * (1.0 - 900.0 / 1025.0), middle = top - 0.5 * scene.ice.thickness;
+  BOOST_TEST(contacts[0].point.z > middle);
+  BOOST_TEST(contacts[0].point.z < top);
+  const failure::SheetLoad& one = load.loads[0];
+  BOOST_TEST(one.out_of_plane == -contacts[0].on_ice.z, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(one.moment == -(contacts[0].point.z - middle) * one.in_plane.x, boost::test_tools::tolerance(1e-9));
 }
 
 }  // namespace

@@ -162,6 +162,19 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_is_the_uninterrupted_one_to_the_bit) {
   std::filesystem::remove(file);
 }
 
+BOOST_AUTO_TEST_CASE(a_run_on_the_true_edge_resumes_to_the_same_bytes_and_counts_its_breaks) {
+  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-sheet-checkpoint.nc").string();
+  const auto [whole, resumed] = whole_and_resumed(short_case({"algorithm.preset=brash"}), file);
+  BOOST_TEST((bytes_of(resumed) == bytes_of(whole)));
+  BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
+  const simulation::RunSummary& summary = whole.summary;
+  BOOST_TEST(summary.n_breaks > 0);
+  BOOST_TEST(summary.breaks.true_edge == summary.n_breaks);
+  BOOST_TEST(summary.breaks.along_stress > 0);
+  BOOST_TEST(summary.breaks.radial_first <= summary.n_breaks);
+  std::filesystem::remove(file);
+}
+
 BOOST_AUTO_TEST_CASE(
     a_step_is_cut_where_that_keeps_the_contact_within_the_range_and_left_whole_where_it_is_above_already) {
   // Ice too weak to be bent: the contact only grows, to twice l_c and beyond. A step of 0.96 m leads there from open

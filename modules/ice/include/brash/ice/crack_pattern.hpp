@@ -16,6 +16,7 @@ struct CrackPlan {
   Vec2 centre{};       ///< of a circle around the region, plate frame [m]
   double reach = 0.0;  ///< its radius [m]
   int n_wedges = 1;    ///< between the cracks
+  bool along_stress = false;
 };
 
 /// How ice cracks where it fails in bending.

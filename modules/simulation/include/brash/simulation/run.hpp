@@ -43,6 +43,7 @@ struct RunSummary {
   double mean_horizontal_whole = 0.0;  ///< over the whole history [N]
   double mean_vertical_whole = 0.0;
   int n_breaks = 0;
+  BreakCounts breaks;
   double breaking_frequency = 0.0;  ///< breaks per second from statistics_from on [Hz]
   int n_floes_born = 0;
   int n_floes_present = 0;

@@ -22,13 +22,34 @@ struct FloeDeath {
   double peak_stress = 0.0;  ///< over its life [Pa]
 };
 
+/// How breaks were decided: each counts in every line that holds for it.
+struct BreakCounts {
+  int under_floes = 0;   ///< a floe pressed on the ice
+  int radial_first = 0;  ///< a radial crack had split the sheet
+  int true_edge = 0;     ///< judged on the sheet with its true edge; the others on a trapezoid
+  int along_stress = 0;  ///< the crack followed the stress; the others cut a disc
+  int buckled = 0;       ///< the sheet buckled under its in-plane load
+
+  BreakCounts& operator+=(const BreakCounts& other);
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("under_floes", "1", "breaks under floes", self.under_floes);
+    visit("radial_first", "1", "breaks of a sheet that a radial crack had split", self.radial_first);
+    visit("true_edge", "1", "breaks judged on the true edge", self.true_edge);
+    visit("along_stress", "1", "breaks whose crack followed the stress", self.along_stress);
+    visit("buckled", "1", "breaks of a sheet that buckled", self.buckled);
+  }
+};
+
 /// The report of one step.
 struct StepReport {
   model::LoadRow loads;
   std::vector<model::CrackEvent> events;
   std::vector<model::FloeRecord> births;
   std::vector<FloeDeath> deaths;
-  int n_substeps = 1;          ///< parts the structure's move was cut into (Sec. 2.2.2)
+  int n_substeps = 1;  ///< parts the structure's move was cut into (Sec. 2.2.2)
+  BreakCounts breaks;
   int n_outlines_refused = 0;  ///< assessments of the trapezoid because the outline could not be meshed
   int n_below_range = 0;       ///< assessments with an input clamped up to the failure model's range
   int n_above_range = 0;       ///< assessments that stayed above the range at the shortest substep

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first stage of a step: the structure moves through level ice, which is crushed, judged and broken.
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+#include "brash/simulation/scales.hpp"
+#include "initial_crack.hpp"
+#include "load_axes.hpp"
+#include "simulation_impl.hpp"
+
+namespace brash::simulation {
+namespace {
+
+void count_range(const failure::Assessment& assessment, StepReport& report) {
+  report.n_above_range += assessment.above_range ? 1 : 0;
+  report.n_below_range += assessment.below_range ? 1 : 0;
+  report.n_outlines_refused += assessment.outline_refused ? 1 : 0;
+}
+
+}  // namespace
+
+EdgeModel Simulation::Impl::edge_model(const ice::Plate& plate) const {
+  return {*hull, resolved, plate.ice(), *criteria[static_cast<std::size_t>(plate.level_ice())]};
+}
+
+/// Fig. 5: the ice has broken once before the structure comes.
+void Simulation::Impl::initial_crack() {
+  EdgeContact contact;
+  contact.assessment.breaking_length =
+      initial_crack_radius(resolved, field.level_ice(contact.level_ice).ice(), *criteria.front());
+  contact.region.normal = {1.0, 0.0};
+  StepReport report;
+  initial_births = break_off(contact, report).births;
+}
+
+/// The ice cracks at a contact: level ice, floes and collision shapes follow. One random stream a break, so that a
+/// resumed run draws the same.
+Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report) {
+  const StageTimer::Scope clock(timer, times.cutting);
+  ice::Plate& plate = field.level_ice(contact.level_ice);
+  statistics::RandomStream random(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
+  const ice::CrackPlan plan = pattern->plan(plate, contact.region, contact.assessment, random);
+  bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
+  sleep.wake_within(world, floes, plan.centre, plan.reach);
+  ice::Broken broken = field.break_off(plate, plan, leading_outlines(edge_model(plate), motion->now().pose),
+                                       resolved.failure.smallest_floe);
+  Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
+  for (ice::Plate& piece : broken.pieces) {
+    const double mass_per_area = resolved.ice.density * piece.ice().thickness;
+    std::optional<model::FloeRecord> record = floes.add(world, std::move(piece), time());
+    if (!record) {
+      field.to_brash(piece);
+      continue;
+    }
+    const double mass = mass_per_area * record->area;
+    if (collision_time(resolved, mass) < resolved.time.step) ++report.n_steps_too_long;
+    made.births.push_back(std::move(*record));
+  }
+  tiles.renew(plate, world, broken.changed);
+  return made;
+}
+
+/// Every contact of the structure with level ice, were the structure in `state`; not yet judged.
+std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state) const {
+  std::vector<EdgeContact> contacts;
+  for (const ice::Plate& plate : field.level_ice()) {
+    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), state)) {
+      contact.level_ice = plate.level_ice();
+      contacts.push_back(std::move(contact));
+    }
+  }
+  return contacts;
+}
+
+/// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
+/// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
+/// above already: the step is then left whole. The trailing outlines then crush the ice that they cover. So the
+/// contacts belong to the state that is reached, however short or long the step.
+std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share) {
+  const double shortest = 1.0 / resolved.failure.max_substeps;
+  const auto contacts_after = [&](double part) { return contacts_at(motion->after(part)); };
+  const auto above_range = [&](const std::vector<EdgeContact>& contacts) {
+    return std::ranges::any_of(contacts, [&](const EdgeContact& contact) {
+      const failure::BendingCriterion& criterion = *criteria[static_cast<std::size_t>(contact.level_ice)];
+      return contact.load.pressure > 0.0 && criterion.above_range(contact.load);
+    });
+  };
+  std::vector<EdgeContact> contacts = contacts_after(share);
+  if (0.5 * share >= shortest && above_range(contacts) && !above_range(contacts_after(0.0))) {
+    do {
+      share *= 0.5;
+      contacts = contacts_after(share);
+    } while (0.5 * share >= shortest && above_range(contacts));
+  }
+
+  motion->advance(share);
+  if (crush_passed_ice()) contacts = contacts_at(motion->now());
+  return contacts;
+}
+
+/// Adds the edges of level ice under the floes that press on them, by their forces up to the step before. In the order
+/// of the floes; not yet judged.
+void Simulation::Impl::add_contacts_of_floes(std::vector<EdgeContact>& contacts) const {
+  if (!resolved.failure.under_floes) return;
+  for (const auto& [pair, bearing] : bearings.all()) {
+    const auto& [body, level_ice] = pair;
+    const ice::Plate& plate = field.level_ice()[static_cast<std::size_t>(level_ice)];
+    auto contact = bearing_contact(edge_model(plate), plate.sheet(), floes.at(body).id, bearing);
+    if (!contact) continue;
+    contact->level_ice = level_ice;
+    contacts.push_back(std::move(*contact));
+  }
+}
+
+/// Judges the contacts of each level ice together. @return the most stressed one first where loads act together: it
+/// breaks the ice first.
+void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& report) const {
+  for (const ice::Plate& plate : field.level_ice()) {
+    std::vector<EdgeContact> here;
+    for (EdgeContact& contact : contacts)
+      if (contact.level_ice == plate.level_ice()) here.push_back(std::move(contact));
+    std::erase_if(contacts, [&](const EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
+    assess(edge_model(plate), plate.sheet(), here);
+    for (const EdgeContact& contact : here) count_range(contact.assessment, report);
+    std::ranges::move(here, std::back_inserter(contacts));
+  }
+  if (resolved.failure.joint_loads)
+    std::ranges::stable_sort(contacts, std::greater{}, [](const EdgeContact& c) { return c.assessment.sigma_max; });
+}
+
+/// The structure has penetrated the whole thickness of the ice that the trailing outlines cover. This ice is crushed
+/// and leaves its plate. @return whether there was any.
+bool Simulation::Impl::crush_passed_ice() {
+  const StageTimer::Scope clock(timer, times.cutting);
+  bool any = false;
+  for (const ice::Plate& level : field.level_ice()) {
+    ice::Plate& plate = field.level_ice(level.level_ice());
+    geometry::Extent changed;
+    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), motion->now().pose))
+      changed.add(field.crush(plate, outline));
+    tiles.renew(plate, world, changed);
+    any = any || !changed.is_empty();
+  }
+  return any;
+}
+
+/// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact whose
+/// ice an earlier one has just broken off is left to the next step.
+void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
+  for (const EdgeContact& contact : contacts) {
+    const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
+    const bool broken_off = std::ranges::any_of(
+        report.events, [&](const model::CrackEvent& event) { return norm(event.tip - tip) < event.breaking_length; });
+    if (!contact.assessment.fails || broken_off) continue;
+    model::CrackEvent event{.time = time(),
+                            .at = contact.region.midpoint,
+                            .depth = contact.wedge.depth,
+                            .contact_length = contact.region.contact_length,
+                            .angle = contact.wedge.angle,
+                            .fit_error = contact.wedge.error,
+                            .mu1 = contact.load.mu1,
+                            .mu2 = contact.load.mu2,
+                            .pressure = contact.load.pressure,
+                            .sigma_max = contact.assessment.sigma_max,
+                            .breaking_length = contact.assessment.breaking_length,
+                            .in_range = !contact.assessment.below_range && !contact.assessment.above_range,
+                            .area_before = field.ledger().sheet.square_metres(),
+                            .tip = tip,
+                            .towards = contact.region.normal,
+                            .pressing_floe = contact.floe};
+    Break made = break_off(contact, report);
+    event.wedges = made.n_wedges;
+    const bool solves_sheet = edge_model(field.level_ice(contact.level_ice)).criterion.needs_outline();
+    report.breaks += {.under_floes = contact.floe == model::kNoFloe ? 0 : 1,
+                      .radial_first = contact.assessment.split ? 1 : 0,
+                      .true_edge = solves_sheet && !contact.assessment.outline_refused ? 1 : 0,
+                      .along_stress = made.along_stress ? 1 : 0,
+                      .buckled = contact.assessment.buckled ? 1 : 0};
+    event.pieces = static_cast<int>(made.births.size());
+    event.area_after = field.ledger().sheet.square_metres();
+    report.events.push_back(event);
+    std::ranges::move(made.births, std::back_inserter(report.births));
+  }
+}
+
+/// Moves the structure through one step: contacts, crushing, wedges, failures and cracks, in as many parts as the
+/// failure model's range asks for. The crushing load is the mean over the parts.
+void Simulation::Impl::advance_through_ice(StepReport& report) {
+  const StageTimer::Scope clock(timer, times.contacts);
+  double done = 0.0;
+  for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
+    double share = 1.0 - done;
+    std::vector<EdgeContact> contacts = move_within_range(share);
+    done += share;
+    for (const EdgeContact& contact : contacts) {
+      const Vec3 arm = contact.point - motion->now().pose.position, force = -contact.on_ice;
+      report.loads.crushing += in_load_axes(Wrench{share * force, share * cross(arm, force)});
+    }
+    if (done >= 1.0) add_contacts_of_floes(contacts);
+    judge(contacts, report);
+    break_ice(contacts, report);
+  }
+  --report.n_substeps;
+  for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
+  world.move_structure(structure_body, motion->now().pose, motion->now().twist);
+}
+
+BreakCounts& BreakCounts::operator+=(const BreakCounts& other) {
+  under_floes += other.under_floes;
+  radial_first += other.radial_first;
+  true_edge += other.true_edge;
+  along_stress += other.along_stress;
+  buckled += other.buckled;
+  return *this;
+}
+
+}  // namespace brash::simulation
