@@ -159,8 +159,10 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
                                   .trace_crack = section.pattern == model::CrackPattern::kStress});
 }
 
-std::vector<geometry::Ring> leading_outlines(const EdgeModel& model, const Pose& pose) {
-  return on_grid(footprint(model, pose).leading);
+std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& pose) {
+  const Freeboard heights = freeboard(model.resolved);
+  const double middle = 0.5 * (heights.top + heights.bottom);
+  return on_grid(model.hull.footprint(pose, middle, middle).leading);
 }
 
 std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose) {
@@ -172,7 +174,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
   std::vector<EdgeContact> contacts;
   const Freeboard heights = freeboard(model.resolved);
   const auto sides = model.hull.sides(state.pose, heights.bottom, heights.top);
-  for (const geometry::Ring& outline : leading_outlines(model, state.pose)) {
+  for (const geometry::Ring& outline : on_grid(footprint(model, state.pose).leading)) {
     for (geometry::ContactRegion& region : sheet.contacts(outline)) {
       if (!(region.contact_length > 0.0)) continue;
       EdgeContact contact;

@@ -57,8 +57,8 @@ failure::IceProperties ice_properties(const model::Case& resolved);
 std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& resolved,
                                                           const failure::IceProperties& ice);
 
-/// Where a structure at `pose` touches the level ice, on the geometry's grid.
-std::vector<geometry::Ring> leading_outlines(const EdgeModel& model, const Pose& pose);
+/// Its section at mid-thickness: as much ice lies in this section as in the structure itself.
+std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& pose);
 /// Where it has passed through the whole thickness.
 std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose);
 

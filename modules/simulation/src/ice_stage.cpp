@@ -44,7 +44,7 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   const ice::CrackPlan plan = pattern->plan(plate, contact.region, contact.assessment, random);
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
   sleep.wake_within(world, floes, plan.centre, plan.reach);
-  ice::Broken broken = field.break_off(plate, plan, leading_outlines(edge_model(plate), motion->now().pose),
+  ice::Broken broken = field.break_off(plate, plan, middle_outlines(edge_model(plate), motion->now().pose),
                                        resolved.failure.smallest_floe);
   Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
   for (ice::Plate& piece : broken.pieces) {

@@ -30,6 +30,22 @@ BOOST_AUTO_TEST_CASE(what_a_drifting_floe_loses_is_the_power_of_its_drag) {
   BOOST_TEST(std::abs(before - pool.world.kinetic_energy(floe) - row.losses.total()) < 1e-9);  // round-off of 1000 J
 }
 
+BOOST_AUTO_TEST_CASE(crushed_ice_has_cost_the_work_of_its_crushing) {
+  // Without friction the structure's work at the edge is crushing alone. Ice that breaks off takes its bevel along.
+  for (const char* model : {"superposition", "network"}) {
+    const model::Case resolved =
+        io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                      {std::string("failure.model=") + model, "ice.friction_structure=0", "time.duration=8"});
+    const Run run = simulation::run(resolved);
+    const double volume = run.summary.ledger.crushed.square_metres() * resolved.ice.thickness;
+    const double least = volume * resolved.ice.compressive_strength * resolved.ice.crushing_factor;
+    const double work = run.results.loads.back().losses.edge;
+    BOOST_TEST_MESSAGE(model << ": " << least / 1e3 << " kJ to crush the ice, " << work / 1e3 << " kJ of work");
+    BOOST_TEST(run.summary.n_breaks > 5);
+    BOOST_TEST(work >= least);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_current_gives_a_resting_floe_its_energy) {
   Pool pool({"water.current=[0.5, 0.0]"});
   pool.add({0, 0}, {3, 2}, {});
