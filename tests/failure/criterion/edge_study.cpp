@@ -148,7 +148,7 @@ void judge_run(int seed, int pause, std::vector<Judged>& judged, int& n_refused)
 
 int main(int argc, char** argv) {
   const int first = argc > 1 ? std::atoi(argv[1]) : 101, last = argc > 2 ? std::atoi(argv[2]) : 105;
-  const int pause = argc > 3 ? std::atoi(argv[3]) : 15;
+  const int pause = argc > 3 ? std::atoi(argv[3]) : 10;
   std::vector<Judged> judged;
   int n_refused = 0;
   for (int seed = first; seed <= last; ++seed) {
