@@ -146,8 +146,9 @@ BOOST_AUTO_TEST_CASE(the_energies_of_a_run_account_for_the_work_of_the_structure
   BOOST_TEST(std::abs(e.error) < 0.01 * e.work);
   // 5 J were found, where an average step has 800 J of work; 10 J move the smallest floe, 90 kg, at 0.5 m/s.
   BOOST_TEST(e.largest_step_error < 10.0);
-  // Floes are born at rest, afloat. The curvature of the potential hides 1e-8 of the work in their first step.
-  BOOST_TEST(std::abs(e.birth_energy) < 1e-6 * e.work);
+  // Floes are born at rest, afloat. The structure pushes them in their first step. The step leaves an error of second
+  // order there: 1.2, 0.25 and 0.03 J of the first 5 s at 10, 5 and 2.5 ms.
+  BOOST_TEST(std::abs(e.birth_energy) < 1e-5 * e.work);
   model::EnergyLosses::visit([&](const char* cause, const char*, double model::EnergyLosses::*loss) {
     BOOST_TEST((e.losses.*loss > 0.0), cause);  // still water takes energy like everything else
   });
