@@ -88,28 +88,6 @@ struct PlateError {
 /// @see docs/theory/failure.md, (2)
 tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const MeshOptions& options = {});
 
-/// A wide floating plate with a free edge of any shape around B; lengths over l_c, the frame of WedgePlate.
-struct OutlinePlate {
-  /// The free edge, from y < 0 to y > 0, through the origin (to within 1e-6), the ice on its right (+x). Beyond its
-  /// first and last point, which have the least and the largest y, the edge goes on along -y and +y.
-  std::vector<Vec2> outline;
-  double contact_length = 0.0;  ///< length of the loaded edge over l_c, half of it on each side of B along the edge
-  double thickness = 0.1;       ///< h / l_c [-]
-  double poisson_ratio = 0.3;   ///< nu [-]
-  Theory theory = Theory::kReissnerMindlin;
-  double in_plane_load = 0.0;  ///< N / sqrt(k D) [-], as in WedgePlate
-
-  friend bool operator==(const OutlinePlate&, const OutlinePlate&) = default;
-};
-
-/// Solves the plate with the given edge for the same three unit loads (along x, y and out of the plane everywhere on
-/// the loaded edge, per unit of its length). The stations end where the centre line leaves the ice.
-///
-/// The plate need not be symmetric: every component is there under every load and the sign of mu2 matters. The roots
-/// are the re-entrant corners within 3 l_c of B.
-/// @return the fields, or why not: the edge crosses itself, misses B, or leaves no ice ahead of B.
-tl::expected<UnitProfiles, PlateError> solve_outline(const OutlinePlate& plate, const MeshOptions& options = {});
-
 /// The fields with the moments of the plate that is also compressed by n = N / sqrt(k D) [-], from their in-plane
 /// terms.
 /// @return nothing where the plate buckles.

@@ -32,7 +32,7 @@ struct PatchLoad {
 /// How finely the sheet is meshed.
 enum class Accuracy {
   kFast,  ///< errs by about 1 % in the largest stress
-  kFine,  ///< the production mesh of solve_outline: errs by about 0.1 %
+  kFine,  ///< the sizes of the production mesh: errs by about 0.1 %
 };
 
 /// A wide floating sheet with the free edge as it is and all the loads on it.
