@@ -113,8 +113,8 @@ BOOST_AUTO_TEST_CASE(a_trapezoid_breaks_as_the_plate_of_one_contact) {
 // The same sheet seen from the other side: f changes its sign with y, the rest does not. The meshes differ.
 BOOST_AUTO_TEST_CASE(a_mirrored_edge_gives_mirrored_stress) {
   const std::vector<Vec2> crooked{{0.6, -1.5}, {0.4, -0.8}, {0.0, -0.15}, {0.0, 0.15}, {0.3, 0.5}, {0.2, 1.2}};
-  std::vector<Vec2> mirrored;
-  for (auto point = crooked.rbegin(); point != crooked.rend(); ++point) mirrored.push_back({point->x, -point->y});
+  std::vector<Vec2> mirrored(crooked.rbegin(), crooked.rend());
+  for (Vec2& point : mirrored) point.y = -point.y;
   const auto under = [](const std::vector<Vec2>& edge, double mu2) {
     plate::EdgeLoad load = pressed(0.3);
     load.in_plane.y = mu2 * load.in_plane.x;
