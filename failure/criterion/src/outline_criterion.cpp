@@ -13,7 +13,7 @@ namespace brash::failure {
 namespace {
 
 /// A sheet is solved where the screen says more than the strength over this. Among the contacts of a run the solution
-/// exceeded the screen by 3.3 at most: docs/theory/failure.md.
+/// exceeded the screen by 3.3 at most: docs/theory/simulation.md.
 constexpr double kMargin = 4.0;
 /// A split sheet has up to 1.3 times the stress of a whole one.
 constexpr double kSplitMargin = 1.5;
