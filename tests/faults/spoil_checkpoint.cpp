@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts a fault into a run: spoil_checkpoint FILE place|later|speed|ledger
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <vector>
@@ -20,12 +22,13 @@ int main(int argc, char** argv) {
   brash::model::Checkpoint state = brash::io::read_checkpoint(argv[1]);
   const std::string_view fault = argv[2];
   if (fault == "place") floe_cell(state, "x") += 1000.0;
-  if (fault == "later") {  // it leaves the reach of a floe, 100 m from the field, some steps from now
-    floe_cell(state, "x") = -99.99;
+  if (fault == "later") {  // it leaves the reach of a floe, 100 m from the field, some steps from now, as fast as it is
+    double& along = floe_cell(state, "linear_x");
+    const double speed = std::hypot(along, floe_cell(state, "linear_y"), floe_cell(state, "linear_z"));
+    along = -std::max(speed, 0.05);
+    floe_cell(state, "linear_y") = floe_cell(state, "linear_z") = 0.0;
+    floe_cell(state, "x") = -100.0 - 0.035 * along;
     floe_cell(state, "y") = 0.0;
-    floe_cell(state, "linear_x") = -0.2;  // too slow for the watch on energies
-    for (const char* const still : {"linear_y", "linear_z", "angular_x", "angular_y", "angular_z"})
-      floe_cell(state, still) = 0.0;
   }
   if (fault == "speed") floe_cell(state, "linear_z") = 1e200;  // its drag exceeds all numbers
   if (fault == "ledger") {                                     // still the right sum
