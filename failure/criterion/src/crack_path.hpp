@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "brash/plate/sheet.hpp"
@@ -13,12 +14,29 @@ using Surface = double;
 /// Stress on a surface over k l_c: s 6 m (l_c / h)^2 + n l_c / h.
 plate::Tensor2 stress_on(Surface side, const plate::SheetState& state, double thickness_over_lc);
 
-/// The circumferential crack that starts at (`from`, 0) and follows the stress on a surface: on both sides it runs
-/// across the larger principal stress until it leaves the ice. Frame and lengths of LoadedSheet, from y < 0 to y > 0;
-/// both ends lie just outside the ice.
-///
-/// @return nothing where the crack turns back to the centre line or does not reach the free edge within 6 l_c.
+/// The larger principal value.
+double principal(const plate::Tensor2& stress);
+
+/// Cracks follow the stress on a surface: they run across the larger principal stress, either way from their start,
+/// until they leave the ice. Frame and lengths of LoadedSheet, from y < 0 to y > 0; both ends lie just outside the ice.
+/// Nothing where a crack does not reach the free edge within 6 l_c.
 /// @see docs/theory/failure.md, (7).
-std::vector<Vec2> crack_path(const plate::SheetSolution& solution, double from, Surface side, double thickness_over_lc);
+
+/// The crack that starts at (`from`, 0). Nothing where it turns back to the centre line.
+std::vector<Vec2> crack_from_line(const plate::SheetSolution& solution, double from, Surface side,
+                                  double thickness_over_lc);
+
+/// The crack through a place of a whole sheet.
+std::vector<Vec2> crack_through(const plate::SheetSolution& solution, Vec2 place, Surface side,
+                                double thickness_over_lc);
+
+/// The cracks of both halves of a split sheet, each through a place of its half. They run to the radial crack, which
+/// joins them. Nothing where one does not meet it.
+/// @param below, above  places with y < 0 and y > 0.
+std::vector<Vec2> crack_through_halves(const plate::SheetSolution& solution, Vec2 below, Vec2 above, Surface side,
+                                       double thickness_over_lc);
+
+/// Where a crack first crosses the centre line, x > 0; nothing where it does not.
+std::optional<double> distance_ahead(const std::vector<Vec2>& crack);
 
 }  // namespace brash::failure

@@ -234,12 +234,7 @@ double Field::deflection(int triangle, double xi, double eta) const {
   return local_.col(triangle).head(first_row_).dot(element.values(xi, eta).head(first_row_));
 }
 
-Vec2 Field::place(int triangle, double xi, double eta) const {
-  const auto& corners = mesh_->triangles[static_cast<std::size_t>(triangle)];
-  const Vec2 a = mesh_->vertices[static_cast<std::size_t>(corners[0])];
-  return a + xi * (mesh_->vertices[static_cast<std::size_t>(corners[1])] - a) +
-         eta * (mesh_->vertices[static_cast<std::size_t>(corners[2])] - a);
-}
+Vec2 Field::place(int triangle, double xi, double eta) const { return place_in(*mesh_, triangle, xi, eta); }
 
 tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, const BendingProblem& problem) {
   const auto& element = reference_element(order);

@@ -137,6 +137,13 @@ Mesh extract(const Domain& domain, Triangulation& triangulation) {
 
 }  // namespace
 
+Vec2 place_in(const Mesh& mesh, int triangle, double xi, double eta) {
+  const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+  const Vec2 a = mesh.vertices[static_cast<std::size_t>(corners[0])];
+  return a + xi * (mesh.vertices[static_cast<std::size_t>(corners[1])] - a) +
+         eta * (mesh.vertices[static_cast<std::size_t>(corners[2])] - a);
+}
+
 double wanted_size(const Domain& domain, Vec2 place) {
   double size = domain.largest_size;
   for (const auto& source : domain.sizes) {

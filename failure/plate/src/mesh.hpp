@@ -55,6 +55,9 @@ struct Mesh {
   std::vector<TaggedEdge> tagged;
 };
 
+/// Position of a point of the reference triangle.
+Vec2 place_in(const Mesh& mesh, int triangle, double xi, double eta);
+
 /// Constrained Delaunay mesh of `domain` with all angles above about 20 degrees where the outline permits.
 ///
 /// @param max_vertices  refinement that makes more is given up; 0: no limit.

@@ -85,7 +85,10 @@ void add_sizes(SheetDomain& result, const LoadedSheet& sheet, const SheetEdge& e
     const Vec2 point = edge.points[i];
     const double distance = distance_to_focus(result.focus, point);
     if (distance > sizes.near) continue;
-    if (distance_to_focus(result.focus, edge.points[i + 1]) <= sizes.near) add(point, edge.points[i + 1], sizes.side);
+    const bool is_loaded = std::ranges::any_of(
+        edge.loads, [i](const auto& load) { return i >= load.first && i < load.second; });  // has its own size
+    if (!is_loaded && distance_to_focus(result.focus, edge.points[i + 1]) <= sizes.near)
+      add(point, edge.points[i + 1], sizes.side);
     if (turn_at(edge.points, i) > kReentrant) add(point, point, sizes.root);
   }
   const double centre = sheet.split ? sizes.crack : sizes.centre;
@@ -117,7 +120,7 @@ SheetSizes sizes_of(Accuracy accuracy) {
           .tip_share = 0.2,
           .tip_corner = 1.0,
           .root = 0.05,
-          .side = std::numeric_limits<double>::infinity(),
+          .side = 0.12,
           .centre = 0.22,
           .crack = 0.16,
           .distance_share = 0.25,

@@ -40,12 +40,6 @@ const SampleTable& samples_of(int order) {
   return tables[at_(order - 2)];
 }
 
-Vec2 place_of(const Mesh& mesh, int triangle, double xi, double eta) {
-  const auto& corners = mesh.triangles[at_(triangle)];
-  return (1.0 - xi - eta) * mesh.vertices[at_(corners[0])] + xi * mesh.vertices[at_(corners[1])] +
-         eta * mesh.vertices[at_(corners[2])];
-}
-
 }  // namespace
 
 SheetRecovery::SheetRecovery(const Mesh& mesh, const SheetFields& fields)
@@ -56,7 +50,7 @@ SheetRecovery::SheetRecovery(const Mesh& mesh, const SheetFields& fields)
 }
 
 bool SheetRecovery::is_below(int triangle) const {
-  return fields_->split && place_of(*mesh_, triangle, 1.0 / 3.0, 1.0 / 3.0).y < 0.0;
+  return fields_->split && place_in(*mesh_, triangle, 1.0 / 3.0, 1.0 / 3.0).y < 0.0;
 }
 
 std::vector<int> SheetRecovery::patch(int vertex, bool below) const {
@@ -101,7 +95,7 @@ void SheetRecovery::add_samples(int triangle, const Cubic& cubic, Eigen::Matrix<
                                     membrane_samples.gradients[s].topRows(n));
     Values values;
     values << moment.xx, moment.yy, moment.xy, membrane.xx, membrane.yy, membrane.xy;
-    const auto phi = monomials((place_of(*mesh_, triangle, point.xi, point.eta) - cubic.centre) / cubic.scale);
+    const auto phi = monomials((place_in(*mesh_, triangle, point.xi, point.eta) - cubic.centre) / cubic.scale);
     const double weight = point.weight * area2;
     normal.noalias() += weight * phi * phi.transpose();
     right.noalias() += weight * phi * values.transpose();
@@ -129,7 +123,7 @@ const SheetRecovery::Cubic& SheetRecovery::cubic(int vertex, bool below) {
 
 SheetState SheetRecovery::at(int triangle, double xi, double eta) {
   const std::array<double, 3> shares{1.0 - xi - eta, xi, eta};
-  const Vec2 place = place_of(*mesh_, triangle, xi, eta);
+  const Vec2 place = place_in(*mesh_, triangle, xi, eta);
   const bool below = is_below(triangle);
   Values values = Values::Zero();
   for (std::size_t i = 0; i < 3; ++i) {

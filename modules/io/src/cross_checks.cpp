@@ -192,7 +192,10 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(!c.failure.joint_loads || takes.joint_loads, {"failure", "joint_loads"}, {"failure", "model"},
                  fmt::format("the model {} knows one load at a time", name),
                  "true with failure.model = \"plate-outline\"", "take this model, or false");
-  checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.traces_crack, {"failure", "pattern"},
+  checks.require(c.failure.judged != model::JudgedAt::kAnywhere || takes.knows_field, {"failure", "judged"},
+                 {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
+                 "anywhere with failure.model = \"plate-outline\"", "take this model, or centre-line");
+  checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.knows_field, {"failure", "pattern"},
                  {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
                  "stress with failure.model = \"plate-outline\"", "take this model, or disc");
   std::error_code ignored;

@@ -156,6 +156,7 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
   return failure::make_criterion(section.model, section.file, ice,
                                  {.second_order = section.second_order,
                                   .radial_first = section.order == model::CrackOrder::kRadialFirst,
+                                  .anywhere = section.judged == model::JudgedAt::kAnywhere,
                                   .trace_crack = section.pattern == model::CrackPattern::kStress});
 }
 

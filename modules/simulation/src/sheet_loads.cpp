@@ -131,10 +131,17 @@ class Resultant {
   double eccentricity_;
 };
 
-/// The load of a floe: on the edge, or on a disc where it presses inside the ice.
+/// Whether a place lies beyond an end of the outline, where the edge is taken to go on sideways, and not behind it.
+bool is_beyond(Vec2 place, const Polyline& outline) {
+  const Vec2 front = outline.front(), back = outline.back();
+  return (place.y < front.y && place.x < front.x) || (place.y > back.y && place.x < back.x);
+}
+
+/// The load of a floe: on the edge, or on a disc where it presses inside the ice. Left out beyond the outline's ends.
 void place_floe(const EdgeContact& contact, const Resultant& load, const Frame& frame, const Polyline& outline,
                 double thickness, std::vector<failure::SheetLoad>& loads) {
   const Vec2 middle = frame.place(contact.region.midpoint);
+  if (is_beyond(middle, outline)) return;
   const Foot foot = nearest(outline, middle);
   const Vec2 along = outline[foot.segment + 1] - outline[foot.segment];
   const bool inside = cross(along, middle - outline[foot.segment]) < 0.0;

@@ -33,7 +33,7 @@ Broken broken_by(const failure::LoadCase& load, plate::Accuracy accuracy) {
   BOOST_REQUIRE(solution.has_value());
   const auto stresses = failure::stresses_ahead(sheet, *solution, kIce);
   BOOST_REQUIRE(stresses.has_value());
-  return {stresses->place, failure::crack_path(*solution, stresses->place, stresses->side, sheet.thickness)};
+  return {stresses->place, failure::crack_from_line(*solution, stresses->place, stresses->side, sheet.thickness)};
 }
 
 /// How far into the ice a crack runs `y` beside the centre line.

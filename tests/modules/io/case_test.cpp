@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
   BOOST_TEST((brash_.failure.pattern == model::CrackPattern::kStress));
   BOOST_TEST(brash_.failure.second_order);
   BOOST_TEST(!read_case(kValidation, {"algorithm.preset=brash", "failure.second_order=false"}).failure.second_order);
-  const std::vector<std::string> left{"failure.order", "failure.second_order", "failure.under_floes",
-                                      "failure.joint_loads", "failure.pattern"};
+  const std::vector<std::string> left{"failure.order",       "failure.second_order", "failure.under_floes",
+                                      "failure.joint_loads", "failure.judged",       "failure.pattern"};
   BOOST_TEST(keys_set_by_preset(kValidation, {"failure.model=plate"}) == left);
 }
 
@@ -81,6 +81,7 @@ BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out)
   const Case wedge = read_case(kValidation, {"algorithm.preset=brash", "failure.model=wedge"});
   BOOST_TEST(!wedge.failure.second_order);
   BOOST_TEST(!wedge.failure.joint_loads);
+  BOOST_TEST((wedge.failure.judged == model::JudgedAt::kCentreLine));
   BOOST_TEST((wedge.failure.pattern == model::CrackPattern::kDisc));
   BOOST_TEST((wedge.failure.order == CrackOrder::kCircumferentialFirst));
   BOOST_CHECK_THROW(read_case(kValidation, {"failure.model=wedge", "failure.second_order=true"}), InputError);

@@ -126,6 +126,8 @@ struct BendingOptions {
   /// Where the edge stress on the other surface exceeds the strength, a radial crack splits the sheet along the centre
   /// line before it breaks circumferentially: `plate`, and `superposition` with the models that come with the program.
   bool radial_first = false;
+  /// The stress is judged all over the sheet around B, not on the centre line alone: `plate-outline`.
+  bool anywhere = false;
   /// Assessment::crack is wanted: `plate-outline`.
   bool trace_crack = false;
 };

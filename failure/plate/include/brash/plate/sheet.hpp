@@ -70,6 +70,12 @@ struct LineProfile {
   std::vector<SheetState> state;
 };
 
+/// A place of the ice with its fields.
+struct SheetPlace {
+  Vec2 at{};  ///< [l_c]
+  SheetState state;
+};
+
 /// Where the processor time of a solution went [s].
 struct SheetTimes {
   double mesh = 0.0;
@@ -99,6 +105,10 @@ class SheetSolution {
 
   /// The fields at a point; nothing outside the ice.
   std::optional<SheetState> at(Vec2 place) const;
+
+  /// The fields at the corners of the elements and the middles of their sides, as far as `radius` from `centre` [l_c].
+  /// A place comes once for each element; beside the crack of a split sheet its state is that of the element's half.
+  std::vector<SheetPlace> around(Vec2 centre, double radius) const;
 
   int n_elements() const;
   const SheetTimes& times() const;

@@ -22,6 +22,11 @@ enum class FieldKind { kLevelIce };
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
 enum class CrackOrder { kCircumferentialFirst, kRadialFirst };
+/// [failure] judged: where the stress decides about failure.
+enum class JudgedAt {
+  kCentreLine,  ///< from B into the ice: the paper's
+  kAnywhere     ///< all over the sheet around B
+};
 /// [failure] pattern: the cracks of ice that fails in bending, ice::make_crack_pattern().
 enum class CrackPattern {
   kDisc,   ///< a circle of the breaking length with radial cracks: the paper's
@@ -74,6 +79,9 @@ template <>
 inline constexpr auto kNames<CrackOrder> = std::to_array<Named<CrackOrder>>(
     {{CrackOrder::kCircumferentialFirst, "circumferential-first"}, {CrackOrder::kRadialFirst, "radial-first"}});
 template <>
+inline constexpr auto kNames<JudgedAt> = std::to_array<Named<JudgedAt>>({{JudgedAt::kCentreLine, "centre-line"},
+                                                                         {JudgedAt::kAnywhere, "anywhere"}});
+template <>
 inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"},
                                                                                  {CrackPattern::kStress, "stress"}});
 template <>
@@ -110,7 +118,7 @@ struct FailureOptions {
   bool file = false;          ///< it reads a model file
   bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
   bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
-  bool traces_crack = false;  ///< `pattern = "stress"`: it knows the stress as a field
+  bool knows_field = false;   ///< `pattern = "stress"` and `judged = "anywhere"`: it knows the stress as a field
   bool joint_loads = false;   ///< `joint_loads = true`: it solves the sheet under several loads
 };
 
@@ -125,7 +133,7 @@ constexpr FailureOptions options_of(FailureModel model, bool own_file) {
     case FailureModel::kPlate:
       return {.second_order = true, .radial_first = true};
     case FailureModel::kPlateOutline:
-      return {.second_order = true, .radial_first = true, .traces_crack = true, .joint_loads = true};
+      return {.second_order = true, .radial_first = true, .knows_field = true, .joint_loads = true};
     case FailureModel::kWedge:
       return {};
   }

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a sheet is weakest beside its centre line, and the crack from there. Lengths over l_c.
+#include "weak_places.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "crack_path.hpp"
+#include "outline_sheet.hpp"
+
+namespace {
+
+using namespace brash;
+namespace tt = boost::test_tools;
+
+const failure::IceProperties kIce{
+    .thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
+constexpr double kThickness = 0.1009;
+
+/// A straight edge, pressed on `contact_length`.
+plate::LoadedSheet straight(double contact_length, bool split, plate::Accuracy accuracy = plate::Accuracy::kFast) {
+  const double half = 0.5 * contact_length, normal = 0.01;
+  return {.outline = {{0.0, -8.0}, {0.0, -half}, {0.0, half}, {0.0, 8.0}},
+          .edge_loads = {{{0.0, -half}, {0.0, half}, {normal, 0.0}, 0.511 * normal, 0.0}},
+          .thickness = kThickness,
+          .split = split,
+          .accuracy = accuracy};
+}
+
+plate::SheetSolution solved(const plate::LoadedSheet& sheet) {
+  auto solution = plate::solve(sheet);
+  BOOST_REQUIRE(solution.has_value());
+  return std::move(*solution);
+}
+
+struct Judged {
+  failure::Stresses line;
+  failure::WeakPlaces beside;
+};
+
+Judged judged(const plate::LoadedSheet& sheet) {
+  const plate::SheetSolution solution = solved(sheet);
+  const auto line = failure::stresses_ahead(sheet, solution, kIce);
+  BOOST_REQUIRE(line.has_value());
+  return {*line, failure::weak_places(sheet, solution, kIce)};
+}
+
+BOOST_AUTO_TEST_CASE(a_split_sheet_bends_as_two_corners_about_their_bisectors) {
+  // A force on the split edge gives each half one half of it, at the half's corner. The right angle that is loaded at
+  // its truncated tip is the same corner. By symmetry the stress there is largest along the bisector or beside it, and
+  // the line beside the crack carries far less.
+  plate::LoadedSheet split = straight(0.02, true, plate::Accuracy::kFine);
+  split.edge_loads.front().in_plane = {};
+  split.edge_loads.front().out_of_plane = 2.0;
+  plate::LoadedSheet corner = split;
+  corner.split = false;
+  corner.outline = {{4.0, -4.01}, {0.0, -0.01}, {0.0, 0.01}, {4.0, 4.01}};
+  corner.edge_loads = {{{0.0, -0.01}, {0.0, 0.01}, {}, 1.0, 0.0}};
+  const plate::SheetSolution halves = solved(split), tip = solved(corner);
+  for (const double r : {0.4, 0.6, 0.8, 1.2}) {
+    const auto state = halves.at({r / std::numbers::sqrt2, r / std::numbers::sqrt2});
+    const auto known = tip.at({r - 0.01, 0.0});  // its sides meet 0.01 outside
+    const auto crack = halves.at({r, 0.0});
+    BOOST_REQUIRE((state && known && crack));
+    const double here = failure::principal(state->moment), there = failure::principal(known->moment);
+    BOOST_TEST_MESSAGE("r = " << r << ": " << here << ", corner " << there << ", at the crack "
+                              << failure::principal(crack->moment));
+    BOOST_TEST(here == there, tt::tolerance(0.03));
+    if (r < 0.7) BOOST_TEST(failure::principal(crack->moment) < 0.7 * here);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(beside_the_centre_line_a_straight_edge_is_weaker) {
+  // Largest stress beside the line over that on it, from a search of the fine mesh on a grid of 0.02.
+  struct Known {
+    double contact_length;
+    bool split;
+    double ratio;
+  };
+  for (const auto& [c, split, ratio] : {Known{0.3, false, 1.228}, Known{0.3, true, 1.732}, Known{0.5, false, 1.229},
+                                        Known{0.5, true, 1.646}, Known{1.0, false, 1.214}, Known{1.0, true, 1.455}}) {
+    for (const auto accuracy : {plate::Accuracy::kFast, plate::Accuracy::kFine}) {
+      const Judged here = judged(straight(c, split, accuracy));
+      const double found = here.beside.weakest()->stress / here.line.largest;
+      BOOST_TEST_MESSAGE("c = " << c << " split " << split << ": " << found << ", known " << ratio);
+      BOOST_TEST(found == ratio, tt::tolerance(accuracy == plate::Accuracy::kFine ? 0.01 : 0.04));
+      // Both halves are alike.
+      BOOST_TEST(here.beside.below->stress == here.beside.above->stress, tt::tolerance(0.04));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_place_is_judged_nearer_than_h_to_a_load_the_edge_or_the_radial_crack) {
+  for (const bool split : {false, true}) {
+    const failure::WeakPlaces beside = judged(straight(0.3, split)).beside;
+    for (const Vec2 at : {beside.below->at, beside.above->at}) {
+      BOOST_TEST(at.x >= kThickness);
+      BOOST_TEST(std::hypot(at.x, std::max(0.0, std::abs(at.y) - 0.15)) >= kThickness);
+      if (split) BOOST_TEST(std::abs(at.y) >= kThickness);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_place_belongs_to_the_load_that_is_nearest) {
+  plate::LoadedSheet two = straight(0.3, false);
+  two.outline = {{0.0, -8.0}, {0.0, -0.15}, {0.0, 0.15}, {0.0, 0.85}, {0.0, 1.15}, {0.0, 8.0}};
+  two.edge_loads.push_back({{0.0, 0.85}, {0.0, 1.15}, {0.05, 0.0}, 0.0255, 0.0});
+  const failure::WeakPlaces beside = judged(two).beside;
+  BOOST_TEST(beside.above->at.y <= 0.5 + 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(both_halves_of_a_split_sheet_crack_from_the_free_edge_to_the_radial_crack) {
+  const plate::LoadedSheet sheet = straight(0.3, true);
+  const plate::SheetSolution solution = solved(sheet);
+  const failure::WeakPlaces beside = failure::weak_places(sheet, solution, kIce);
+  const auto crack = failure::crack_through_halves(solution, beside.below->at, beside.above->at, 1.0, sheet.thickness);
+  BOOST_REQUIRE(crack.size() > 10u);
+  BOOST_TEST(crack.front().x < 0.0);
+  BOOST_TEST(crack.front().y < 0.0);
+  BOOST_TEST(crack.back().x < 0.0);
+  BOOST_TEST(crack.back().y > 0.0);
+  for (std::size_t i = 1; i + 1 < crack.size(); ++i) BOOST_TEST(crack[i].x > 0.0);
+  // Alike on both sides, and as far along the radial crack as along the edge: the corner's own symmetry.
+  const double ahead = failure::distance_ahead(crack).value();
+  BOOST_TEST(-crack.front().y == crack.back().y, tt::tolerance(0.1));
+  BOOST_TEST(ahead == crack.back().y, tt::tolerance(0.25));
+}
+
+BOOST_AUTO_TEST_CASE(the_crack_through_a_place_of_a_whole_sheet_runs_from_edge_to_edge) {
+  const plate::LoadedSheet sheet = straight(0.3, false);
+  const plate::SheetSolution solution = solved(sheet);
+  const Vec2 place = failure::weak_places(sheet, solution, kIce).weakest()->at;
+  const auto crack = failure::crack_through(solution, place, 1.0, sheet.thickness);
+  BOOST_REQUIRE(crack.size() > 10u);
+  BOOST_TEST(crack.front().x < 0.0);
+  BOOST_TEST(crack.back().x < 0.0);
+  BOOST_TEST(crack.front().y < crack.back().y);
+  BOOST_TEST(failure::distance_ahead(crack).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(the_criterion_judges_the_weaker_of_line_and_sheet) {
+  const double l_c = failure::characteristic_length(kIce);
+  failure::LoadCase load{.contact_length = 0.3 * l_c, .mu1 = 0.511, .pressure = 1e6};
+  const auto judge = [&](bool anywhere, bool radial_first) {
+    return failure::make_criterion(model::FailureModel::kPlateOutline, "", kIce,
+                                   {.radial_first = radial_first, .anywhere = anywhere, .trace_crack = true})
+        ->assess(load);
+  };
+  for (const bool radial_first : {false, true}) {
+    const failure::Assessment line = judge(false, radial_first), sheet = judge(true, radial_first);
+    BOOST_TEST(line.split == radial_first);
+    BOOST_TEST(sheet.split == radial_first);
+    BOOST_TEST(sheet.sigma_max > 1.15 * line.sigma_max);
+    BOOST_TEST(sheet.fails);
+    BOOST_TEST(sheet.breaking_length == l_c * failure::distance_ahead(sheet.crack).value() / l_c, tt::tolerance(1e-9));
+    if (radial_first) BOOST_TEST(sheet.breaking_length < 0.75 * line.breaking_length);
+  }
+  // A narrow protrusion bends as a beam: the line says all.
+  load.depth = 0.5 * l_c;
+  load.contact_length = 0.1 * l_c;
+  load.angle = 0.5;
+  BOOST_TEST(judge(true, false).sigma_max == judge(false, false).sigma_max, tt::tolerance(0.02));
+}
+
+}  // namespace
