@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -22,6 +23,11 @@ struct EdgeGeometry {
 
   friend bool operator==(const EdgeGeometry&, const EdgeGeometry&) = default;
 };
+
+/// The motion depends on the mass ratio almost only through t / sqrt(mass_ratio + kMassShift).
+inline constexpr double kMassShift = 0.15;
+/// The mass ratio whose times are those of EdgeResponses in production: the validation case's.
+inline constexpr double kUsualMass = 0.0886;
 
 /// How the edge of a floating sheet, at rest before, answers a line load on its tip that is even over the contact
 /// length and grows as Q = t.
@@ -52,6 +58,37 @@ struct EdgeResponses {
   /// Moments at one time, shape=(n_stations,).
   const double* axis_moment_at(std::size_t i_time) const { return axis_moment.data() + i_time * station.size(); }
 };
+
+/// How finely a moving edge is solved; 0: production.
+struct EdgeOptions {
+  double scale = 0.0;  ///< of the element sizes against production
+  double reach = 0.0;  ///< of the sheet beyond the protrusion, sideways and inwards, over l_c
+  int n_vectors = 0;   ///< of the Krylov space
+  double last = 0.0;   ///< time over T of the last response
+  int n_times = 0;
+};
+
+/// The sheet of one outline and the water under it, meshed and factorised once for all thicknesses.
+class MovingEdge {
+ public:
+  /// @param outline  of it only depth, contact length and angle count.
+  static tl::expected<MovingEdge, PlateError> prepare(const EdgeGeometry& outline, const EdgeOptions& options = {});
+  MovingEdge(MovingEdge&&) noexcept;
+  MovingEdge& operator=(MovingEdge&&) noexcept;
+  ~MovingEdge();
+
+  /// The responses for a Poisson ratio of 0.3; only thickness, mass ratio and split are taken from `geometry`.
+  tl::expected<EdgeResponses, PlateError> respond(const EdgeGeometry& geometry) const;
+  int n_elements() const;
+
+ private:
+  struct Impl;
+  explicit MovingEdge(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The responses of one edge.
+tl::expected<EdgeResponses, PlateError> solve(const EdgeGeometry& geometry, const EdgeOptions& options = {});
 
 /// How a series gives its value at some time: the sum of `weight[i]` times the value at `time[first + i]`, and
 /// `at_rest` times the static value.
