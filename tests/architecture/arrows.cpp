@@ -25,7 +25,7 @@ const std::map<std::string, Room> kRooms{
     {"netcdf", {"modules/netcdf", {"core"}, {"netcdf", "hdf5"}}},
     {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
-    {"meta_model", {"failure/meta_model", {"core"}, {"gsl", "Eigen", "json"}}},
+    {"meta_model", {"failure/meta_model", {"core", "plate"}, {"gsl", "Eigen", "json"}}},
     {"database", {"failure/database", {"core", "netcdf", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "model", "plate", "meta_model"}, {}}},
     {"model", {"modules/model", {"core", "geometry"}, {}}},

@@ -2,6 +2,7 @@
 #include "domains.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "production_sizes.hpp"
@@ -46,6 +47,42 @@ Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) 
     domain.segments.push_back({root, corner, Side::kFree});
     domain.sizes.push_back({corner, root, kSideSize * scale, gradation});
     domain.sizes.push_back({root, root, std::min(kRootSize, kRootShare * root.y) * scale, gradation});
+  }
+  return domain;
+}
+
+Domain half_of_moving_plate(const WedgePlate& plate, double reach, double scale) {
+  const bool is_flat = plate.depth < kFlat;
+  const Vec2 corner{0.0, 0.5 * plate.contact_length};
+  const Vec2 root = is_flat ? corner : root_of(plate);
+  const Vec2 far{root.x + reach, root.y + reach};
+  Domain domain;
+  domain.largest_size = reach;
+  domain.segments = {{{0.0, 0.0}, {far.x, 0.0}, Side::kSymmetryY},
+                     {{far.x, 0.0}, far, Side::kFar},
+                     {far, {root.x, far.y}, Side::kFar},
+                     {{root.x, far.y}, root, Side::kFree},
+                     {corner, {0.0, 0.0}, Side::kTip}};
+  const double gradation = kGradation;
+  const auto add = [&](Vec2 from, Vec2 to, double size) {
+    domain.sizes.push_back({from, to, scale * size, gradation});
+  };
+  add({0.0, 0.0}, {root.x + kBreakingZone, 0.0}, kMovingCentreSize);
+  const double tip = moving_tip_size(plate.contact_length);
+  add({0.0, 0.0}, {0.0, std::min(corner.y, kMovingTipReach)}, tip);
+  add(corner, corner, kMovingCornerShare * tip);
+  if (!is_flat) {
+    domain.segments.push_back({root, corner, Side::kFree});
+    add(root, root, std::min(kRootSize, kRootShare * root.y));
+  }
+  // Along the free edge, from B on, by stretches that double.
+  const std::array<Vec2, 4> edge{Vec2{0.0, 0.0}, corner, root, Vec2{root.x, far.y}};
+  for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+    const double length = norm(edge[i + 1] - edge[i]);
+    for (double from = 0.0, step = kMovingTipReach; from < length; from += step, step *= 2.0) {
+      const auto at = [&](double s) { return edge[i] + (std::min(s, length) / length) * (edge[i + 1] - edge[i]); };
+      add(at(from), at(from + step), kMovingEdgeSize + kMovingEdgeGrowth * norm(at(from)));
+    }
   }
   return domain;
 }

@@ -243,6 +243,26 @@ tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, cons
   });
 }
 
+BendingSystem::BendingSystem(std::unique_ptr<CondensedSystem> system) : system_(std::move(system)) {}
+BendingSystem::BendingSystem(BendingSystem&&) noexcept = default;
+BendingSystem& BendingSystem::operator=(BendingSystem&&) noexcept = default;
+BendingSystem::~BendingSystem() = default;
+
+tl::expected<BendingSystem, std::string> BendingSystem::factorise(const Mesh& mesh, int order,
+                                                                  const BendingProblem& problem) {
+  BendingSystem result(std::make_unique<CondensedSystem>(assemble_bending(mesh, order, problem)));
+  auto solved = result.system_->solve();
+  if (!solved) return tl::unexpected(solved.error());
+  result.answer_ = std::move(solved->front());
+  return result;
+}
+
+Eigen::MatrixXd BendingSystem::answer_to(const Eigen::MatrixXd& loads) const {
+  Eigen::MatrixXd of_elements = Eigen::MatrixXd::Zero(answer_.rows(), answer_.cols());
+  of_elements.topRows(loads.rows()) = loads;
+  return system_->solve_again(of_elements);
+}
+
 tl::expected<InPlaneSeries, std::string> solve_in_plane_series(const Mesh& mesh, int order,
                                                                const BendingProblem& problem) {
   BRASH_EXPECTS(problem.in_plane_stress != nullptr && problem.in_plane_load == 0.0, problem.in_plane_load);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <memory>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -13,6 +14,7 @@
 
 namespace brash::plate {
 
+class CondensedSystem;
 class Field;
 
 /// Floating plate in units of k = 1, l_c = 1, hence D = 1.
@@ -64,6 +66,27 @@ class Field {
 
 /// Reissner-Mindlin bending on the elements of that order. Free on every edge that is not one of symmetry.
 tl::expected<Field, std::string> solve_bending(const Mesh& mesh, int order, const BendingProblem& problem);
+
+/// The plate of a BendingProblem with its stiffness factorised. Local unknowns of every element, shape=(n_local,
+/// n_elements): the deflection's nodal values, then those of the two rotations.
+class BendingSystem {
+ public:
+  /// With the answer to the problem's own load.
+  static tl::expected<BendingSystem, std::string> factorise(const Mesh& mesh, int order, const BendingProblem& problem);
+  BendingSystem(BendingSystem&&) noexcept;
+  BendingSystem& operator=(BendingSystem&&) noexcept;
+  ~BendingSystem();
+
+  /// The local unknowns under the problem's own load.
+  const Eigen::MatrixXd& answer() const { return answer_; }
+  /// The local unknowns under loads on the nodes of the deflection, shape=(n_lagrange, n_elements).
+  Eigen::MatrixXd answer_to(const Eigen::MatrixXd& loads) const;
+
+ private:
+  explicit BendingSystem(std::unique_ptr<CondensedSystem> system);
+  std::unique_ptr<CondensedSystem> system_;
+  Eigen::MatrixXd answer_;
+};
 
 /// How the bent plate answers to an in-plane load n that acts on its slope: K w = f + n G w, with G the work of the
 /// unit in-plane stress (compression positive), is w_0 + n w_1 + n^2 w_2 + ..., w_i = K^-1 G w_(i-1).

@@ -18,6 +18,18 @@ inline constexpr double kBreakingZone = 1.5;  ///< length of the fine centre lin
 inline constexpr double kHalfWidth =
     2000.0;  ///< of the sheet: bending needs 8; clamping the membrane at R adds 0.4 p c / R
 
+// The same for a sheet that moves water, by the convergence study of docs/theory/dynamic-edge.md.
+inline constexpr double kMovingCentreSize = 0.08;
+inline constexpr double kMovingTipSize = 0.05;
+inline constexpr double kMovingTipReach = 0.5;     ///< of the fine part of a long tip edge from B
+inline constexpr double kMovingCornerShare = 0.3;  ///< of the size along the tip edge
+inline constexpr double kMovingEdgeSize = 0.05;    ///< along the free edge at B: the potential falls as a square root
+inline constexpr double kMovingEdgeGrowth = 0.1;   ///< with the distance from B
+inline constexpr double kMovingReach = 10.0;       ///< of the sheet
+inline constexpr int kVibrationVectors = 160;
+
+inline double moving_tip_size(double contact_length) { return std::min(kMovingTipSize, kTipShare * contact_length); }
+
 /// Size along a tip edge of that length.
 inline double tip_size(double contact_length) { return std::min(kTipSize, kTipShare * contact_length); }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "brash/core/contract.hpp"
@@ -66,32 +67,80 @@ std::vector<Patch> patches_on_axis(const Mesh& mesh, double x_last, int smallest
 /// Exponents of y that a quantity of that parity has.
 bool has_exponent(Parity parity, int j) { return parity == Parity::kNone || (j % 2 == 0) == (parity == Parity::kEven); }
 
-/// Coefficients of x^0 .. x^degree at y = 0 of the polynomial fitted to value number `which` of the samples.
-Eigen::VectorXd fit_on_axis(const std::vector<Sample>& samples, std::size_t which, double x0, double scale, int degree,
-                            Parity parity) {
-  std::vector<std::pair<int, int>> exponents;
+/// A weighted polynomial fit to some samples.
+struct Fit {
+  std::vector<std::pair<int, int>> exponents;  ///< of x and y
+  Eigen::MatrixXd matrix;                      ///< shape=(n_samples, n_exponents)
+};
+
+Fit fit_of(const std::vector<Sample>& samples, double x0, double scale, int degree, Parity parity) {
+  Fit fit;
   for (int j = 0; j <= degree; ++j) {
     if (!has_exponent(parity, j)) continue;
-    for (int i = 0; i + j <= degree; ++i) exponents.emplace_back(i, j);
+    for (int i = 0; i + j <= degree; ++i) fit.exponents.emplace_back(i, j);
   }
   const auto n_samples = static_cast<Eigen::Index>(samples.size());
-  Eigen::MatrixXd matrix(n_samples, static_cast<Eigen::Index>(exponents.size()));
-  Eigen::VectorXd right(n_samples);
+  fit.matrix.resize(n_samples, static_cast<Eigen::Index>(fit.exponents.size()));
   for (Eigen::Index s = 0; s < n_samples; ++s) {
     const auto& sample = samples[static_cast<std::size_t>(s)];
     const double weight = std::sqrt(sample.weight);
-    right(s) = weight * sample.values[which];
-    for (std::size_t c = 0; c < exponents.size(); ++c) {
-      matrix(s, static_cast<Eigen::Index>(c)) = weight * std::pow((sample.place.x - x0) / scale, exponents[c].first) *
-                                                std::pow(sample.place.y / scale, exponents[c].second);
+    for (std::size_t c = 0; c < fit.exponents.size(); ++c) {
+      fit.matrix(s, static_cast<Eigen::Index>(c)) = weight *
+                                                    std::pow((sample.place.x - x0) / scale, fit.exponents[c].first) *
+                                                    std::pow(sample.place.y / scale, fit.exponents[c].second);
     }
   }
-  const Eigen::VectorXd all = matrix.colPivHouseholderQr().solve(right);
+  return fit;
+}
+
+/// Coefficients of x^0 .. x^degree at y = 0 of the polynomial fitted to value number `which` of the samples.
+Eigen::VectorXd fit_on_axis(const std::vector<Sample>& samples, std::size_t which, double x0, double scale, int degree,
+                            Parity parity) {
+  const Fit fit = fit_of(samples, x0, scale, degree, parity);
+  Eigen::VectorXd right(fit.matrix.rows());
+  for (Eigen::Index s = 0; s < right.size(); ++s) {
+    const auto& sample = samples[static_cast<std::size_t>(s)];
+    right(s) = std::sqrt(sample.weight) * sample.values[which];
+  }
+  const Eigen::VectorXd all = fit.matrix.colPivHouseholderQr().solve(right);
   Eigen::VectorXd on_axis = Eigen::VectorXd::Zero(degree + 1);
-  for (std::size_t c = 0; c < exponents.size(); ++c) {
-    if (exponents[c].second == 0) on_axis(exponents[c].first) = all(static_cast<Eigen::Index>(c));
+  for (std::size_t c = 0; c < fit.exponents.size(); ++c) {
+    if (fit.exponents[c].second == 0) on_axis(fit.exponents[c].first) = all(static_cast<Eigen::Index>(c));
   }
   return on_axis;
+}
+
+/// The coefficients of x^0 .. x^degree at y = 0 as sums over the samples of a patch.
+struct PatchWeights {
+  double scale = 0.0;
+  Eigen::MatrixXd of_samples;  ///< shape=(degree + 1, n_samples), triangle by triangle
+};
+
+PatchWeights weights_of(const Mesh& mesh, const Patch& patch, const std::vector<TrianglePoint>& rule, int degree,
+                        Parity parity) {
+  std::vector<Sample> samples;
+  PatchWeights result;
+  for (const int t : patch.triangles) {
+    const auto corner = [&](std::size_t i) {
+      return mesh.vertices[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i])];
+    };
+    const Vec2 u = corner(1) - corner(0), v = corner(2) - corner(0);
+    for (const auto& point : rule) {
+      const Vec2 place = corner(0) + point.xi * u + point.eta * v;
+      samples.push_back({place, point.weight * cross(u, v), {}});
+      result.scale = std::max(result.scale, norm(place - Vec2{patch.x, 0.0}));
+    }
+  }
+  const Fit fit = fit_of(samples, patch.x, result.scale, degree, parity);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(fit.matrix.rows(), fit.matrix.rows());
+  for (Eigen::Index s = 0; s < right.rows(); ++s) right(s, s) = std::sqrt(samples[static_cast<std::size_t>(s)].weight);
+  const Eigen::MatrixXd all = fit.matrix.colPivHouseholderQr().solve(right);
+  result.of_samples = Eigen::MatrixXd::Zero(degree + 1, all.cols());
+  for (std::size_t c = 0; c < fit.exponents.size(); ++c) {
+    if (fit.exponents[c].second == 0)
+      result.of_samples.row(fit.exponents[c].first) = all.row(static_cast<Eigen::Index>(c));
+  }
+  return result;
 }
 
 double evaluate(const Eigen::VectorXd& coefficients, double x) {
@@ -145,6 +194,34 @@ std::vector<std::vector<double>> recover(const Field& field, const std::vector<d
 }
 
 }  // namespace
+
+std::vector<std::vector<RecoveryTerm>> recovery_terms(const Mesh& mesh, int order, const std::vector<double>& stations,
+                                                      Parity parity) {
+  const int smallest = parity == Parity::kNone ? 2 * kSmallestPatch : kSmallestPatch;
+  const auto patches = patches_on_axis(mesh, stations.back(), smallest);
+  BRASH_EXPECTS(patches.size() >= 2 && patches.back().x >= stations.back(), patches.size(), stations.back());
+  const auto rule = triangle_rule(order + 1);
+  std::vector<PatchWeights> fits;
+  for (const auto& patch : patches) fits.push_back(weights_of(mesh, patch, rule, order, parity));
+
+  std::vector<std::vector<RecoveryTerm>> result;
+  std::size_t right = 1;
+  for (const double x : stations) {
+    while (patches[right].x < x) ++right;
+    const double share = (x - patches[right - 1].x) / (patches[right].x - patches[right - 1].x);
+    auto& terms = result.emplace_back();
+    for (const auto& [i, part] : {std::pair(right - 1, 1.0 - share), std::pair(right, share)}) {
+      Eigen::RowVectorXd power(order + 1);
+      for (int k = 0; k <= order; ++k) power(k) = part * std::pow((x - patches[i].x) / fits[i].scale, k);
+      const Eigen::RowVectorXd weights = power * fits[i].of_samples;
+      for (Eigen::Index s = 0; s < weights.size(); ++s) {
+        const auto [t, point] = std::div(static_cast<int>(s), static_cast<int>(rule.size()));
+        terms.push_back({patches[i].triangles[static_cast<std::size_t>(t)], point, weights(s)});
+      }
+    }
+  }
+  return result;
+}
 
 std::vector<Tensor2> recover_tensor(const Field& field, const std::vector<double>& stations, Parity parity) {
   Parity cross_parity = parity;

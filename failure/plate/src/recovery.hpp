@@ -19,6 +19,16 @@ enum class Parity { kEven, kOdd, kNone };
 std::vector<Tensor2> recover_tensor(const Field& field, const std::vector<double>& stations, Parity parity);
 std::vector<double> recover_deflection(const Field& field, const std::vector<double>& stations, Parity parity);
 
+/// The same recovery of one even quantity (or one without parity), written as a sum over its values at the points of
+/// the rule `triangle_rule(order + 1)` on some triangles; shape=(n_stations,).
+struct RecoveryTerm {
+  int triangle = 0;
+  int point = 0;
+  double weight = 0.0;
+};
+std::vector<std::vector<RecoveryTerm>> recovery_terms(const Mesh& mesh, int order, const std::vector<double>& stations,
+                                                      Parity parity);
+
 /// The tensor at a place off the nodes, from the element that contains it; nothing outside the mesh.
 std::optional<Tensor2> tensor_at(const Field& field, Vec2 place);
 
