@@ -2,18 +2,12 @@
 #include "brash/database/plan.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <array>
 #include <cmath>
-#include <set>
-#include <sstream>
 
 #include "brash/core/constants.hpp"
-#include "brash/core/error.hpp"
-#include "brash/core/input_file.hpp"
-#include "brash/core/nesting.hpp"
-#include "brash/core/text.hpp"
+#include "plan_table.hpp"
 
 namespace brash::database {
 namespace {
@@ -22,97 +16,6 @@ constexpr std::array<const char*, 4> kSpacingNames{"linear", "logarithmic", "qua
 constexpr std::array<const char*, 2> kTheoryNames{"reissner-mindlin", "kirchhoff"};
 constexpr int kMostGeometries = 1'000'000;
 constexpr int kMostRows = 10'000;
-
-constexpr const char* kRemedy = "write it as in experiments/failure_database/plan.toml";
-
-/// A value as a plan has it, for messages.
-std::string shown(const toml::node& node) {
-  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
-  std::ostringstream text;
-  node.visit([&](const auto& value) { text << value; });
-  return printable(text.str());
-}
-
-/// A table of the plan that knows its file and name; keys that nobody asked for are refused at the end.
-class Table {
- public:
-  Table(const std::string& file, std::string name, const toml::table& table)
-      : file_(file), name_(std::move(name)), table_(table) {}
-
-  [[noreturn]] void refuse(const toml::node& node, const std::string& key, const std::string& what,
-                           const std::string& allowed) const {
-    const auto at = node.source().begin;
-    throw InputError(Complaint{fmt::format("{}:{}:{}", file_, at.line, at.column),
-                               fmt::format("`{}` {}", full(key), what), allowed, kRemedy});
-  }
-  const toml::node* find(const std::string& key) {
-    known_.insert(key);
-    return table_.get(key);
-  }
-  const toml::node& get(const std::string& key) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-      throw InputError(
-          Complaint{file_, fmt::format("`{}` is missing", full(key)), "a plan of a failure database", kRemedy});
-    }
-    return *node;
-  }
-  double number(const std::string& key, double least, double most) {
-    const toml::node& node = get(key);
-    const auto value = node.value<double>();
-    if (!value || !std::isfinite(*value) || *value < least || *value > most) {
-      refuse(node, key, "= " + shown(node) + " is not allowed", fmt::format("a number from {} to {}", least, most));
-    }
-    return *value;
-  }
-  double number_or(const std::string& key, double otherwise, double least, double most) {
-    return find(key) == nullptr ? otherwise : number(key, least, most);
-  }
-  int whole(const std::string& key, int least, int most) {
-    const toml::node& node = get(key);
-    const auto value = node.value_exact<std::int64_t>();
-    if (!value || *value < least || *value > most) {
-      refuse(node, key, "= " + shown(node) + " is not allowed",
-             fmt::format("a whole number from {} to {}", least, most));
-    }
-    return static_cast<int>(*value);
-  }
-  bool flag_or(const std::string& key, bool otherwise) {
-    const toml::node* node = find(key);
-    if (node == nullptr) return otherwise;
-    if (!node->is_boolean()) refuse(*node, key, "is neither true nor false", "true or false");
-    return *node->value<bool>();
-  }
-  template <std::size_t N>
-  std::size_t choice_or(const std::string& key, const std::array<const char*, N>& names, std::size_t otherwise) {
-    const toml::node* node = find(key);
-    if (node == nullptr) return otherwise;
-    const std::string value = node->value_or(std::string());
-    for (std::size_t i = 0; i < N; ++i) {
-      if (value == names[i]) return i;
-    }
-    refuse(*node, key, "= " + shown(*node) + " is not allowed", fmt::format("\"{}\"", fmt::join(names, "\", \"")));
-  }
-  Table table(const std::string& key, const std::string& allowed = "a table") {
-    const toml::node& node = get(key);
-    if (!node.is_table()) refuse(node, key, "= " + shown(node) + " is not allowed", allowed);
-    return {file_, full(key), *node.as_table()};
-  }
-  void refuse_unknown_keys() const {
-    for (const auto& [key, node] : table_) {
-      if (known_.contains(std::string(key.str()))) continue;
-      refuse(node, std::string(key.str()), "is not known", fmt::format("{}", fmt::join(known_, ", ")));
-    }
-  }
-
- private:
-  std::string full(const std::string& key) const { return name_.empty() ? key : name_ + "." + key; }
-
-  const std::string& file_;
-  std::string name_;
-  const toml::table& table_;
-  std::set<std::string> known_;
-};
 
 /// `key = { from = .., to = .., spacing = ".." }`, or a number for a fixed value.
 Axis read_axis(Table& tables, const std::string& key, double least, double most, double unit = 1.0) {
@@ -134,20 +37,6 @@ Axis read_axis(Table& tables, const std::string& key, double least, double most,
   return axis;
 }
 
-toml::table parse(const std::string& path) {
-  const std::string text = read_text_file(path, "a plan of a failure database (TOML)", 1);
-  if (const auto deep = find_deep_nesting(text))
-    throw InputError(Complaint{fmt::format("{}:{}:{}", path, deep->line, deep->column), "is nested too deeply",
-                               fmt::format("at most {} levels", kDeepestNesting), kRemedy});
-  try {
-    return toml::parse(text, path);
-  } catch (const toml::parse_error& error) {
-    const auto at = error.source().begin;
-    throw InputError(Complaint{fmt::format("{}:{}:{}", path, at.line, at.column), std::string(error.description()),
-                               "TOML 1.0: lines `key = value` under a line `[section]`", kRemedy});
-  }
-}
-
 std::string axis_text(const char* name, const Axis& axis) {
   return fmt::format("{} = {{ from = {}, to = {}, spacing = \"{}\" }}\n", name, axis.from, axis.to,
                      kSpacingNames[static_cast<std::size_t>(axis.spacing)]);
@@ -156,7 +45,7 @@ std::string axis_text(const char* name, const Axis& axis) {
 }  // namespace
 
 Plan read_plan(const std::string& path) {
-  const toml::table root = parse(path);
+  const toml::table root = parse_plan(path);
   Table file(path, "", root);
   Plan plan;
 

@@ -25,8 +25,8 @@ inline constexpr double kMovingTipReach = 0.5;     ///< of the fine part of a lo
 inline constexpr double kMovingCornerShare = 0.3;  ///< of the size along the tip edge
 inline constexpr double kMovingEdgeSize = 0.05;    ///< along the free edge at B: the potential falls as a square root
 inline constexpr double kMovingEdgeGrowth = 0.1;   ///< with the distance from B
-inline constexpr double kMovingReach = 10.0;       ///< of the sheet
-inline constexpr int kVibrationVectors = 160;
+inline constexpr double kMovingReach = 8.0;        ///< of the sheet
+inline constexpr int kVibrationVectors = 140;
 
 inline double moving_tip_size(double contact_length) { return std::min(kMovingTipSize, kTipShare * contact_length); }
 

@@ -17,6 +17,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
+#include "brash/database/edge_database.hpp"
 #include "commands.hpp"
 #include "failure_commands.hpp"
 #include "messages.hpp"
@@ -39,7 +40,8 @@ struct DatabaseOptions {
 }
 
 /// A process for each chunk that is missing.
-std::vector<campaign::Job> missing_jobs(const database::Plan& plan, const DatabaseOptions& options) {
+template <typename Plan>
+std::vector<campaign::Job> missing_jobs(const Plan& plan, const DatabaseOptions& options) {
   std::vector<campaign::Job> jobs;
   for (const int first : database::missing_chunks(plan, options.output)) {
     const std::string file = database::chunk_file(options.output, first);
@@ -65,7 +67,8 @@ void solve_in_processes(const std::vector<campaign::Job>& jobs, int n_workers) {
 }
 
 /// Solves the missing records on this machine, and puts the database together.
-void build_here(const database::Plan& plan, const std::string& output) {
+template <typename Plan>
+void build_here(const Plan& plan, const std::string& output) {
   catch_requests_to_end();
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   const database::Progress progress = database::build(plan, output, [terminal](const database::Progress& now) {
@@ -120,8 +123,8 @@ class ChunkFolder {
   std::optional<FolderLock> lock_;
 };
 
-void compute_database(DatabaseOptions options) {
-  const database::Plan plan = database::read_plan(options.plan);
+template <typename Plan>
+void compute_plan(const Plan& plan, DatabaseOptions options) {
   refuse_missing_folder(options.output);
   refuse_overwriting(options.output, {options.plan});
   if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
@@ -136,6 +139,13 @@ void compute_database(DatabaseOptions options) {
     solve_in_processes(missing_jobs(plan, options), options.n_jobs);
   }
   build_here(plan, options.output);
+}
+
+void compute_database(const DatabaseOptions& options) {
+  if (database::is_edge_plan(options.plan))
+    compute_plan(database::read_edge_plan(options.plan), options);
+  else
+    compute_plan(database::read_plan(options.plan), options);
 }
 
 }  // namespace
