@@ -32,30 +32,21 @@ class OutlineCriterion final : public BendingCriterion {
   Assessment assess(const LoadCase& load) const override {
     expect_valid(load);
     if (load.pressure == 0.0) return unloaded(load);
-    if (const auto harmless = screened(load)) return *harmless;
+    if (const auto harmless = dismiss(load)) return *harmless;
     std::optional<Assessment> answer;
-    if (!load.outline.empty()) answer = judge(sheet(load));
+    if (!load.outline.empty()) answer = judge(load);
     if (answer) return *answer;
     LoadCase alone = load;
     alone.outline.clear();
     alone.loads.clear();
-    answer = judge(sheet(alone));
+    answer = judge(alone);
     if (!answer) answer = screen_->assess(load);
     answer->outline_refused = true;
     return *answer;
   }
 
- private:
-  /// Where the ice would break under a load of this kind, however small.
-  Assessment unloaded(LoadCase load) const {
-    load.pressure = 1.0;
-    load.loads.clear();
-    Assessment answer = judge(sheet(load)).value_or(screen_->assess(load));
-    return {.breaking_length = answer.breaking_length};
-  }
-
   /// The answer of the trapezoid alone, if even with every load near B it stays far below the strength.
-  std::optional<Assessment> screened(const LoadCase& load) const {
+  std::optional<Assessment> dismiss(const LoadCase& load) const override {
     const Assessment quick = screen_->assess(load);
     const double own = load.mu1 * load.pressure * load.contact_length * ice_.thickness;
     double all = load.loads.empty() ? own : 0.0;
@@ -68,13 +59,15 @@ class OutlineCriterion final : public BendingCriterion {
     return Assessment{.sigma_max = quick.sigma_max, .breaking_length = quick.breaking_length};
   }
 
-  plate::LoadedSheet sheet(const LoadCase& load) const { return loaded_sheet(load, ice_, options_.second_order); }
-
+ private:
   /// A solved sheet and its stresses on the centre line and beside it.
   struct Solved {
+    plate::LoadedSheet sheet;
     plate::SheetSolution solution;
     Stresses stresses;
     WeakPlaces beside;
+    double l_c = 0.0;     ///< of the sheet [m]
+    double radial = 0.0;  ///< along the edge at B, over the strength
 
     /// The place that decides, if it lies beside the centre line.
     std::optional<WeakPlace> decisive() const {
@@ -84,15 +77,22 @@ class OutlineCriterion final : public BendingCriterion {
     double largest() const { return decisive() ? decisive()->stress : stresses.largest; }
   };
 
+  /// Where the ice would break under a load of this kind, however small.
+  Assessment unloaded(LoadCase load) const {
+    load.pressure = 1.0;
+    load.loads.clear();
+    Assessment answer = judge(load).value_or(screen_->assess(load));
+    return {.breaking_length = answer.breaking_length};
+  }
+
   /// Nothing where the sheet cannot be meshed.
-  std::optional<Assessment> judge(plate::LoadedSheet sheet) const {
+  std::optional<Assessment> judge(const LoadCase& load) const {
     Assessment answer;
-    std::optional<Solved> solved = solve(sheet, answer);
+    std::optional<Solved> solved = solve(load, false, answer);
     if (!solved) return std::nullopt;
     const bool may_fail = kSplitMargin * solved->largest() > 1.0;
-    if (options_.radial_first && may_fail && solved->stresses.radial > 1.0) {
-      sheet.split = true;
-      if (auto split = solve(sheet, answer)) {
+    if (options_.radial_first && may_fail && solved->radial > 1.0) {
+      if (auto split = solve(load, true, answer)) {
         answer.split = true;
         solved = std::move(split);
       }
@@ -100,28 +100,33 @@ class OutlineCriterion final : public BendingCriterion {
     answer.sigma_max = solved->largest() * ice_.flexural_strength;
     answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
     const std::optional<WeakPlace> beside = solved->decisive();
-    answer.breaking_length = l_c_ * (beside ? norm(beside->at) : solved->stresses.place);
-    if (answer.fails && options_.trace_crack) trace(*solved, sheet, answer);
+    answer.breaking_length = solved->l_c * (beside ? norm(beside->at) : solved->stresses.place);
+    if (answer.fails && options_.trace_crack) trace(*solved, answer);
     return answer;
   }
 
   /// The crack, and the breaking length where it is not on the line already.
-  void trace(const Solved& solved, const plate::LoadedSheet& sheet, Assessment& answer) const {
-    const auto& [solution, stresses, halves] = solved;
+  void trace(const Solved& solved, Assessment& answer) const {
+    const auto& [sheet, solution, stresses, halves, l_c, radial] = solved;
     std::vector<Vec2> crack;
     if (const auto place = solved.decisive()) {
       if (!sheet.split)
         crack = crack_through(solution, place->at, 1.0, sheet.thickness);
       else if (halves.below && halves.above)
         crack = crack_through_halves(solution, halves.below->at, halves.above->at, 1.0, sheet.thickness);
-      if (const auto ahead = distance_ahead(crack)) answer.breaking_length = l_c_ * *ahead;
+      if (const auto ahead = distance_ahead(crack)) answer.breaking_length = l_c * *ahead;
     }
     if (crack.empty()) crack = crack_from_line(solution, stresses.place, stresses.side, sheet.thickness);
-    for (const Vec2 point : crack) answer.crack.push_back(l_c_ * point);
+    for (const Vec2 point : crack) answer.crack.push_back(l_c * point);
   }
 
   /// To first order if the plate buckles.
-  std::optional<Solved> solve(plate::LoadedSheet sheet, Assessment& answer) const {
+  std::optional<Solved> solve(const LoadCase& load, bool split, Assessment& answer) const {
+    const SheetMotion& motion = split ? load.motion.split : load.motion.whole;
+    IceProperties ice = ice_;
+    ice.water_density /= std::pow(motion.length, 4);  // l_c is shorter by `length`, and D stays
+    plate::LoadedSheet sheet = loaded_sheet(load, ice, options_.second_order, motion.stress);
+    sheet.split = split;
     auto solution = plate::solve(sheet);
     if (!solution && solution.error().buckled) {
       answer.buckled = true;
@@ -129,10 +134,11 @@ class OutlineCriterion final : public BendingCriterion {
       solution = plate::solve(sheet);
     }
     if (!solution) return std::nullopt;
-    const auto stresses = stresses_ahead(sheet, *solution, ice_);
+    const auto stresses = stresses_ahead(sheet, *solution, ice);
     if (!stresses) return std::nullopt;
-    const WeakPlaces beside = options_.anywhere ? weak_places(sheet, *solution, ice_) : WeakPlaces{};
-    return Solved{std::move(*solution), *stresses, beside};
+    const WeakPlaces beside = options_.anywhere ? weak_places(sheet, *solution, ice) : WeakPlaces{};
+    const double radial = motion.radial / motion.stress * stresses->radial_bending + stresses->radial_membrane;
+    return Solved{std::move(sheet), std::move(*solution), *stresses, beside, characteristic_length(ice), radial};
   }
 
   std::unique_ptr<BendingCriterion> screen_;

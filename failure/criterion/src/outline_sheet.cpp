@@ -33,7 +33,9 @@ SheetLoad own_load(const LoadCase& load, double thickness) {
 
 /// @param unit  k l_c over the strength.
 Stresses largest_stresses(const plate::LineProfile& line, double thickness, double unit) {
-  Stresses result{.radial = unit * stress_on(-1.0, line.state.front(), thickness).yy};
+  const plate::SheetState& at_b = line.state.front();
+  Stresses result{.radial_bending = unit * stress_on(-1.0, {.moment = at_b.moment, .membrane = {}}, thickness).yy,
+                  .radial_membrane = unit * stress_on(-1.0, {.moment = {}, .membrane = at_b.membrane}, thickness).yy};
   std::vector<double> stress;
   std::vector<bool> on_bottom;
   for (const plate::SheetState& state : line.state) {
@@ -59,7 +61,7 @@ Stresses largest_stresses(const plate::LineProfile& line, double thickness, doub
 
 }  // namespace
 
-plate::LoadedSheet loaded_sheet(const LoadCase& load, const IceProperties& ice, bool second_order) {
+plate::LoadedSheet loaded_sheet(const LoadCase& load, const IceProperties& ice, bool second_order, double moments) {
   const double l_c = characteristic_length(ice);
   plate::LoadedSheet result{.outline = load.outline.empty() ? trapezoid(load, l_c) : load.outline,
                             .edge_loads = {},
@@ -71,13 +73,13 @@ plate::LoadedSheet loaded_sheet(const LoadCase& load, const IceProperties& ice, 
   const double force = ice.water_density * kGravity * l_c * l_c * l_c;
   const auto add = [&](const SheetLoad& one) {
     if (one.radius > 0.0)
-      result.patch_loads.push_back({one.from / l_c, one.radius / l_c, one.out_of_plane / force});
+      result.patch_loads.push_back({one.from / l_c, one.radius / l_c, moments * one.out_of_plane / force});
     else
       result.edge_loads.push_back({.from = one.from / l_c,
                                    .to = one.to / l_c,
                                    .in_plane = one.in_plane / force,
-                                   .out_of_plane = one.out_of_plane / force,
-                                   .moment = second_order ? one.moment / (force * l_c) : 0.0});
+                                   .out_of_plane = moments * one.out_of_plane / force,
+                                   .moment = second_order ? moments * one.moment / (force * l_c) : 0.0});
   };
   if (load.loads.empty()) add(own_load(load, ice.thickness));
   for (const SheetLoad& one : load.loads) add(one);

@@ -11,14 +11,18 @@ namespace brash::failure {
 
 /// The sheet of a load case, to be solved: its outline with its loads. Without an outline the trapezoid takes its
 /// place, and without loads the contact's own load acts alone.
-plate::LoadedSheet loaded_sheet(const LoadCase& load, const IceProperties& ice, bool second_order);
+/// @param moments  the loads out of the plane and the moments are this many times as large.
+plate::LoadedSheet loaded_sheet(const LoadCase& load, const IceProperties& ice, bool second_order,
+                                double moments = 1.0);
 
 /// Stresses over the flexural strength.
 struct Stresses {
   double largest = 0.0;  ///< across the centre line's length
   double place = 0.0;    ///< |AB| / l_c
   Surface side = 1.0;    ///< on which it is
-  double radial = 0.0;   ///< along the edge at B, on the surface that P puts in compression
+  /// Along the edge at B, on the surface that P puts in compression.
+  double radial_bending = 0.0;
+  double radial_membrane = 0.0;
 };
 
 /// The stresses on the line from B into the ice.

@@ -79,6 +79,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "second_order", c.failure.second_order);
   visit("failure", "under_floes", c.failure.under_floes);
   visit("failure", "joint_loads", c.failure.joint_loads);
+  visit("failure", "edge", c.failure.edge);
   visit("failure", "judged", c.failure.judged);
   visit("failure", "pattern", c.failure.pattern);
   visit("failure", "wedges", c.failure.wedges);

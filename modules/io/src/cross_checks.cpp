@@ -192,6 +192,9 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(!c.failure.joint_loads || takes.joint_loads, {"failure", "joint_loads"}, {"failure", "model"},
                  fmt::format("the model {} knows one load at a time", name),
                  "true with failure.model = \"plate-outline\"", "take this model, or false");
+  checks.require(c.failure.edge != model::EdgeMotion::kDynamic || takes.moving_edge, {"failure", "edge"},
+                 {"failure", "model"}, fmt::format("the model {} knows no edge that moves", name),
+                 "dynamic with failure.model = \"plate-outline\"", "take this model, or static");
   checks.require(c.failure.judged != model::JudgedAt::kAnywhere || takes.knows_field, {"failure", "judged"},
                  {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
                  "anywhere with failure.model = \"plate-outline\"", "take this model, or centre-line");

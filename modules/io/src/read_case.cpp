@@ -62,6 +62,7 @@ void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
   if (!takes.radial_first && !is_written("order")) c.failure.order = model::CrackOrder::kCircumferentialFirst;
   if (!takes.second_order && !is_written("second_order")) c.failure.second_order = false;
+  if (!takes.moving_edge && !is_written("edge")) c.failure.edge = model::EdgeMotion::kStatic;
   if (!takes.knows_field && !is_written("judged")) c.failure.judged = model::JudgedAt::kCentreLine;
   if (!takes.knows_field && !is_written("pattern")) c.failure.pattern = model::CrackPattern::kDisc;
   if (!takes.joint_loads && !is_written("joint_loads")) c.failure.joint_loads = false;

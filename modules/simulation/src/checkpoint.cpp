@@ -26,6 +26,7 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
   motion->restore(checkpoint);
   world.set_state(structure_body, motion->now().pose, {});
   floes.restore(world, field.level_ice(), checkpoint);
+  edges.restore(checkpoint);
   bearings.restore(floes, checkpoint);
   sleep.restore(floes, checkpoint);
   for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // one asleep may be run into at once
@@ -39,6 +40,7 @@ model::Checkpoint Simulation::Impl::checkpoint() const {
   model::save(saved, "energy", energy);
   field.save(saved);
   floes.save(world, saved);
+  edges.save(saved);
   bearings.save(floes, saved);
   sleep.save(floes, saved);
   watchdog.save(floes, saved);

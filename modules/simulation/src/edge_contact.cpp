@@ -27,9 +27,14 @@ std::vector<geometry::Ring> on_grid(const std::vector<structure::Outline>& outli
   return rings;
 }
 
-structure::Footprint footprint(const EdgeModel& model, const Pose& pose) {
+structure::Footprint footprint(const EdgeModel& model, const Pose& pose, double shift = 0.0) {
   const Freeboard heights = freeboard(model.resolved);
-  return model.hull.footprint(pose, heights.bottom, heights.top);
+  return model.hull.footprint(pose, heights.bottom + shift, heights.top + shift);
+}
+
+std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose, double shift = 0.0) {
+  const Freeboard heights = freeboard(model.resolved);
+  return model.hull.sides(pose, heights.bottom + shift, heights.top + shift);
 }
 
 /// The crushing load of a contact on the ice.
@@ -38,6 +43,14 @@ struct Crushing {
   Vec3 vector_area{};  ///< sum of area times normal over the surface that crushes [m2]
   Vec3 moment{};       ///< sum of area times place [m3]
   double area = 0.0;   ///< of that surface [m2]
+
+  Crushing& operator+=(const Crushing& other) {
+    force += other.force;
+    vector_area += other.vector_area;
+    moment += other.moment;
+    area += other.area;
+    return *this;
+  }
 };
 
 /// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip.
@@ -57,6 +70,31 @@ Crushing crushing(const EdgeModel& model, const structure::State& state, std::sp
     sum.vector_area += area * patch.normal;
     sum.moment += area * patch.centroid;
     sum.area += area;
+  }
+  return sum;
+}
+
+bool holds(const geometry::Extent& outer, const geometry::Extent& inner) {
+  return inner.lower.x >= outer.lower.x && inner.lower.y >= outer.lower.y && inner.upper.x <= outer.upper.x &&
+         inner.upper.y <= outer.upper.y;
+}
+
+/// The same where the edge lies `shift` higher: it gives way, so the structure covers less of it. `region` becomes the
+/// longest region that is still covered; it stays if there is none.
+Crushing crushing_shifted(const EdgeModel& model, const geometry::IceSheet& sheet, const structure::State& state,
+                          double shift, geometry::ContactRegion& region) {
+  const geometry::Extent at_rest = geometry::extent(region.overlap);
+  const auto sides_there = sides(model, state.pose, shift);
+  Crushing sum;
+  double longest = 0.0;
+  for (const geometry::Ring& outline : on_grid(footprint(model, state.pose, shift).leading)) {
+    for (geometry::ContactRegion& covered : sheet.contacts(outline)) {
+      if (!holds(at_rest, geometry::extent(covered.overlap))) continue;
+      sum += crushing(model, state, sides_there, covered.overlap);
+      if (covered.contact_length <= longest) continue;
+      longest = covered.contact_length;
+      region = std::move(covered);
+    }
   }
   return sum;
 }
@@ -166,22 +204,26 @@ std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& 
   return on_grid(model.hull.footprint(pose, middle, middle).leading);
 }
 
-std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose) {
-  return on_grid(footprint(model, pose).trailing);
+std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose, double shift) {
+  return on_grid(footprint(model, pose, shift).trailing);
 }
 
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
-                                       const structure::State& state) {
+                                       const structure::State& state,
+                                       const std::function<double(const Touch&)>& shift_of) {
   std::vector<EdgeContact> contacts;
-  const Freeboard heights = freeboard(model.resolved);
-  const auto sides = model.hull.sides(state.pose, heights.bottom, heights.top);
+  const auto sides_at_rest = sides(model, state.pose);
   for (const geometry::Ring& outline : on_grid(footprint(model, state.pose).leading)) {
     for (geometry::ContactRegion& region : sheet.contacts(outline)) {
       if (!(region.contact_length > 0.0)) continue;
       EdgeContact contact;
+      contact.touched = {0.5 * (region.chord_from + region.chord_to), region.contact_length};
       contact.region = std::move(region);
+      const double shift = shift_of ? shift_of(contact.touched) : 0.0;
+      const Crushing crushed = shift == 0.0 ? crushing(model, state, sides_at_rest, contact.region.overlap)
+                                            : crushing_shifted(model, sheet, state, shift, contact.region);
       fit(model, sheet, contact);
-      load_contact(model, crushing(model, state, sides, contact.region.overlap), contact);
+      load_contact(model, crushed, contact);
       contacts.push_back(std::move(contact));
     }
   }
@@ -235,7 +277,8 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometr
   return contact;
 }
 
-void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts) {
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
+            const std::function<failure::EdgeMotion(const EdgeContact&)>& motion_of) {
   const bool joint = model.resolved.failure.joint_loads;
   std::vector<std::optional<Frame>> frames(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -246,6 +289,7 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     else if (presses_inside(sheet, contacts[i]))
       continue;
     const auto harmless = model.criterion.dismiss(load);
+    if (!harmless && motion_of) load.motion = motion_of(contacts[i]);
     contacts[i].assessment = harmless ? *harmless : model.criterion.assess(load);
   }
   for (std::size_t i = 0; i < contacts.size(); ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,6 +19,12 @@
 
 namespace brash::simulation {
 
+/// The chord at which the structure would touch an edge at rest. It tells a moving edge from the others.
+struct Touch {
+  Vec2 tip{};           ///< its middle [m]
+  double length = 0.0;  ///< [m]
+};
+
 /// The structure, or a floe, against the edge of the fixed sheet, at one place, at one instant.
 struct EdgeContact {
   geometry::ContactRegion region;
@@ -31,6 +38,7 @@ struct EdgeContact {
   double bound = 0.0;                  ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
+  Touch touched{};                     ///< of the structure
 };
 
 /// The inputs of the edge contacts besides the sheet.
@@ -59,16 +67,20 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
 
 /// Its section at mid-thickness: as much ice lies in this section as in the structure itself.
 std::vector<geometry::Ring> middle_outlines(const EdgeModel& model, const Pose& pose);
-/// Where it has passed through the whole thickness.
-std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose);
+/// Where it has passed through the whole thickness of ice that lies `shift` higher than at rest [m].
+std::vector<geometry::Ring> trailing_outlines(const EdgeModel& model, const Pose& pose, double shift = 0.0);
 
 /// All contacts of the structure with the sheet, each fitted and loaded.
 ///
 /// Crushing: sigma_c R (Eq. 15) along the normal of each part of the structure's surface inside the ice that moves into
 /// it, and friction against its slip. `contact.area = "projected"` takes the part's plan for its area.
 /// docs/theory/simulation.md, (S0).
+///
+/// @param shift_of  how much higher than at rest the edge lies there [m]; empty: nowhere. A contact that the edge
+///                  evades stays, without a load.
 std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::IceSheet& sheet,
-                                       const structure::State& state);
+                                       const structure::State& state,
+                                       const std::function<double(const Touch&)>& shift_of = {});
 
 /// The contacts of a structure that is a body with mass, as the solver takes them: each acts on the structure and on
 /// the ice, which does not yield, and bears its crushing force at most. Contacts that crush nothing are left out.
@@ -87,6 +99,8 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometr
 
 /// Judges contacts with the same sheet by the model's criterion. A criterion that does not solve the sheet knows loads
 /// on the edge alone: floes that press farther inside than the length of their line are not judged.
-void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts);
+/// @param motion_of  how the edge of a contact moves; empty: not at all.
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
+            const std::function<failure::EdgeMotion(const EdgeContact&)>& motion_of = {});
 
 }  // namespace brash::simulation

@@ -29,6 +29,11 @@ void EnergyLedger::book_structure(const Wrench& edge, const Wrench& floes, const
   losses_.edge += power(edge, passage);
 }
 
+void EnergyLedger::book_bent_edges(double work) {
+  losses_.bending += work;
+  losses_.edge -= work;
+}
+
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
   taken_ = {};
   for (const BodyId body : world.moving()) received_[body] = 0.0;

@@ -31,6 +31,10 @@ class EnergyLedger {
   /// The floe `body` is about to be deleted.
   void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
 
+  /// Of the structure's work on the edge, this bent edges [J]. The edge keeps none of it: it goes into the water with
+  /// the waves of the ice, and into new cracks.
+  void book_bent_edges(double work);
+
   /// Floes have lost `kinetic` [J] by falling asleep.
   void book_fallen_asleep(double kinetic) { removed_ += kinetic; }
 

@@ -43,6 +43,7 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   statistics::RandomStream random(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
   const ice::CrackPlan plan = pattern->plan(plate, contact.region, contact.assessment, random);
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
+  edges.forget_within(plate.level_ice(), plan.centre, plan.reach);
   sleep.wake_within(world, floes, plan.centre, plan.reach);
   ice::Broken broken = field.break_off(plate, plan, middle_outlines(edge_model(plate), motion->now().pose),
                                        resolved.failure.smallest_floe);
@@ -62,11 +63,12 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   return made;
 }
 
-/// Every contact of the structure with level ice, were the structure in `state`; not yet judged.
-std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state) const {
+/// Every contact of the structure with level ice, were the structure in `state` at `time`; not yet judged.
+std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state, double time) const {
   std::vector<EdgeContact> contacts;
   for (const ice::Plate& plate : field.level_ice()) {
-    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), state)) {
+    const auto shift = [&](const Touch& touched) { return edges.shift(plate.level_ice(), touched, time); };
+    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), state, shift)) {
       contact.level_ice = plate.level_ice();
       contacts.push_back(std::move(contact));
     }
@@ -78,9 +80,12 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
 /// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
 /// above already: the step is then left whole. The trailing outlines then crush the ice that they cover. So the
 /// contacts belong to the state that is reached, however short or long the step.
-std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share) {
+///
+/// @param done  parts of the step before.
+std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, double done) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
-  const auto contacts_after = [&](double part) { return contacts_at(motion->after(part)); };
+  const auto time_after = [&](double part) { return time() + (done + part) * resolved.time.step; };
+  const auto contacts_after = [&](double part) { return contacts_at(motion->after(part), time_after(part)); };
   const auto above_range = [&](const std::vector<EdgeContact>& contacts) {
     return std::ranges::any_of(contacts, [&](const EdgeContact& contact) {
       const failure::BendingCriterion& criterion = *criteria[static_cast<std::size_t>(contact.level_ice)];
@@ -96,7 +101,7 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share) {
   }
 
   motion->advance(share);
-  if (crush_passed_ice()) contacts = contacts_at(motion->now());
+  if (crush_passed_ice(time_after(share))) contacts = contacts_at(motion->now(), time_after(share));
   return contacts;
 }
 
@@ -122,7 +127,7 @@ void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& rep
     for (EdgeContact& contact : contacts)
       if (contact.level_ice == plate.level_ice()) here.push_back(std::move(contact));
     std::erase_if(contacts, [&](const EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
-    assess(edge_model(plate), plate.sheet(), here);
+    assess(edge_model(plate), plate.sheet(), here, [this](const EdgeContact& c) { return edges.motion(c); });
     for (const EdgeContact& contact : here) count_range(contact.assessment, report);
     std::ranges::move(here, std::back_inserter(contacts));
   }
@@ -132,13 +137,14 @@ void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& rep
 
 /// The structure has penetrated the whole thickness of the ice that the trailing outlines cover. This ice is crushed
 /// and leaves its plate. @return whether there was any.
-bool Simulation::Impl::crush_passed_ice() {
+bool Simulation::Impl::crush_passed_ice(double time) {
   const StageTimer::Scope clock(timer, times.cutting);
   bool any = false;
   for (const ice::Plate& level : field.level_ice()) {
     ice::Plate& plate = field.level_ice(level.level_ice());
     geometry::Extent changed;
-    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), motion->now().pose))
+    const double shift = edges.largest_shift(plate.level_ice(), time);
+    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), motion->now().pose, shift))
       changed.add(field.crush(plate, outline));
     tiles.renew(plate, world, changed);
     any = any || !changed.is_empty();
@@ -192,8 +198,10 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
-    std::vector<EdgeContact> contacts = move_within_range(share);
+    std::vector<EdgeContact> contacts = move_within_range(share, done);
+    const double from = time() + done * resolved.time.step;
     done += share;
+    energy.book_bent_edges(edges.follow(contacts, from, time() + done * resolved.time.step));
     for (const EdgeContact& contact : contacts) {
       const Vec3 arm = contact.point - motion->now().pose.position, force = -contact.on_ice;
       report.loads.crushing += in_load_axes(Wrench{share * force, share * cross(arm, force)});

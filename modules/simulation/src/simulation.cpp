@@ -25,6 +25,15 @@ rigid_body::WorldSettings world_settings(const model::Case& c) {
                                                                       : rigid_body::Engine::kBrash};
 }
 
+/// Of each level ice; none where edges do not move.
+std::vector<failure::EdgeDynamics> edge_dynamics(const model::Case& c, const ice::Field& field) {
+  std::vector<failure::EdgeDynamics> dynamics;
+  if (c.failure.edge == model::EdgeMotion::kStatic) return dynamics;
+  for (const ice::Plate& plate : field.level_ice())
+    dynamics.push_back(failure::make_edge_dynamics(plate.ice(), c.ice.density));
+  return dynamics;
+}
+
 /// A criterion whose time is booked to the stage `failure`.
 class TimedCriterion final : public failure::BendingCriterion {
  public:
@@ -59,6 +68,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
       hull(structure::make_hull(c.structure.shape)),
       motion(structure::make_motion(c.structure, c.time.step)),
       field(std::move(laid)),
+      edges(edge_dynamics(c, field)),
       pattern(ice::make_crack_pattern(c.failure)),
       world(world_settings(c)),
       tiles(resolved),

@@ -13,6 +13,7 @@
 #include "energy_ledger.hpp"
 #include "floe_population.hpp"
 #include "floe_water.hpp"
+#include "moving_edges.hpp"
 #include "sheet_tiles.hpp"
 #include "sleep.hpp"
 #include "stage_timer.hpp"
@@ -35,6 +36,7 @@ struct Simulation::Impl {
   std::unique_ptr<structure::Motion> motion;
   ice::Field field;
   std::vector<std::unique_ptr<failure::BendingCriterion>> criteria;  ///< of each level ice
+  MovingEdges edges;
   std::unique_ptr<ice::CrackPattern> pattern;
   rigid_body::World world;
   SheetTiles tiles;
@@ -77,11 +79,11 @@ struct Simulation::Impl {
   void average_contacts();
   void remove_crushed_floes(StepReport& report);
 
-  std::vector<EdgeContact> move_within_range(double& share);
-  std::vector<EdgeContact> contacts_at(const structure::State& state) const;
+  std::vector<EdgeContact> move_within_range(double& share, double done);
+  std::vector<EdgeContact> contacts_at(const structure::State& state, double time) const;
   void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
   void judge(std::vector<EdgeContact>& contacts, StepReport& report) const;
-  bool crush_passed_ice();
+  bool crush_passed_ice(double time);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);
   void lay_sheet_near(BodyId body);

@@ -73,7 +73,8 @@ BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
   BOOST_TEST(brash_.failure.second_order);
   BOOST_TEST(!read_case(kValidation, {"algorithm.preset=brash", "failure.second_order=false"}).failure.second_order);
   const std::vector<std::string> left{"failure.order",       "failure.second_order", "failure.under_floes",
-                                      "failure.joint_loads", "failure.judged",       "failure.pattern"};
+                                      "failure.joint_loads", "failure.edge",         "failure.judged",
+                                      "failure.pattern"};
   BOOST_TEST(keys_set_by_preset(kValidation, {"failure.model=plate"}) == left);
 }
 

@@ -67,6 +67,20 @@ struct SheetLoad {
   double moment = 0.0;
 };
 
+/// A sheet that moves, as one at rest under the same loads: its D is kept, its lengths and moments are not. All 1: at
+/// rest. The membrane stress does not change.
+struct SheetMotion {
+  double length = 1.0;  ///< of the sheet at rest: its l_c over the ice's
+  double stress = 1.0;  ///< its moments are this many times as large
+  double radial = 1.0;  ///< its moment along the edge at B is this many times as large
+};
+
+/// The motion of an edge, as long as the sheet is whole and once a radial crack has split it.
+/// @see docs/theory/dynamic-edge.md
+struct EdgeMotion {
+  SheetMotion whole, split;
+};
+
 /// One contact, ready for the criterion.
 struct LoadCase {
   double depth = 0.0;           ///< b [m]
@@ -82,6 +96,7 @@ struct LoadCase {
   /// The loads on that edge that are to act together, the contact's own among them. Empty: the contact's own load
   /// alone.
   std::vector<SheetLoad> loads{};
+  EdgeMotion motion{};  ///< `plate-outline`
 };
 
 /// The answer of the criterion to a load case.

@@ -66,6 +66,7 @@ struct FailureSection {
   int arc_sides = 16;           ///< chords of a full breaking circle
   int max_substeps = 8;         ///< when an input exceeds the model's range
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
+  EdgeMotion edge = EdgeMotion::kDynamic;
   JudgedAt judged = JudgedAt::kAnywhere;
   CrackPattern pattern = CrackPattern::kStress;
 

@@ -27,6 +27,11 @@ enum class JudgedAt {
   kCentreLine,  ///< from B into the ice: the paper's
   kAnywhere     ///< all over the sheet around B
 };
+/// [failure] edge: whether the edge of the sheet gives way.
+enum class EdgeMotion {
+  kStatic,  ///< it is bent at once, and stays where it is: the paper's
+  kDynamic  ///< it moves with inertia on moving water
+};
 /// [failure] pattern: the cracks of ice that fails in bending, ice::make_crack_pattern().
 enum class CrackPattern {
   kDisc,   ///< a circle of the breaking length with radial cracks: the paper's
@@ -82,6 +87,9 @@ template <>
 inline constexpr auto kNames<JudgedAt> = std::to_array<Named<JudgedAt>>({{JudgedAt::kCentreLine, "centre-line"},
                                                                          {JudgedAt::kAnywhere, "anywhere"}});
 template <>
+inline constexpr auto kNames<EdgeMotion> = std::to_array<Named<EdgeMotion>>({{EdgeMotion::kStatic, "static"},
+                                                                             {EdgeMotion::kDynamic, "dynamic"}});
+template <>
 inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"},
                                                                                  {CrackPattern::kStress, "stress"}});
 template <>
@@ -119,6 +127,7 @@ struct FailureOptions {
   bool second_order = false;  ///< `second_order = true`: the in-plane force acts on the bent plate
   bool radial_first = false;  ///< `order = "radial-first"`: the sheet may split first
   bool knows_field = false;   ///< `pattern = "stress"` and `judged = "anywhere"`: it knows the stress as a field
+  bool moving_edge = false;   ///< `edge = "dynamic"`: it knows an edge that moves
   bool joint_loads = false;   ///< `joint_loads = true`: it solves the sheet under several loads
 };
 
@@ -133,7 +142,8 @@ constexpr FailureOptions options_of(FailureModel model, bool own_file) {
     case FailureModel::kPlate:
       return {.second_order = true, .radial_first = true};
     case FailureModel::kPlateOutline:
-      return {.second_order = true, .radial_first = true, .knows_field = true, .joint_loads = true};
+      return {
+          .second_order = true, .radial_first = true, .knows_field = true, .moving_edge = true, .joint_loads = true};
     case FailureModel::kWedge:
       return {};
   }

@@ -12,6 +12,7 @@ namespace brash::model {
 /// structure and the floes. Each is forces times velocities, none is a remainder (docs/theory/dynamics.md, (E1)).
 struct EnergyLosses {
   double edge = 0.0;                ///< the structure's work against the sheet's edge: crushing and its friction
+  double bending = 0.0;             ///< the structure's work that bends the sheet's edge, where it moves
   double structure_contact = 0.0;   ///< normal forces between floes and structure: crushing and impact
   double structure_friction = 0.0;  ///< slip between floes and structure
   double sheet_contact = 0.0;       ///< likewise between floes and the fixed sheet
@@ -25,6 +26,7 @@ struct EnergyLosses {
   template <typename Visit>
   static void visit(Visit&& visit) {
     visit("edge", "crushing and its friction at the sheet's edge", &EnergyLosses::edge);
+    visit("bending", "bending of the sheet's edge", &EnergyLosses::bending);
     visit("structure_contact", "crushing and impact between floes and structure", &EnergyLosses::structure_contact);
     visit("structure_friction", "friction between floes and structure", &EnergyLosses::structure_friction);
     visit("sheet_contact", "crushing and impact between floes and sheet", &EnergyLosses::sheet_contact);

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/failure/edge_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
+#include "brash/failure/edge_break.hpp"
+
+namespace brash::failure {
+namespace {
+
+/// The lengths of a moving sheet over those of one at rest are sought in this range.
+constexpr double kShortest = 0.15, kLongest = 1.25;
+constexpr int kHalvings = 8;
+
+/// Where the axis is bent, and how much.
+struct Bending {
+  double largest = 0.0;  ///< moment farther in than h
+  double middle = 0.0;   ///< centroid of the moments that put the pushed surface in tension
+};
+
+/// @param lengths  the stations are in units of this.
+template <typename Moment>
+Bending bending_of(const std::vector<double>& station, double lengths, double thickness, const Moment& moment) {
+  Bending result;
+  double area = 0.0, first = 0.0;
+  for (std::size_t i = 0; i < station.size(); ++i) {
+    const double x = lengths * station[i], here = std::max(0.0, moment(i));
+    const double before = lengths * station[i > 0 ? i - 1 : 0];
+    const double after = lengths * station[std::min(i + 1, station.size() - 1)];
+    const double weight = 0.5 * (after - before) * here;
+    area += weight;
+    first += weight * x;
+    if (x >= thickness) result.largest = std::max(result.largest, here);
+  }
+  if (area > 0.0) result.middle = first / area;
+  return result;
+}
+
+}  // namespace
+
+double EdgeHistory::slope_after(std::size_t knot) const {
+  // Beyond the end the force goes on as before.
+  const std::size_t i = std::min(knot, knots_.size() - 2);
+  return (knots_[i + 1].force - knots_[i].force) / (knots_[i + 1].time - knots_[i].time);
+}
+
+void EdgeHistory::extend(double time, double force, double memory) {
+  BRASH_EXPECTS(time > knots_.back().time && force >= 0.0, time, knots_.back().time, force);
+  knots_.push_back({time, force});
+  std::size_t n_old = 0;
+  double before = settled_.slope;
+  while (n_old + 2 < knots_.size() && knots_[n_old].time < time - memory) {
+    const double after = slope_after(n_old);
+    settled_.slope += after - before;
+    settled_.moment += (after - before) * knots_[n_old].time;
+    before = after;
+    ++n_old;
+  }
+  knots_.erase(knots_.begin(), knots_.begin() + static_cast<std::ptrdiff_t>(n_old));
+}
+
+double EdgeHistory::Weights::of(const double* series, std::size_t stride, double static_value) const {
+  double sum = at_rest * static_value;
+  for (std::size_t i = 0; i < of_time.size(); ++i)
+    if (of_time[i] != 0.0) sum += of_time[i] * series[i * stride];
+  return sum;
+}
+
+EdgeHistory::Weights EdgeHistory::weights(const std::vector<double>& series_time, double period, double at) const {
+  Weights sum{std::vector<double>(series_time.size(), 0.0), 0.0};
+  if (knots_.size() < 2) return sum;
+  // t F(t) of a slope that began long ago grows by the static value, and keeps what it lagged behind at the end.
+  const double lag = settled_.slope * period * series_time.back();
+  sum.at_rest = settled_.slope * at - settled_.moment - lag;
+  sum.of_time.back() = lag;
+  double before = settled_.slope;
+  for (std::size_t i = 0; i < knots_.size(); ++i) {
+    const double age = at - knots_[i].time, after = slope_after(i);
+    const plate::SeriesWeights w = plate::series_weights(series_time, age / period);
+    const double grown = (after - before) * age;
+    for (std::size_t j = 0; j < w.weight.size(); ++j) sum.of_time[w.first + j] += grown * w.weight[j];
+    sum.at_rest += grown * w.at_rest;
+    before = after;
+  }
+  return sum;
+}
+
+EdgeDynamics::EdgeDynamics(Responses responses, const IceProperties& ice, double ice_density)
+    : responses_(std::move(responses)),
+      ice_(ice),
+      l_c_(characteristic_length(ice)),
+      period_(std::sqrt(l_c_ / kGravity)),
+      mass_ratio_(mass_ratio(ice, ice_density)) {
+  memory_ = period_ * responses_(geometry({.contact_length = ice.thickness}, false)).time.back();
+}
+
+plate::EdgeGeometry EdgeDynamics::geometry(const LoadCase& load, bool split) const {
+  return {.depth = load.depth / l_c_,
+          .contact_length = load.contact_length / l_c_,
+          .angle = load.angle,
+          .mass_ratio = mass_ratio_,
+          .thickness = ice_.thickness / l_c_,
+          .split = split};
+}
+
+double EdgeDynamics::deflection(const LoadCase& load, const EdgeHistory& history, double at) const {
+  const plate::EdgeResponses r = responses_(geometry(load, false));
+  const double force = history.weights(r.time, period_, at).of(r.deflection.data(), 1, r.static_deflection);
+  return force / (load.contact_length * ice_.water_density * kGravity * l_c_);
+}
+
+EdgeMotion EdgeDynamics::motion(const LoadCase& load, const EdgeHistory& history) const {
+  return {sheet_motion(load, history, false), sheet_motion(load, history, true)};
+}
+
+/// Finds the scale of lengths at which the axis of the trapezoid at rest is bent as far in as it is now, then compares
+/// the moments under the same force.
+SheetMotion EdgeDynamics::sheet_motion(const LoadCase& load, const EdgeHistory& history, bool split) const {
+  const plate::EdgeGeometry here = geometry(load, split);
+  const plate::EdgeResponses r = responses_(here);
+  const EdgeHistory::Weights weights = history.weights(r.time, period_, history.time());
+  const double force = history.force();
+  const std::size_t n = r.station.size();
+  const Bending now = bending_of(r.station, 1.0, here.thickness, [&](std::size_t i) {
+    return weights.of(r.axis_moment.data() + i, n, r.static_axis_moment[i]) / force;
+  });
+  if (!(force > 0.0) || !(now.largest > 0.0)) return {};
+
+  const auto at_rest = [&](double length) {
+    plate::EdgeGeometry scaled = here;
+    scaled.depth /= length;
+    scaled.contact_length /= length;
+    scaled.thickness /= length;
+    return responses_(scaled);
+  };
+  const auto bent = [&](const plate::EdgeResponses& rest, double length) {
+    return bending_of(rest.station, length, here.thickness,
+                      [&](std::size_t i) { return length * rest.static_axis_moment[i]; });
+  };
+  double shorter = kShortest, longer = kLongest;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = std::sqrt(shorter * longer);
+    (bent(at_rest(middle), middle).middle < now.middle ? shorter : longer) = middle;
+  }
+  SheetMotion result{.length = std::sqrt(shorter * longer)};
+  const plate::EdgeResponses rest = at_rest(result.length);
+  result.stress = now.largest / bent(rest, result.length).largest;
+  const double radial = weights.of(r.edge_moment.data(), 1, r.static_edge_moment) / force;
+  result.radial = radial / (result.length * rest.static_edge_moment);
+  return result;
+}
+
+}  // namespace brash::failure

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "brash/failure/edge_motion.hpp"
+#include "brash/model/checkpoint.hpp"
+#include "edge_contact.hpp"
+
+namespace brash::simulation {
+
+/// The free edges that the structure presses on, each from its first touch until the ice breaks or the structure lets
+/// go. They give way under their load, and remember it.
+/// @see docs/theory/dynamic-edge.md
+class MovingEdges {
+ public:
+  /// @param dynamics  of each level ice; empty: edges do not move.
+  explicit MovingEdges(std::vector<failure::EdgeDynamics> dynamics) : dynamics_(std::move(dynamics)) {}
+
+  /// How far the edge that is touched will have given way at a time, if its load goes on as before: along the
+  /// way in which it is pushed, negative for down [m].
+  double shift(int level_ice, const Touch& touched, double time) const;
+
+  /// Largest shift in size [m], with its sign.
+  double largest_shift(int level_ice, double time) const;
+
+  /// The contacts of the structure have loaded the edges from one time to the other [s]. Edges that it does not touch
+  /// any more are forgotten. @return the work that bent edges [J].
+  double follow(const std::vector<EdgeContact>& contacts, double from, double to);
+
+  /// How the edge of a contact moves.
+  failure::EdgeMotion motion(const EdgeContact& contact) const;
+
+  /// The level ice has broken within `radius` of `at`.
+  void forget_within(int level_ice, Vec2 at, double radius);
+
+  void save(model::Checkpoint& checkpoint) const;
+  void restore(const model::Checkpoint& checkpoint);
+
+ private:
+  /// An edge that is pressed.
+  struct Edge {
+    int level_ice = 0;
+    Touch touched{};
+    double way = -1.0;          ///< -1: pushed down, 1: up
+    double deflection = 0.0;    ///< at the end of the history, >= 0 as pushed [m]
+    failure::LoadCase shape{};  ///< its trapezoid
+    failure::EdgeHistory history;
+  };
+
+  const failure::EdgeDynamics& dynamics(int level_ice) const { return dynamics_[static_cast<std::size_t>(level_ice)]; }
+  const Edge* edge_at(int level_ice, const Touch& touched) const;
+
+  std::vector<failure::EdgeDynamics> dynamics_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace brash::simulation
