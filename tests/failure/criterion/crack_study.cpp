@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Not a test: writes five breaks of a run for docs/theory/figures/cracks.py, each with the stress on the surface that
+// Not a test: writes five breaks of runs for docs/theory/figures/cracks.py, each with the stress on the surface that
 // fails. Lengths in metres, frame of the contact: x into the ice.
 //
-//   crack_study [seed] > docs/theory/figures/crack-patterns.json
+//   crack_study [first seed] > docs/theory/figures/crack-patterns.json
 
 #include <cmath>
 #include <cstdio>
@@ -102,20 +102,23 @@ std::optional<Json> next_break(testing::EdgeOfRun& run, const simulation::EdgeMo
 }  // namespace
 
 int main(int argc, char** argv) {
-  testing::EdgeOfRun run(argc > 1 ? std::atoi(argv[1]) : 101);
-  const auto criterion = simulation::make_criterion(run.resolved, run.ice);
-  const simulation::EdgeModel model{*run.hull, run.resolved, run.ice, *criterion};
   Json breaks = Json::array();
-  double from = 0.1 * run.resolved.time.duration;  // one break after each fifth of the run
-  while (!run.is_over() && breaks.size() < 5) {
-    if (run.simulation.time() < from) {
-      (void)run.step();
-      continue;
-    }
-    if (auto one = next_break(run, model)) {
-      std::fprintf(stderr, "break at %.2f s\n", run.simulation.time());
-      breaks.push_back(std::move(*one));
-      from += 0.2 * run.resolved.time.duration;
+  // One break after each fifth of a run, of as many runs as it takes.
+  for (int seed = argc > 1 ? std::atoi(argv[1]) : 101; breaks.size() < 5; ++seed) {
+    testing::EdgeOfRun run(seed);
+    const auto criterion = simulation::make_criterion(run.resolved, run.ice);
+    const simulation::EdgeModel model{*run.hull, run.resolved, run.ice, *criterion};
+    double from = 0.1 * run.resolved.time.duration;
+    while (!run.is_over() && breaks.size() < 5) {
+      if (run.simulation.time() < from) {
+        (void)run.step();
+        continue;
+      }
+      if (auto one = next_break(run, model)) {
+        std::fprintf(stderr, "seed %d, %.2f s\n", seed, run.simulation.time());
+        breaks.push_back(std::move(*one));
+        from += 0.2 * run.resolved.time.duration;
+      }
     }
   }
   const Json window{{"back", kBack}, {"ahead", kAhead}, {"aside", kAside}, {"cell", kCell}};

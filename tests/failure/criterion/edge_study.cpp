@@ -9,12 +9,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "brash/core/constants.hpp"
 #include "brash/plate/sheet.hpp"
 #include "edge_of_run.hpp"
 #include "outline_sheet.hpp"
+#include "weak_places.hpp"
 
 namespace {
 
@@ -26,22 +28,31 @@ struct Answer {
   double length = 0.0;
 };
 
+/// The answers of a solved sheet, on the centre line and all around B.
+struct OnSheet {
+  Answer line, anywhere;
+};
+
 /// The judgements of one contact.
 struct Judged {
-  Answer trapezoid, fast, fine;
+  Answer trapezoid;
+  OnSheet fast, fine;
   double joint = 0.0;  ///< stress under all loads of the structure, fast mesh, over the strength
   bool clamped = false;
 };
 
-std::optional<Answer> on_sheet(const failure::LoadCase& load, const failure::IceProperties& ice,
-                               plate::Accuracy accuracy) {
+std::optional<OnSheet> on_sheet(const failure::LoadCase& load, const failure::IceProperties& ice,
+                                plate::Accuracy accuracy) {
   plate::LoadedSheet sheet = failure::loaded_sheet(load, ice, false);
   sheet.accuracy = accuracy;
   const auto solution = plate::solve(sheet);
   if (!solution) return std::nullopt;
   const auto stresses = failure::stresses_ahead(sheet, *solution, ice);
   if (!stresses) return std::nullopt;
-  return Answer{stresses->largest, stresses->place};
+  OnSheet result{{stresses->largest, stresses->place}, {stresses->largest, stresses->place}};
+  const auto weakest = failure::weak_places(sheet, *solution, ice).weakest();
+  if (weakest && weakest->stress > stresses->largest) result.anywhere = {weakest->stress, norm(weakest->at)};
+  return result;
 }
 
 /// Nothing where the sheet cannot be solved.
@@ -60,7 +71,7 @@ std::optional<Judged> judge(const simulation::EdgeModel& model, const geometry::
   return Judged{.trapezoid = {quick.sigma_max / model.ice.flexural_strength, quick.breaking_length / l_c},
                 .fast = *fast,
                 .fine = *fine,
-                .joint = all->stress,
+                .joint = all->line.stress,
                 .clamped = quick.below_range || quick.above_range};
 }
 
@@ -75,17 +86,20 @@ void print(const char* name, std::vector<double> values, double unit) {
 
 /// Errors of the contacts whose stress is at least `least` of the strength, with all loads on the sheet.
 void table(const std::vector<Judged>& judged, double least) {
-  std::vector<double> load[2], length[2], signed_load, lowered;
+  std::vector<double> load[2], length[2], signed_load, lowered, load_anywhere, length_anywhere, line_too_high;
   int n_clamped = 0;
   for (const Judged& one : judged) {
     if (one.joint < least) continue;
-    const Answer* model[2] = {&one.trapezoid, &one.fast};
+    const Answer* model[2] = {&one.trapezoid, &one.fast.line};
     for (int i = 0; i < 2; ++i) {
-      load[i].push_back(std::abs(one.fine.stress / model[i]->stress - 1.0));
-      length[i].push_back(std::abs(model[i]->length - one.fine.length));
+      load[i].push_back(std::abs(one.fine.line.stress / model[i]->stress - 1.0));
+      length[i].push_back(std::abs(model[i]->length - one.fine.line.length));
     }
-    signed_load.push_back(one.fine.stress / one.trapezoid.stress - 1.0);
-    lowered.push_back(1.0 - one.fast.stress / one.joint);
+    load_anywhere.push_back(std::abs(one.fine.anywhere.stress / one.fast.anywhere.stress - 1.0));
+    length_anywhere.push_back(std::abs(one.fast.anywhere.length - one.fine.anywhere.length));
+    line_too_high.push_back(one.fine.anywhere.stress / one.fine.line.stress - 1.0);
+    signed_load.push_back(one.fine.line.stress / one.trapezoid.stress - 1.0);
+    lowered.push_back(1.0 - one.fast.line.stress / one.joint);
     n_clamped += one.clamped ? 1 : 0;
   }
   std::printf("\n%zu contacts with at least %.2f of the strength; %d outside the superposition's range\n",
@@ -96,6 +110,9 @@ void table(const std::vector<Judged>& judged, double least) {
   print("load, fast sheet [%]", load[1], 100.0);
   print("length, trapezoid [l_c]", length[0], 1.0);
   print("length, fast sheet [l_c]", length[1], 1.0);
+  print("load, fast sheet, anywhere [%]", load_anywhere, 100.0);
+  print("length, fast sheet, anywhere [l_c]", length_anywhere, 1.0);
+  print("load, centre line too high by [%]", line_too_high, 100.0);
   print("lowered by the other loads [%]", lowered, 100.0);
 }
 
@@ -112,10 +129,12 @@ std::vector<std::size_t> bearing(const simulation::EdgeModel& model,
 }
 
 void print(const failure::LoadCase& load, const Judged& one) {
-  std::printf("b %.3f c %.3f m theta %.0f: trapezoid %.4f %.3f fast %.4f %.3f fine %.4f %.3f joint %.4f%s\n",
-              load.depth, load.contact_length, load.angle / radians(1.0), one.trapezoid.stress, one.trapezoid.length,
-              one.fast.stress, one.fast.length, one.fine.stress, one.fine.length, one.joint,
-              one.clamped ? " clamped" : "");
+  std::printf("b %.3f c %.3f m theta %.0f: trapezoid %.4f %.3f", load.depth, load.contact_length,
+              load.angle / radians(1.0), one.trapezoid.stress, one.trapezoid.length);
+  for (const auto& [name, sheet] : {std::pair{"fast", one.fast}, std::pair{"fine", one.fine}})
+    std::printf(" %s %.4f %.3f anywhere %.4f %.3f", name, sheet.line.stress, sheet.line.length, sheet.anywhere.stress,
+                sheet.anywhere.length);
+  std::printf(" joint %.4f%s\n", one.joint, one.clamped ? " clamped" : "");
 }
 
 /// Judges one contact at a time, at least `pause` steps apart.
