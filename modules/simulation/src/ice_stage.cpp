@@ -160,6 +160,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
     const bool broken_off = std::ranges::any_of(
         report.events, [&](const model::CrackEvent& event) { return norm(event.tip - tip) < event.breaking_length; });
     if (!contact.assessment.fails || broken_off) continue;
+    const MovingEdges::Life life = edges.life(contact);
     model::CrackEvent event{.time = time(),
                             .at = contact.region.midpoint,
                             .depth = contact.wedge.depth,
@@ -175,7 +176,9 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .area_before = field.ledger().sheet.square_metres(),
                             .tip = tip,
                             .towards = contact.region.normal,
-                            .pressing_floe = contact.floe};
+                            .pressing_floe = contact.floe,
+                            .edge_age = life.age,
+                            .edge_deflection = life.deflection};
     Break made = break_off(contact, report);
     event.wedges = made.n_wedges;
     const bool solves_sheet = edge_model(field.level_ice(contact.level_ice)).criterion.needs_outline();

@@ -10,6 +10,7 @@ namespace {
 /// An edge in a checkpoint.
 struct SavedEdge {
   std::int64_t level_ice = 0;
+  double touched_at = 0.0;
   Vec2 tip{};
   double length = 0.0, way = 0.0, deflection = 0.0, depth = 0.0, contact_length = 0.0, angle = 0.0;
   failure::EdgeHistory::Settled settled;
@@ -17,6 +18,7 @@ struct SavedEdge {
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit("level_ice", "1", "number of the level ice that it is the edge of", self.level_ice);
+    visit("touched_at", "s", "time of the first touch", self.touched_at);
     visit("tip_", "m", "middle of the chord", self.tip);
     visit("length", "m", "of the chord", self.length);
     visit("way", "1", "-1: pushed down, 1: up", self.way);
@@ -80,8 +82,9 @@ double MovingEdges::follow(const std::vector<EdgeContact>& contacts, double from
   std::vector<Edge> now;
   for (const EdgeContact& contact : contacts) {
     const Edge* const before = edge_at(contact.level_ice, contact.touched);
-    Edge edge =
-        before != nullptr ? *before : Edge{.level_ice = contact.level_ice, .history = failure::EdgeHistory(from)};
+    Edge edge = before != nullptr
+                    ? *before
+                    : Edge{.level_ice = contact.level_ice, .touched_at = from, .history = failure::EdgeHistory(from)};
     edge.touched = contact.touched;
     if (contact.load.pressure > 0.0) {
       edge.way = contact.on_ice.z > 0.0 ? 1.0 : -1.0;
@@ -102,6 +105,11 @@ double MovingEdges::follow(const std::vector<EdgeContact>& contacts, double from
   return work;
 }
 
+MovingEdges::Life MovingEdges::life(const EdgeContact& contact) const {
+  const Edge* const edge = contact.floe == model::kNoFloe ? edge_at(contact.level_ice, contact.touched) : nullptr;
+  return edge != nullptr ? Life{edge->history.time() - edge->touched_at, edge->deflection} : Life{};
+}
+
 failure::EdgeMotion MovingEdges::motion(const EdgeContact& contact) const {
   const bool of_structure = contact.floe == model::kNoFloe;
   const Edge* const edge = of_structure && !dynamics_.empty() ? edge_at(contact.level_ice, contact.touched) : nullptr;
@@ -118,6 +126,7 @@ void MovingEdges::save(model::Checkpoint& checkpoint) const {
   model::Table edges{"moving_edge", {}}, knots{"edge_load", {}};
   for (const Edge& edge : edges_) {
     const SavedEdge saved{.level_ice = edge.level_ice,
+                          .touched_at = edge.touched_at,
                           .tip = edge.touched.tip,
                           .length = edge.touched.length,
                           .way = edge.way,
@@ -155,6 +164,7 @@ void MovingEdges::restore(const model::Checkpoint& checkpoint) {
     model::RestoredRow row(edges, i);
     SavedEdge::visit(saved, row);
     edges_.push_back({.level_ice = static_cast<int>(saved.level_ice),
+                      .touched_at = saved.touched_at,
                       .touched = {saved.tip, saved.length},
                       .way = saved.way,
                       .deflection = saved.deflection,

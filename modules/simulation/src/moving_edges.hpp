@@ -29,6 +29,13 @@ class MovingEdges {
   /// any more are forgotten. @return the work that bent edges [J].
   double follow(const std::vector<EdgeContact>& contacts, double from, double to);
 
+  /// Where the edge of a contact is in its life; zero where it does not move.
+  struct Life {
+    double age = 0.0;         ///< since the first touch [s]
+    double deflection = 0.0;  ///< >= 0 as pushed [m]
+  };
+  Life life(const EdgeContact& contact) const;
+
   /// How the edge of a contact moves.
   failure::EdgeMotion motion(const EdgeContact& contact) const;
 
@@ -42,6 +49,7 @@ class MovingEdges {
   /// An edge that is pressed.
   struct Edge {
     int level_ice = 0;
+    double touched_at = 0.0;  ///< first [s]
     Touch touched{};
     double way = -1.0;          ///< -1: pushed down, 1: up
     double deflection = 0.0;    ///< at the end of the history, >= 0 as pushed [m]

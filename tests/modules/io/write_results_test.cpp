@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(events_have_breaks_and_deletions_in_the_order_of_time) {
   BOOST_REQUIRE(lines.size() == 5u);
   BOOST_TEST(lines[0] ==
              "time,x,y,b,c,theta,mu1,mu2,p,sigma_max,l_break,wedges,in_range,substeps,area_before,area_after,fit_error,"
-             "pieces,tip_x,tip_y,towards_x,towards_y,pressing_floe,event,cause,floe,floe_area,peak_stress");
+             "pieces,tip_x,tip_y,towards_x,towards_y,pressing_floe,t_break,w_edge,event,cause,floe,floe_area,peak_stress");
   BOOST_TEST(
       lines[1] ==
       "0.02,0.1,-0.2,0.5,0.3,1.0471975511965976,0.511,0.027,500000,540000,1.7,4,1,2,2499,2495.5,0.011,5,0.2,-0.2,"

@@ -126,7 +126,7 @@ struct Columns<model::CrackEvent> {
     visit(
         "p", "Pa", "pressure on the contact", [](auto& row) -> auto& { return row.pressure; });
     visit(
-        "sigma_max", "Pa", "largest principal stress on the centre line",
+        "sigma_max", "Pa", "largest principal stress where the ice is judged",
         [](auto& row) -> auto& { return row.sigma_max; });
     visit(
         "l_break", "m", "breaking length", [](auto& row) -> auto& { return row.breaking_length; });
@@ -158,6 +158,12 @@ struct Columns<model::CrackEvent> {
     visit(
         "pressing_floe", "1", "floe_id of the floe that broke the sheet; -1: the structure itself",
         [](auto& row) -> auto& { return row.pressing_floe; });
+    visit(
+        "t_break", "s", "time since the structure touched the edge; 0 where the edge does not move",
+        [](auto& row) -> auto& { return row.edge_age; });
+    visit(
+        "w_edge", "m", "deflection of the edge as it is pushed; 0 where it does not move",
+        [](auto& row) -> auto& { return row.edge_deflection; });
   }
 };
 
