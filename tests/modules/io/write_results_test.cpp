@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(the_load_history_has_a_line_a_step) {
              "time,Fx,Fy,Fz,Mx,My,Mz,crushing_Fx,crushing_Fy,crushing_Fz,crushing_Mx,crushing_My,crushing_Mz,"
              "floe_normal_Fx,floe_normal_Fy,floe_normal_Fz,floe_normal_Mx,floe_normal_My,floe_normal_Mz,"
              "floe_friction_Fx,floe_friction_Fy,floe_friction_Fz,floe_friction_Mx,floe_friction_My,floe_friction_Mz,"
-             "kinetic_energy,potential_energy,work,birth_energy,removed_energy,loss_edge,loss_structure_contact,"
+             "kinetic_energy,potential_energy,work,birth_energy,removed_energy,loss_edge,loss_bending,loss_structure_contact,"
              "loss_structure_friction,loss_sheet_contact,loss_sheet_friction,loss_floe_contact,loss_floe_friction,"
              "loss_drag,loss_skin_friction,energy_error,area_sheet,area_floes,area_crushed,area_deleted,"
              "area_brash,area_snap,n_floes,n_contacts");

@@ -41,6 +41,7 @@ function ledgerChart(run: Run): Chart {
 /** Loss name, what it is, in the order of the summary. */
 const kLosses: Record<string, string> = {
   edge: "crushing and its friction at the sheet's edge",
+  bending: "bending of the sheet's edge, where it moves",
   structure_contact: "crushing and impact, floes against structure",
   structure_friction: "friction, floes against structure",
   sheet_contact: "crushing and impact, floes against sheet",
