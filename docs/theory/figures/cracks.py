@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Five breaks of a run with the stress on the surface that fails. The data are the output of the program crack_study."""
+"""Five breaks of two runs with the stress on the surface that fails. The data are the output of the program crack_study."""
 import json
 import pathlib
 
@@ -55,8 +55,8 @@ def draw():
         axis.set_ylabel("into the ice [m]")
     key = axes[1, 2]
     key.axis("off")
-    by_name = {text: line for line, text in zip(*axes[0, 0].get_legend_handles_labels())}
-    key.legend(by_name.values(), by_name.keys(), loc="upper center", ncols=2)
+    by_name = {text: line for axis in axes.flat for line, text in zip(*axis.get_legend_handles_labels())}
+    key.legend(by_name.values(), by_name.keys(), loc="upper center", ncols=2, fontsize="small", handlelength=1.4)
     figure.colorbar(image, cax=key.inset_axes((0.1, 0.28, 0.8, 0.08)), orientation="horizontal", extend="both",
                     label="larger principal stress over the strength")
     return figure
