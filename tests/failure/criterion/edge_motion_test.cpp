@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sheet at rest that stands for the moving one, against the moving trapezoid itself.
+#include "brash/failure/edge_motion.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "brash/core/constants.hpp"
+#include "brash/failure/edge_break.hpp"
+#include "brash/failure/edge_responses.hpp"
+
+namespace {
+
+using namespace brash;
+namespace tt = boost::test_tools;
+
+const failure::IceProperties kIce{
+    .thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3, .compressive_strength = 1e6};
+constexpr double kDensity = 900.0, kMu1 = 0.511, kFriction = 0.027;
+const double kSlope = radians(61.4);
+
+/// The state of an edge that a surface has pushed for some time: N linear in the depth, the contact length fixed.
+struct Pushed {
+  failure::EdgeHistory history{0.0};
+  double load = 0.0;  ///< N
+};
+
+Pushed push(const failure::EdgeDynamics& edge, const failure::LoadCase& shape, double speed, double until) {
+  const double stiffness = kIce.compressive_strength * kIce.crushing_factor * shape.contact_length *
+                           (std::tan(kSlope) + kFriction);
+  constexpr int kSteps = 60;
+  Pushed result;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double t = until * i / kSteps;
+    const double away = i > 1 ? edge.deflection(shape, result.history, t) / std::tan(kSlope) : 0.0;
+    result.load = stiffness * std::max(0.0, speed * t - away);
+    result.history.extend(t, kMu1 * result.load, edge.memory());
+  }
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_that_stands_for_the_moving_one_breaks_as_the_moving_trapezoid_does) {
+  const double l_c = failure::characteristic_length(kIce);
+  const auto model = failure::EdgeResponseModel::read(failure::edge_model_path());
+  const failure::EdgeDynamics edge = failure::make_edge_dynamics(kIce, kDensity);
+  const auto sheet = failure::make_criterion(model::FailureModel::kPlateOutline, "", kIce);
+  struct Case {
+    double depth, contact_length, angle, speed;
+  };
+  for (const auto& [b, c, theta, speed] :
+       {Case{0.0, 0.3, 0.0, 1.202}, Case{0.0, 0.3, 0.0, 0.3}, Case{0.0, 1.5, 0.0, 1.202}, Case{0.0, 1.5, 0.0, 3.0},
+        Case{0.4, 0.3, 60.0, 1.202}, Case{0.2, 0.3, 120.0, 1.202}, Case{0.2, 0.3, 120.0, 3.0},
+        Case{0.1, 0.8, 90.0, 1.202}, Case{0.0, 6.0, 0.0, 1.202}}) {
+    const plate::EdgeGeometry geometry{.depth = b,
+                                       .contact_length = c,
+                                       .angle = radians(theta),
+                                       .mass_ratio = failure::mass_ratio(kIce, kDensity),
+                                       .thickness = kIce.thickness / l_c};
+    const failure::EdgeBreak known = failure::break_edge(
+        model.at(geometry), kIce,
+        {.speed = speed, .slope = kSlope, .friction = kFriction, .mu1 = kMu1, .contact_length = c * l_c});
+    failure::LoadCase load{.depth = b * l_c, .contact_length = c * l_c, .angle = radians(theta), .mu1 = kMu1};
+    const Pushed pushed = push(edge, load, speed, known.time);
+    const double deflection = edge.deflection(load, pushed.history, known.time);
+    load.pressure = pushed.load / (load.contact_length * kIce.thickness);
+    load.motion = edge.motion(load, pushed.history);
+    const failure::Assessment here = sheet->assess(load);
+    const double stress = here.sigma_max / kIce.flexural_strength;
+    std::cout << "b " << b << " c " << c << " theta " << theta << " V " << speed << ": N " << 1e-3 * pushed.load << " ("
+              << 1e-3 * known.load << "), w " << deflection << " (" << known.deflection << "), stress " << stress
+              << ", l " << here.breaking_length / l_c << " (" << known.breaking_length / l_c << "), scales "
+              << load.motion.whole.length << " " << load.motion.whole.stress << " " << load.motion.whole.radial << "\n";
+    BOOST_TEST(pushed.load == known.load, tt::tolerance(0.01));
+    BOOST_TEST(deflection == known.deflection, tt::tolerance(0.03));
+    BOOST_TEST(stress == 1.0, tt::tolerance(0.05));
+    BOOST_TEST(std::abs(here.breaking_length - known.breaking_length) < 0.1 * l_c);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_that_is_pushed_slowly_is_at_rest) {
+  const double l_c = failure::characteristic_length(kIce);
+  const failure::EdgeDynamics edge = failure::make_edge_dynamics(kIce, kDensity);
+  const failure::LoadCase load{.depth = 0.1 * l_c, .contact_length = 0.3 * l_c, .angle = 1.0, .mu1 = kMu1};
+  failure::EdgeHistory history(0.0);
+  for (int i = 1; i <= 400; ++i) history.extend(0.1 * i, 100.0 * i, edge.memory());
+  const failure::EdgeMotion motion = edge.motion(load, history);
+  for (const failure::SheetMotion& sheet : {motion.whole, motion.split}) {
+    BOOST_TEST(sheet.length == 1.0, tt::tolerance(0.02));
+    BOOST_TEST(sheet.stress == 1.0, tt::tolerance(0.02));
+    BOOST_TEST(sheet.radial == 1.0, tt::tolerance(0.02));
+  }
+}
+
+}  // namespace
