@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edge_rows.hpp"
 
-#include <optional>
-
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/failure/edge_break.hpp"
@@ -25,25 +23,6 @@ failure::IceProperties ice_of(const model::Case& c) {
           .water_density = c.water.density};
 }
 
-/// Responses from the model, inputs moved into its range, or from the plate on its water.
-class Edges {
- public:
-  explicit Edges(const std::string& model) {
-    if (model != "fem") model_ = failure::EdgeResponseModel::read(model.empty() ? failure::edge_model_path() : model);
-  }
-
-  failure::EdgeResponses at(const failure::EdgeGeometry& geometry, bool& in_range) const {
-    in_range = !model_ || model_->check(geometry).inside();
-    if (model_) return model_->at(model_->clamp(geometry));
-    auto solved = plate::solve(geometry);
-    if (!solved) throw RunError("the moving edge: " + solved.error().what);
-    return std::move(*solved);
-  }
-
- private:
-  std::optional<failure::EdgeResponseModel> model_;
-};
-
 void expect_no_thickness(const std::vector<PredictedRow>& rows, const std::string& name) {
   for (const PredictedRow& row : rows) {
     if (row.lc_over_h > 0.0)
@@ -64,7 +43,7 @@ void predict_moving_edges(const EdgePredictOptions& options) {
   if (!(slope < 0.5 * kPi))
     throw InputError(Complaint{options.case_file, "has a vertical wall at the waterline, which does not bend the ice",
                                "a structure that slopes", "give its surface a slope, or leave --case out"});
-  const Edges edges(options.model);
+  const failure::EdgeSource edges(options.model);
   print("{},speed,N,t_break,w_edge,lbreak,first,in_range\n", header);
   for (const PredictedRow& row : rows) {
     const failure::EdgeGeometry geometry{.depth = row.input.b_lc,
@@ -72,8 +51,7 @@ void predict_moving_edges(const EdgePredictOptions& options) {
                                          .angle = row.input.theta,
                                          .mass_ratio = failure::mass_ratio(ice, resolved.ice.density),
                                          .thickness = ice.thickness / l_c};
-    bool in_range = true;
-    const failure::EdgeResponses responses = edges.at(geometry, in_range);
+    const auto [responses, in_range] = edges.at(geometry);
     for (const double speed : options.speeds) {
       const failure::EdgePush push{.speed = speed,
                                    .slope = slope,

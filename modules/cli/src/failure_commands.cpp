@@ -277,12 +277,10 @@ void add_predict_command(CLI::App& failure) {
   CLI::Option* const of_case =
       command
           ->add_option("--case", options->edges.case_file,
-                       "case file (TOML): follow the moving edge until its structure breaks it at each --speed")
+                       "case file (TOML): follow the moving edge of each row until the structure breaks it, at each --speed")
           ->needs(speeds);
   speeds->needs(of_case);
-  command->footer(
-      "Example: brash failure predict --model cone_network.json --in rows.csv\n"
-      "Example: brash failure predict --case cone.toml --speed 0.2,1.2 --in rows.csv");
+  command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");
   command->callback([options, model, of_case] {
     if (of_case->count() > 0) {
       options->edges.model = options->rows.model;
