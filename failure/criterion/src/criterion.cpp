@@ -13,6 +13,7 @@
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/own_path.hpp"
+#include "brash/failure/edge_responses.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
@@ -120,6 +121,8 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
   const double P = cos_a - mu * along * sin_a * cos_a;
   return {.horizontal = N, .mu1 = P / N, .mu2 = mu * across / N};
 }
+
+std::string edge_model_path() { return shipped("edge"); }
 
 std::string model_path(FailureModel model, const std::string& file) {
   if (!model::options_of(model, !file.empty()).file) return "";

@@ -156,6 +156,12 @@ void write_edge_database(const std::string& path, const EdgeDatabase& database) 
   write_whole(path, [&](const std::string& part) { write_netcdf(part, database); });
 }
 
+bool is_edge_database(const std::string& path) {
+  const Reader file(path);
+  int dimension = 0;
+  return nc_inq_dimid(file.id(), "instant", &dimension) == NC_NOERR;
+}
+
 EdgeDatabase read_edge_database(const std::string& path) {
   const Reader file(path);
   EdgeDatabase database{.plan = file.text("plan"), .plan_sha256 = file.text("plan_sha256")};

@@ -21,21 +21,21 @@ constexpr double kDepthShift = 0.1;
 double slope_of_side(const Geometry& g) { return std::tan(0.5 * g.theta); }
 
 /// From the tip to just before the base line: evenly in ln((1 + x / tip) / (1 - x / end)).
-void add_stations_before(const Geometry& g, std::vector<double>& stations) {
+void add_stations_before(const Geometry& g, int n, std::vector<double>& stations) {
   const double tip = kTipShare * g.c_lc / (1.0 + slope_of_side(g));
   const double end = g.b_lc + kBeforeShare * 0.5 * base_width(g);
   const double most = std::log((1.0 + g.b_lc / tip) / (1.0 - g.b_lc / end));
-  for (int i = 0; i < kStationsBefore; ++i) {
-    const double ratio = std::exp(most * i / kStationsBefore);
+  for (int i = 0; i < n; ++i) {
+    const double ratio = std::exp(most * i / n);
     stations.push_back(end * (ratio - 1.0) / (ratio + end / tip));
   }
 }
 
 /// From the base line to the end: evenly in ln(1 + (x - b) / cluster).
-void add_stations_behind(const Geometry& g, double reach, std::vector<double>& stations) {
+void add_stations_behind(const Geometry& g, double reach, int n, std::vector<double>& stations) {
   const double cluster = kBehindShare * std::min(0.5 * base_width(g), kWidestCluster);
-  for (int i = 0; i < kStationsBehind; ++i) {
-    stations.push_back(g.b_lc + cluster * (std::pow(1.0 + reach / cluster, i / (kStationsBehind - 1.0)) - 1.0));
+  for (int i = 0; i < n; ++i) {
+    stations.push_back(g.b_lc + cluster * (std::pow(1.0 + reach / cluster, i / (n - 1.0)) - 1.0));
   }
 }
 
@@ -49,10 +49,10 @@ BeamScale beam_at(const Geometry& g, double x) {
   return {.membrane = width / g.c_lc, .bending = 30.0 * width / g.c_lc / (1.0 + 20.0 * lever)};
 }
 
-ProfileShape shape_of(const Geometry& g, double reach) {
+ProfileShape shape_of(const Geometry& g, double reach, int n_before, int n_behind) {
   ProfileShape shape;
-  add_stations_before(g, shape.station);
-  add_stations_behind(g, reach, shape.station);
+  add_stations_before(g, n_before, shape.station);
+  add_stations_behind(g, reach, n_behind, shape.station);
   for (const double x : shape.station) {
     const BeamScale beam = beam_at(g, x);
     shape.membrane.push_back(beam.membrane);

@@ -28,13 +28,14 @@ double base_width(const Geometry& geometry);
 
 /// How the fields on the centre line of one geometry are written, so that they change little between geometries.
 struct ProfileShape {
-  std::vector<double> station;   ///< follow the geometry, the base line x = b among them; shape=(kProfileStations,)
+  std::vector<double> station;   ///< follow the geometry, the base line x = b among them; n_before, then n_behind
   std::vector<double> bending;   ///< factors of the moments at each station
   std::vector<double> membrane;  ///< the same for membrane stresses
 };
 
 /// @param reach  of the stations beyond the base line over l_c.
-ProfileShape shape_of(const Geometry& geometry, double reach);
+ProfileShape shape_of(const Geometry& geometry, double reach, int n_before = kStationsBefore,
+                      int n_behind = kStationsBehind);
 
 /// The features on which bending depends: the three lengths, the ratios between them, and h through shear.
 Eigen::VectorXd bending_features(const Geometry& geometry);

@@ -228,4 +228,6 @@ std::string loads_text(const ordered_json& loads) {
   return text;
 }
 
+double waterline_slope(const model::Case& resolved) { return slope_of(resolved).angle; }
+
 }  // namespace brash::cli

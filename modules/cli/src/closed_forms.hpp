@@ -31,4 +31,7 @@ nlohmann::ordered_json closed_form_loads(const model::Case& resolved);
 /// The same as text for a reader.
 std::string loads_text(const nlohmann::ordered_json& loads);
 
+/// The slope of the structure's surface at the waterline, ahead of it, from the horizontal [rad].
+double waterline_slope(const model::Case& resolved);
+
 }  // namespace brash::cli

@@ -12,10 +12,13 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/database/database.hpp"
+#include "brash/database/edge_database.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/failure/hump_sample.hpp"
 #include "brash/meta_model/training.hpp"
 #include "database_command.hpp"
+#include "edge_card.hpp"
+#include "edge_rows.hpp"
 #include "failure_rows.hpp"
 #include "messages.hpp"
 #include "profile_card.hpp"
@@ -206,6 +209,7 @@ void add_train_command(CLI::App& failure) {
   struct Options {
     std::string database, output, test;
     meta_model::TrainingOptions training;
+    std::string split, test_split;  // of a moving edge
     bool superposition = false, deep = false;
   };
   auto options = std::make_shared<Options>();
@@ -221,6 +225,8 @@ void add_train_command(CLI::App& failure) {
   command->add_option("--test", options->test,
                       "database (netCDF) that judges a superposition, without it every eleventh geometry does, or a "
                       "deep network");
+  command->add_option("--split", options->split, "database (netCDF) of the split sheets, for a moving edge");
+  command->add_option("--test-split", options->test_split, "database (netCDF) that judges them");
   command->add_option("--hidden", training.hidden, "hidden units of a network; of each hidden layer with --deep [12]")
       ->capture_default_str()
       ->check(CLI::Range(1, 200));
@@ -241,6 +247,8 @@ void add_train_command(CLI::App& failure) {
       if (command->count("--iterations") > 0) deep.max_iterations = options->training.max_iterations;
       deep.seed = options->training.seed;
       train_deep_network(options->database, options->test, options->output, deep);
+    } else if (database::is_edge_database(options->database)) {
+      fit_edges({options->database, options->split, options->test, options->test_split, options->output});
     } else if (options->superposition) {
       fit_profiles(options->database, options->test, options->output);
     } else {
@@ -250,18 +258,38 @@ void add_train_command(CLI::App& failure) {
 }
 
 void add_predict_command(CLI::App& failure) {
-  auto options = std::make_shared<PredictOptions>();
+  struct Options {
+    PredictOptions rows;
+    EdgePredictOptions edges;
+  };
+  auto options = std::make_shared<Options>();
   CLI::App* command = failure.add_subcommand("predict", "Predict stress and breaking length for rows of inputs");
-  command
-      ->add_option(
-          "--model", options->model,
-          "model file; network, deep-network or superposition: the one that comes with the program; fem: solve "
-          "the plate")
-      ->required();
-  command->add_option("--in", options->rows,
+  CLI::Option* const model = command->add_option(
+      "--model", options->rows.model,
+      "model file; network, deep-network or superposition: the one that comes with the program; fem: solve "
+      "the plate; with --case a model of a moving edge [the one that comes with the program], or fem");
+  command->add_option("--in", options->rows.rows,
                       "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]; standard input if left out");
+  CLI::Option* const speeds =
+      command->add_option("--speed", options->edges.speeds, "speeds in m/s, such as 0.2,1.2; 0: the static plate")
+          ->delimiter(',')
+          ->check(CLI::Range(0.0, 100.0));
+  CLI::Option* const of_case =
+      command
+          ->add_option("--case", options->edges.case_file,
+                       "case file (TOML): follow the moving edge of each row until the structure breaks it, at each --speed")
+          ->needs(speeds);
+  speeds->needs(of_case);
   command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");
-  command->callback([options] { predict_rows(*options); });
+  command->callback([options, model, of_case] {
+    if (of_case->count() > 0) {
+      options->edges.model = options->rows.model;
+      options->edges.rows = options->rows.rows;
+      return predict_moving_edges(options->edges);
+    }
+    if (model->count() == 0) throw CLI::RequiredError("--model");
+    predict_rows(options->rows);
+  });
 }
 
 }  // namespace

@@ -33,17 +33,6 @@ constexpr const char* kRemedy = "correct the line";
 /// h / l_c of rows that do not state it: the rounded value of the paper's validation case.
 constexpr double kUsualThickness = 0.1;
 
-struct PredictedRow {
-  std::string text;  ///< as it was read
-  meta_model::Input input;
-  double lc_over_h = 0.0;  ///< 0: not stated
-};
-
-struct Answer {
-  meta_model::Output output;
-  bool in_range = true;
-};
-
 std::string without_line_end(std::string line) {
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
   return line;
@@ -127,15 +116,15 @@ meta_model::ProfileSample to_profile_sample(const database::Record& record) {
   return sample;
 }
 
+std::vector<PredictedRow> read_predicted_rows(const std::string& path, std::string& header) {
+  if (path.empty()) return read_rows(std::cin, "standard input", header);
+  std::istringstream file(read_text_file(path, "rows of inputs (CSV)", 64));
+  return read_rows(file, path, header);
+}
+
 void predict_rows(const PredictOptions& options) {
   std::string header;
-  std::vector<PredictedRow> rows;
-  if (options.rows.empty()) {
-    rows = read_rows(std::cin, "standard input", header);
-  } else {
-    std::istringstream file(read_text_file(options.rows, "rows of inputs (CSV)", 64));
-    rows = read_rows(file, options.rows, header);
-  }
+  const std::vector<PredictedRow> rows = read_predicted_rows(options.rows, header);
   const auto model = failure::make_response_model(options.model);
   std::vector<failure::ModelResponse> answers;
   for (const PredictedRow& row : rows)

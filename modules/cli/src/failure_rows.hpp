@@ -2,11 +2,26 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "brash/database/database.hpp"
+#include "brash/meta_model/network.hpp"
 #include "brash/meta_model/profile_model.hpp"
 
 namespace brash::cli {
+
+/// One row of inputs.
+struct PredictedRow {
+  std::string text;  ///< as it was read
+  meta_model::Input input;
+  double lc_over_h = 0.0;  ///< 0: not stated
+};
+
+/// Reads rows `b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h]`.
+/// @param path    CSV file; empty: standard input.
+/// @param header  the first line.
+/// @throws InputError with file, line and column of a row that cannot be read.
+std::vector<PredictedRow> read_predicted_rows(const std::string& path, std::string& header);
 
 struct PredictOptions {
   std::string model;  ///< model file, or `fem`

@@ -256,6 +256,25 @@ class Criterion:
         pressure: ArrayLike,
     ) -> Assessment: ...
 
+class EdgeBreak(NamedTuple):
+    load: Floats
+    time: Floats
+    deflection: Floats
+    breaking_length: Floats
+    radial_first: Bools
+    in_range: Bools
+
+class MovingEdge:
+    def __init__(self, case: Case, model: str = "") -> None: ...
+    def __call__(
+        self,
+        b_lc: ArrayLike,
+        c_lc: ArrayLike,
+        theta: ArrayLike,
+        speed: ArrayLike,
+        mu1: ArrayLike | None = None,
+    ) -> EdgeBreak: ...
+
 def characteristic_length(case: Case) -> float: ...
 
 class LoadRatios(NamedTuple):

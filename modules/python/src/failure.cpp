@@ -7,8 +7,11 @@
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/failure/criterion.hpp"
+#include "brash/failure/edge_break.hpp"
+#include "brash/failure/edge_responses.hpp"
 #include "brash/failure/response_model.hpp"
 #include "case.hpp"
+#include "closed_forms.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
 #include "signals.hpp"
@@ -228,10 +231,97 @@ model: network, deep-network, superposition, plate, plate-outline or wedge; left
           "[Pa]. Returns an Assessment.");
 }
 
+/// A moving edge, the ice and water of a case, and the slope of its structure.
+class MovingEdge {
+ public:
+  MovingEdge(const Case& c, const std::string& model)
+      : ice_(ice_of(c)),
+        mass_ratio_(failure::mass_ratio(ice_, c.resolved.ice.density)),
+        slope_(cli::waterline_slope(c.resolved)),
+        friction_(c.resolved.ice.friction_structure),
+        edges_(model) {
+    if (!(slope_ < 0.5 * kPi))
+      throw InputError(Complaint{"case", "has a vertical wall at the waterline, which does not bend the ice",
+                                 "a structure that slopes", "take another case"});
+  }
+
+  py::object operator()(const py::object& type, const py::object& b_lc, const py::object& c_lc, const py::object& theta,
+                        const py::object& speed, const py::object& mu1) const {
+    const py::object ratio = mu1.is_none() ? py::float_(failure::load_ratios(slope_, friction_, 0.0).mu1) : mu1;
+    const Columns<5> x({b_lc, c_lc, theta, speed, ratio}, {Allowed{"b_lc", 0.0, false, kAny},
+                                                           {"c_lc", 0.0, true, kAny},
+                                                           {"theta", 0.0, false, kPi},
+                                                           {"speed", 0.0, false, kAny},
+                                                           {"mu1", 0.0, true, kAny}});
+    auto load = x.like<double>(), time = x.like<double>(), give = x.like<double>(), length = x.like<double>();
+    auto radial = x.like<bool>(), in_range = x.like<bool>();
+    double* const load_at = load.mutable_data();
+    double* const time_at = time.mutable_data();
+    double* const give_at = give.mutable_data();
+    double* const length_at = length.mutable_data();
+    bool* const radial_at = radial.mutable_data();
+    bool* const in_range_at = in_range.mutable_data();
+    const double l_c = failure::characteristic_length(ice_);
+    without_gil(x.size(), [&](std::size_t i) {
+      const failure::EdgePush push{.speed = x.at(3, i),
+                                   .slope = slope_,
+                                   .friction = friction_,
+                                   .mu1 = x.at(4, i),
+                                   .contact_length = x.at(1, i) * l_c};
+      const auto [responses, inside] = edges_.at({.depth = x.at(0, i),
+                                                  .contact_length = x.at(1, i),
+                                                  .angle = x.at(2, i),
+                                                  .mass_ratio = mass_ratio_,
+                                                  .thickness = ice_.thickness / l_c});
+      const failure::EdgeBreak b = push.speed > 0.0 ? failure::break_edge(responses, ice_, push)
+                                                    : failure::break_edge_at_rest(responses, ice_, push);
+      load_at[i] = b.load;
+      time_at[i] = b.time;
+      give_at[i] = b.deflection;
+      length_at[i] = b.breaking_length;
+      radial_at[i] = b.radial_first;
+      in_range_at[i] = inside;
+    });
+    return type(load, time, give, length, radial, in_range);
+  }
+
+ private:
+  IceProperties ice_;
+  double mass_ratio_, slope_, friction_;
+  failure::EdgeSource edges_;
+};
+
+void add_moving_edge(py::module_& m) {
+  const py::object broken = named_tuple(
+      m, "EdgeBreak", "load time deflection breaking_length radial_first in_range",
+      "Arrays of the common shape: N at the circumferential crack [N], its time from the first touch [s], the "
+      "deflection of B [m], l_break [m], whether a radial crack came first, and False where an input was moved into "
+      "the model's range.");
+  py::class_<MovingEdge>(m, "MovingEdge",
+                         R"(How the structure of a case breaks the ice edge at some speed, with inertia and water.
+
+model: path of a model file, or "fem" (plate and water are solved for each row, some seconds); left out, the model that
+comes with the program.
+
+>>> edge = brash.MovingEdge(case)
+>>> edge(b_lc=0.0, c_lc=0.3, theta=0.0, speed=[0.0, 0.2, 1.2]).load)")
+      .def(py::init<const Case&, const std::string&>(), py::arg("case"), py::arg("model") = "")
+      .def(
+          "__call__",
+          [broken](const MovingEdge& edge, const py::object& b_lc, const py::object& c_lc, const py::object& theta,
+                   const py::object& speed,
+                   const py::object& mu1) { return edge(broken, b_lc, c_lc, theta, speed, mu1); },
+          py::arg("b_lc"), py::arg("c_lc"), py::arg("theta"), py::arg("speed"), py::arg("mu1") = py::none(),
+          "Arrays of any shapes that broadcast: b/l_c >= 0, c/l_c > 0, theta in [0, pi) [rad], speed >= 0 [m/s] (0: "
+          "the "
+          "static plate), mu1 > 0 (left out: of the case's slope, met squarely). Returns an EdgeBreak.");
+}
+
 }  // namespace
 
 void add_failure(py::module_& m) {
   add_failure_model(m);
+  add_moving_edge(m);
   add_criterion(m);
   m.def(
       "characteristic_length", [](const Case& c) { return failure::characteristic_length(ice_of(c)); }, py::arg("case"),

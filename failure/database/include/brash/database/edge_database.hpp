@@ -55,6 +55,10 @@ Progress build(const EdgePlan& plan, const std::string& path, const std::functio
 std::vector<int> missing_chunks(const EdgePlan& plan, const std::string& path);
 void solve_chunk(const EdgePlan& plan, const std::string& path, int first);
 
+/// Whether the netCDF file at `path` is a database of a moving edge.
+/// @throws InputError when it cannot be read.
+bool is_edge_database(const std::string& path);
+
 /// @throws InputError naming the file and the error.
 EdgeDatabase read_edge_database(const std::string& path);
 

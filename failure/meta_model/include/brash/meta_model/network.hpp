@@ -28,6 +28,8 @@ struct Output {
 inline constexpr const char* kNetworkFormat = "brash-network";
 inline constexpr const char* kHumpFormat = "brash-hump-network";
 inline constexpr const char* kProfileFormat = "brash-profiles";
+/// Of an EdgeResponseModel.
+inline constexpr const char* kEdgeFormat = "brash-edge-responses";
 
 /// The format that a model file states; nothing else is checked.
 /// @throws InputError when it cannot be read.
