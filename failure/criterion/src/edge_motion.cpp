@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/failure/edge_break.hpp"
+#include "brash/failure/edge_responses.hpp"
 
 namespace brash::failure {
 namespace {
@@ -151,6 +154,11 @@ SheetMotion EdgeDynamics::sheet_motion(const LoadCase& load, const EdgeHistory& 
   const double radial = weights.of(r.edge_moment.data(), 1, r.static_edge_moment) / force;
   result.radial = radial / (result.length * rest.static_edge_moment);
   return result;
+}
+
+EdgeDynamics make_edge_dynamics(const IceProperties& ice, double ice_density) {
+  const auto source = std::make_shared<const EdgeSource>("");
+  return {[source](const plate::EdgeGeometry& geometry) { return source->at(geometry).responses; }, ice, ice_density};
 }
 
 }  // namespace brash::failure

@@ -62,6 +62,7 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   std::visit([&](auto& shape) { visit_keys_of(shape, visit); }, c.structure.shape);
   visit_kind("structure.motion", c.structure.motion, visit);
   std::visit([&](auto& motion) { visit_keys_of(motion, visit); }, c.structure.motion);
+  visit("structure.motion", "frame", c.structure.frame);
   visit("structure", "start_distance", c.structure.start_distance);
 }
 

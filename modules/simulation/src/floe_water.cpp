@@ -58,7 +58,7 @@ void take_added_mass(rigid_body::World& world, BodyId body, Floe& floe, const mo
 FloeWater::FloeWater(const model::Case& resolved)
     : case_(&resolved),
       water_{.density = resolved.water.density,
-             .current = {resolved.water.current.x, resolved.water.current.y, 0.0},
+             .current = {current_past_ice(resolved).x, current_past_ice(resolved).y, 0.0},
              .drag_law = resolved.hydrodynamics.drag,
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,

@@ -43,7 +43,7 @@ void Watchdog::see_structure(const Twist& twist) {
   const double size = norm(hull_.second - hull_.first);
   const double speed = norm(twist.linear) + norm(twist.angular) * size;
   const double rise = std::sqrt(kGravity * case_->ice.thickness);
-  travel_ = std::max(travel_, case_->time.step * (speed + rise + norm(case_->water.current)));
+  travel_ = std::max(travel_, case_->time.step * (speed + rise + norm(current_past_ice(*case_))));
 }
 
 void Watchdog::begin(const Watched& start) {
@@ -94,7 +94,7 @@ void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& che
 /// structure is high; its drift in a current aside.
 void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
   const model::Case& c = *case_;
-  const double aside = c.field.length + c.field.width + norm(c.water.current) * time;
+  const double aside = c.field.length + c.field.width + norm(current_past_ice(c)) * time;
   const double keel = hull_.first.z, height = hull_.second.z - keel;
   const bool in_plan =
       place.x >= -aside && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;
@@ -142,7 +142,7 @@ void Watchdog::look_at_losses(const Watched& now) const {
       case_->contact.restitution > 0.0 ? allowance_of_all(now.floes) : rounding + kLeft * impulses(now.world);
   const auto& [contacts, water] = now.taken;
   if (!(contacts >= -given)) throw RunError(fmt::format("contacts gave the floes {:.6g} J in this step", -contacts));
-  const bool still = case_->water.current == Vec2{} && !case_->hydrodynamics.structure_flow;
+  const bool still = current_past_ice(*case_) == Vec2{} && !case_->hydrodynamics.structure_flow;
   if (still && !(water >= -rounding)) throw RunError(fmt::format("drag gave the floes {:.6g} J in this step", -water));
 }
 

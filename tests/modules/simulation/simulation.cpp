@@ -49,6 +49,18 @@ BOOST_AUTO_TEST_CASE(one_seed_gives_one_history_and_another_seed_another) {
   BOOST_TEST((first != bytes_of(simulation::run(short_case({"random.seed=2"})))));
 }
 
+BOOST_AUTO_TEST_CASE(only_the_water_tells_a_structure_that_moves_from_ice_that_drifts) {
+  const auto drift = [](const std::string& frame) { return "structure.motion.frame=" + frame; };
+  const Bytes moves = bytes_of(simulation::run(short_case()));
+  BOOST_TEST((moves == bytes_of(simulation::run(short_case({drift("ice-drifts")})))));
+  // Water at rest with the structure passes the ice with the structure's speed, and gives way to it no longer.
+  for (const char* const flow : {"hydrodynamics.structure_flow=false", "hydrodynamics.structure_flow=true"}) {
+    const Bytes still = bytes_of(simulation::run(short_case({drift("ice-drifts-through-still-water"), flow})));
+    BOOST_TEST((still != moves));
+    BOOST_TEST((still == bytes_of(simulation::run(short_case({"water.current=[1.202, 0]", flow})))));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(stock_bullet_runs_the_case_by_choice_and_its_energies_close) {
   const model::Case bullet = short_case({"contact.engine=bullet"});
   const simulation::Run run = simulation::run(bullet);

@@ -166,4 +166,11 @@ struct Case {
   friend bool operator==(const Case&, const Case&) = default;
 };
 
+/// Velocity of the water past the ice at rest, structure and waves aside: `water.current`, and with it the water that
+/// stays with the structure [m/s].
+inline Vec2 current_past_ice(const Case& c) {
+  const bool stays = c.structure.frame == MotionFrame::kIceDriftsThroughStillWater;
+  return c.water.current + (stays ? Vec2{speed(c.structure.motion), 0.0} : Vec2{});
+}
+
 }  // namespace brash::model

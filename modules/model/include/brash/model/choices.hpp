@@ -16,6 +16,12 @@ namespace brash::model {
 enum class Preset { kBrash, kPaper };
 /// [structure] breaking: the way the ice bends.
 enum class Breaking { kDownward, kUpward };
+/// [structure.motion] frame: which of structure, ice and water are at rest. The physics knows the ice's frame alone.
+enum class MotionFrame {
+  kStructureMoves,             ///< through ice and water at rest
+  kIceDrifts,                  ///< with the water, past a structure at rest: the same in the ice's frame
+  kIceDriftsThroughStillWater  ///< past a structure at rest: the water comes along with the structure
+};
 /// [field] kind
 enum class FieldKind { kLevelIce };
 /// [failure] model: the criterion that says whether the ice fails in bending, failure::make_criterion().
@@ -70,6 +76,11 @@ inline constexpr auto kNames<Preset> = std::to_array<Named<Preset>>({{Preset::kB
 template <>
 inline constexpr auto kNames<Breaking> = std::to_array<Named<Breaking>>({{Breaking::kDownward, "downward"},
                                                                          {Breaking::kUpward, "upward"}});
+template <>
+inline constexpr auto kNames<MotionFrame> =
+    std::to_array<Named<MotionFrame>>({{MotionFrame::kStructureMoves, "structure-moves"},
+                                       {MotionFrame::kIceDrifts, "ice-drifts"},
+                                       {MotionFrame::kIceDriftsThroughStillWater, "ice-drifts-through-still-water"}});
 template <>
 inline constexpr auto kNames<FieldKind> = std::to_array<Named<FieldKind>>({{FieldKind::kLevelIce, "level-ice"}});
 template <>

@@ -49,6 +49,7 @@ inline double speed(const Motion& motion) {
 struct StructureSection {
   Shape shape;
   Motion motion;
+  MotionFrame frame = MotionFrame::kStructureMoves;
   double start_distance = 0.0;  ///< from its origin to the ice edge at the start
 
   friend bool operator==(const StructureSection&, const StructureSection&) = default;
