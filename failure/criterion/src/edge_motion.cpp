@@ -21,22 +21,24 @@ constexpr int kHalvings = 8;
 /// Where the axis is bent, and how much.
 struct Bending {
   double largest = 0.0;  ///< moment farther in than h
-  double middle = 0.0;   ///< centroid of the moments that put the pushed surface in tension
+  double middle = 0.0;   ///< centroid of the hump: of the moments above half the largest one, that half taken off
 };
 
 /// @param lengths  the stations are in units of this.
 template <typename Moment>
 Bending bending_of(const std::vector<double>& station, double lengths, double thickness, const Moment& moment) {
   Bending result;
+  std::vector<double> m(station.size());
+  for (std::size_t i = 0; i < station.size(); ++i) {
+    m[i] = moment(i);
+    if (lengths * station[i] >= thickness) result.largest = std::max(result.largest, m[i]);
+  }
   double area = 0.0, first = 0.0;
   for (std::size_t i = 0; i < station.size(); ++i) {
-    const double x = lengths * station[i], here = std::max(0.0, moment(i));
-    const double before = lengths * station[i > 0 ? i - 1 : 0];
-    const double after = lengths * station[std::min(i + 1, station.size() - 1)];
-    const double weight = 0.5 * (after - before) * here;
+    const double width = station[std::min(i + 1, station.size() - 1)] - station[i > 0 ? i - 1 : 0];
+    const double weight = width * std::max(0.0, m[i] - 0.5 * result.largest);
     area += weight;
-    first += weight * x;
-    if (x >= thickness) result.largest = std::max(result.largest, here);
+    first += weight * lengths * station[i];
   }
   if (area > 0.0) result.middle = first / area;
   return result;

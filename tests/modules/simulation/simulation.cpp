@@ -61,6 +61,38 @@ BOOST_AUTO_TEST_CASE(only_the_water_tells_a_structure_that_moves_from_ice_that_d
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_edge_that_moves_gives_way_and_its_run_goes_on_from_a_checkpoint) {
+  const auto moving = [](double duration, const std::string& edge) {
+    return short_case({"algorithm.preset=brash", "failure.order=circumferential-first", "failure.edge=" + edge}, duration);
+  };
+  // The first break comes at 0.9 s; the checkpoint lies in the lives of edges.
+  std::optional<model::Checkpoint> saved;
+  const auto save = [&](const simulation::Simulation& simulation, const simulation::StepReport&) {
+    if (!saved && simulation.time() > 0.8) saved = simulation.checkpoint();
+  };
+  const simulation::Run whole = simulation::run(moving(1.3, "dynamic"), {.observer = save});
+  BOOST_REQUIRE(saved);
+  BOOST_TEST(saved->table("moving_edge").n_rows() > 0u);
+  simulation::Simulation rest(moving(1.3, "dynamic"), *saved);
+  for (std::size_t i = 81; i < whole.results.loads.size(); ++i) {
+    const model::LoadRow row = rest.step().loads;
+    BOOST_TEST((row == whole.results.loads[i]));
+  }
+  const model::LoadRow& last = whole.results.loads.back();
+  BOOST_TEST(last.losses.bending > 0.0);
+  BOOST_TEST(last.losses.edge > 0.0);
+  BOOST_TEST(std::abs(last.energy_error) < 1e-3 * last.work);
+  BOOST_REQUIRE(!whole.results.events.empty());
+  BOOST_TEST(whole.results.events.front().edge_age > 0.1);
+  BOOST_TEST(whole.results.events.front().edge_deflection > 0.01);
+  BOOST_TEST(whole.results.events.front().edge_deflection < 0.2);
+
+  const simulation::Run rigid = simulation::run(moving(1.3, "static"));
+  BOOST_TEST(rigid.results.loads.back().losses.bending == 0.0);
+  // Before any break a rigid edge is crushed more.
+  BOOST_TEST(rigid.results.loads[70].crushing.force.x > whole.results.loads[70].crushing.force.x);
+}
+
 BOOST_AUTO_TEST_CASE(stock_bullet_runs_the_case_by_choice_and_its_energies_close) {
   const model::Case bullet = short_case({"contact.engine=bullet"});
   const simulation::Run run = simulation::run(bullet);
