@@ -21,7 +21,7 @@ inline brash::model::RunResults sample_results() {
     row.work = 1e3 * i;
     row.birth_energy = 0.125;
     row.removed_energy = 0.5 * i;
-    row.losses = {1.5, 2.5 * i, 3.5, 4.5, 5.5, 6.5, 7.5, -8.5, 9.5};
+    row.losses = {1.5, 2.5 * i, 3.5, 4.5, 5.5, 6.5, 7.5, -8.5, 9.5, 10.5};
     row.energy_error = -1e-3 * i;
     row.area_sheet = 2500.0 - i;
     row.area_floes = i;
@@ -46,6 +46,8 @@ inline brash::model::RunResults sample_results() {
   event.sigma_max = 5.4e5;
   event.breaking_length = 1.7;
   event.wedges = 4;
+  event.edge_age = 0.25;
+  event.edge_deflection = 0.0625;
   event.pieces = 5;
   event.substeps = 2;
   event.area_before = 2499.0;

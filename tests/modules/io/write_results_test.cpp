@@ -108,17 +108,19 @@ BOOST_AUTO_TEST_CASE(the_load_history_has_a_line_a_step) {
   write_results(scratch.folder().string(), validation(), sample_results());
   const std::vector<std::string> lines = lines_of(scratch.path("history.csv"));
   BOOST_REQUIRE(lines.size() == 6u);
-  BOOST_TEST(lines[0] ==
-             "time,Fx,Fy,Fz,Mx,My,Mz,crushing_Fx,crushing_Fy,crushing_Fz,crushing_Mx,crushing_My,crushing_Mz,"
-             "floe_normal_Fx,floe_normal_Fy,floe_normal_Fz,floe_normal_Mx,floe_normal_My,floe_normal_Mz,"
-             "floe_friction_Fx,floe_friction_Fy,floe_friction_Fz,floe_friction_Mx,floe_friction_My,floe_friction_Mz,"
-             "kinetic_energy,potential_energy,work,birth_energy,removed_energy,loss_edge,loss_bending,loss_structure_contact,"
-             "loss_structure_friction,loss_sheet_contact,loss_sheet_friction,loss_floe_contact,loss_floe_friction,"
-             "loss_drag,loss_skin_friction,energy_error,area_sheet,area_floes,area_crushed,area_deleted,"
-             "area_brash,area_snap,n_floes,n_contacts");
-  BOOST_TEST(lines[1] ==
-             "0.01,0.3333333333333333,-2.5,100000,0.1,0.2,-0,0.1,0.2,0.3,1,2,3,1.1,1.2,1.3,4,5,6,2.1,2.2,2.3,7,8,9,"
-             "12.5,0.25,1000,0.125,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,-8.5,9.5,-0.001,2499,1,1e-09,0.5,0.03,-1e-18,1,2");
+  BOOST_TEST(
+      lines[0] ==
+      "time,Fx,Fy,Fz,Mx,My,Mz,crushing_Fx,crushing_Fy,crushing_Fz,crushing_Mx,crushing_My,crushing_Mz,"
+      "floe_normal_Fx,floe_normal_Fy,floe_normal_Fz,floe_normal_Mx,floe_normal_My,floe_normal_Mz,"
+      "floe_friction_Fx,floe_friction_Fy,floe_friction_Fz,floe_friction_Mx,floe_friction_My,floe_friction_Mz,"
+      "kinetic_energy,potential_energy,work,birth_energy,removed_energy,loss_edge,loss_bending,loss_structure_contact,"
+      "loss_structure_friction,loss_sheet_contact,loss_sheet_friction,loss_floe_contact,loss_floe_friction,"
+      "loss_drag,loss_skin_friction,energy_error,area_sheet,area_floes,area_crushed,area_deleted,"
+      "area_brash,area_snap,n_floes,n_contacts");
+  BOOST_TEST(
+      lines[1] ==
+      "0.01,0.3333333333333333,-2.5,100000,0.1,0.2,-0,0.1,0.2,0.3,1,2,3,1.1,1.2,1.3,4,5,6,2.1,2.2,2.3,7,8,9,"
+      "12.5,0.25,1000,0.125,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,-8.5,9.5,10.5,-0.001,2499,1,1e-09,0.5,0.03,-1e-18,1,2");
 }
 
 BOOST_AUTO_TEST_CASE(events_have_breaks_and_deletions_in_the_order_of_time) {
@@ -126,16 +128,17 @@ BOOST_AUTO_TEST_CASE(events_have_breaks_and_deletions_in_the_order_of_time) {
   write_results(scratch.folder().string(), validation(), sample_results());
   const std::vector<std::string> lines = lines_of(scratch.path("events.csv"));
   BOOST_REQUIRE(lines.size() == 5u);
-  BOOST_TEST(lines[0] ==
-             "time,x,y,b,c,theta,mu1,mu2,p,sigma_max,l_break,wedges,in_range,substeps,area_before,area_after,fit_error,"
-             "pieces,tip_x,tip_y,towards_x,towards_y,pressing_floe,t_break,w_edge,event,cause,floe,floe_area,peak_stress");
+  BOOST_TEST(
+      lines[0] ==
+      "time,x,y,b,c,theta,mu1,mu2,p,sigma_max,l_break,wedges,in_range,substeps,area_before,area_after,fit_error,"
+      "pieces,tip_x,tip_y,towards_x,towards_y,pressing_floe,t_break,w_edge,event,cause,floe,floe_area,peak_stress");
   BOOST_TEST(
       lines[1] ==
       "0.02,0.1,-0.2,0.5,0.3,1.0471975511965976,0.511,0.027,500000,540000,1.7,4,1,2,2499,2495.5,0.011,5,0.2,-0.2,"
-      "0.6,-0.8,-1,break,,,,");
-  BOOST_TEST(lines[2] == "0.03,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,1,0.5,1250000");
+      "0.6,-0.8,-1,0.25,0.0625,break,,,,");
+  BOOST_TEST(lines[2] == "0.03,,,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,1,0.5,1250000");
   BOOST_TEST(lines[3].starts_with("0.04,0.1,"));
-  BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,7,4,0");
+  BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,7,4,0");
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_no_file_under_its_name) {
