@@ -80,6 +80,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "under_floes", c.failure.under_floes);
   visit("failure", "joint_loads", c.failure.joint_loads);
   visit("failure", "pattern", c.failure.pattern);
+  visit("failure", "pieces", c.failure.pieces);
   visit("failure", "wedges", c.failure.wedges);
   visit("failure", "arc_sides", c.failure.arc_sides);
   visit("failure", "max_substeps", c.failure.max_substeps);

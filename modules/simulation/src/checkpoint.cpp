@@ -27,6 +27,7 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
   world.set_state(structure_body, motion->now().pose, {});
   floes.restore(world, field.level_ice(), checkpoint);
   bearings.restore(floes, checkpoint);
+  bending.restore(floes, checkpoint);
   sleep.restore(floes, checkpoint);
   for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // one asleep may be run into at once
   watchdog.restore(floes, checkpoint);
@@ -40,6 +41,7 @@ model::Checkpoint Simulation::Impl::checkpoint() const {
   field.save(saved);
   floes.save(world, saved);
   bearings.save(floes, saved);
+  bending.save(floes, saved);
   sleep.save(floes, saved);
   watchdog.save(floes, saved);
   return saved;

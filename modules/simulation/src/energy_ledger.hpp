@@ -31,6 +31,9 @@ class EnergyLedger {
   /// The floe `body` is about to be deleted.
   void remove(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
 
+  /// The floe `body` is a piece of one that has been removed, and keeps its part of the energy.
+  void add_piece(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
+
   /// Floes have lost `kinetic` [J] by falling asleep.
   void book_fallen_asleep(double kinetic) { removed_ += kinetic; }
 

@@ -67,6 +67,7 @@ struct FailureSection {
   int max_substeps = 8;         ///< when an input exceeds the model's range
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
   CrackPattern pattern = CrackPattern::kStress;
+  Pieces pieces = Pieces::kBreak;  ///< whether floes break again
 
   friend bool operator==(const FailureSection&, const FailureSection&) = default;
 };
