@@ -46,6 +46,20 @@ std::map<BodyId, std::vector<PointForce>> forces_on_floes(const rigid_body::Worl
 
 }  // namespace
 
+/// Moves the means by `share` of their distance to the loads under `forces`.
+void FloeBending::Bent::approach(std::span<const PointForce> forces, double share) {
+  for (SectionLoad& load : mean) {
+    load.moment -= share * load.moment;
+    load.thrust -= share * load.thrust;
+  }
+  if (forces.empty()) return;
+  const std::vector<SectionLoad> now = sections.loads(forces);
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    mean[i].moment += share * now[i].moment;
+    mean[i].thrust += share * now[i].thrust;
+  }
+}
+
 void FloeBending::average(const rigid_body::World& world, const FloePopulation& floes,
                           const std::vector<const rigid_body::ContactLoad*>& contacts, double dt) {
   const auto forces = forces_on_floes(world, contacts);
@@ -62,15 +76,10 @@ void FloeBending::average(const rigid_body::World& world, const FloePopulation& 
     double largest = 0.0;
     if (awake) {
       const auto now = forces.find(body);
-      const std::vector<SectionLoad> loads =
-          bent.sections.loads(now == forces.end() ? std::span<const PointForce>() : now->second);
       const double share = averaging_share(floes.at(body), dt);
-      for (std::size_t i = 0; i < loads.size(); ++i) {
-        SectionLoad& mean = bent.mean[i];
-        mean.moment += share * (loads[i].moment - mean.moment);
-        mean.thrust += share * (loads[i].thrust - mean.thrust);
-        largest = std::max(largest, bent.sections.tension(i, {mean.moment, std::abs(mean.thrust)}));
-      }
+      bent.approach(now == forces.end() ? std::span<const PointForce>() : now->second, share);
+      for (std::size_t i = 0; i < bent.mean.size(); ++i)
+        largest = std::max(largest, bent.sections.tension(i, {bent.mean[i].moment, std::abs(bent.mean[i].thrust)}));
     }
     if (largest < kNoStress) floes_.erase(here);
   }
@@ -79,14 +88,15 @@ void FloeBending::average(const rigid_body::World& world, const FloePopulation& 
 std::vector<Fracture> FloeBending::fractures(const FloePopulation& floes) const {
   std::vector<Fracture> result;
   for (const auto& [body, bent] : floes_) {
-    Fracture most{.body = body, .section = {}};
+    std::size_t at = 0;
+    double most = 0.0;
     for (std::size_t i = 0; i < bent.mean.size(); ++i) {
       const double tension = bent.sections.tension(i, bent.mean[i]);
-      if (tension <= most.tension) continue;
-      most.section = bent.sections.all()[i];
-      most.tension = tension;
+      if (tension <= most) continue;
+      at = i;
+      most = tension;
     }
-    if (most.tension > floes.at(body).plate.ice().flexural_strength) result.push_back(most);
+    if (most > floes.at(body).plate.ice().flexural_strength) result.push_back({body, bent.sections.all()[at], most});
   }
   return result;
 }

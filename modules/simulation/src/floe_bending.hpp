@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,8 @@ class FloeBending {
   struct Bent {
     Sections sections;
     std::vector<SectionLoad> mean;  ///< of each section
+
+    void approach(std::span<const PointForce> forces, double share);
   };
 
   std::map<BodyId, Bent> floes_;  ///< those with contacts now or not long ago

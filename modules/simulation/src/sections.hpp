@@ -14,9 +14,11 @@ struct Section {
   Vec2 normal{};        ///< unit
   double offset = 0.0;  ///< [m]
   double width = 0.0;   ///< length of ice along the line [m]
+  double spread = 0.0;  ///< one over the area of the section, 0 where there is no ice [1/m2]
   double area = 0.0;    ///< beyond it [m2]
-  Vec2 first{};         ///< integral of r beyond it [m3]
-  Vec2 second{};        ///< integral of dot(normal, r) r beyond it [m4]
+  double swing = 0.0;   ///< integral of cross(r, normal) beyond it [m3]
+  double lever = 0.0;   ///< integral of the arm, dot(normal, r) - offset, beyond it [m3]
+  Vec2 levers{};        ///< integral of the arm times r beyond it, and of the rotary inertia there [m4]
 };
 
 /// A force on a floe, body frame.
@@ -48,7 +50,7 @@ class Sections {
   double tension(std::size_t i, const SectionLoad& load) const;
 
  private:
-  std::vector<Section> sections_;
+  std::vector<Section> sections_;  ///< direction after direction
   double thickness_;
   double area_ = 0.0;  ///< of the plan [m2]
   Vec2 second_{};      ///< integrals of x^2 and y^2 over the plan [m4]
