@@ -127,6 +127,21 @@ BOOST_AUTO_TEST_CASE(forces_that_vary_as_inertia_does_bend_nothing) {
   BOOST_TEST(largest_tension(square, forces) < 1e-3 * largest_tension(square, in_one_point));
 }
 
+/// Buoyancy that sets in across the beam at x0, of 1 Pa: the farthest from linear that a face awash can be.
+BOOST_AUTO_TEST_CASE(a_face_awash_bends_no_more_than_the_page_says) {
+  const double l = 8.0, h = 0.25;
+  const Sections beam(floe({rectangle(l, 1.0)}, h));
+  const int n = 400;
+  double largest = 0.0;
+  for (int from = 0; from < n; from += 4) {
+    std::vector<PointForce> forces;
+    for (int i = from; i < n; ++i) forces.push_back({{-0.5 * l + (i + 0.5) * l / n, 0.0, 0.0}, {0.0, 0.0, l / n}});
+    largest = std::max(largest, largest_tension(beam, forces));
+  }
+  BOOST_TEST(largest < 0.097 * l * l / (h * h));
+  BOOST_TEST(largest > 0.094 * l * l / (h * h));  // the sections are an eighth of the beam apart
+}
+
 BOOST_AUTO_TEST_CASE(both_sides_of_a_section_give_the_same_load) {
   const Prism prism = floe(bay_with_hole(), 0.33);
   Prism turned = prism;
