@@ -73,7 +73,7 @@ Section section_of(const Prism& floe, Vec2 normal, double offset) {
   return {.normal = normal,
           .offset = offset,
           .width = width,
-          .spread = width > 0.0 ? 1.0 / (width * floe.thickness) : 0.0,
+          .spread = width >= floe.thickness ? 1.0 / (width * floe.thickness) : 0.0,
           .area = ice.area,
           .swing = cross(ice.first, normal),
           .lever = dot(normal, ice.first) - offset * ice.area,

@@ -14,7 +14,7 @@ struct Section {
   Vec2 normal{};        ///< unit
   double offset = 0.0;  ///< [m]
   double width = 0.0;   ///< length of ice along the line [m]
-  double spread = 0.0;  ///< one over the area of the section, 0 where there is no ice [1/m2]
+  double spread = 0.0;  ///< one over the area of the section; 0 where it is higher than wide: no plate [1/m2]
   double area = 0.0;    ///< beyond it [m2]
   double swing = 0.0;   ///< integral of cross(r, normal) beyond it [m3]
   double lever = 0.0;   ///< integral of the arm, dot(normal, r) - offset, beyond it [m3]
@@ -47,7 +47,8 @@ class Sections {
   /// give next to none. docs/theory/pieces.md, (P1), (P2), (P3), (P5)
   std::vector<SectionLoad> loads(std::span<const PointForce> forces) const;
 
-  /// The largest tension in the two faces under a load in section number `i` [Pa]: docs/theory/pieces.md, (P4).
+  /// The largest tension in the two faces under a load in section number `i` [Pa], 0 in a section that is higher than
+  /// wide: docs/theory/pieces.md, (P4).
   double tension(std::size_t i, const SectionLoad& load) const;
 
  private:

@@ -176,6 +176,25 @@ BOOST_AUTO_TEST_CASE(a_section_knows_its_ice_with_bays_and_holes) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_tip_narrower_than_it_is_thick_does_not_break_off) {
+  // A triangle, 6 m long and 2 m wide at its base, bent at its tip.
+  const Sections wedge(floe({{{0, -1}, {6, 0}, {0, 1}}}, 0.5));
+  const std::vector<SectionLoad> loads = wedge.loads(std::vector<PointForce>{{{4.0, 0.0, 0.0}, {0.0, 0.0, 1e4}}});
+  int n_narrow = 0, n_wide = 0;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const double tension = wedge.tension(i, loads[i]);
+    if (wedge.all()[i].width < 0.5) {
+      ++n_narrow;
+      BOOST_TEST(tension == 0.0);
+    } else {
+      ++n_wide;
+      BOOST_TEST(tension > 0.0);
+    }
+  }
+  BOOST_TEST(n_narrow > 0);
+  BOOST_TEST(n_wide > 50);
+}
+
 BOOST_AUTO_TEST_CASE(nothing_shorter_than_two_thicknesses_has_a_section) {
   BOOST_TEST(Sections(floe({rectangle(0.65, 0.65)}, 0.5)).all().empty());
   // Long enough along one axis, and too short across it.
