@@ -63,8 +63,8 @@ std::string ice(const simulation::RunSummary& s) {
   std::string text = "ice\n";
   const std::string rate =
       std::isnan(s.breaking_frequency) ? "" : fmt::format(" ({:.2f} a second)", s.breaking_frequency);
-  text += fmt::format("  {} breaks{}, {} floes born, {} present, {} crushed", s.n_breaks, rate, s.n_floes_born,
-                      s.n_floes_present, s.n_floes_crushed);
+  text += fmt::format("  {} breaks{}, {} floes born, {} present, {} crushed, {} broken again", s.n_breaks, rate,
+                      s.n_floes_born, s.n_floes_present, s.n_floes_crushed, s.n_floes_broken);
   text += s.fastest_floe ? fmt::format("; fastest floe {:.2f} m/s\n", *s.fastest_floe) : "\n";
   text += "  quantiles               5 %  25 %  50 %  75 %  95 %\n";
   text += quantile_row("piece area [m2]", s.piece_area_quantiles);

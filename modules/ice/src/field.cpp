@@ -128,6 +128,17 @@ std::vector<geometry::Polygon> Field::carve(Plate piece, std::span<const geometr
   return piece.outline();
 }
 
+/// A part of `plate` becomes a floe, or brash where it is small.
+void Field::book_piece(const Plate& plate, geometry::Polygon part, double smallest_floe, std::vector<Plate>& pieces) {
+  const geometry::ExactArea area = geometry::area(part);
+  if (area.square_metres() < smallest_floe) {
+    ledger_.brash += area;
+  } else {
+    ledger_.floes += area;
+    pieces.push_back(plate.piece(std::move(part)));
+  }
+}
+
 Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
                         double smallest_floe) {
   geometry::Cut broken = cut(plate, plan.cracked.region, plan.cracked.cracks);
@@ -138,18 +149,24 @@ Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geo
     broken.pieces.push_back(std::move(detached));
   }
   for (const geometry::Polygon& whole : broken.pieces) {
-    for (geometry::Polygon& carved : carve(plate.piece(whole), structure)) {
-      const geometry::ExactArea area = geometry::area(carved);
-      if (area.square_metres() < smallest_floe) {
-        ledger_.brash += area;
-      } else {
-        ledger_.floes += area;
-        result.pieces.push_back(plate.piece(std::move(carved)));
-      }
-    }
+    for (geometry::Polygon& carved : carve(plate.piece(whole), structure))
+      book_piece(plate, std::move(carved), smallest_floe, result.pieces);
   }
   BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
   return result;
+}
+
+std::vector<Plate> Field::split(const Plate& floe, Vec2 from, Vec2 to, double smallest_floe) {
+  const std::vector<geometry::Polygon> outline = floe.outline();
+  BRASH_EXPECTS(floe.hold() == Hold::kAfloat && outline.size() == 1, outline.size());
+  const geometry::Cut parts = geometry::split(outline.front(), geometry::snap(from), geometry::snap(to));
+  ledger_.floes -= floe.area();
+  ledger_.snap += parts.snap;
+  ledger_.n_rounded += parts.n_rounded;
+  std::vector<Plate> pieces;
+  for (const geometry::Polygon& part : parts.pieces) book_piece(floe, part, smallest_floe, pieces);
+  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  return pieces;
 }
 
 void Field::to_brash(const Plate& piece) {

@@ -83,6 +83,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "edge", c.failure.edge);
   visit("failure", "judged", c.failure.judged);
   visit("failure", "pattern", c.failure.pattern);
+  visit("failure", "pieces", c.failure.pieces);
   visit("failure", "wedges", c.failure.wedges);
   visit("failure", "arc_sides", c.failure.arc_sides);
   visit("failure", "max_substeps", c.failure.max_substeps);

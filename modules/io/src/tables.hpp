@@ -28,8 +28,8 @@ struct Stored<model::FloeEnd> {
 };
 
 inline void add_flags(Meaning& meaning, model::FloeEnd) {
-  meaning.flag_values = {0, 1};
-  meaning.more = {{"flag_meanings", "alive crushed"}};
+  meaning.flag_values = {0, 1, 2};
+  meaning.more = {{"flag_meanings", "alive crushed broken"}};
 }
 template <typename T>
 void add_flags(Meaning&, T) {}

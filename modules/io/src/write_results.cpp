@@ -77,13 +77,14 @@ std::string events_csv(const model::RunResults& results) {
   std::vector<EventLine> lines;
   for (const model::CrackEvent& event : results.events) lines.push_back({event.time, cells(event) + "break,,,,\n"});
 
-  // A deletion has a time, and no crack: the cells between stay empty.
+  // The end of a floe has a time, and no crack of the sheet: the cells between stay empty.
   const std::string names = header<model::CrackEvent>();
   const std::string no_crack(static_cast<std::size_t>(std::count(names.begin(), names.end(), ',')), ',');
   for (const model::FloeRecord& floe : results.floes) {
     if (floe.end == model::FloeEnd::kAlive) continue;
-    lines.push_back({floe.death, fmt::format("{}{}deleted,{},{},{},{}\n", floe.death, no_crack, name_of(floe.end),
-                                             floe.id, floe.area, floe.peak_stress)});
+    const char* const event = floe.end == model::FloeEnd::kCrushed ? "deleted,crushed" : "broken,bending";
+    lines.push_back({floe.death, fmt::format("{}{}{},{},{},{}\n", floe.death, no_crack, event, floe.id, floe.area,
+                                             floe.peak_stress)});
   }
   std::stable_sort(lines.begin(), lines.end(), [](const EventLine& a, const EventLine& b) { return a.time < b.time; });
   std::string text = names + "event,cause,floe,floe_area,peak_stress\n";

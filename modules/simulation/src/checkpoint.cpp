@@ -28,6 +28,7 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
   floes.restore(world, field.level_ice(), checkpoint);
   edges.restore(checkpoint);
   bearings.restore(floes, checkpoint);
+  bending.restore(floes, checkpoint);
   sleep.restore(floes, checkpoint);
   for (const auto& [body, floe] : floes.floes()) lay_sheet_near(body);  // one asleep may be run into at once
   watchdog.restore(floes, checkpoint);
@@ -42,6 +43,7 @@ model::Checkpoint Simulation::Impl::checkpoint() const {
   floes.save(world, saved);
   edges.save(saved);
   bearings.save(floes, saved);
+  bending.save(floes, saved);
   sleep.save(floes, saved);
   watchdog.save(floes, saved);
   return saved;

@@ -65,6 +65,10 @@ void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyI
   removed_ += floes.energy(world, body, floes.at(body));
 }
 
+void EnergyLedger::add_piece(const World& world, const FloePopulation& floes, BodyId body) {
+  removed_ -= floes.energy(world, body, floes.at(body));
+}
+
 void EnergyLedger::report(const World& world, const FloePopulation& floes, model::LoadRow& row) const {
   row.kinetic_energy = world.kinetic_energy();
   row.potential_energy = floes.potential_energy(world);

@@ -35,6 +35,9 @@ class EnergyLedger {
   /// the waves of the ice, and into new cracks.
   void book_bent_edges(double work);
 
+  /// The floe `body` is a piece of one that has been removed, and keeps its part of the energy.
+  void add_piece(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
+
   /// Floes have lost `kinetic` [J] by falling asleep.
   void book_fallen_asleep(double kinetic) { removed_ += kinetic; }
 

@@ -20,6 +20,14 @@ double potential(const Floe& floe, const Pose& pose, double water_density) {
   return floe.weight * pose.position.z - water_density * kGravity * wet.volume * wet.centre.z;
 }
 
+/// The rotation by `second`, then by `first`.
+constexpr Quaternion product(const Quaternion& first, const Quaternion& second) {
+  const auto& [a, b, c, d] = first;
+  const auto& [w, x, y, z] = second;
+  return {a * w - b * x - c * y - d * z, a * x + b * w + c * z - d * y, a * y - b * z + c * w + d * x,
+          a * z + b * y - c * x + d * w};
+}
+
 }  // namespace
 
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose) {
@@ -34,14 +42,14 @@ rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resol
 
 double averaging_share(const Floe& floe, double dt) { return 1.0 - std::exp(-dt / floe.collision_time); }
 
-std::optional<Pose> FloePopulation::complete(Floe& floe) const {
+bool FloePopulation::complete(Floe& floe) const {
   const std::vector<geometry::Polygon> outline = floe.plate.outline();
   BRASH_EXPECTS(outline.size() == 1, outline.size());
   const geometry::Polygon& polygon = outline.front();
   const std::vector<geometry::Ring> parts = geometry::convex_parts(polygon);
   const bool has_shape = std::ranges::any_of(
       parts, [&](const geometry::Ring& part) { return !geometry::inset(part, case_->contact.margin).empty(); });
-  if (!has_shape) return std::nullopt;
+  if (!has_shape) return false;
 
   std::vector<std::vector<Vec2>> parts_in_metres;
   for (const geometry::Ring& part : parts) parts_in_metres.push_back(to_metres(part));
@@ -50,26 +58,48 @@ std::optional<Pose> FloePopulation::complete(Floe& floe) const {
   rigid_body::PlacedPrism placed = rigid_body::place_prism(rings_in_metres(polygon), parts_in_metres, h, mid_height);
 
   floe.prism = std::move(placed.prism);
+  floe.laid = placed.pose;
   floe.area = geometry::area(polygon);
   const double mass = case_->ice.density * h * floe.area.square_metres();
   floe.weight = mass * kGravity;
   floe.rest_potential = potential(floe, placed.pose, case_->water.density);
   floe.inertia = inertia_of(floe, *case_);
   floe.collision_time = collision_time(*case_, mass);
-  return placed.pose;
+  return true;
 }
 
 std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, ice::Plate&& plate, double time) {
-  Floe floe{.id = next_id_, .plate = std::move(plate)};
-  const std::optional<Pose> pose = complete(floe);
-  if (!pose) {
+  Floe floe{.plate = std::move(plate)};
+  if (!complete(floe)) {
     plate = std::move(floe.plate);
     return std::nullopt;
   }
-  ++next_id_;
+  const Pose pose = floe.laid;
+  return launch(world, std::move(floe), pose, {}, time);
+}
+
+std::optional<model::FloeRecord> FloePopulation::add_piece(rigid_body::World& world, ice::Plate&& plate,
+                                                           const Floe& parent, const Pose& pose, const Twist& twist,
+                                                           double time) {
+  Floe floe{.plate = std::move(plate), .wet_share = parent.wet_share};
+  if (!complete(floe)) {
+    plate = std::move(floe.plate);
+    return std::nullopt;
+  }
+  const Quaternion turned = product(conjugate(parent.laid.rotation), floe.laid.rotation);
+  const Pose here{to_world(pose, to_body(parent.laid, floe.laid.position)), product(pose.rotation, turned)};
+  const Vec3 velocity = velocity_at(twist, here.position - pose.position);
+  model::FloeRecord record = launch(world, std::move(floe), here, {velocity, twist.angular}, time);
+  record.parent = parent.id;
+  return record;
+}
+
+model::FloeRecord FloePopulation::launch(rigid_body::World& world, Floe floe, const Pose& pose, const Twist& twist,
+                                         double time) {
+  floe.id = next_id_++;
   model::FloeRecord record{
-      .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = *pose};
-  const BodyId body = world.add_floe(floe.prism, floe.inertia, *pose);
+      .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
+  const BodyId body = world.add_floe(floe.prism, floe.inertia, pose, twist);
   insert(body, std::move(floe));
   return record;
 }
@@ -126,7 +156,7 @@ void FloePopulation::restore(rigid_body::World& world, std::span<const ice::Plat
     Floe::visit(floe, row);
     model::visit_pose(pose, row);
     model::visit_twist(twist, row);
-    BRASH_EXPECTS(complete(floe).has_value(), floe.id);
+    BRASH_EXPECTS(complete(floe), floe.id);
     const BodyId body = world.add_floe(floe.prism, floe.inertia, pose, twist);
     if (floe.rest.asleep) {
       floe.asleep_height = raised(world, body, floe);

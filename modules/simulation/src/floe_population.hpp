@@ -40,6 +40,7 @@ struct Floe {
   std::int64_t id = 0;
   ice::Plate plate;  ///< in the frame of the level ice that it broke off
   Prism prism{};
+  Pose laid{};  ///< in which the prism lies on the outline of the plate
   geometry::ExactArea area{};
   rigid_body::MassProperties inertia{};  ///< with added mass, as far as it is wet
   double wet_share = 1.0;                ///< of the added mass that it has [-]
@@ -85,6 +86,11 @@ class FloePopulation {
   /// Gives `plate` a body at rest in the level ice.
   /// @return its record; nothing when it is too thin for a body, and `plate` is then left as it is.
   std::optional<model::FloeRecord> add(rigid_body::World& world, ice::Plate&& plate, double time);
+  /// Gives `plate`, a piece of the floe `parent`, a body that moves on as the parent did.
+  /// @param pose, twist  of the parent's body, which is gone.
+  /// @return as add().
+  std::optional<model::FloeRecord> add_piece(rigid_body::World& world, ice::Plate&& plate, const Floe& parent,
+                                             const Pose& pose, const Twist& twist, double time);
   Floe remove(rigid_body::World& world, BodyId body);
 
   void save(const rigid_body::World& world, model::Checkpoint& checkpoint) const;
@@ -118,8 +124,10 @@ class FloePopulation {
   }
 
  private:
-  /// Completes a floe that has its plate. @return where its body was born; nothing when it is too thin for a body.
-  std::optional<Pose> complete(Floe& floe) const;
+  /// Completes a floe that has its plate. @return whether it is thick enough in plan for a body.
+  bool complete(Floe& floe) const;
+  /// Gives a complete floe the next id and a body. @return its record, of a floe born at `time` [s].
+  model::FloeRecord launch(rigid_body::World& world, Floe floe, const Pose& pose, const Twist& twist, double time);
   void insert(BodyId body, Floe floe);
   /// Potential energy against floating at rest [J].
   double raised(const rigid_body::World& world, BodyId body, const Floe& floe) const;

@@ -160,7 +160,7 @@ void Simulation::Impl::fall_asleep_or_wake() {
   energy.book_fallen_asleep(sleep.update(world, floes, astern()));
 }
 
-/// Contact forces averaged over each floe's collision time: its stress, and its load on level ice.
+/// Contact forces averaged over each floe's collision time: its stress, its bending, and its load on level ice.
 void Simulation::Impl::average_contacts() {
   const StageTimer::Scope clock(timer, times.loads);
   const double dt = resolved.time.step;
@@ -168,6 +168,7 @@ void Simulation::Impl::average_contacts() {
   average_stress(world, contacts, dt, floes);
   bearings.average(
       world, floes, contacts, [&](BodyId part) { return tiles.level_ice_of(part); }, dt);
+  if (resolved.failure.pieces == model::Pieces::kBreak) bending.average(world, floes, contacts, dt);
 }
 
 /// Floes whose mean compressive stress exceeds sigma_c are crushed and leave (Sec. 2.2.1).
@@ -178,6 +179,7 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
     energy.remove(world, floes, body);
     sleep.forget(floes, body);
     bearings.forget(body);
+    bending.forget(body);
     const Floe floe = floes.remove(world, body);
     field.to_deleted(floe.plate);
     report.deaths.push_back({floe.id, model::FloeEnd::kCrushed, floe.stress.peak_compression});
@@ -198,9 +200,10 @@ void Simulation::Impl::watch(const StepReport& report) {
 //  4. Loads on the structure, impulse / dt by cause, and the energies.
 //  5. The watchdog looks at floes and accounts.
 //  6. Slow floes fall asleep, pushed ones wake.
-//  7. Contact forces are averaged: stress of the floes, and their loads on level ice in the next step.
+//  7. Contact forces are averaged: stress and bending of the floes, and their loads on level ice in the next step.
 //  8. Floes with more stress than sigma_c leave.
-//  9. The structure bears the load in its next motion.
+//  9. Floes that bend more than sigma_f allows split.
+// 10. The structure bears the load in its next motion.
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
@@ -214,6 +217,7 @@ StepReport Simulation::Impl::step() {
   fall_asleep_or_wake();
   average_contacts();
   remove_crushed_floes(report);
+  split_floes(report);
   motion->bear(in_load_axes(report.loads.total));
   return report;
 }

@@ -11,6 +11,7 @@
 #include "brash/simulation/simulation.hpp"
 #include "edge_contact.hpp"
 #include "energy_ledger.hpp"
+#include "floe_bending.hpp"
 #include "floe_population.hpp"
 #include "floe_water.hpp"
 #include "moving_edges.hpp"
@@ -43,6 +44,7 @@ struct Simulation::Impl {
   FloePopulation floes;
   FloeWater water;
   Bearings bearings;
+  FloeBending bending;
   Sleep sleep;
   BodyId structure_body;
   std::int64_t n_steps = 0;
@@ -78,6 +80,8 @@ struct Simulation::Impl {
   void fall_asleep_or_wake();
   void average_contacts();
   void remove_crushed_floes(StepReport& report);
+  void split_floes(StepReport& report);
+  void split(const Fracture& fracture, StepReport& report);
 
   std::vector<EdgeContact> move_within_range(double& share, double done);
   std::vector<EdgeContact> contacts_at(const structure::State& state, double time) const;

@@ -179,6 +179,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   for (const model::FloeRecord& floe : results.floes) {
     areas.push_back(floe.area);
     s.n_floes_crushed += floe.end == model::FloeEnd::kCrushed ? 1 : 0;
+    s.n_floes_broken += floe.end == model::FloeEnd::kBroken ? 1 : 0;
     s.n_floes_present += floe.end == model::FloeEnd::kAlive ? 1 : 0;
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
@@ -212,6 +213,7 @@ std::string to_json(const RunSummary& s) {
       {"n_floes_born", s.n_floes_born},
       {"n_floes_present", s.n_floes_present},
       {"n_floes_crushed", s.n_floes_crushed},
+      {"n_floes_broken", s.n_floes_broken},
       {"piece_area_quantiles", s.piece_area_quantiles},
       {"quantile_levels", kQuantiles},
       {"failure_model_range",

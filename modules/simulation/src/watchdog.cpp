@@ -66,6 +66,10 @@ void Watchdog::look(const Watched& now) {
   look_at_balance(now);
 }
 
+void Watchdog::add_piece(double energy, BodyId body, BodyId parent) {
+  accounts_[body] = {.explained = energy, .travel = accounts_[parent].travel};
+}
+
 void Watchdog::save(const FloePopulation& floes, model::Checkpoint& checkpoint) const {
   model::save(checkpoint, "watchdog", *this);
   model::Table table{"watched_floe", {}};

@@ -38,6 +38,9 @@ class Watchdog {
   /// @throws RunError naming the floe or the account and the numbers that do not fit.
   void look(const Watched& now);
 
+  /// The floe `body` was born with `energy` [J] when `parent` broke: it is explained by what explained the parent's.
+  void add_piece(double energy, BodyId body, BodyId parent);
+
   void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;
   /// Goes on with the accounts of an earlier run, so that it passes or ends a resumed run as it would the whole one.
   void restore(const FloePopulation& floes, const model::Checkpoint& checkpoint);

@@ -94,6 +94,25 @@ BOOST_AUTO_TEST_CASE(a_piece_breaks_again_and_the_ledger_closes) {
   BOOST_TEST(field.ledger().closes());
 }
 
+BOOST_AUTO_TEST_CASE(a_floe_splits_along_a_line_and_the_ledger_closes) {
+  Field field = level_ice(50.0, 50.0);
+  Broken broken = break_circle(field, {0.0, 0.0}, 3.0, 1);
+  BOOST_REQUIRE(broken.pieces.size() == 1u);
+  const geometry::ExactArea before = field.ledger().floes + field.ledger().snap;
+  const std::vector<Plate> halves = field.split(broken.pieces[0], {0.0, 0.0}, {1.0, 0.0}, 0.01);
+  BOOST_REQUIRE(halves.size() == 2u);
+  BOOST_TEST(halves[0].area().square_metres() == halves[1].area().square_metres(),
+             boost::test_tools::tolerance(1e-8));  // vertices are rounded to 1e-9 m
+  BOOST_TEST((halves[0].hold() == Hold::kAfloat));
+  BOOST_TEST((field.ledger().floes == total(halves)));
+  BOOST_TEST((field.ledger().floes + field.ledger().snap == before));
+  const std::vector<Plate> large = field.split(halves[0], {0.1, -1.0}, {0.1, 1.0}, 1.0);
+  BOOST_TEST(large.size() == 1u);
+  BOOST_TEST((field.ledger().floes == large[0].area() + halves[1].area()));
+  BOOST_TEST(field.ledger().brash.square_metres() > 0.2);
+  BOOST_TEST(field.ledger().closes());
+}
+
 BOOST_AUTO_TEST_CASE(a_field_restores_what_it_saved) {
   Field field = level_ice(50.0, 50.0);
   (void)break_circle(field, {0.0, 0.0}, 3.0, 4);

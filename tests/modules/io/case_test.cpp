@@ -67,14 +67,16 @@ BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
   BOOST_TEST((paper.failure.model == FailureModel::kNetwork));
   BOOST_TEST(!paper.failure.under_floes);
   BOOST_TEST(!paper.failure.second_order);
+  BOOST_TEST((paper.failure.pieces == model::Pieces::kWhole));
   const Case brash_ = read_case(kValidation, {"algorithm.preset=brash"});
   BOOST_TEST((brash_.failure.model == FailureModel::kPlateOutline));
   BOOST_TEST((brash_.failure.pattern == model::CrackPattern::kStress));
+  BOOST_TEST((brash_.failure.pieces == model::Pieces::kBreak));
   BOOST_TEST(brash_.failure.second_order);
   BOOST_TEST(!read_case(kValidation, {"algorithm.preset=brash", "failure.second_order=false"}).failure.second_order);
   const std::vector<std::string> left{"failure.order",       "failure.second_order", "failure.under_floes",
                                       "failure.joint_loads", "failure.edge",         "failure.judged",
-                                      "failure.pattern"};
+                                      "failure.pattern",     "failure.pieces"};
   BOOST_TEST(keys_set_by_preset(kValidation, {"failure.model=plate"}) == left);
 }
 
@@ -256,6 +258,7 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("failure", "model") == names_in_model<FailureModel>());
   BOOST_TEST(names_in_schema("failure", "order") == names_in_model<CrackOrder>());
   BOOST_TEST(names_in_schema("failure", "pattern") == names_in_model<CrackPattern>());
+  BOOST_TEST(names_in_schema("failure", "pieces") == names_in_model<Pieces>());
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
   BOOST_TEST(names_in_schema("contact", "engine") == names_in_model<ContactEngine>());
   BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());

@@ -37,7 +37,7 @@ assert run["pose_floe"].values.tolist() == [0, 7, 0]
 assert run["pose_x"].values.tolist() == [1, 4, 1.5]
 end = run["floe_end"]
 meanings = end.attrs["flag_meanings"].split()
-assert [meanings[list(end.attrs["flag_values"]).index(v)] for v in end.values] == ["alive", "crushed", "crushed"]
+assert [meanings[list(end.attrs["flag_values"]).index(v)] for v in end.values] == ["alive", "crushed", "broken"]
 
 assert run["event_theta"].attrs["units"] == "rad"
 assert run["event_in_range"].values.tolist() == [1, 0]

@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(the_load_history_has_a_line_a_step) {
       "12.5,0.25,1000,0.125,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,-8.5,9.5,10.5,-0.001,2499,1,1e-09,0.5,0.03,-1e-18,1,2");
 }
 
-BOOST_AUTO_TEST_CASE(events_have_breaks_and_deletions_in_the_order_of_time) {
+BOOST_AUTO_TEST_CASE(events_have_breaks_and_the_ends_of_floes_in_the_order_of_time) {
   const Scratch scratch;
   write_results(scratch.folder().string(), validation(), sample_results());
   const std::vector<std::string> lines = lines_of(scratch.path("events.csv"));
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(events_have_breaks_and_deletions_in_the_order_of_time) {
       "0.6,-0.8,-1,0.25,0.0625,break,,,,");
   BOOST_TEST(lines[2] == "0.03,,,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,1,0.5,1250000");
   BOOST_TEST(lines[3].starts_with("0.04,0.1,"));
-  BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,,,,,,,,deleted,crushed,7,4,0");
+  BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,,,,,,,,broken,bending,7,4,0");
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_no_file_under_its_name) {

@@ -56,6 +56,66 @@ BOOST_AUTO_TEST_CASE(the_sums_follow_births_and_deaths) {
   BOOST_TEST(pool.floes.next_id() == 2);
 }
 
+struct Motion {
+  double mass = 0.0;
+  Vec3 momentum{};
+  Vec3 angular_momentum{};  ///< about the origin
+  double kinetic = 0.0;
+  double potential = 0.0;
+};
+
+Motion motion_of(const Pool& pool) {
+  Motion sum{.potential = pool.floes.potential_energy(pool.world)};
+  for (const auto& [body, floe] : pool.floes.floes()) {
+    const auto& [mass, inertia] = floe.inertia;
+    const Pose pose = pool.world.pose(body);
+    const Twist twist = pool.world.twist(body);
+    const Vec3 spin = rotate(conjugate(pose.rotation), twist.angular);
+    sum.mass += mass;
+    sum.momentum += mass * twist.linear;
+    sum.angular_momentum += cross(pose.position, mass * twist.linear) +
+                            rotate(pose.rotation, {inertia.x * spin.x, inertia.y * spin.y, inertia.z * spin.z});
+    sum.kinetic += pool.world.kinetic_energy(body);
+  }
+  return sum;
+}
+
+BOOST_AUTO_TEST_CASE(pieces_of_a_floe_move_on_as_it_did) {
+  Pool pool;
+  const std::vector<Vec2> outline{{3, 1}, {5.5, 0.5}, {6, 2.5}, {4.2, 3.4}, {2.8, 2}};
+  (void)pool.floes.add(pool.world, afloat(pool.resolved, outline), 0.0);
+  const BodyId body = pool.world.floes().front();
+  const Pose tilted{{7.0, -2.0, 0.15}, {0.8, 0.36, -0.48, 0.0}};
+  pool.world.set_state(body, tilted, {{0.4, -0.2, 0.3}, {0.5, 0.7, -0.6}});
+  (void)pool.step(0.01);  // it takes the added mass of its wet part
+  BOOST_TEST(pool.floes.at(body).wet_share < 1.0);
+  const Motion before = motion_of(pool);
+  const Pose pose = pool.world.pose(body);
+  const Twist twist = pool.world.twist(body);
+
+  const Floe parent = pool.floes.remove(pool.world, body);
+  const auto halves = geometry::split(parent.plate.outline().front(), geometry::snap({3.5, 0}), geometry::snap({5, 3}));
+  BOOST_REQUIRE(halves.pieces.size() == 2u);
+  for (const geometry::Polygon& half : halves.pieces) {
+    const auto record = pool.floes.add_piece(pool.world, parent.plate.piece(half), parent, pose, twist, 2.5);
+    BOOST_REQUIRE(record.has_value());
+    BOOST_TEST(record->parent == parent.id);
+    BOOST_TEST(record->birth == 2.5);
+    BOOST_TEST((record->birth_pose == pool.world.pose(pool.world.floes().back())));
+  }
+  // Outlines are rounded to 1e-9 m.
+  const Motion after = motion_of(pool);
+  const double close = 1e-8;
+  BOOST_TEST(after.mass == before.mass, boost::test_tools::tolerance(close));
+  BOOST_TEST(norm(after.momentum - before.momentum) < close * norm(before.momentum));
+  BOOST_TEST(norm(after.angular_momentum - before.angular_momentum) < close * norm(before.angular_momentum));
+  BOOST_TEST(after.kinetic == before.kinetic, boost::test_tools::tolerance(close));
+  BOOST_TEST(after.potential == before.potential, boost::test_tools::tolerance(close));
+  // They part along the crack, and do not press on each other.
+  (void)pool.step(0.01);
+  BOOST_TEST(pool.world.contacts().empty());
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "brash/core/error.hpp"
@@ -217,6 +218,54 @@ BOOST_AUTO_TEST_CASE(a_run_on_the_true_edge_resumes_to_the_same_bytes_and_counts
   BOOST_TEST(summary.breaks.along_stress > 0);
   BOOST_TEST(summary.breaks.radial_first <= summary.n_breaks);
   std::filesystem::remove(file);
+}
+
+/// The floes that ended broken, each with its pieces.
+std::map<std::int64_t, std::vector<model::FloeRecord>> splits_of(const model::RunResults& results) {
+  std::map<std::int64_t, std::vector<model::FloeRecord>> splits;
+  for (const model::FloeRecord& floe : results.floes) {
+    if (floe.end == model::FloeEnd::kBroken) splits[floe.id];
+    if (floe.parent != model::kNoFloe) splits[floe.parent].push_back(floe);
+  }
+  return splits;
+}
+
+BOOST_AUTO_TEST_CASE(pieces_break_again_into_pieces_that_take_their_place) {
+  const simulation::Run run = simulation::run(short_case({"failure.pieces=break"}, 4.5));
+  const auto splits = splits_of(run.results);
+  BOOST_TEST(splits.size() > 5u);
+  BOOST_TEST(run.summary.n_floes_broken == static_cast<int>(splits.size()));
+  BOOST_TEST(run.summary.n_floes_present + run.summary.n_floes_broken == run.summary.n_floes_born);
+  for (const auto& [id, pieces] : splits) {
+    const model::FloeRecord& parent = run.results.floes[static_cast<std::size_t>(id)];
+    BOOST_TEST((parent.end == model::FloeEnd::kBroken));
+    BOOST_TEST(pieces.size() >= 1u);
+    double area = 0.0;
+    for (const model::FloeRecord& piece : pieces) {
+      BOOST_TEST(piece.birth == parent.death);
+      area += piece.area;
+    }
+    BOOST_TEST(area > 0.9 * parent.area);  // but for brash
+    BOOST_TEST(area < parent.area * (1.0 + 1e-8));
+  }
+  const model::LoadRow& last = run.results.loads.back();
+  BOOST_TEST(std::abs(last.energy_error) < 1e-3 * last.work);  // as without splits
+}
+
+BOOST_AUTO_TEST_CASE(a_run_whose_pieces_break_again_resumes_to_the_same_bytes) {
+  const std::string file = (std::filesystem::temp_directory_path() / "brash-test-pieces.nc").string();
+  const auto [whole, resumed] = whole_and_resumed(short_case({"failure.pieces=break"}, 4.5), file);
+  BOOST_TEST((resumed.results == whole.results));
+  BOOST_TEST(simulation::to_json(resumed.summary) == simulation::to_json(whole.summary));
+  std::filesystem::remove(file);
+}
+
+BOOST_AUTO_TEST_CASE(whole_pieces_stay_whole_and_leave_no_means_of_their_bending) {
+  simulation::Simulation simulation(short_case({"failure.pieces=whole"}));
+  while (simulation.time() < 3.5 - 1e-9)
+    for (const simulation::FloeDeath& death : simulation.step().deaths)
+      BOOST_TEST((death.cause != model::FloeEnd::kBroken));
+  BOOST_TEST(simulation.checkpoint().table("section_load").n_rows() == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(

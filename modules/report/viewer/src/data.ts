@@ -97,8 +97,10 @@ export class Run {
   /** Half the length or the width of the waterline, whichever is more [m]. */
   readonly radius: number;
   readonly inputs: Record<string, Record<string, InputValue>>;
-  /** First floe that each event made; floes are in the order of their births. */
-  readonly firstFloe: number[] = [];
+  /** Floes that broke off the level ice, in the order of their births. The others are pieces of floes. */
+  readonly offSheet: number[];
+  /** Those that each event made. */
+  readonly piecesOf: number[][] = [];
   readonly nFloes: number;
   readonly nEvents: number;
   readonly duration: number;
@@ -122,11 +124,12 @@ export class Run {
     const loads = this.column("load.time");
     this.duration = Math.max(frames.at(-1) ?? 0, loads.at(-1) ?? 0);
     const pieces = this.column("event.pieces");
-    let next = this.nFloes;
+    this.offSheet = [...this.column("floe.parent")].flatMap((parent, floe) => (parent < 0 ? [floe] : []));
+    let next = this.offSheet.length;
     for (const n of pieces) next -= n;
-    for (let i = 0; i < this.nEvents; ++i) {
-      this.firstFloe.push(next);
-      next += pieces[i];
+    for (const n of pieces) {
+      this.piecesOf.push(this.offSheet.slice(next, next + n));
+      next += n;
     }
   }
 
@@ -147,11 +150,11 @@ export class Run {
     return placed(this.waterline, (name) => pose[["x", "y", "z", "qw", "qx", "qy", "qz"].indexOf(name)]);
   }
 
-  /** The event whose crack made a floe, or -1: the initial crack. */
+  /** The event that broke a floe, or the floe that it is a piece of, off the level ice; -1: the initial crack. */
   eventOf(floe: number): number {
-    let event = -1;
-    while (event + 1 < this.nEvents && this.firstFloe[event + 1] <= floe) ++event;
-    return event;
+    const parents = this.column("floe.parent");
+    while (parents[floe] >= 0) floe = parents[floe];
+    return this.piecesOf.findIndex((pieces) => pieces.includes(floe));
   }
 
   /** Which sheet lies there at a time: the last one that came about until then. */
@@ -163,7 +166,7 @@ export class Run {
     return time >= this.duration ? times.length - 1 : index;
   }
 
-  /** The outline of a floe where it broke off, sheet frame. */
+  /** The outline of a floe where it was born, sheet frame. */
   bornAt(floe: number): Ring[] {
     return placed(this.outlines[floe], (name) => this.column(`floe.birth_${name}`)[floe]);
   }

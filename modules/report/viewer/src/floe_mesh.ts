@@ -8,6 +8,8 @@ import { floePose, frameAt } from "./tracks";
 export type Colouring = "cause" | "age" | "force";
 /** How long a deleted floe stays visible, in red [s]. */
 const kGhost = 0.5;
+/** Values of `floe.end`. */
+const [kAlive, kCrushed] = [0, 1];
 /** How long a newborn floe is tinted [s]. */
 const kNewborn = 0.4;
 
@@ -41,7 +43,7 @@ export class FloeMesh {
     this.place = new BufferAttribute(new Float32Array(this.body.length), 3);
     this.colour = new BufferAttribute(new Float32Array(this.body.length), 3);
     this.cause = Int8Array.from(run.outlines, (_, i) => {
-      if (run.column("floe.end")[i] === 1) return 2;
+      if (run.column("floe.end")[i] === kCrushed) return 2;
       return run.eventOf(i) < 0 ? 1 : 0;
     });
     for (const force of run.column("track.force")) this.largestForce = Math.max(this.largestForce, force);
@@ -68,15 +70,15 @@ export class FloeMesh {
   private placeFloe(floe: number, start: number, n: number, time: number, frame: number, share: number): void {
     const birth = this.run.column("floe.birth")[floe];
     const death = this.run.column("floe.death")[floe];
-    const dies = this.run.column("floe.end")[floe] !== 0;
-    const visible = time >= birth && (!dies || time < death + kGhost);
+    const end = this.run.column("floe.end")[floe];
+    const visible = time >= birth && (end === kAlive || time < death + (end === kCrushed ? kGhost : 0));
     const [from, to] = [this.firstVertex[floe], this.firstVertex[floe + 1]];
     if (!visible) {
       // One point far below: triangles without area draw nothing.
       for (let i = from; i < to; ++i) this.place.setXYZ(i, 0, 0, -500);
       return;
     }
-    const gone = dies && time >= death;
+    const gone = end !== kAlive && time >= death;
     if (!gone) ++this.nVisible;
     const k = frame - this.run.column("track.first")[floe];
     this.transform(from, to, floePose(this.run, floe, start, n, k, share, time));

@@ -78,14 +78,15 @@ export class PlanView {
     private readonly run: Run,
     onChoose: (event: number) => void,
   ) {
-    const pieces = Array.from({ length: run.nFloes }, (_, i) => run.bornAt(i));
+    const pieces = run.offSheet.map((floe) => run.bornAt(floe));
     const last = run.sheets.at(-1)!;
     const structure = run.waterlineAtEnd();
     const nodes = [...pieces.flat(2), ...structure.flat()];
     const box = around(nodes, 2.5);
     const latest = Math.max(1e-9, run.duration);
     const floes = svg("g", { class: "floes" });
-    pieces.forEach((rings, i) => {
+    pieces.forEach((rings, n) => {
+      const i = run.offSheet[n];
       const share = (run.column("floe.birth")[i] as number) / latest;
       floes.append(svg("path", { d: path(rings), "fill-rule": "evenodd", style: `--age: ${share.toFixed(3)}` },
         svg("title", {}, `floe ${run.column("floe.id")[i]}, ${run.column("floe.area")[i].toFixed(2)} m², born at ${run.column("floe.birth")[i].toFixed(2)} s`)));
@@ -145,8 +146,8 @@ export function eventFigure(run: Run, event: number): SVGSVGElement {
   let before = 0;
   while (before + 2 < times.length && times[before + 1] < at("time") - 1e-9) ++before;
   const pieces = svg("g", { class: "pieces" });
-  for (let i = 0; i < at("pieces"); ++i)
-    pieces.append(svg("path", { d: path(run.bornAt(run.firstFloe[event] + i)), "fill-rule": "evenodd" }));
+  for (const floe of run.piecesOf[event])
+    pieces.append(svg("path", { d: path(run.bornAt(floe)), "fill-rule": "evenodd" }));
   return drawing(
     box,
     `Crack event ${event + 1} from above`,

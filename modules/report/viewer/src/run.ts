@@ -40,7 +40,7 @@ function keyFigures(run: Run): HTMLElement {
       ? figure(kN(measured), "kN", "reference mean", `this run: ${deviation(s.horizontal.mean, measured)}`)
       : figure(number(s.fastest_floe, 3), "m/s", "fastest floe"),
     figure(String(s.n_breaks), "", "breaks", `${number(s.breaking_frequency, 3)} a second`),
-    figure(String(s.n_floes_born), "", "floes born", `${s.n_floes_present} present, ${s.n_floes_crushed} crushed`));
+    figure(String(s.n_floes_born), "", "floes born", `${s.n_floes_present} present, ${s.n_floes_crushed} crushed, ${s.n_floes_broken} broken again`));
 }
 
 export interface RunReport {

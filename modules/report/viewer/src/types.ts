@@ -58,6 +58,7 @@ export interface RunSummary {
   n_floes_born: number;
   n_floes_present: number;
   n_floes_crushed: number;
+  n_floes_broken: number;
   failure_model_range: { n_substepped: number; n_below: number; n_above: number };
   n_outlines_refused: number;
   n_steps_too_long: number;

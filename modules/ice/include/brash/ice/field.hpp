@@ -43,6 +43,12 @@ class Field {
   Broken break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
                    double smallest_floe);
 
+  /// Splits `floe` along the straight line through two points of its frame [m], and books the parts.
+  ///
+  /// @param smallest_floe  as of break_off().
+  /// @return the parts that are left.
+  std::vector<Plate> split(const Plate& floe, Vec2 from, Vec2 to, double smallest_floe);
+
   /// Books a piece that has no body as brash.
   void to_brash(const Plate& piece);
   /// Books a crushed floe as deleted.
@@ -51,6 +57,7 @@ class Field {
  private:
   geometry::Cut cut(Plate& plate, std::span<const geometry::Point> region, std::span<const geometry::Crack> cracks);
   std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Ring> structure);
+  void book_piece(const Plate& plate, geometry::Polygon part, double smallest_floe, std::vector<Plate>& pieces);
   geometry::ExactArea& account_of(const Plate& plate);
 
   std::vector<Plate> level_ice_;

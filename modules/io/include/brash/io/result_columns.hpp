@@ -208,6 +208,9 @@ struct Columns<model::FloeRecord> {
         [](auto& row) -> auto& { return row.peak_stress; });
     visit_pose(
         "birth_", visit, [](auto& row) -> auto& { return row.birth_pose; });
+    visit(
+        "parent", "1", "floe_id of the floe that it is a piece of; -1: of level ice",
+        [](auto& row) -> auto& { return row.parent; });
   }
 };
 

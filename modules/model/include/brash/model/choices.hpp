@@ -43,6 +43,11 @@ enum class CrackPattern {
   kDisc,   ///< a circle of the breaking length with radial cracks: the paper's
   kStress  ///< a crack along the stress to the free edge, with radial cracks
 };
+/// [failure] pieces: whether floes break again.
+enum class Pieces {
+  kBreak,  ///< in the section where they bend most
+  kWhole   ///< they stay as they were born
+};
 /// [contact] area: the area A of Eq. 15.
 enum class ContactArea {
   kSurface,   ///< of the structure's surface inside the ice
@@ -103,6 +108,9 @@ inline constexpr auto kNames<EdgeMotion> = std::to_array<Named<EdgeMotion>>({{Ed
 template <>
 inline constexpr auto kNames<CrackPattern> = std::to_array<Named<CrackPattern>>({{CrackPattern::kDisc, "disc"},
                                                                                  {CrackPattern::kStress, "stress"}});
+template <>
+inline constexpr auto kNames<Pieces> = std::to_array<Named<Pieces>>({{Pieces::kBreak, "break"},
+                                                                     {Pieces::kWhole, "whole"}});
 template <>
 inline constexpr auto kNames<ContactArea> = std::to_array<Named<ContactArea>>({{ContactArea::kSurface, "surface"},
                                                                                {ContactArea::kProjected, "projected"}});

@@ -108,9 +108,19 @@ struct CrackEvent {
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };
 
-enum class FloeEnd { kAlive, kCrushed };
+enum class FloeEnd { kAlive, kCrushed, kBroken };
 
-constexpr const char* name_of(FloeEnd end) { return end == FloeEnd::kAlive ? "alive" : "crushed"; }
+constexpr const char* name_of(FloeEnd end) {
+  switch (end) {
+    case FloeEnd::kAlive:
+      return "alive";
+    case FloeEnd::kCrushed:
+      return "crushed";
+    case FloeEnd::kBroken:
+      return "broken";
+  }
+  return "";
+}
 
 /// A floe's life; its outline in its body frame is stored once.
 struct FloeRecord {
@@ -120,8 +130,9 @@ struct FloeRecord {
   double birth = 0.0;                    ///< [s]
   double death = 0.0;                    ///< [s], duration when alive at the end
   FloeEnd end = FloeEnd::kAlive;
-  double peak_stress = 0.0;  ///< largest of the deletion criterion's stress [Pa]
-  Pose birth_pose{};         ///< where it lay in the level ice
+  double peak_stress = 0.0;       ///< largest of the deletion criterion's stress [Pa]
+  Pose birth_pose{};              ///< of a piece of level ice, where it lay there
+  std::int64_t parent = kNoFloe;  ///< FloeRecord::id of the floe that it is a piece of; none of a piece of level ice
 
   friend bool operator==(const FloeRecord&, const FloeRecord&) = default;
 };

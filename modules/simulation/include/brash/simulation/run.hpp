@@ -48,6 +48,7 @@ struct RunSummary {
   int n_floes_born = 0;
   int n_floes_present = 0;
   int n_floes_crushed = 0;
+  int n_floes_broken = 0;                         ///< again, into floes of their own
   std::vector<double> piece_area_quantiles;       ///< 5, 25, 50, 75, 95 % [m2]
   std::vector<double> breaking_length_quantiles;  ///< 5, 25, 50, 75, 95 % [m]
   int n_substepped = 0;                           ///< steps that were cut into parts
