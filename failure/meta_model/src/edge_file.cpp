@@ -99,7 +99,7 @@ EdgeResponseModel EdgeResponseModel::read(const std::string& path) {
   const std::size_t n_times = m->time.size(), n_points = m->n_points();
   m->moments = read_field(place["moments"], (n_times + 1) * kEdgeStations, n_points);
   m->motion = read_field(place["motion"], 2 * n_times + 2, n_points);
-  m->membrane = read_field(place["membrane"], kEdgeStations + 1, n_points);
+  m->membrane = read_field(place["membrane"], kEdgeStations + 1, m->n_outlines());
   m->prepare();
   return EdgeResponseModel(std::move(m));
 }

@@ -12,8 +12,8 @@
 namespace brash::meta_model {
 
 /// Stations of the moments from the tip to the base line and from there to the end.
-inline constexpr int kEdgeStationsBefore = 30;
-inline constexpr int kEdgeStationsBehind = 60;
+inline constexpr int kEdgeStationsBefore = 25;
+inline constexpr int kEdgeStationsBehind = 50;
 inline constexpr int kEdgeStations = kEdgeStationsBefore + kEdgeStationsBehind;
 inline constexpr std::size_t kEdgeAxes = 4;
 
@@ -33,14 +33,13 @@ struct EdgeResponseModel::Impl {
   GridField moments;   ///< on the axis over their scales: for every time, then at rest
   GridField motion;    ///< deflection over the static one for every time, edge moment for every time and at rest, and
                        ///< the logarithm of the static deflection
-  GridField membrane;  ///< on the axis over their scales, and at B along the edge
+  GridField membrane;  ///< on the axis over their scales, and at B along the edge: of every outline
   std::array<EdgeGeometry, 2> range;
 
   std::array<GridAxis, kEdgeAxes> axes;  ///< over the grid's coordinates
 
-  std::size_t n_points() const {
-    return grid[0].size() * grid[1].size() * grid[2].size() * grid[3].size() * (has_split ? 2 : 1);
-  }
+  std::size_t n_outlines() const { return grid[0].size() * grid[1].size() * grid[2].size(); }
+  std::size_t n_points() const { return n_outlines() * grid[3].size() * (has_split ? 2 : 1); }
   /// Sets `axes` and `range` from the grid.
   void prepare();
 };

@@ -20,11 +20,15 @@ using Eigen::VectorXd;
 
 /// Modes are kept until the rest has this part of the variance; its root is the relative error they leave.
 constexpr double kVarianceLeft = 1e-6;
+/// But not more: the next ones hold what mesh and Krylov space leave.
 constexpr Index kMostModes = 40;
 /// Keeps the logarithm of the depth finite; about the thickness, below which responses hardly depend on it.
 constexpr double kDepthShift = 0.1;
 /// Moments along the edge at B are of this order in c: c / (1 + kEdgeSpread c).
 constexpr double kEdgeSpread = 2.0;
+
+/// Moments before this time over sqrt(l_c / g) count less: plate theory and mesh end there.
+constexpr double kTrusted = 0.1;
 
 /// Coordinates in which the responses change evenly.
 double depth_coordinate(double b_lc) { return std::log(b_lc + kDepthShift); }
@@ -45,11 +49,11 @@ double interpolate_at(const std::vector<double>& x, const double* y, double at) 
 
 /// Three decimals of modes of order 1.
 double to_three_decimals(double value) { return std::round(1e3 * value) / 1e3; }
-double to_six_digits(double value) { return std::stod(fmt::format("{:.5e}", value)); }
+double to_five_digits(double value) { return std::stod(fmt::format("{:.4e}", value)); }
 
 GridField fit_field(const MatrixXd& values) {
   GridField field;
-  field.mean = values.rowwise().mean().unaryExpr(&to_six_digits);
+  field.mean = values.rowwise().mean().unaryExpr(&to_five_digits);
   const MatrixXd centred = values.colwise() - field.mean;
   // The modes of the smaller Gram matrix.
   const Eigen::BDCSVD<MatrixXd> svd(centred, Eigen::ComputeThinU);
@@ -62,7 +66,7 @@ GridField fit_field(const MatrixXd& values) {
       (svd.matrixU().leftCols(n) * std::sqrt(static_cast<double>(values.rows()))).unaryExpr(&to_three_decimals);
   field.modes = modes.cast<float>();
   // The best coefficients for the rounded modes.
-  field.coefficients = modes.colPivHouseholderQr().solve(centred).unaryExpr(&to_six_digits);
+  field.coefficients = modes.colPivHouseholderQr().solve(centred).unaryExpr(&to_five_digits);
   return field;
 }
 
@@ -104,15 +108,19 @@ std::vector<const EdgeSample*> samples_on_grid(std::span<const EdgeSample> sampl
   return result;
 }
 
-VectorXd moments_of(const EdgeSample& s, const ProfileShape& shape) {
+double weight_at(double time) { return std::min(1.0, time / kTrusted); }
+
+/// @param time  for plate::kUsualMass.
+VectorXd moments_of(const EdgeSample& s, const ProfileShape& shape, const std::vector<double>& time) {
   const EdgeResponses& r = s.responses;
   const std::size_t n_times = r.time.size();
   VectorXd values(static_cast<Index>((n_times + 1) * shape.station.size()));
   Index n = 0;
   for (std::size_t i = 0; i <= n_times; ++i) {
     const double* xx = i < n_times ? r.axis_moment_at(i) : r.static_axis_moment.data();
+    const double weight = i < n_times ? weight_at(time[i]) : 1.0;
     for (std::size_t k = 0; k < shape.station.size(); ++k)
-      values(n++) = shape.bending[k] * interpolate_at(r.station, xx, shape.station[k]);
+      values(n++) = weight * shape.bending[k] * interpolate_at(r.station, xx, shape.station[k]);
   }
   return values;
 }
@@ -148,7 +156,7 @@ std::vector<std::size_t> distinct_stations(const std::vector<double>& station) {
   return kept;
 }
 
-/// @param weights  of the points of the grid from `first` on.
+/// @param weights  of the points from `first` on.
 VectorXd evaluate(const GridField& field, const VectorXd& weights, Index first) {
   const VectorXd coefficients = field.coefficients.middleCols(first, weights.size()) * weights;
   return field.mean + (field.modes * coefficients.cast<float>()).cast<double>();
@@ -182,7 +190,7 @@ EdgeResponseModel EdgeResponseModel::fit(std::span<const EdgeSample> samples, co
   const EdgeSample& first = samples.front();
   const double factor =
       std::sqrt((first.geometry.mass_ratio + plate::kMassShift) / (plate::kUsualMass + plate::kMassShift));
-  for (const double t : first.responses.time) impl->time.push_back(to_six_digits(t / factor));
+  for (const double t : first.responses.time) impl->time.push_back(to_five_digits(t / factor));
   impl->reach = first.responses.station.back() - first.geometry.depth;
   for (const EdgeSample& s : samples) {
     impl->reach = std::min(impl->reach, s.responses.station.back() - s.geometry.depth);
@@ -192,16 +200,18 @@ EdgeResponseModel EdgeResponseModel::fit(std::span<const EdgeSample> samples, co
   impl->prepare();
 
   const auto points = samples_on_grid(samples, impl->grid, impl->has_split);
-  const auto n = static_cast<Index>(points.size());
+  const auto n = static_cast<Index>(points.size()), n_thicknesses = static_cast<Index>(impl->grid[3].size());
   const auto n_times = static_cast<Index>(impl->time.size());
-  MatrixXd moments((n_times + 1) * kEdgeStations, n), motion(2 * n_times + 2, n), membrane(kEdgeStations + 1, n);
+  MatrixXd moments((n_times + 1) * kEdgeStations, n), motion(2 * n_times + 2, n);
+  MatrixXd membrane(kEdgeStations + 1, static_cast<Index>(impl->n_outlines()));
   for (Index i = 0; i < n; ++i) {
     const EdgeSample& s = *points[static_cast<std::size_t>(i)];
     // A straight edge has the shape of its angle's limit.
     const ProfileShape shape = shape_of_edge(s.geometry, impl->reach);
-    moments.col(i) = moments_of(s, shape);
+    moments.col(i) = moments_of(s, shape, impl->time);
     motion.col(i) = motion_of(s);
-    membrane.col(i) = membrane_of(s, shape);
+    if (i % n_thicknesses == 0 && i / n_thicknesses < membrane.cols())
+      membrane.col(i / n_thicknesses) = membrane_of(s, shape);
   }
   impl->moments = fit_field(moments);
   impl->motion = fit_field(motion);
@@ -215,18 +225,20 @@ EdgeResponses EdgeResponseModel::at(const EdgeGeometry& g) const {
   BRASH_EXPECTS(!g.split || m.has_split);
   const VectorXd b = m.axes[0].weights(depth_coordinate(g.depth)), theta = m.axes[1].weights(g.angle),
                  c = m.axes[2].weights(std::log(g.contact_length)), h = m.axes[3].weights(std::log(g.thickness));
-  VectorXd weights(b.size() * theta.size() * c.size() * h.size());
+  VectorXd of_outlines(static_cast<Index>(m.n_outlines())), weights(of_outlines.size() * h.size());
   const Index first = g.split ? weights.size() : 0;
-  Index n = 0;
+  Index n_outlines = 0, n = 0;
   for (const double of_b : b)
     for (const double of_theta : theta)
-      for (const double of_c : c)
+      for (const double of_c : c) {
+        of_outlines(n_outlines++) = of_b * of_theta * of_c;
         for (const double of_h : h) weights(n++) = of_b * of_theta * of_c * of_h;
+      }
 
   const ProfileShape shape = shape_of_edge(g, m.reach);
   const std::vector<std::size_t> kept = distinct_stations(shape.station);
   const VectorXd moments = evaluate(m.moments, weights, first), motion = evaluate(m.motion, weights, first),
-                 membrane = evaluate(m.membrane, weights, first);
+                 membrane = evaluate(m.membrane, of_outlines, 0);
   const auto n_times = static_cast<Index>(m.time.size());
   const double factor = std::sqrt((g.mass_ratio + plate::kMassShift) / (plate::kUsualMass + plate::kMassShift));
   EdgeResponses r;
@@ -240,7 +252,8 @@ EdgeResponses EdgeResponseModel::at(const EdgeGeometry& g) const {
   r.axis_moment.reserve(static_cast<std::size_t>(n_times) * kept.size());
   for (Index i = 0; i < n_times; ++i)
     for (const std::size_t k : kept)
-      r.axis_moment.push_back(moments(i * kEdgeStations + static_cast<Index>(k)) / shape.bending[k]);
+      r.axis_moment.push_back(moments(i * kEdgeStations + static_cast<Index>(k)) /
+                              (weight_at(m.time[static_cast<std::size_t>(i)]) * shape.bending[k]));
   for (const std::size_t k : kept) {
     r.station.push_back(shape.station[k]);
     r.static_axis_moment.push_back(moments(n_times * kEdgeStations + static_cast<Index>(k)) / shape.bending[k]);
