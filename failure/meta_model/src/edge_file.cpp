@@ -41,6 +41,14 @@ MatrixXd read_matrix(const Place& place, std::size_t n_rows, std::size_t n_colum
   return Eigen::Map<const RowMajor>(values.data(), static_cast<Index>(n_rows), static_cast<Index>(n_columns));
 }
 
+/// As many columns as the first row has, at least one.
+MatrixXd read_columns(const Place& place, std::size_t n_rows) {
+  place.expect_size(n_rows);
+  const std::size_t n_columns = place[std::size_t{0}].size();
+  if (n_columns == 0) place[std::size_t{0}].refuse("is empty");
+  return read_matrix(place, n_rows, n_columns);
+}
+
 GridField read_field(const Place& place, std::size_t n_values, std::size_t n_points) {
   const std::size_t n_modes = place["n_modes"].count();
   return {.mean = read_vector(place["mean"], n_values),
@@ -71,6 +79,8 @@ std::string EdgeResponseModel::write(const std::string& path) const {
                       {"time", m.time},
                       {"reach", m.reach},
                       {"n_stations", kEdgeStations},
+                      {"stations", rows_of(m.stations)},
+                      {"times", rows_of(m.times)},
                       {"moments", to_json(m.moments)},
                       {"motion", to_json(m.motion)},
                       {"membrane", to_json(m.membrane)}},
@@ -97,7 +107,9 @@ EdgeResponseModel EdgeResponseModel::read(const std::string& path) {
   if (place["n_stations"].count() != kEdgeStations)
     place["n_stations"].refuse(fmt::format("must be {}", kEdgeStations));
   const std::size_t n_times = m->time.size(), n_points = m->n_points();
-  m->moments = read_field(place["moments"], (n_times + 1) * kEdgeStations, n_points);
+  m->stations = read_columns(place["stations"], kEdgeStations);
+  m->times = read_columns(place["times"], n_times + 1);
+  m->moments = read_field(place["moments"], static_cast<std::size_t>(m->stations.cols() * m->times.cols()), n_points);
   m->motion = read_field(place["motion"], 2 * n_times + 2, n_points);
   m->membrane = read_field(place["membrane"], kEdgeStations + 1, m->n_outlines());
   m->prepare();

@@ -30,17 +30,23 @@ struct EdgeResponseModel::Impl {
   std::vector<double> time;                         ///< for plate::kUsualMass
   double reach = 0.0;                               ///< last station beyond the base line / l_c
   std::string data_sha256;
-  GridField moments;   ///< on the axis over their scales: for every time, then at rest
+  /// Moments on the axis over their scales are stations * (values of `moments`, shape=(n, m)) * times^T.
+  Eigen::MatrixXd stations;  ///< principal shapes along the axis, shape=(kEdgeStations, n)
+  Eigen::MatrixXd times;     ///< principal histories for every time, then at rest, shape=(n_times + 1, m)
+  GridField moments;
   GridField motion;    ///< deflection over the static one for every time, edge moment for every time and at rest, and
                        ///< the logarithm of the static deflection
   GridField membrane;  ///< on the axis over their scales, and at B along the edge: of every outline
   std::array<EdgeGeometry, 2> range;
 
-  std::array<GridAxis, kEdgeAxes> axes;  ///< over the grid's coordinates
+  GridAxis depth, width, thickness;
+  std::vector<GridAxis> angle;  ///< for every b, then every c
 
   std::size_t n_outlines() const { return grid[0].size() * grid[1].size() * grid[2].size(); }
   std::size_t n_points() const { return n_outlines() * grid[3].size() * (has_split ? 2 : 1); }
-  /// Sets `axes` and `range` from the grid.
+  /// Weights of all outlines for the one of `geometry`: along the angle at every b and c, then along b and c.
+  Eigen::VectorXd outline_weights(const EdgeGeometry& geometry) const;
+  /// Sets the axes and `range` from the grid.
   void prepare();
 };
 

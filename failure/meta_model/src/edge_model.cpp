@@ -21,22 +21,34 @@ using Eigen::VectorXd;
 /// Modes are kept until the rest has this part of the variance; its root is the relative error they leave.
 constexpr double kVarianceLeft = 1e-6;
 /// But not more: the next ones hold what mesh and Krylov space leave.
-constexpr Index kMostModes = 40;
-/// Keeps the logarithm of the depth finite; about the thickness, below which responses hardly depend on it.
-constexpr double kDepthShift = 0.1;
+constexpr Index kMostModes = 80;
+/// Principal shapes and histories of the moments.
+constexpr Index kShapes = 20;
+/// Keeps the logarithm of the depth finite; about half the thickness, below which responses hardly depend on it.
+constexpr double kDepthShift = 0.05;
+/// Contacts wider than this over l_c answer more and more as a strip.
+constexpr double kWide = 4.0;
 /// Moments along the edge at B are of this order in c: c / (1 + kEdgeSpread c).
 constexpr double kEdgeSpread = 2.0;
-
+/// Moments on the axis fall as 1 / (1 + kAxisSpread c) against those of a beam.
+constexpr double kAxisSpread = 0.65;
 /// Moments before this time over sqrt(l_c / g) count less: plate theory and mesh end there.
 constexpr double kTrusted = 0.1;
 
-/// Coordinates in which the responses change evenly.
+/// Coordinates in which the responses change evenly. The angle counts as the width that it gives the base line.
 double depth_coordinate(double b_lc) { return std::log(b_lc + kDepthShift); }
+double angle_coordinate(double theta, double b_lc, double c_lc) {
+  return std::log1p((1.0 + b_lc / c_lc) * std::tan(0.5 * theta));
+}
+double width_coordinate(double c_lc) { return std::log(c_lc / (1.0 + c_lc / kWide)); }
 
 double edge_scale(const EdgeGeometry& g) { return (1.0 + kEdgeSpread * g.contact_length) / g.contact_length; }
 
 ProfileShape shape_of_edge(const EdgeGeometry& g, double reach) {
-  return shape_of({g.depth, g.contact_length, g.angle, g.thickness}, reach, kEdgeStationsBefore, kEdgeStationsBehind);
+  ProfileShape shape =
+      shape_of({g.depth, g.contact_length, g.angle, g.thickness}, reach, kEdgeStationsBefore, kEdgeStationsBehind);
+  for (double& factor : shape.bending) factor *= 1.0 + kAxisSpread * g.contact_length;
+  return shape;
 }
 
 double interpolate_at(const std::vector<double>& x, const double* y, double at) {
@@ -49,6 +61,7 @@ double interpolate_at(const std::vector<double>& x, const double* y, double at) 
 
 /// Three decimals of modes of order 1.
 double to_three_decimals(double value) { return std::round(1e3 * value) / 1e3; }
+double to_four_decimals(double value) { return std::round(1e4 * value) / 1e4; }
 double to_five_digits(double value) { return std::stod(fmt::format("{:.4e}", value)); }
 
 GridField fit_field(const MatrixXd& values) {
@@ -66,8 +79,28 @@ GridField fit_field(const MatrixXd& values) {
       (svd.matrixU().leftCols(n) * std::sqrt(static_cast<double>(values.rows()))).unaryExpr(&to_three_decimals);
   field.modes = modes.cast<float>();
   // The best coefficients for the rounded modes.
-  field.coefficients = modes.colPivHouseholderQr().solve(centred).unaryExpr(&to_five_digits);
+  field.coefficients = modes.colPivHouseholderQr().solve(centred).unaryExpr(&to_four_decimals);
   return field;
+}
+
+/// The largest principal directions of the columns of `values`, orthonormal.
+MatrixXd principal_directions(const MatrixXd& values, Index n) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(values * values.transpose());
+  return solver.eigenvectors().rightCols(std::min(n, values.rows())).rowwise().reverse().unaryExpr(&to_five_digits);
+}
+
+/// Writes moments, shape=(kEdgeStations, n_times + 1) one after the other, in principal shapes and histories.
+MatrixXd condense(const MatrixXd& moments, MatrixXd& stations, MatrixXd& times) {
+  const Index n_times = moments.rows() / kEdgeStations, n = moments.cols();
+  MatrixXd of_times(n_times, kEdgeStations * n);
+  for (Index i = 0; i < n; ++i)
+    of_times.middleCols(i * kEdgeStations, kEdgeStations) = moments.col(i).reshaped(kEdgeStations, n_times).transpose();
+  stations = principal_directions(moments.reshaped(kEdgeStations, n_times * n), kShapes);
+  times = principal_directions(of_times, kShapes);
+  MatrixXd result(stations.cols() * times.cols(), n);
+  for (Index i = 0; i < n; ++i)
+    result.col(i) = (stations.transpose() * moments.col(i).reshaped(kEdgeStations, n_times) * times).eval().reshaped();
+  return result;
 }
 
 std::vector<double> distinct(std::span<const EdgeSample> samples, double EdgeGeometry::*member) {
@@ -170,14 +203,35 @@ EdgeResponseModel& EdgeResponseModel::operator=(EdgeResponseModel&&) noexcept = 
 EdgeResponseModel::~EdgeResponseModel() = default;
 
 void EdgeResponseModel::Impl::prepare() {
-  std::vector<double> depth, width;
-  for (const double b : grid[0]) depth.push_back(depth_coordinate(b));
-  for (const double c : grid[2]) width.push_back(std::log(c));
-  std::vector<double> thickness;
-  for (const double h : grid[3]) thickness.push_back(std::log(h));
-  axes = {GridAxis(depth), GridAxis(grid[1]), GridAxis(width), GridAxis(thickness)};
+  const auto axis = [](const std::vector<double>& points, auto coordinate) {
+    std::vector<double> coordinates;
+    for (const double point : points) coordinates.push_back(coordinate(point));
+    return GridAxis(coordinates);
+  };
+  width = axis(grid[2], width_coordinate);
+  thickness = GridAxis(grid[3]);
+  depth = axis(grid[0], depth_coordinate);
+  for (const double b : grid[0])
+    for (const double c : grid[2])
+      angle.push_back(axis(grid[1], [b, c](double theta) { return angle_coordinate(theta, b, c); }));
   range[0] = {grid[0].front(), grid[2].front(), grid[1].front(), 0.0, grid[3].front(), false};
   range[1] = {grid[0].back(), grid[2].back(), grid[1].back(), 0.0, grid[3].back(), has_split};
+}
+
+VectorXd EdgeResponseModel::Impl::outline_weights(const EdgeGeometry& g) const {
+  const VectorXd of_b = depth.weights(depth_coordinate(g.depth)),
+                 of_c = width.weights(width_coordinate(g.contact_length));
+  VectorXd weights(static_cast<Index>(n_outlines()));
+  for (std::size_t i = 0; i < grid[0].size(); ++i) {
+    for (std::size_t j = 0; j < grid[2].size(); ++j) {
+      const VectorXd of_theta =
+          angle[i * grid[2].size() + j].weights(angle_coordinate(g.angle, grid[0][i], grid[2][j]));
+      for (std::size_t k = 0; k < grid[1].size(); ++k)
+        weights(static_cast<Index>((i * grid[1].size() + k) * grid[2].size() + j)) =
+            of_b(static_cast<Index>(i)) * of_c(static_cast<Index>(j)) * of_theta(static_cast<Index>(k));
+    }
+  }
+  return weights;
 }
 
 EdgeResponseModel EdgeResponseModel::fit(std::span<const EdgeSample> samples, const std::string& data_sha256) {
@@ -213,7 +267,7 @@ EdgeResponseModel EdgeResponseModel::fit(std::span<const EdgeSample> samples, co
     if (i % n_thicknesses == 0 && i / n_thicknesses < membrane.cols())
       membrane.col(i / n_thicknesses) = membrane_of(s, shape);
   }
-  impl->moments = fit_field(moments);
+  impl->moments = fit_field(condense(moments, impl->stations, impl->times));
   impl->motion = fit_field(motion);
   impl->membrane = fit_field(membrane);
   return EdgeResponseModel(std::move(impl));
@@ -223,22 +277,16 @@ EdgeResponses EdgeResponseModel::at(const EdgeGeometry& g) const {
   const Impl& m = *impl_;
   BRASH_EXPECTS(check(g).inside() && g.mass_ratio > 0.0, g.depth, g.contact_length, g.angle, g.thickness);
   BRASH_EXPECTS(!g.split || m.has_split);
-  const VectorXd b = m.axes[0].weights(depth_coordinate(g.depth)), theta = m.axes[1].weights(g.angle),
-                 c = m.axes[2].weights(std::log(g.contact_length)), h = m.axes[3].weights(std::log(g.thickness));
-  VectorXd of_outlines(static_cast<Index>(m.n_outlines())), weights(of_outlines.size() * h.size());
+  const VectorXd of_outlines = m.outline_weights(g), h = m.thickness.weights(g.thickness);
+  const VectorXd weights = (h * of_outlines.transpose()).reshaped();
   const Index first = g.split ? weights.size() : 0;
-  Index n_outlines = 0, n = 0;
-  for (const double of_b : b)
-    for (const double of_theta : theta)
-      for (const double of_c : c) {
-        of_outlines(n_outlines++) = of_b * of_theta * of_c;
-        for (const double of_h : h) weights(n++) = of_b * of_theta * of_c * of_h;
-      }
 
   const ProfileShape shape = shape_of_edge(g, m.reach);
   const std::vector<std::size_t> kept = distinct_stations(shape.station);
-  const VectorXd moments = evaluate(m.moments, weights, first), motion = evaluate(m.motion, weights, first),
-                 membrane = evaluate(m.membrane, of_outlines, 0);
+  const MatrixXd moments = m.stations *
+                           evaluate(m.moments, weights, first).reshaped(m.stations.cols(), m.times.cols()) *
+                           m.times.transpose();
+  const VectorXd motion = evaluate(m.motion, weights, first), membrane = evaluate(m.membrane, of_outlines, 0);
   const auto n_times = static_cast<Index>(m.time.size());
   const double factor = std::sqrt((g.mass_ratio + plate::kMassShift) / (plate::kUsualMass + plate::kMassShift));
   EdgeResponses r;
@@ -252,11 +300,11 @@ EdgeResponses EdgeResponseModel::at(const EdgeGeometry& g) const {
   r.axis_moment.reserve(static_cast<std::size_t>(n_times) * kept.size());
   for (Index i = 0; i < n_times; ++i)
     for (const std::size_t k : kept)
-      r.axis_moment.push_back(moments(i * kEdgeStations + static_cast<Index>(k)) /
+      r.axis_moment.push_back(moments(static_cast<Index>(k), i) /
                               (weight_at(m.time[static_cast<std::size_t>(i)]) * shape.bending[k]));
   for (const std::size_t k : kept) {
     r.station.push_back(shape.station[k]);
-    r.static_axis_moment.push_back(moments(n_times * kEdgeStations + static_cast<Index>(k)) / shape.bending[k]);
+    r.static_axis_moment.push_back(moments(static_cast<Index>(k), n_times) / shape.bending[k]);
     r.axis_normal.push_back(membrane(static_cast<Index>(k)) / shape.membrane[k]);
   }
   r.edge_normal = membrane(kEdgeStations);
