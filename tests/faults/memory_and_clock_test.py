@@ -5,7 +5,7 @@ import os
 import resource
 import unittest
 
-from program import BRASH, SANITIZED, FaultTest, call, campaign_command, database_command, run_command
+from program import BRASH, CASE, SANITIZED, FaultTest, call, campaign_command, database_command, run_command
 
 MEGABYTE = 1 << 20
 
@@ -18,9 +18,9 @@ def limited(megabytes):
 class Memory(FaultTest):
     def setUp(self):
         super().setUp()
-        # Below it not even the program's libraries find a place.
+        # Below it not even the libraries find a place, and the one that reads units ends the program.
         self.least = next(megabytes for megabytes in range(32, 4096, 4)
-                          if call([BRASH, "--version"], preexec_fn=limited(megabytes)).returncode == 0)
+                          if call([BRASH, "check", str(CASE)], preexec_fn=limited(megabytes)).returncode == 0)
 
     def test_a_run_without_enough_memory_ends_with_an_error_and_goes_on_with_more(self):
         self.succeeds(run_command(self.path / "whole"))
