@@ -25,7 +25,8 @@ import water
 
 FIGURES = {"contacts": contacts.draw, "water": water.draw, "cuts": cuts.draw, "crack-patterns": cracks.draw,
            "histories": histories.draw, "plate": plate.draw, "closed-forms": closed_forms.draw,
-           "edge": edge.draw, "moving-edge": moving_edge.draw, "solver": measured.solver, "drag": measured.drag, "crushed": measured.crushed}
+           "edge": edge.draw, "moving-edge": moving_edge.draw, "solver": measured.solver, "drag": measured.drag,
+           "crushed": measured.crushed}
 
 
 def main():

@@ -12,15 +12,15 @@ from style import GREY, RED, SERIES
 CASE = pathlib.Path(__file__).resolve().parents[3] / "experiments/validation/cone.toml"
 EDGES = (("straight, $c$ = 0.3 $l_c$", {"b_lc": 0.0, "c_lc": 0.3, "theta": 0.0}),
          ("straight, $c$ = 1 $l_c$", {"b_lc": 0.0, "c_lc": 1.0, "theta": 0.0}),
-         ("protrusion, $b$ = 0.4 $l_c$", {"b_lc": 0.4, "c_lc": 0.3, "theta": math.radians(60)}),
-         ("strip", {"b_lc": 0.0, "c_lc": 12.0, "theta": 0.0}))
+         ("protrusion, $c$ = 0.3 $l_c$", {"b_lc": 0.4, "c_lc": 0.3, "theta": math.radians(60)}),
+         ("protrusion, $c$ = 1 $l_c$", {"b_lc": 0.4, "c_lc": 1.0, "theta": math.radians(60)}))
 
 
 def draw():
     figure, axes = plt.subplots(1, 3, figsize=(11, 3.4), constrained_layout=True)
     case = brash.Case.from_file(CASE)
     l_c = brash.characteristic_length(case)
-    speed = np.geomspace(0.02, 5.0, 41)
+    speed = np.geomspace(0.02, 5.0, 61)
     model = brash.MovingEdge(case)
     for (name, edge), colour in zip(EDGES, SERIES):
         moving, rest = model(speed=speed, **edge), model(speed=0.0, **edge)

@@ -13,6 +13,9 @@ namespace {
 /// Steps to the break of the first try, by the static answer, and the fewest of the last one.
 constexpr int kFirstSteps = 200;
 constexpr int kFewestSteps = 120;
+/// Most of the load's change in a step that the edge's own motion in that step may take back. The contact is stiff:
+/// from 1 on, linear loads between the steps make it oscillate.
+constexpr double kMostFeedback = 0.1;
 /// No edge needs so many times its static time.
 constexpr int kLongest = 20;
 
@@ -68,6 +71,16 @@ class PushedEdge {
       stress_before = stress;
       before = now;
     }
+  }
+
+  /// `dt`, or a shorter step whose feedback is small.
+  double stable_step(double dt) const {
+    const auto feedback = [&] {
+      return push_.mu1 * stiffness_ / push_.contact_length * cot_ * flexibility_ *
+             ramp_deflection(plate::series_weights(responses_.time, dt / period_));
+    };
+    while (feedback() > kMostFeedback) dt *= 0.7;
+    return dt;
   }
 
   /// The time in which the surface would break a static edge.
@@ -190,11 +203,11 @@ EdgeBreak break_edge(const plate::EdgeResponses& responses, const IceProperties&
   BRASH_EXPECTS(push.speed > 0.0, push.speed);
   PushedEdge edge(responses, ice, push);
   const double longest = edge.time_at_rest();
-  double dt = longest / kFirstSteps;
+  double dt = edge.stable_step(longest / kFirstSteps);
   for (;;) {
     const EdgeBreak result = edge.follow(dt, kLongest * longest);
     if (result.time >= kFewestSteps * dt) return result;
-    dt = result.time / kFirstSteps;
+    dt = result.time / kFirstSteps;  // a shorter one
   }
 }
 

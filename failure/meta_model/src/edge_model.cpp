@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 /// Modes are kept until the rest has this part of the variance; its root is the relative error they leave.
 constexpr double kVarianceLeft = 1e-6;
 /// But not more: the next ones hold what mesh and Krylov space leave.
-constexpr Index kMostModes = 80;
+constexpr Index kMostModes = 75;
 /// Principal shapes and histories of the moments.
 constexpr Index kShapes = 20;
 /// Keeps the logarithm of the depth finite; about half the thickness, below which responses hardly depend on it.

@@ -125,11 +125,9 @@ tl::expected<EdgeResponses, PlateError> MovingEdge::respond(const EdgeGeometry& 
 
   EdgeResponses result;
   result.station = m.station;
-  const double last = m.options.last > 0.0 ? m.options.last : kLastTime;
-  const int n_times = m.options.n_times > 0 ? m.options.n_times : kTimes;
   const double factor = std::sqrt((geometry.mass_ratio + kMassShift) / (kUsualMass + kMassShift));
-  for (int i = 0; i < n_times; ++i) {
-    const double t = factor * kFirstTime * std::pow(last / kFirstTime, i / (n_times - 1.0));
+  for (int i = 0; i < kTimes; ++i) {
+    const double t = factor * kFirstTime * std::pow(kLastTime / kFirstTime, i / (kTimes - 1.0));
     const Eigen::VectorXd values = vibration.ramp(t);
     result.time.push_back(t);
     result.deflection.push_back(values(0));

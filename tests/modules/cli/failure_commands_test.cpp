@@ -10,8 +10,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <vector>
 
 #include "brash/core/error.hpp"
+#include "brash/failure/edge_responses.hpp"
 
 namespace brash::cli {
 namespace {
@@ -136,6 +139,61 @@ BOOST_AUTO_TEST_CASE(a_deep_network_is_trained_on_a_plan_and_judged_on_plates) {
   BOOST_TEST(card.find("| all | 48 | 24 |") != std::string::npos);
   const std::string rows = folder.write("rows.csv", kRow);
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
+}
+
+/// Columns of the rows of `text`, without its first line.
+std::vector<std::vector<std::string>> rows_of(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream stream(text);
+  std::string line;
+  for (std::getline(stream, line); std::getline(stream, line);) {
+    auto& row = rows.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
+  }
+  return rows;
+}
+
+BOOST_AUTO_TEST_CASE(a_moving_edge_goes_from_a_plan_to_a_model_that_breaks_it) {
+  const Folder folder;
+  const std::string plan = folder.write("edge.toml",
+                                        "[edge]\nb_lc = [0.0, 0.3]\nc_lc = [0.3, 0.6]\ntheta_deg = [40]\n"
+                                        "thickness_over_lc = [0.1]\n[solver]\nscale = 1.5\nvectors = 60\n");
+  const std::string data = (folder.path / "edge.nc").string(), model = (folder.path / "edge.json").string();
+  const std::string printed = output_of(folder, {"database", plan, "-o", data});
+  BOOST_TEST(printed.find("geometries  4") != std::string::npos);
+  output_of(folder, {"train", data, "-o", model, "--test", data});
+  const std::string card = folder.read("edge.md");
+  BOOST_TEST(card.find("# Model card: edge.json") == 0u);
+  BOOST_TEST(card.find("| deflection of B | 4 |") != std::string::npos);
+  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.3,0.3,40,0.511,0\n");
+  const auto of = [&](const std::string& of_model) {
+    return rows_of(output_of(folder, {"predict", "--case", BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                                      "--speed", "0,1.2", "--in", rows, "--model", of_model}));
+  };
+  // The coarse model of four outlines, the one that comes with the program, and the plate on its water.
+  const auto coarse = of(model), shipped = of(failure::edge_model_path()), plate = of("fem");
+  BOOST_REQUIRE(plate.size() == 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    BOOST_REQUIRE(plate[i].size() == 12u);
+    for (const std::size_t column : {6, 8, 9}) {
+      const double wanted = std::stod(plate[i][column]);
+      BOOST_TEST(std::stod(shipped[i][column]) == wanted, boost::test_tools::tolerance(0.03));
+      BOOST_TEST(std::stod(coarse[i][column]) == wanted, boost::test_tools::tolerance(0.10));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(speeds_need_a_case_and_a_case_states_the_thickness) {
+  const Folder folder;
+  BOOST_CHECK_THROW(run({"predict", "--speed", "1"}), CLI::ParseError);
+  BOOST_CHECK_THROW(run({"predict"}), CLI::ParseError);
+  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2,lc_over_h\n0.3,0.3,40,0.511,0,10\n");
+  BOOST_CHECK_EXCEPTION(run({"predict", "--case", BRASH_SOURCE_DIR "/experiments/validation/cone.toml", "--speed", "1",
+                             "--in", rows, "--model", "fem"}),
+                        InputError, [](const InputError& error) {
+                          return std::string(error.what()).find("lc_over_h") != std::string::npos;
+                        });
 }
 
 BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {

@@ -41,7 +41,7 @@ inline constexpr double kUsualMass = 0.0886;
 /// last time F is `static + (F(last) - static) last / t`; before the first it grows as t. series_weights() knows this.
 ///
 /// Membrane stresses are static, per p = N / h for a line load N in the plane: they reach across the sheet at once.
-/// @see docs/theory/dynamic-edge.md
+/// @see docs/theory/dynamic-edge.md, (4)
 struct EdgeResponses {
   std::vector<double> time;         ///< t / T, shape=(n_times,), > 0, in equal steps of its logarithm
   std::vector<double> station;      ///< |AB| / l_c on the centre line, shape=(n_stations,), from 0
@@ -64,8 +64,6 @@ struct EdgeOptions {
   double scale = 0.0;  ///< of the element sizes against production
   double reach = 0.0;  ///< of the sheet beyond the protrusion, sideways and inwards, over l_c
   int n_vectors = 0;   ///< of the Krylov space
-  double last = 0.0;   ///< time over T of the last response
-  int n_times = 0;
 };
 
 /// The sheet of one outline and the water under it, meshed and factorised once for all thicknesses.
