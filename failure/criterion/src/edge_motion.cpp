@@ -83,7 +83,7 @@ EdgeHistory::Weights EdgeHistory::weights(const std::vector<double>& series_time
   sum.of_time.back() = lag;
   double before = settled_.slope;
   for (std::size_t i = 0; i < knots_.size(); ++i) {
-    const double age = at - knots_[i].time, after = slope_after(i);
+    const double age = std::max(0.0, at - knots_[i].time), after = slope_after(i);
     const plate::SeriesWeights w = plate::series_weights(series_time, age / period);
     const double grown = (after - before) * age;
     for (std::size_t j = 0; j < w.weight.size(); ++j) sum.of_time[w.first + j] += grown * w.weight[j];

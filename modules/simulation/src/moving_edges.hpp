@@ -12,7 +12,7 @@ namespace brash::simulation {
 
 /// The free edges that the structure presses on, each from its first touch until the ice breaks or the structure lets
 /// go. They give way under their load, and remember it.
-/// @see docs/theory/dynamic-edge.md
+/// @see docs/theory/simulation.md, (S4)
 class MovingEdges {
  public:
   /// @param dynamics  of each level ice; empty: edges do not move.

@@ -82,8 +82,8 @@ BOOST_AUTO_TEST_CASE(a_protrusion_breaks_as_in_the_reference) {
 /// The bound on the speed of docs/theory/dynamic-edge.md, (7), is 0.045 m/s here.
 BOOST_AUTO_TEST_CASE(a_slow_push_is_static) {
   const auto r = responses(0.4, 0.3, 60.0);
-  const auto slow = failure::break_edge(r, ice(), push(0.04, 0.3));
-  const auto rest = failure::break_edge_at_rest(r, ice(), push(0.04, 0.3));
+  const auto slow = failure::break_edge(r, ice(), push(0.03, 0.3));
+  const auto rest = failure::break_edge_at_rest(r, ice(), push(0.03, 0.3));
   print("protrusion, slow", slow);
   BOOST_TEST(std::abs(slow.load / rest.load - 1.0) < 0.01);
   BOOST_TEST(std::abs(slow.deflection / rest.deflection - 1.0) < 0.01);

@@ -57,7 +57,7 @@ class EdgeHistory {
 
 /// Bends floating edges in time. It knows the responses of a trapezoid and says how another sheet with that trapezoid
 /// differs from one at rest.
-/// @see docs/theory/dynamic-edge.md
+/// @see docs/theory/simulation.md, (S5)
 class EdgeDynamics {
  public:
   using Responses = std::function<plate::EdgeResponses(const plate::EdgeGeometry&)>;
