@@ -79,14 +79,17 @@ BOOST_AUTO_TEST_CASE(a_protrusion_breaks_as_in_the_reference) {
   check("protrusion, moving", failure::break_edge(r, ice(), push(kSpeed, 0.3)), {55.3e3, 0.39, 0.032, 0.0});
 }
 
-/// The bound on the speed of docs/theory/dynamic-edge.md, (7), is 0.045 m/s here.
 BOOST_AUTO_TEST_CASE(a_slow_push_is_static) {
   const auto r = responses(0.4, 0.3, 60.0);
-  const auto slow = failure::break_edge(r, ice(), push(0.03, 0.3));
-  const auto rest = failure::break_edge_at_rest(r, ice(), push(0.03, 0.3));
+  const auto rest = failure::break_edge_at_rest(r, ice(), push(0.01, 0.3));
+  const auto slow = failure::break_edge(r, ice(), push(0.01, 0.3));
   print("protrusion, slow", slow);
-  BOOST_TEST(std::abs(slow.load / rest.load - 1.0) < 0.01);
-  BOOST_TEST(std::abs(slow.deflection / rest.deflection - 1.0) < 0.01);
+  BOOST_TEST(std::abs(slow.load / rest.load - 1.0) < 0.005);
+  BOOST_TEST(std::abs(slow.deflection / rest.deflection - 1.0) < 0.005);
+  // The bound on the speed of docs/theory/dynamic-edge.md, (7), is 0.045 m/s here.
+  const auto at_bound = failure::break_edge(r, ice(), push(0.045, 0.3));
+  print("protrusion, at the bound", at_bound);
+  BOOST_TEST(std::abs(at_bound.load / rest.load - 1.0) < 0.01);
 }
 
 BOOST_AUTO_TEST_CASE(a_wide_contact_breaks_the_edge_as_a_strip) {
