@@ -276,8 +276,9 @@ void add_predict_command(CLI::App& failure) {
           ->check(CLI::Range(0.0, 100.0));
   CLI::Option* const of_case =
       command
-          ->add_option("--case", options->edges.case_file,
-                       "case file (TOML): follow the moving edge of each row until the structure breaks it, at each --speed")
+          ->add_option(
+              "--case", options->edges.case_file,
+              "case file (TOML): follow the moving edge of each row until the structure breaks it, at each --speed")
           ->needs(speeds);
   speeds->needs(of_case);
   command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");

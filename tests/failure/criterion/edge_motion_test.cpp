@@ -27,8 +27,8 @@ struct Pushed {
 };
 
 Pushed push(const failure::EdgeDynamics& edge, const failure::LoadCase& shape, double speed, double until) {
-  const double stiffness = kIce.compressive_strength * kIce.crushing_factor * shape.contact_length *
-                           (std::tan(kSlope) + kFriction);
+  const double stiffness =
+      kIce.compressive_strength * kIce.crushing_factor * shape.contact_length * (std::tan(kSlope) + kFriction);
   constexpr int kSteps = 60;
   Pushed result;
   for (int i = 1; i <= kSteps; ++i) {
