@@ -9,8 +9,8 @@
 namespace brash::failure {
 namespace {
 
-constexpr double kStep = 0.03;    ///< of a crack, over l_c
-constexpr double kLongest = 6.0;  ///< arm of a crack, over l_c
+constexpr double kStep = 0.03;   ///< of a crack, over l_c
+constexpr int kMostSteps = 200;  ///< of an arm: 6 l_c
 
 enum class End { kOutside, kCentreLine, kNowhere };
 
@@ -40,7 +40,7 @@ class Tracer {
   /// @param crosses  whether it may cross the centre line; else it ends on it.
   Arm arm(Vec2 start, Vec2 ahead, bool crosses) const {
     Arm arm{{start}, End::kNowhere};
-    for (double length = 0.0; length < kLongest; length += kStep) {
+    for (int step = 0; step < kMostSteps; ++step) {
       const Vec2 here = arm.points.back();
       const auto begin = way_at(here, ahead);
       if (!begin) return arm.end = End::kOutside, arm;
