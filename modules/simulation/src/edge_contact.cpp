@@ -296,4 +296,16 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     if (frames[i]) move_to(*frames[i], contacts[i]);
 }
 
+EdgeContact before_the_notch(EdgeContact contact) {
+  geometry::ContactRegion& region = contact.region;
+  const Vec2 tip = 0.5 * (region.chord_from + region.chord_to);
+  const double depth = dot(region.midpoint - tip, region.normal);
+  if (depth <= 0.5 * contact.assessment.breaking_length) return contact;
+  const Vec2 forward = depth * region.normal;
+  region.chord_from += forward;
+  region.chord_to += forward;
+  for (Vec2& point : contact.assessment.crack) point += forward;
+  return contact;
+}
+
 }  // namespace brash::simulation

@@ -103,4 +103,8 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometr
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
             const std::function<failure::EdgeMotion(const EdgeContact&)>& motion_of = {});
 
+/// Where the ice cracks at a contact. A structure that cuts deep before the ice breaks stands in a notch, and the chord
+/// joins the notch's ends. If half the breaking length ends inside the notch, chord and crack move to the ice ahead, B.
+EdgeContact before_the_notch(EdgeContact contact);
+
 }  // namespace brash::simulation

@@ -239,4 +239,23 @@ BOOST_AUTO_TEST_CASE(a_force_above_mid_thickness_has_a_moment_that_lifts_the_edg
   BOOST_TEST(one.moment == -(contacts[0].point.z - middle) * one.in_plane.x, boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(a_crack_inside_the_notch_that_was_cut_moves_to_the_ice_ahead) {
+  simulation::EdgeContact contact;
+  contact.region.chord_from = {2.0, -6.0};
+  contact.region.chord_to = {2.0, 6.0};
+  contact.region.normal = {1.0, 0.0};
+  contact.region.midpoint = {6.0, 0.0};
+  contact.assessment.breaking_length = 3.0;
+  contact.assessment.crack = {{2.0, -4.0}, {5.0, 0.0}, {2.0, 4.0}};
+  const simulation::EdgeContact moved = simulation::before_the_notch(contact);
+  BOOST_TEST((moved.region.chord_from == Vec2{6.0, -6.0}));
+  BOOST_TEST((moved.region.chord_to == Vec2{6.0, 6.0}));
+  BOOST_TEST((moved.assessment.crack[1] == Vec2{9.0, 0.0}));
+  // A shallow notch, and an edge that stands out into the structure, stay.
+  for (const double x : {3.4, 1.0}) {
+    contact.region.midpoint = {x, 0.0};
+    BOOST_TEST((simulation::before_the_notch(contact).region.chord_from == contact.region.chord_from));
+  }
+}
+
 }  // namespace
