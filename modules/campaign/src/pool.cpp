@@ -196,7 +196,14 @@ void record_failure(const Job& job, const Exit& exit, std::string error) {
 void judge(const Job& job, const Exit& exit, std::string error) {
   constexpr int kFromOutside[] = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
   if (exit == Exit{} || exit.code == kInterruptedExit || std::ranges::count(kFromOutside, exit.signal) > 0) return;
-  if (exit.code == kStorageExit) throw StorageError(error);
+  if (exit.code == kStorageExit) {
+    // A disk may be too full for the worker's own words, which stand in a file beside its results.
+    if (error.empty())
+      error = fmt::format("{}: cannot be written: {}\n  remedy:  check that its folder may be written and has space",
+                          job.folder.empty() ? job.messages : job.folder,
+                          std::make_error_code(std::errc::no_space_on_device).message());
+    throw StorageError(error);
+  }
   if (exit.signal != 0) error += fmt::format("{}ended by SIG{}", error.empty() ? "" : "\n", sigabbrev_np(exit.signal));
   if (job.record.empty()) throw RunError(error);
   record_failure(job, exit, error);
