@@ -156,7 +156,7 @@ struct BendingOptions {
 /// - `plate`: the floating plate solved for each load case (about a third of a second each). Where the superposition
 ///   that comes with the program says less than 80 % of the strength (less with options), its answer is taken instead.
 /// - `plate-outline`: the same on the load's outline, simplified to min(0.02 l_c, c/4); where it cannot be meshed, or
-///   there is none, on the trapezoid. It needs no range. Not solved below a third of the strength, as above.
+///   there is none, on the trapezoid. It needs no range. Not solved below a sixth of the strength, as above.
 /// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
 ///   whatever the depth b. It needs no range.
 ///
