@@ -13,7 +13,8 @@ CASE = pathlib.Path(__file__).resolve().parents[3] / "experiments/validation/con
 EDGES = (("straight, $c$ = 0.3 $l_c$", {"b_lc": 0.0, "c_lc": 0.3, "theta": 0.0}),
          ("straight, $c$ = 1 $l_c$", {"b_lc": 0.0, "c_lc": 1.0, "theta": 0.0}),
          ("protrusion, $c$ = 0.3 $l_c$", {"b_lc": 0.4, "c_lc": 0.3, "theta": math.radians(60)}),
-         ("protrusion, $c$ = 1 $l_c$", {"b_lc": 0.4, "c_lc": 1.0, "theta": math.radians(60)}))
+         ("protrusion, $c$ = 1 $l_c$", {"b_lc": 0.4, "c_lc": 1.0, "theta": math.radians(60)}),
+         ("bay, $c$ = 0.3 $l_c$", {"b_lc": -0.4, "c_lc": 0.3, "theta": math.radians(60)}))
 
 
 def draw():
@@ -21,8 +22,9 @@ def draw():
     case = brash.Case.from_file(CASE)
     l_c = brash.characteristic_length(case)
     speed = np.geomspace(0.02, 5.0, 61)
-    model = brash.MovingEdge(case)
-    for (name, edge), colour in zip(EDGES, SERIES):
+    of_model, of_plate = brash.MovingEdge(case), brash.MovingEdge(case, "fem")
+    for (name, edge), colour in zip(EDGES, (*SERIES, GREY)):
+        model = of_plate if edge["b_lc"] < 0 else of_model
         moving, rest = model(speed=speed, **edge), model(speed=0.0, **edge)
         axes[0].semilogx(speed, moving.load / rest.load, color=colour, label=name)
         axes[1].semilogx(speed, moving.deflection / rest.deflection, color=colour)

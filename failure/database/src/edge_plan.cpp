@@ -19,7 +19,7 @@ EdgePlan read_edge_plan(const std::string& path) {
   Table file(path, "", root);
   EdgePlan plan;
   Table edge = file.table("edge");
-  plan.b_lc = edge.numbers("b_lc", 0.0, 5.0);
+  plan.b_lc = edge.numbers("b_lc", -5.0, 5.0);
   plan.c_lc = edge.numbers("c_lc", 1e-3, 100.0);
   plan.theta = edge.numbers("theta_deg", 0.0, 170.0);
   for (double& theta : plan.theta) theta = radians(theta);

@@ -139,7 +139,7 @@ void write_netcdf(const std::string& path, const EdgeDatabase& database) {
 void check_solved(const Reader& file, const EdgeRecord& r) {
   const auto refuse = [&](const std::string& what) { file.refuse(fmt::format("geometry {}", r.index), what); };
   const plate::EdgeGeometry& g = r.geometry;
-  if (!(g.depth >= 0.0 && g.contact_length > 0.0 && g.angle >= 0.0 && g.angle < kPi && g.thickness > 0.0 &&
+  if (!(std::isfinite(g.depth) && g.contact_length > 0.0 && g.angle >= 0.0 && g.angle < kPi && g.thickness > 0.0 &&
         g.mass_ratio > 0.0))
     refuse("is no geometry");
   for (const auto& v : kSeries)

@@ -30,6 +30,9 @@ Axis read_axis(Table& tables, const std::string& key, double least, double most,
   if (axis.spacing == Spacing::kLogarithmic && !(axis.from > 0.0)) {
     table.refuse(table.get("from"), "from", "is 0", "above 0 with logarithmic spacing");
   }
+  const bool needs_positive = axis.spacing == Spacing::kByContact || axis.spacing == Spacing::kQuadratic;
+  if (needs_positive && axis.from < 0.0)
+    table.refuse(table.get("from"), "from", "is below 0", "0 or more with this spacing; bays with linear spacing");
   if (axis.spacing == Spacing::kByContact && key != "b_lc") {
     table.refuse(table.get("spacing"), "spacing", "= \"by-contact\" is not allowed", "that spacing for `b_lc` only");
   }
@@ -58,7 +61,7 @@ Plan read_plan(const std::string& path) {
 
   // Limits of the plate solver, not of the cases that may be of interest.
   Table range = file.table("range");
-  plan.b_lc = read_axis(range, "b_lc", 0.0, 5.0);
+  plan.b_lc = read_axis(range, "b_lc", -5.0, 5.0);
   plan.c_lc = read_axis(range, "c_lc", 1e-3, 10.0);
   plan.theta = read_axis(range, "theta_deg", 0.0, 170.0, radians(1.0));
   plan.thickness_over_lc = read_axis(range, "thickness_over_lc", 1e-3, 1.0);

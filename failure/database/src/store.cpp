@@ -173,7 +173,7 @@ void check_solved(const Reader& file, const Record& r) {
   const auto refuse = [&](const std::string& what) { file.refuse(fmt::format("geometry {}", r.geometry), what); };
   const plate::WedgePlate& g = r.plate;
   const bool in_range =
-      g.depth >= 0.0 && g.contact_length > 0.0 && g.angle >= 0.0 && g.angle < kPi && g.thickness > 0.0;
+      std::isfinite(g.depth) && g.contact_length > 0.0 && g.angle >= 0.0 && g.angle < kPi && g.thickness > 0.0;
   if (!in_range || !std::isfinite(g.depth + g.contact_length + g.thickness))
     refuse(fmt::format("b/l_c = {}, c/l_c = {}, theta = {}, h/l_c = {} is no geometry", g.depth, g.contact_length,
                        g.angle, g.thickness));

@@ -236,6 +236,9 @@ VectorXd EdgeResponseModel::Impl::outline_weights(const EdgeGeometry& g) const {
 
 EdgeResponseModel EdgeResponseModel::fit(std::span<const EdgeSample> samples, const std::string& data_sha256) {
   if (samples.empty()) refuse("has no solved geometry");
+  if (std::ranges::any_of(samples, [](const EdgeSample& s) { return s.geometry.depth < 0.0; }))
+    throw InputError(Complaint{"the database", "has bays (b < 0)", "b >= 0, where responses interpolate",
+                               "give the plan b_lc from 0 on; `--model fem` solves a bay"});
   auto impl = std::make_unique<Impl>();
   impl->grid = {distinct(samples, &EdgeGeometry::depth), distinct(samples, &EdgeGeometry::angle),
                 distinct(samples, &EdgeGeometry::contact_length), distinct(samples, &EdgeGeometry::thickness)};

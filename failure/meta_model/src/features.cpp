@@ -13,12 +13,18 @@ namespace {
 /// Keeps the logarithm of b / l_c finite at the straight edge; the depth below which the edge is nearly straight.
 constexpr double kDepthShift = 0.1;
 
+/// `value` of |b|, reflected at that of the straight edge for a bay.
+Lane reflected(const Lane& b, const Lane& value, double straight) {
+  return (b < 0.0).select(2.0 * straight - value, value);
+}
+
 }  // namespace
 
 std::array<Lane, kInputs> features_of(const std::array<Lane, kInputs>& x) {
   const Lane &b = x[0], &c = x[1], &theta = x[2], &mu1 = x[3], &mu2 = x[4];
-  const Lane width_ratio = 1.0 + 2.0 * b * (0.5 * theta).tan() / c;
-  return {Lane((b + kDepthShift).log()), Lane(c.log()), Lane(width_ratio.log()), Lane(mu1.log()), Lane(mu2.square())};
+  const Lane deep = b.abs(), width_ratio = 1.0 + 2.0 * deep * (0.5 * theta).tan() / c;
+  return {reflected(b, (deep + kDepthShift).log(), std::log(kDepthShift)), Lane(c.log()),
+          reflected(b, width_ratio.log(), 0.0), Lane(mu1.log()), Lane(mu2.square())};
 }
 
 std::array<double, kInputs> features_of(const Input& input) {
@@ -32,7 +38,8 @@ std::array<double, kInputs> features_of(const Input& input) {
 }
 
 bool has_features(const Input& x) {
-  return x.b_lc >= 0.0 && x.c_lc > 0.0 && x.theta >= 0.0 && x.theta < kPi && x.mu1 > 0.0 && std::isfinite(x.mu2);
+  return std::isfinite(x.b_lc) && x.c_lc > 0.0 && x.theta >= 0.0 && x.theta < kPi && x.mu1 > 0.0 &&
+         std::isfinite(x.mu2);
 }
 
 bool finite(const std::vector<double>& values) {

@@ -80,7 +80,6 @@ void read_range(const Place& place, Range& range) {
     if (lower[i] > upper[i]) input["lower"].refuse("exceeds `upper`");
   }
   range = {to_input(lower), to_input(upper)};
-  if (range.lower.b_lc < 0.0) place[std::size_t{0}]["lower"].refuse("must be >= 0");
   if (range.lower.c_lc <= 0.0) place[std::size_t{1}]["lower"].refuse("must be > 0");
   if (range.lower.theta < 0.0) place[std::size_t{2}]["lower"].refuse("must be >= 0");
   if (range.upper.theta >= kPi) place[std::size_t{2}]["upper"].refuse("must be below pi");

@@ -150,6 +150,10 @@ ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, const std
     throw InputError(Complaint{"the database", fmt::format("has {} solved geometries", samples.size()),
                                fmt::format("at least {}", kFewest), "raise `geometries` in the plan"});
   }
+  if (std::ranges::any_of(samples, [](const ProfileSample& s) { return s.geometry.b_lc < 0.0; })) {
+    throw InputError(Complaint{"the database", "has bays (b < 0)", "b >= 0, where profiles interpolate",
+                               "give the plan b_lc from 0 on, or train a network"});
+  }
   auto impl = std::make_unique<Impl>();
   impl->range = range_of(samples);
   impl->data_sha256 = data_sha256;

@@ -63,8 +63,9 @@ Errors errors(const Network& network, std::span<const Sample> samples) {
 
 std::vector<Region> errors_by_region(const Network& network, const std::vector<Sample>& samples) {
   using Part = bool (*)(const Input&, const Output&);
-  static constexpr std::array<std::pair<const char*, Part>, 15> kParts{{
-      {"b < 0.25 l_c", [](const Input& x, const Output&) { return x.b_lc < 0.25; }},
+  static constexpr std::array<std::pair<const char*, Part>, 16> kParts{{
+      {"b < 0 (bay)", [](const Input& x, const Output&) { return x.b_lc < 0.0; }},
+      {"b < 0.25 l_c", [](const Input& x, const Output&) { return x.b_lc >= 0.0 && x.b_lc < 0.25; }},
       {"0.25 l_c <= b < l_c", [](const Input& x, const Output&) { return x.b_lc >= 0.25 && x.b_lc < 1.0; }},
       {"b >= l_c", [](const Input& x, const Output&) { return x.b_lc >= 1.0; }},
       {"c < 0.1 l_c", [](const Input& x, const Output&) { return x.c_lc < 0.1; }},

@@ -12,7 +12,7 @@ namespace brash::plate {
 
 namespace {
 
-/// A protrusion less deep than this is a straight edge.
+/// A protrusion or a bay less deep than this is a straight edge.
 constexpr double kFlat = 1e-6;
 
 }  // namespace
@@ -20,7 +20,7 @@ constexpr double kFlat = 1e-6;
 double production_tip_size(const WedgePlate& plate) { return std::min(kTipSize, kTipShare * plate.contact_length); }
 
 Vec2 root_of(const WedgePlate& plate) {
-  return {plate.depth, 0.5 * plate.contact_length + plate.depth * std::tan(0.5 * plate.angle)};
+  return {plate.depth, 0.5 * plate.contact_length + std::abs(plate.depth) * std::tan(0.5 * plate.angle)};
 }
 
 Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) {
@@ -28,10 +28,11 @@ Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) 
   const double scale = tip / production_tip_size(plate);
   const double gradation = scale * kGradation;
   const double reach = options.half_width > 0.0 ? options.half_width : kHalfWidth;
-  const bool is_flat = plate.depth < kFlat;
+  const bool is_flat = std::abs(plate.depth) < kFlat;
   const Vec2 corner{0.0, 0.5 * plate.contact_length};
   const Vec2 root = is_flat ? corner : root_of(plate);
-  const Vec2 far{root.x + reach, root.y + reach};
+  const double base = std::max(0.0, root.x);
+  const Vec2 far{base + reach, root.y + reach};
 
   Domain domain;
   domain.largest_size = options.far_size > 0.0 ? options.far_size : reach;
@@ -42,7 +43,7 @@ Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) 
                      {corner, {0.0, 0.0}, Side::kTip}};
   domain.sizes = {{{0.0, 0.0}, corner, tip, gradation},
                   {corner, corner, tip * kTipCornerShare, gradation},
-                  {{0.0, 0.0}, {root.x + kBreakingZone, 0.0}, kCentreSize * scale, gradation}};
+                  {{0.0, 0.0}, {base + kBreakingZone, 0.0}, kCentreSize * scale, gradation}};
   if (!is_flat) {
     domain.segments.push_back({root, corner, Side::kFree});
     domain.sizes.push_back({corner, root, kSideSize * scale, gradation});
@@ -52,10 +53,11 @@ Domain half_of_wedge_plate(const WedgePlate& plate, const MeshOptions& options) 
 }
 
 Domain half_of_moving_plate(const WedgePlate& plate, double reach, double scale) {
-  const bool is_flat = plate.depth < kFlat;
+  const bool is_flat = std::abs(plate.depth) < kFlat;
   const Vec2 corner{0.0, 0.5 * plate.contact_length};
   const Vec2 root = is_flat ? corner : root_of(plate);
-  const Vec2 far{root.x + reach, root.y + reach};
+  const double base = std::max(0.0, root.x);
+  const Vec2 far{base + reach, root.y + reach};
   Domain domain;
   domain.largest_size = reach;
   domain.segments = {{{0.0, 0.0}, {far.x, 0.0}, Side::kSymmetryY},
@@ -67,7 +69,7 @@ Domain half_of_moving_plate(const WedgePlate& plate, double reach, double scale)
   const auto add = [&](Vec2 from, Vec2 to, double size) {
     domain.sizes.push_back({from, to, scale * size, gradation});
   };
-  add({0.0, 0.0}, {root.x + kBreakingZone, 0.0}, kMovingCentreSize);
+  add({0.0, 0.0}, {base + kBreakingZone, 0.0}, kMovingCentreSize);
   const double tip = moving_tip_size(plate.contact_length);
   add({0.0, 0.0}, {0.0, std::min(corner.y, kMovingTipReach)}, tip);
   add(corner, corner, kMovingCornerShare * tip);

@@ -25,19 +25,11 @@ constexpr double kPoisson = 0.3;
 constexpr double kFirstTime = 0.03;
 constexpr double kLastTime = 10.0;
 constexpr int kTimes = 33;
-/// Stations cluster at the tip and the base line, to this share of the half width of the protrusion there.
-constexpr double kClusterShare = 0.2;
 /// The membrane's sheet, clamped there: it adds 0.4 p c / R.
 constexpr double kMembraneReach = 2000.0;
 
 WedgePlate wedge_of(const EdgeGeometry& g) {
   return {.depth = g.depth, .contact_length = g.contact_length, .angle = g.angle};
-}
-
-std::vector<double> stations_of(const WedgePlate& plate) {
-  const Vec2 root = root_of(plate);
-  return make_stations(plate.depth + kReach, plate.depth + kDense,
-                       {{0.0, kClusterShare * 0.5 * plate.contact_length}, {root.x, kClusterShare * root.y}});
 }
 
 /// The mesh with a crack in place of the centre line.
@@ -81,7 +73,7 @@ MovingEdge::~MovingEdge() = default;
 int MovingEdge::n_elements() const { return static_cast<int>(impl_->mesh.triangles.size()); }
 
 tl::expected<MovingEdge, PlateError> MovingEdge::prepare(const EdgeGeometry& outline, const EdgeOptions& options) {
-  BRASH_EXPECTS(outline.depth >= 0.0 && outline.contact_length > 0.0, outline.depth, outline.contact_length);
+  BRASH_EXPECTS(std::isfinite(outline.depth) && outline.contact_length > 0.0, outline.depth, outline.contact_length);
   BRASH_EXPECTS(outline.angle >= 0.0 && outline.angle < std::numbers::pi, outline.angle);
   auto impl = std::make_unique<Impl>();
   impl->outline = wedge_of(outline);

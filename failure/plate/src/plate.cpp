@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/plate/plate.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -14,15 +15,6 @@
 namespace brash::plate {
 
 namespace {
-
-/// Stations cluster at the tip and the base line, to this share of the half width of the protrusion there.
-constexpr double kClusterShare = 0.2;
-
-std::vector<double> stations_of(const WedgePlate& plate) {
-  const Vec2 root = root_of(plate);
-  return make_stations(plate.depth + kReach, plate.depth + kDense,
-                       {{0.0, kClusterShare * 0.5 * plate.contact_length}, {root.x, kClusterShare * root.y}});
-}
 
 /// The bent plate alone, or with the terms of its series.
 tl::expected<InPlaneSeries, std::string> bend(const Mesh& mesh, int order, const WedgePlate& plate,
@@ -49,7 +41,7 @@ tl::expected<UnitProfiles, PlateError> solve(const WedgePlate& plate, const Mesh
 }
 
 tl::expected<UnitProfiles, PlateError> solve_at_order(const WedgePlate& plate, const MeshOptions& options, int order) {
-  BRASH_EXPECTS(plate.depth >= 0.0 && plate.contact_length > 0.0, plate.depth, plate.contact_length);
+  BRASH_EXPECTS(std::isfinite(plate.depth) && plate.contact_length > 0.0, plate.depth, plate.contact_length);
   BRASH_EXPECTS(plate.angle >= 0.0 && plate.angle < std::numbers::pi, plate.angle);
   BRASH_EXPECTS(plate.thickness > 0.0, plate.thickness);
   BRASH_EXPECTS(plate.poisson_ratio >= 0.0 && plate.poisson_ratio < 0.5, plate.poisson_ratio);

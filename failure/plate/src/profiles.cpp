@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "domains.hpp"
 #include "recovery.hpp"
 
 namespace brash::plate {
@@ -18,6 +19,8 @@ constexpr double kEvenShare = 0.5;
 constexpr double kThinning = 0.25;
 /// Stations in a cluster for every e-fold of distance.
 constexpr double kClusterWeight = 20.0;
+/// Stations cluster at the tip and the base line, to this share of the half width of the protrusion there.
+constexpr double kClusterShare = 0.2;
 /// Points on the circle around a corner.
 constexpr int kRootPoints = 36;
 
@@ -52,6 +55,13 @@ std::vector<double> make_stations(double length, double dense, const std::vector
   }
   stations.push_back(length);
   return stations;
+}
+
+std::vector<double> stations_of(const WedgePlate& plate) {
+  std::vector<Cluster> clusters{{0.0, kClusterShare * 0.5 * plate.contact_length}};
+  const double base = std::max(0.0, plate.depth);
+  if (plate.depth >= 0.0) clusters.push_back({base, kClusterShare * root_of(plate).y});
+  return make_stations(base + kReach, base + kDense, clusters);
 }
 
 RootExtremes at_root(const Field& field, Vec2 root, double radius) {

@@ -28,6 +28,9 @@ struct Cluster {
 /// Stations from 0 to `length`, evenly spaced up to `dense`, thinner beyond, and denser in the clusters.
 std::vector<double> make_stations(double length, double dense, const std::vector<Cluster>& clusters);
 
+/// Those of a protrusion or a bay: clustered at B, and where the centre line crosses the base line.
+std::vector<double> stations_of(const WedgePlate& plate);
+
 /// Largest principal values on a circle around a corner.
 struct RootExtremes {
   double absolute = 0.0;

@@ -30,6 +30,8 @@ constexpr const char* kThickness = ",lc_over_h";
 constexpr std::size_t kColumns = 5;
 constexpr std::array<const char*, kColumns + 1> kNames{"b_lc", "c_lc", "theta_deg", "mu1", "mu2", "lc_over_h"};
 constexpr const char* kRemedy = "correct the line";
+/// Of a bay, b / l_c: the solver meshes no deeper one.
+constexpr double kDeepest = 5.0;
 /// h / l_c of rows that do not state it: the rounded value of the paper's validation case.
 constexpr double kUsualThickness = 0.1;
 
@@ -65,7 +67,8 @@ PredictedRow parse_row(const std::string& line, const std::string& place, std::s
   }
   std::array<double, kColumns + 1> v{};
   for (std::size_t i = 0; i < n_columns; ++i) v[i] = number(fields[i], place, kNames[i]);
-  expect(v[0] >= 0.0, place, kNames[0], v[0], "at least 0");
+  expect(v[0] >= -kDeepest, place, kNames[0], v[0],
+         fmt::format("at least {}; a bay has a depth below 0", -kDeepest).c_str());
   expect(v[1] > 0.0, place, kNames[1], v[1], "above 0");
   expect(v[2] >= 0.0 && v[2] < 180.0, place, kNames[2], v[2], "from 0 to below 180 degrees");
   expect(v[3] > 0.0, place, kNames[3], v[3], "above 0");

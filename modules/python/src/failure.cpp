@@ -31,6 +31,7 @@ struct Allowed {
 };
 
 constexpr double kAny = 1e300;
+constexpr Allowed kDepth{"b_lc", -5.0, false, kAny};
 constexpr Allowed kAngle{"theta", 0.0, false, kPi};
 constexpr Allowed kMu1{"mu1", 0.0, true, kAny};
 constexpr Allowed kMu2{"mu2", -kAny, true, kAny};
@@ -94,7 +95,7 @@ py::object respond(const ResponseModel& model, const py::object& type, const py:
   const py::object h = thickness_over_lc.is_none() ? py::float_(0.0) : thickness_over_lc;
   const Allowed thickness{"thickness_over_lc", 0.0, !thickness_over_lc.is_none(), kAny};
   const Columns<6> x({b_lc, c_lc, theta, mu1, mu2, h},
-                     {Allowed{"b_lc", 0.0, false, kAny}, {"c_lc", 0.0, true, kAny}, kAngle, kMu1, kMu2, thickness});
+                     {kDepth, {"c_lc", 0.0, true, kAny}, kAngle, kMu1, kMu2, thickness});
   auto sigma = x.like<double>(), length = x.like<double>();
   auto in_range = x.like<bool>();
   double* const sigma_at = sigma.mutable_data();
@@ -186,7 +187,8 @@ each row, about a third of a second), or the path of a model file.
           },
           py::arg("b_lc"), py::arg("c_lc"), py::arg("theta"), py::arg("mu1"), py::arg("mu2"),
           py::arg("thickness_over_lc") = py::none(),
-          "Arrays of any shapes that broadcast: b/l_c >= 0, c/l_c > 0, theta in [0, pi) [rad], mu1 > 0, mu2, and h/l_c "
+          "Arrays of any shapes that broadcast: b/l_c (negative: a bay), c/l_c > 0, theta in [0, pi) [rad], mu1 > 0, "
+          "mu2, and h/l_c "
           "(left out: that of the training rows; 0.1 for the plate). Returns a Response.");
 }
 
@@ -248,7 +250,7 @@ class MovingEdge {
   py::object operator()(const py::object& type, const py::object& b_lc, const py::object& c_lc, const py::object& theta,
                         const py::object& speed, const py::object& mu1) const {
     const py::object ratio = mu1.is_none() ? py::float_(failure::load_ratios(slope_, friction_, 0.0).mu1) : mu1;
-    const Columns<5> x({b_lc, c_lc, theta, speed, ratio}, {Allowed{"b_lc", 0.0, false, kAny},
+    const Columns<5> x({b_lc, c_lc, theta, speed, ratio}, {kDepth,
                                                            {"c_lc", 0.0, true, kAny},
                                                            {"theta", 0.0, false, kPi},
                                                            {"speed", 0.0, false, kAny},
@@ -262,17 +264,21 @@ class MovingEdge {
     bool* const radial_at = radial.mutable_data();
     bool* const in_range_at = in_range.mutable_data();
     const double l_c = failure::characteristic_length(ice_);
+    plate::EdgeGeometry solved;  // speeds often vary fastest
+    std::optional<failure::EdgeSource::Answer> answer;
     without_gil(x.size(), [&](std::size_t i) {
       const failure::EdgePush push{.speed = x.at(3, i),
                                    .slope = slope_,
                                    .friction = friction_,
                                    .mu1 = x.at(4, i),
                                    .contact_length = x.at(1, i) * l_c};
-      const auto [responses, inside] = edges_.at({.depth = x.at(0, i),
-                                                  .contact_length = x.at(1, i),
-                                                  .angle = x.at(2, i),
-                                                  .mass_ratio = mass_ratio_,
-                                                  .thickness = ice_.thickness / l_c});
+      const plate::EdgeGeometry wanted{.depth = x.at(0, i),
+                                       .contact_length = x.at(1, i),
+                                       .angle = x.at(2, i),
+                                       .mass_ratio = mass_ratio_,
+                                       .thickness = ice_.thickness / l_c};
+      if (!answer || wanted != solved) answer = edges_.at(solved = wanted);
+      const auto& [responses, inside] = *answer;
       const failure::EdgeBreak b = push.speed > 0.0 ? failure::break_edge(responses, ice_, push)
                                                     : failure::break_edge_at_rest(responses, ice_, push);
       load_at[i] = b.load;
@@ -312,7 +318,8 @@ comes with the program.
                    const py::object& speed,
                    const py::object& mu1) { return edge(broken, b_lc, c_lc, theta, speed, mu1); },
           py::arg("b_lc"), py::arg("c_lc"), py::arg("theta"), py::arg("speed"), py::arg("mu1") = py::none(),
-          "Arrays of any shapes that broadcast: b/l_c >= 0, c/l_c > 0, theta in [0, pi) [rad], speed >= 0 [m/s] (0: "
+          "Arrays of any shapes that broadcast: b/l_c (negative: a bay), c/l_c > 0, theta in [0, pi) [rad], speed >= 0 "
+          "[m/s] (0: "
           "the "
           "static plate), mu1 > 0 (left out: of the case's slope, met squarely). Returns an EdgeBreak.");
 }

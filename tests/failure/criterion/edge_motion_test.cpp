@@ -78,6 +78,59 @@ BOOST_AUTO_TEST_CASE(a_sheet_that_stands_for_the_moving_one_breaks_as_the_moving
   }
 }
 
+/// How a run judges a bay: the true outline at rest stands for the moving one, by the motion of the straight edge that
+/// its trapezoid is.
+failure::EdgeBreak break_as_in_a_run(double deep, double angle, failure::LoadCase load, double speed, double longest) {
+  const double l_c = failure::characteristic_length(kIce), tip = 0.5 * load.contact_length;
+  const double root = tip + deep * std::tan(0.5 * angle), far = root + 3.0 * l_c;
+  load.outline = {{-deep, -far}, {-deep, -root}, {0.0, -tip}, {0.0, tip}, {-deep, root}, {-deep, far}};
+  const failure::EdgeDynamics edge = failure::make_edge_dynamics(kIce, kDensity);
+  const auto sheet = failure::make_criterion(model::FailureModel::kPlateOutline, "", kIce);
+  double holds = 0.0, breaks = longest;
+  failure::EdgeBreak result;
+  for (int halving = 0; halving < 9; ++halving) {
+    result.time = 0.5 * (holds + breaks);
+    const Pushed pushed = push(edge, load, speed, result.time);
+    load.pressure = pushed.load / (load.contact_length * kIce.thickness);
+    load.motion = edge.motion(load, pushed.history);
+    const failure::Assessment here = sheet->assess(load);
+    result.load = pushed.load;
+    result.deflection = edge.deflection(load, pushed.history, result.time);
+    result.breaking_length = here.breaking_length;
+    (here.fails ? breaks : holds) = result.time;
+  }
+  return result;
+}
+
+// The limits are the errors that docs/theory/simulation.md states.
+BOOST_AUTO_TEST_CASE(a_bay_of_a_run_breaks_nearly_as_the_moving_bay_does) {
+  const double l_c = failure::characteristic_length(kIce);
+  const failure::EdgeSource plate("fem");
+  struct Case {
+    double deep, contact_length, angle, speed;
+  };
+  for (const auto& [deep, c, theta, speed] : {Case{0.1, 0.3, 60.0, 1.202}, Case{0.4, 0.3, 60.0, 1.202},
+                                              Case{0.4, 0.3, 120.0, 0.3}, Case{0.2, 1.0, 90.0, 1.202}}) {
+    const plate::EdgeResponses responses = plate
+                                               .at({.depth = -deep,
+                                                    .contact_length = c,
+                                                    .angle = radians(theta),
+                                                    .mass_ratio = failure::mass_ratio(kIce, kDensity),
+                                                    .thickness = kIce.thickness / l_c})
+                                               .responses;
+    const failure::EdgeBreak known = failure::break_edge(
+        responses, kIce,
+        {.speed = speed, .slope = kSlope, .friction = kFriction, .mu1 = kMu1, .contact_length = c * l_c});
+    const failure::EdgeBreak here = break_as_in_a_run(
+        deep * l_c, radians(theta), {.contact_length = c * l_c, .mu1 = kMu1}, speed, 2.0 * known.time);
+    std::cout << "bay " << deep << " c " << c << " theta " << theta << " V " << speed << ": N " << 1e-3 * here.load
+              << " (" << 1e-3 * known.load << "), w " << here.deflection << " (" << known.deflection << "), l "
+              << here.breaking_length / l_c << " (" << known.breaking_length / l_c << ")\n";
+    BOOST_TEST(here.load == known.load, tt::tolerance(0.06));
+    BOOST_TEST(std::abs(here.breaking_length - known.breaking_length) < 0.25 * l_c);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_that_is_pushed_slowly_is_at_rest) {
   const double l_c = failure::characteristic_length(kIce);
   const failure::EdgeDynamics edge = failure::make_edge_dynamics(kIce, kDensity);

@@ -84,6 +84,7 @@ BOOST_AUTO_TEST_CASE(a_plan_with_a_mistake_is_refused_with_its_place) {
   expect_refusal("geometries = 20", "geometries = 2.5", "whole number");
   expect_refusal("from = 0.1, to = 1.0", "from = 2.0, to = 1.0", "`range.c_lc.to` is below");
   expect_refusal("from = 0.1, to = 1.0", "from = 0.1, too = 1.0", "`range.c_lc.to` is missing");
+  expect_refusal("b_lc = { from = 0.0", "b_lc = { from = -1.0", "bays with linear spacing");
   expect_refusal("\"quadratic\"", "\"cubic\"", "`range.b_lc.spacing` = ");
   expect_refusal("to = 100.0", "to = 190.0", "= 190 is not allowed\n  allowed: a number from 0 to 170");
   expect_refusal("to = 100.0", "to = nan", "= nan is not allowed");

@@ -184,6 +184,18 @@ BOOST_AUTO_TEST_CASE(a_moving_edge_goes_from_a_plan_to_a_model_that_breaks_it) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_bay_is_solved_and_lies_outside_the_range_of_the_models) {
+  const Folder folder;
+  const std::string header = "b_lc,c_lc,theta_deg,mu1,mu2\n", straight = "0,0.3,60,0.5,0\n",
+                    bay = "-0.4,0.3,60,0.5,0\n";
+  const std::string rows = folder.write("rows.csv", header + bay), other = folder.write("other.csv", header + straight);
+  const std::string solved = output_of(folder, {"predict", "--model", "fem", "--in", rows});
+  BOOST_TEST(solved.find("true") != std::string::npos);
+  BOOST_TEST(stress_of(solved) < 0.7 * stress_of(output_of(folder, {"predict", "--model", "fem", "--in", other})));
+  const std::string looked_up = output_of(folder, {"predict", "--model", "superposition", "--in", rows});
+  BOOST_TEST(looked_up.find("false") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(speeds_need_a_case_and_a_case_states_the_thickness) {
   const Folder folder;
   BOOST_CHECK_THROW(run({"predict", "--speed", "1"}), CLI::ParseError);

@@ -40,7 +40,7 @@ class Models(unittest.TestCase):
 
     def test_bad_inputs_are_refused(self):
         model = brash.FailureModel("superposition")
-        for change in ({"b_lc": -1}, {"c_lc": 0}, {"theta": np.pi}, {"mu1": 0}, {"mu1": np.nan}, {"mu2": np.inf},
+        for change in ({"b_lc": -6}, {"c_lc": 0}, {"theta": np.pi}, {"mu1": 0}, {"mu1": np.nan}, {"mu2": np.inf},
                        {"b_lc": "x"}, {"b_lc": None}, {"thickness_over_lc": 0}, {"b_lc": [1, 2], "c_lc": [1, 2, 3]},
                        {"mu1": [0.5, -0.5]}):
             with self.subTest(change), self.assertRaises(brash.InputError):
@@ -123,6 +123,15 @@ class MovingEdges(unittest.TestCase):
         np.testing.assert_allclose(broken.deflection, [0.185, 0.032], rtol=0.05)
         self.assertFalse(broken.radial_first.any())
         self.assertTrue(broken.in_range.all())
+
+    def test_a_bay_bears_more_than_a_straight_edge_and_is_solved_not_looked_up(self):
+        case = brash.Case.from_file(CONE)
+        edge = dict(c_lc=0.3, theta=np.radians(60), speed=[0.0, 1.202])
+        straight, bay = (brash.MovingEdge(case, "fem")(b_lc=b, **edge) for b in (0.0, -0.4))
+        self.assertTrue((bay.load > 1.5 * straight.load).all())
+        self.assertTrue((bay.breaking_length > straight.breaking_length).all())
+        self.assertTrue(bay.in_range.all())
+        self.assertFalse(brash.MovingEdge(case)(b_lc=-0.4, **edge).in_range.any())
 
     def test_inputs_outside_the_range_are_told_and_impossible_ones_refused(self):
         edge = brash.MovingEdge(brash.Case.from_file(CONE))

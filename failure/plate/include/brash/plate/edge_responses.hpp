@@ -12,11 +12,11 @@
 
 namespace brash::plate {
 
-/// A trapezoidal protrusion of a free edge that moves: lengths over the characteristic length l_c.
+/// A trapezoidal protrusion of a free edge that moves, or a bay: lengths over the characteristic length l_c.
 struct EdgeGeometry {
-  double depth = 0.0;           ///< b / l_c [-], >= 0
+  double depth = 0.0;           ///< b / l_c [-]; negative: of a bay
   double contact_length = 0.0;  ///< c / l_c [-], > 0
-  double angle = 0.0;           ///< theta, full opening angle [rad], in [0, pi)
+  double angle = 0.0;           ///< theta, full opening angle [rad], in [0, pi); of a bay towards the water
   double mass_ratio = 0.0886;   ///< rho_i h / (rho_w l_c) [-], > 0
   double thickness = 0.1;       ///< h / l_c [-]
   bool split = false;           ///< by a radial crack from B along the whole centre line

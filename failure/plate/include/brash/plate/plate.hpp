@@ -12,13 +12,14 @@ namespace brash::plate {
 
 enum class Theory { kReissnerMindlin, kKirchhoff };
 
-/// A trapezoidal protrusion of the free edge of a wide floating plate; lengths over the characteristic length l_c.
+/// A trapezoidal protrusion of the free edge of a wide floating plate, or a bay; lengths over the characteristic length
+/// l_c. The load acts on the tip edge, which is the head of a protrusion or the bottom of a bay.
 ///
 /// Frame: origin at B, the middle of the tip edge; x along the centre line into the ice; y along the tip edge.
 struct WedgePlate {
-  double depth = 0.0;           ///< b / l_c [-], >= 0
+  double depth = 0.0;           ///< b / l_c [-]; negative: of a bay
   double contact_length = 0.0;  ///< c / l_c [-], > 0
-  double angle = 0.0;           ///< theta, full opening angle [rad], in [0, pi)
+  double angle = 0.0;           ///< theta, full opening angle [rad], in [0, pi); of a bay towards the water
   double thickness = 0.1;       ///< h / l_c [-]
   double poisson_ratio = 0.3;   ///< nu [-]
   Theory theory = Theory::kReissnerMindlin;
