@@ -40,6 +40,31 @@ void visit_keys_of(Is<model::Cone> auto& cone, auto&& visit) {
   visit("structure", "breaking", cone.breaking);
   visit("structure", "facets", cone.facets);
 }
+void visit_keys_of(Is<model::FacetedCone> auto& cone, auto&& visit) {
+  visit("structure", "angle", cone.angle);
+  visit("structure", "waterline_width", cone.waterline_width);
+  visit("structure", "height", cone.height);
+  visit("structure", "height_under_water", cone.height_under_water);
+  visit("structure", "breaking", cone.breaking);
+  visit("structure", "sides", cone.sides);
+}
+void visit_keys_of(Is<model::Plane> auto& plane, auto&& visit) {
+  visit("structure", "angle", plane.angle);
+  visit("structure", "waterline_width", plane.waterline_width);
+  visit("structure", "length", plane.length);
+  visit("structure", "height", plane.height);
+  visit("structure", "height_under_water", plane.height_under_water);
+  visit("structure", "breaking", plane.breaking);
+}
+void visit_keys_of(Is<model::WedgeBow> auto& bow, auto&& visit) {
+  visit("structure", "angle", bow.angle);
+  visit("structure", "entrance", bow.entrance);
+  visit("structure", "waterline_width", bow.waterline_width);
+  visit("structure", "length", bow.length);
+  visit("structure", "height", bow.height);
+  visit("structure", "height_under_water", bow.height_under_water);
+  visit("structure", "breaking", bow.breaking);
+}
 void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
 
 /// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members. The

@@ -70,6 +70,36 @@ bool check_shape(const model::Cone& cone, Checks& checks) {
   return cone.waterline_width > lost;
 }
 
+/// The plan's least extent of an end of the structure, keel or top, must be positive.
+bool check_end(double waterline, double lost, const char* key, bool downward, Checks& checks) {
+  checks.require(waterline > lost, {"structure", key}, {"structure", "angle"},
+                 fmt::format("the structure ends before its {}", downward ? "keel" : "top"),
+                 fmt::format("more than {:.6g} m at this angle and height", lost),
+                 "enlarge it, steepen the angle, or shorten that end");
+  return waterline > lost;
+}
+
+double retreat(const auto& shape) {
+  const bool downward = shape.breaking == model::Breaking::kDownward;
+  return (downward ? shape.height_under_water : shape.height - shape.height_under_water) / std::tan(shape.angle);
+}
+
+bool check_shape(const model::FacetedCone& cone, Checks& checks) {
+  return check_end(cone.waterline_width, 2.0 * retreat(cone), "waterline_width",
+                   cone.breaking == model::Breaking::kDownward, checks);
+}
+
+bool check_shape(const model::Plane& plane, Checks& checks) {
+  return check_end(plane.length, retreat(plane), "length", plane.breaking == model::Breaking::kDownward, checks);
+}
+
+/// The wedge ends ahead of the back.
+bool check_shape(const model::WedgeBow& bow, Checks& checks) {
+  const double wedge = 0.5 * bow.waterline_width / std::tan(bow.entrance);
+  return check_end(bow.length, wedge + retreat(bow) / std::sin(bow.entrance), "length",
+                   bow.breaking == model::Breaking::kDownward, checks);
+}
+
 /// The ice must meet the sloping surface over its whole thickness. @return whether it does.
 bool check_heights(const structure::Hull& hull, double draught, double freeboard, Checks& checks) {
   const auto [least, most] = hull.bounds();

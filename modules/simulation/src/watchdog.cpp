@@ -158,7 +158,7 @@ void Watchdog::look_at_balance(const Watched& now) const {
     throw RunError("the ledger does not fit the floes: they lack " + (now.area.floes - now.floes.area()).to_string() +
                    " m2");
   const double error = now.row.energy_error - booked_error_;
-  const double allowed = allowance_of_all(now.floes);
+  const double allowed = allowance_of_all(now.floes) + kRounding * (1.0 + std::abs(now.row.work));
   if (!(std::abs(error) <= allowed))
     throw RunError(
         fmt::format("the energies do not close: {:.6g} J of {:.6g} J of work are missing, the time step "

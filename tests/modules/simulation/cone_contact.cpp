@@ -127,3 +127,32 @@ BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_cone_by_the_pressure_on_its_front
       0.1 * kPressure * (outer * outer - inner * inner) / std::cos(kAngle) * std::comp_ellint_2(std::sin(kAngle));
   BOOST_TEST(force_in_channel("0.1").x == exact + friction, boost::test_tools::tolerance(2e-3));
 }
+
+BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_plane_and_a_wedge_by_the_pressure_on_their_fronts) {
+  // In its channel a front of the width w is inside the ice over the whole thickness. Its plan ahead is w h, whatever
+  // the slope and the entrance; its plan from above is w h cot(a) / sin(entrance).
+  const double h = 0.33, width = 2.0, entrance = radians(30.0), whole = kPressure * width * h;
+  const auto force_of = [](const std::vector<std::string>& shape) {
+    std::vector<std::string> keys{"failure.model=wedge",
+                                  "field.initial_crack=false",
+                                  "ice.friction_structure=0",
+                                  "ice.flexural_strength=1e8",
+                                  "structure.waterline_width=2",
+                                  "structure.height=2",
+                                  "structure.height_under_water=1",
+                                  "structure.start_distance=4.2",
+                                  "time.duration=6"};
+    keys.insert(keys.end(), shape.begin(), shape.end());
+    simulation::Simulation run(ice_and_water(keys));
+    model::LoadRow row;
+    while (run.time() < 5.5) row = run.step().loads;
+    return row.crushing.force;
+  };
+  const Vec3 plane = force_of({"structure.kind=plane", "structure.length=8"});
+  BOOST_TEST(plane.x == whole, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(plane.z == whole / std::tan(kAngle), boost::test_tools::tolerance(1e-6));
+  const Vec3 bow = force_of({"structure.kind=wedge-bow", "structure.length=8", "structure.entrance=30 deg"});
+  BOOST_TEST(bow.x == whole, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(bow.z == whole / (std::tan(kAngle) * std::sin(entrance)), boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(std::abs(bow.y) < 1e-6 * bow.x);
+}

@@ -19,11 +19,52 @@ struct Cone {
   friend bool operator==(const Cone&, const Cone&) = default;
 };
 
+/// `kind = "faceted-cone"`: a pyramid without its tip, one plane side ahead.
+struct FacetedCone {
+  double angle = 0.0;                       ///< slope of the sides from the horizontal [rad], in (0, pi/2]
+  double waterline_width = 0.0;             ///< diameter of the circle inside the waterplane
+  double height = 0.0;                      ///< from keel to top
+  double height_under_water = 0.0;          ///< from keel to waterplane
+  Breaking breaking = Breaking::kDownward;  ///< downward: narrower below; upward: narrower above
+  int sides = 8;
+
+  friend bool operator==(const FacetedCone&, const FacetedCone&) = default;
+};
+
+/// `kind = "plane"`: a block whose front is one plane; sides and back are vertical.
+struct Plane {
+  double angle = 0.0;                       ///< slope of the front from the horizontal [rad], in (0, pi/2]
+  double waterline_width = 0.0;             ///< across its way
+  double length = 0.0;                      ///< at the waterline, along its way
+  double height = 0.0;                      ///< from keel to top
+  double height_under_water = 0.0;          ///< from keel to waterplane
+  Breaking breaking = Breaking::kDownward;  ///< downward: the front leans over the ice; upward: away from it
+
+  friend bool operator==(const Plane&, const Plane&) = default;
+};
+
+/// `kind = "wedge-bow"`: a block whose front is a wedge of two planes; sides and back are vertical.
+struct WedgeBow {
+  double angle = 0.0;                       ///< slope of the two planes from the horizontal [rad], in (0, pi/2]
+  double entrance = 0.0;                    ///< between their waterlines and the way [rad], in (0, pi/2)
+  double waterline_width = 0.0;             ///< across its way
+  double length = 0.0;                      ///< at the waterline, from stem to back
+  double height = 0.0;                      ///< from keel to top
+  double height_under_water = 0.0;          ///< from keel to waterplane
+  Breaking breaking = Breaking::kDownward;  ///< downward: the planes lean over the ice; upward: away from it
+
+  friend bool operator==(const WedgeBow&, const WedgeBow&) = default;
+};
+
 /// The shape of a structure; [structure] kind names them in this order.
-using Shape = std::variant<Cone>;
-enum class StructureKind { kCone };
+using Shape = std::variant<Cone, FacetedCone, Plane, WedgeBow>;
+enum class StructureKind { kCone, kFacetedCone, kPlane, kWedgeBow };
 template <>
-inline constexpr auto kNames<StructureKind> = std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"}});
+inline constexpr auto kNames<StructureKind> =
+    std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"},
+                                         {StructureKind::kFacetedCone, "faceted-cone"},
+                                         {StructureKind::kPlane, "plane"},
+                                         {StructureKind::kWedgeBow, "wedge-bow"}});
 inline StructureKind kind_of(const Shape& shape) { return static_cast<StructureKind>(shape.index()); }
 
 /// `kind = "towed"`: along x at a constant speed, whatever the ice does.
