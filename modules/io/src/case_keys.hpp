@@ -66,6 +66,12 @@ void visit_keys_of(Is<model::WedgeBow> auto& bow, auto&& visit) {
   visit("structure", "breaking", bow.breaking);
 }
 void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
+void visit_keys_of(Is<model::Compliant> auto& compliant, auto&& visit) {
+  visit("structure", "speed", compliant.speed);
+  visit("structure.motion", "mass", compliant.mass);
+  visit("structure.motion", "stiffness", compliant.stiffness);
+  visit("structure.motion", "damping", compliant.damping);
+}
 
 /// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members. The
 /// keys of an alternative come after its name.

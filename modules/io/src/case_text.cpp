@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -76,6 +77,18 @@ std::string to_toml(const model::Case& resolved) {
   return text;
 }
 
+namespace {
+
+/// The kinds that have a key of which the default kind of the section has none, such as "plane, wedge-bow"; else empty.
+std::string other_kinds(const OrderedJson& keys, const OrderedJson& key_schema) {
+  if (!key_schema.contains("x-kinds")) return "";
+  const auto kinds = key_schema.at("x-kinds").get<std::vector<std::string>>();
+  if (std::ranges::find(kinds, keys.at("kind").at("default").get<std::string>()) != kinds.end()) return "";
+  return fmt::format("{}", fmt::join(kinds, ", "));
+}
+
+}  // namespace
+
 std::string case_template() {
   std::string text = commented(
       "A brash case with every key. A bare number is SI; a string is a quantity with a unit, such as \"33 cm\". Keys "
@@ -85,11 +98,14 @@ std::string case_template() {
     text += "\n" + commented(section_schema.at("description").get<std::string>()) + "[" + section + "]\n";
     for (const auto& [key, key_schema] : schema.keys(section).items()) {
       const bool required = schema.requires_key(section, key);
+      const std::string kinds = other_kinds(schema.keys(section), key_schema);
       text += commented(key_schema.at("description").get<std::string>());
-      text += commented((required ? "Required: " : "Optional: ") + allowed_values(key_schema) + ".");
+      const std::string of_kinds = kinds.empty() ? "" : " with kind = " + kinds;
+      text += commented((required ? "Required" : "Optional") + of_kinds + ": " + allowed_values(key_schema) + ".");
       const bool has_default = key_schema.contains("default");
       const std::string value = toml_text(has_default ? key_schema.at("default") : key_schema.at("examples").front());
-      text += fmt::format("{}{} = {}\n", required || has_default ? "" : "# ", key, value);
+      const bool is_live = kinds.empty() && (required || has_default);
+      text += fmt::format("{}{} = {}\n", is_live ? "" : "# ", key, value);
     }
   }
   return text;

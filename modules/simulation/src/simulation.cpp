@@ -126,6 +126,8 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, St
   row.area_brash = ledger.brash.square_metres();
   row.area_snap = ledger.snap.square_metres();
   row.n_floes = static_cast<int>(floes.floes().size());
+  row.structure = plan(motion->now().pose.position);
+  row.velocity = plan(twist.linear);
 }
 
 /// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/structure/motion.hpp"
 
+#include <cmath>
+#include <utility>
+
 namespace brash::structure {
 namespace {
 
@@ -23,6 +26,72 @@ class Towed final : public Motion {
 
 std::unique_ptr<Motion> motion_of(const model::Towed& towed, const State& start, double time_step) {
   return std::make_unique<Towed>(towed, start, time_step);
+}
+
+/// A mass on a spring and a dashpot in plan. The ice's load of one step acts, evenly, in the next one; the motion under
+/// that load is exact. Within a step the structure goes at the step's mean velocity.
+/// @see docs/theory/simulation.md, (S6)
+class Compliant final : public Motion {
+ public:
+  Compliant(const model::Compliant& compliant, const State& start, double time_step)
+      : Motion({start.pose, {{compliant.speed, 0.0, 0.0}, {}}}),
+        compliant_(compliant),
+        time_step_(time_step),
+        foot_(plan(start.pose.position)) {}
+
+  State after(double share) const override {
+    State then = now_;
+    then.pose.position += share * time_step_ * now_.twist.linear;
+    return then;
+  }
+  void advance(double share) override {
+    Motion::advance(share);
+    foot_.x += share * time_step_ * compliant_.speed;
+  }
+  void bear(const Wrench& load) override {
+    const Vec2 rest = plan(load.force) / compliant_.stiffness, stretch = plan(now_.pose.position) - foot_;
+    const double decay = 0.5 * compliant_.damping / compliant_.mass, stiff = compliant_.stiffness / compliant_.mass;
+    const auto [c, s] = free_motion(stiff - decay * decay, time_step_);
+    const double fade = std::exp(-decay * time_step_);
+    const Vec2 from_rest = stretch - rest;
+    const Vec2 next = rest + fade * ((c + decay * s) * from_rest + s * velocity_);
+    velocity_ = fade * ((c - decay * s) * velocity_ - stiff * s * from_rest);
+    const Vec2 mean = Vec2{compliant_.speed, 0.0} + (next - stretch) / time_step_;
+    now_.twist.linear = {mean.x, mean.y, 0.0};
+  }
+  Vec2 course() const override { return {compliant_.speed, 0.0}; }
+  void save(model::Checkpoint& checkpoint) const override {
+    Motion::save(checkpoint);
+    model::save(checkpoint, "compliance", *this);
+  }
+  void restore(const model::Checkpoint& checkpoint) override {
+    Motion::restore(checkpoint);
+    model::restore(checkpoint, "compliance", *this);
+  }
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("foot_", "m", "where the spring is slack", self.foot_);
+    visit("velocity_", "m s-1", "against the foot, at the end of the coming step", self.velocity_);
+  }
+
+ private:
+  /// Cosine and sine over frequency of a time, at a squared frequency that may be negative.
+  static std::pair<double, double> free_motion(double squared, double time) {
+    const double frequency = std::sqrt(std::abs(squared));
+    if (frequency * time < 1e-6) return {1.0, time};
+    if (squared > 0.0) return {std::cos(frequency * time), std::sin(frequency * time) / frequency};
+    return {std::cosh(frequency * time), std::sinh(frequency * time) / frequency};
+  }
+
+  model::Compliant compliant_;
+  double time_step_;  ///< [s]
+  Vec2 foot_{};       ///< where the spring is slack [m]
+  Vec2 velocity_{};   ///< against the foot, at the end of the coming step [m/s]
+};
+
+std::unique_ptr<Motion> motion_of(const model::Compliant& compliant, const State& start, double time_step) {
+  return std::make_unique<Compliant>(compliant, start, time_step);
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
   BOOST_TEST((c == validation));
   // Every key of the resolved text is in the template too.
   const std::string text = case_template();
-  for (const char* key : {"\nrotational_drag = ", "\ncurrent = ", "\nreplicate = ", "\narea = ", "\nfile = "})
+  for (const char* key : {"\n# entrance = ", "\n# stiffness = ", "\nrotational_drag = ", "\ncurrent = ",
+                          "\nreplicate = ", "\narea = ", "\nfile = "})
     BOOST_TEST(text.find(key) != std::string::npos, key);
 }
 
@@ -198,7 +199,9 @@ BOOST_AUTO_TEST_CASE(the_speed_is_written_in_the_motion_or_in_its_short_form) {
   BOOST_TEST(message_of(text, {"structure.motion.kind=towed"}).find("structure.speed: is missing") !=
              std::string::npos);
   BOOST_TEST(message_of(kLeastCase, {"structure.motion.kind=twoed"}).find("nearest: \"towed\"") != std::string::npos);
-  BOOST_TEST(message_of(kLeastCase, {"structure.motion.stiffness=3"}).find("is not a known key") != std::string::npos);
+  BOOST_TEST(message_of(kLeastCase, {"structure.motion.stiffness=3"}).find("is no key of structure.motion.kind") !=
+             std::string::npos);
+  BOOST_TEST(message_of(kLeastCase, {"structure.motion.stiffnes=3"}).find("is not a known key") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(every_key_has_a_meaning_a_unit_and_limits_that_hold) {

@@ -31,6 +31,8 @@ inline brash::model::RunResults sample_results() {
     row.area_snap = -1e-18;
     row.n_floes = i;
     row.n_contacts = 2 * i;
+    row.structure = {-6.5 * i, 0.25};
+    row.velocity = {1.5, -0.125};
     results.loads.push_back(row);
   }
   CrackEvent event;

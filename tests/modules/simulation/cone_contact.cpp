@@ -128,6 +128,31 @@ BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_cone_by_the_pressure_on_its_front
   BOOST_TEST(force_in_channel("0.1").x == exact + friction, boost::test_tools::tolerance(2e-3));
 }
 
+BOOST_AUTO_TEST_CASE(a_compliant_cone_moves_under_its_own_load_as_the_oscillator_does) {
+  const std::vector<std::string> keys{
+      "structure.motion.kind=compliant", "structure.motion.mass=2e5", "structure.motion.stiffness=5e6",
+      "structure.motion.damping=1e5",    "time.duration=3",           "failure.model=wedge"};
+  simulation::Simulation run(ice_and_water(keys));
+  const double dt = 0.01;
+  double stretch = 0.0, velocity = 0.0, load = 0.0, farthest = 0.0;
+  for (int step = 1; step <= 300; ++step) {
+    // Velocity Verlet in a hundred parts of the step, under the load of the step before.
+    const double part = dt / 100.0;
+    const auto pull = [&](double q, double v) { return (load - 5e6 * q - 1e5 * v) / 2e5; };
+    for (int i = 0; i < 100; ++i) {
+      const double half = velocity + 0.5 * part * pull(stretch, velocity);
+      stretch += part * half;
+      velocity = (half + 0.5 * part * (load - 5e6 * stretch) / 2e5) / (1.0 + 0.5 * part * 1e5 / 2e5);
+    }
+    const model::LoadRow row = run.step().loads;
+    const double offset = row.structure.x - (-7.0 + 1.202 * step * dt);
+    farthest = std::min(farthest, offset);
+    BOOST_TEST(std::abs(offset - stretch) < 1e-6);
+    load = -row.total.force.x;  // Fx is positive against the motion
+  }
+  BOOST_TEST(farthest < -0.005);
+}
+
 BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_plane_and_a_wedge_by_the_pressure_on_their_fronts) {
   // In its channel a front of the width w is inside the ice over the whole thickness. Its plan ahead is w h, whatever
   // the slope and the entrance; its plan from above is w h cot(a) / sin(entrance).

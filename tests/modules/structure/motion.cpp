@@ -2,6 +2,7 @@
 #include "brash/structure/motion.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 
 namespace {
 
@@ -41,6 +42,57 @@ BOOST_AUTO_TEST_CASE(a_motion_goes_on_from_a_checkpoint) {
   model::Checkpoint saved;
   motion->save(saved);
   again->restore(saved);
+  BOOST_TEST((again->now().pose == motion->now().pose));
+  BOOST_TEST((again->now().twist == motion->now().twist));
+}
+
+/// 2e6 kg on 8e6 N/m: 2 rad/s; its foot goes at 0.5 m/s.
+std::unique_ptr<structure::Motion> compliant(double damping, double time_step) {
+  return structure::make_motion(
+      {.shape = {}, .motion = model::Compliant{0.5, 2e6, 8e6, damping}, .start_distance = 7.0}, time_step);
+}
+
+/// Where the foot is.
+double foot_at(double time) { return -7.0 + 0.5 * time; }
+
+BOOST_AUTO_TEST_CASE(a_compliant_structure_under_a_load_that_jumps_moves_as_the_oscillator_does) {
+  // q = F/k (1 - e^(-a t) (cos wd t + a/wd sin wd t)); below, at and above critical damping, in steps of any length.
+  const double omega = 2.0, rest = -1e6 / 8e6;
+  for (const double ratio : {0.0, 0.05, 1.0, 2.0}) {
+    for (const double dt : {0.01, 0.5}) {
+      const auto motion = compliant(ratio * 2.0 * omega * 2e6, dt);
+      motion->bear({{-1e6, 0.0, 0.0}, {}});
+      for (int i = 1; i <= static_cast<int>(6.0 / dt); ++i) {
+        motion->advance(1.0);
+        motion->bear({{-1e6, 0.0, 0.0}, {}});
+        const double t = i * dt, a = ratio * omega, wd = omega * std::sqrt(std::abs(1.0 - ratio * ratio));
+        const double shape = ratio < 1.0   ? std::cos(wd * t) + a / wd * std::sin(wd * t)
+                             : ratio > 1.0 ? std::cosh(wd * t) + a / wd * std::sinh(wd * t)
+                                           : 1.0 + a * t;
+        const double exact = rest * (1.0 - std::exp(-a * t) * shape);
+        BOOST_TEST(std::abs(motion->now().pose.position.x - foot_at(t) - exact) < 1e-12);
+      }
+      BOOST_TEST(motion->now().pose.position.y == 0.0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_compliant_structure_sways_on_its_own_and_goes_on_from_a_checkpoint) {
+  const auto motion = compliant(1e5, 0.02), again = compliant(1e5, 0.02);
+  for (int i = 0; i < 50; ++i) {
+    motion->bear({{-3e5, 2e5 * (i % 3), 9e9}, {9e9, 0.0, 0.0}});
+    motion->advance(1.0);
+  }
+  BOOST_TEST(motion->now().pose.position.y > 0.0);
+  BOOST_TEST(motion->now().pose.position.z == 0.0);
+  model::Checkpoint saved;
+  motion->save(saved);
+  again->restore(saved);
+  for (structure::Motion* const one : {motion.get(), again.get()}) {
+    one->bear({{1e5, -4e5, 0.0}, {}});
+    one->advance(0.5);
+    one->advance(0.5);
+  }
   BOOST_TEST((again->now().pose == motion->now().pose));
   BOOST_TEST((again->now().twist == motion->now().twist));
 }

@@ -97,6 +97,16 @@ struct Columns<model::LoadRow> {
     visit(
         "n_contacts", "1", "number of points at which floes bear on the structure",
         [](auto& row) -> auto& { return row.n_contacts; });
+    visit(
+        "structure_x", "m", "place of the structure's origin", [](auto& row) -> auto& { return row.structure.x; });
+    visit(
+        "structure_y", "m", "place of the structure's origin", [](auto& row) -> auto& { return row.structure.y; });
+    visit(
+        "structure_vx", "m s-1", "velocity of the structure's origin, mean over the step",
+        [](auto& row) -> auto& { return row.velocity.x; });
+    visit(
+        "structure_vy", "m s-1", "velocity of the structure's origin, mean over the step",
+        [](auto& row) -> auto& { return row.velocity.y; });
   }
 };
 

@@ -73,6 +73,8 @@ struct LoadRow {
   double area_snap = 0.0;
   int n_floes = 0;
   int n_contacts = 0;  ///< points at which floes bear on the structure
+  Vec2 structure{};    ///< place of the structure's origin [m]
+  Vec2 velocity{};     ///< of it, mean over the step [m/s]
 
   friend bool operator==(const LoadRow&, const LoadRow&) = default;
 };

@@ -74,11 +74,23 @@ struct Towed {
   friend bool operator==(const Towed&, const Towed&) = default;
 };
 
+/// `kind = "compliant"`: a mass on a spring and a dashpot in plan. Their foot goes along x through the ice at a constant
+/// speed. It does not turn, heave or pitch.
+struct Compliant {
+  double speed = 0.0;
+  double mass = 0.0;       ///< with the water's added mass [kg]
+  double stiffness = 0.0;  ///< [N/m]
+  double damping = 0.0;    ///< [N s/m]
+
+  friend bool operator==(const Compliant&, const Compliant&) = default;
+};
+
 /// How a structure moves; [structure.motion] kind names them in this order.
-using Motion = std::variant<Towed>;
-enum class MotionKind { kTowed };
+using Motion = std::variant<Towed, Compliant>;
+enum class MotionKind { kTowed, kCompliant };
 template <>
-inline constexpr auto kNames<MotionKind> = std::to_array<Named<MotionKind>>({{MotionKind::kTowed, "towed"}});
+inline constexpr auto kNames<MotionKind> = std::to_array<Named<MotionKind>>({{MotionKind::kTowed, "towed"},
+                                                                             {MotionKind::kCompliant, "compliant"}});
 inline MotionKind kind_of(const Motion& motion) { return static_cast<MotionKind>(motion.index()); }
 
 /// Speed of a structure through the ice where nothing resists it [m/s].
