@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
@@ -16,6 +17,7 @@
 #include "brash/structure/hull.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
+#include "openfast.hpp"
 #include "vtk_meshes.hpp"
 
 namespace brash::cli {
@@ -135,12 +137,27 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
   print("{} frames in {}\n", results.frames.size(), collection);
 }
 
+void export_openfast(const std::string& run_file, const std::string& directory, const OpenFastOptions& options) {
+  const model::RunResults results = io::read_results(run_file);
+  const double end = results.loads.empty() ? 0.0 : results.loads.back().time;
+  if (!(options.from < end))
+    throw InputError(Complaint{fmt::format("--from={}", options.from), "leaves nothing of the load history",
+                               fmt::format("less than the end of the run, {} s", end), "lower it"});
+  const std::string forces = "ice_forces.dat", control = "ice_StC.dat";
+  write_file((fs::path(directory) / forces).string(), to_openfast_forces(results.loads, options));
+  write_file((fs::path(directory) / control).string(), to_openfast_structural_control(forces, options));
+  print("{} s of load in {}\n", end - options.from, (fs::path(directory) / forces).string());
+  print("structural control in {}\n", (fs::path(directory) / control).string());
+}
+
 }  // namespace
 
 void add_export_command(CLI::App& app) {
   struct Options {
     std::string run;
     std::string directory;
+    std::vector<double> point{0.0, 0.0, 0.0};
+    OpenFastOptions openfast;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a run for other programs");
@@ -153,6 +170,23 @@ void add_export_command(CLI::App& app) {
   vtk->callback([options] {
     const std::string beside = (fs::path(options->run).parent_path() / "vtk").string();
     export_vtk(options->run, options->directory.empty() ? beside : options->directory);
+  });
+  CLI::App* openfast = command->add_subcommand("openfast", "The ice load as a prescribed force for OpenFAST");
+  openfast->add_option("run", options->run, "run.nc of a run")->required();
+  openfast->add_option("-o,--output", options->directory, "folder of the files [openfast beside the run.nc]");
+  openfast
+      ->add_option("--point", options->point,
+                   "where it acts, x,y,z in m from the structure's origin in the waterplane; x as the ice drifts")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(-1e4, 1e4));
+  openfast->add_option("--from", options->openfast.from, "time of the run that becomes 0 s")
+      ->check(CLI::Range(0.0, 1e9));
+  openfast->footer("Example: brash export openfast results/cone/run.nc -o results/openfast --from 6");
+  openfast->callback([options] {
+    options->openfast.point = {options->point[0], options->point[1], options->point[2]};
+    const std::string beside = (fs::path(options->run).parent_path() / "openfast").string();
+    export_openfast(options->run, options->directory.empty() ? beside : options->directory, options->openfast);
   });
 }
 

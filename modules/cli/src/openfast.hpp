@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "brash/model/records.hpp"
+
+namespace brash::cli {
+
+/// Where a load history acts in OpenFAST, and from when on.
+struct OpenFastOptions {
+  /// Point of application [m]: x as the ice drifts, z upwards, from the structure's origin in the waterplane.
+  Vec3 point{};
+  double from = 0.0;  ///< time of the run that becomes 0 [s]
+};
+
+/// The forces and moments of a run as OpenFAST reads them: time, FX, FY, FZ, MX, MY, MZ, about the point.
+/// @param loads  about the structure's origin; at least one after options.from.
+std::string to_openfast_forces(std::span<const model::LoadRow> loads, const OpenFastOptions& options);
+
+/// The file of OpenFAST's structural control that applies them (StC_DOF_MODE = 4, global coordinates).
+/// @param forces_file  its name.
+std::string to_openfast_structural_control(const std::string& forces_file, const OpenFastOptions& options);
+
+}  // namespace brash::cli

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`brash export openfast`: both files are read as OpenFAST reads them, by the order of the lines that it expects."""
+import csv
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+
+# The lines of a structural control's input, in order; None: a heading.
+LINES = (
+    None, None, None, "Echo", None, "StC_DOF_MODE", "StC_X_DOF", "StC_Y_DOF", "StC_Z_DOF",
+    None, "StC_P_X", "StC_P_Y", "StC_P_Z", None, "StC_X_DSP", "StC_Y_DSP", "StC_Z_DSP", "StC_Z_PreLd",
+    None, "StC_X_PSP", "StC_X_NSP", "StC_Y_PSP", "StC_Y_NSP", "StC_Z_PSP", "StC_Z_NSP",
+    None, "StC_X_M", "StC_Y_M", "StC_Z_M", "StC_XY_M", "StC_X_K", "StC_Y_K", "StC_Z_K", "StC_X_C", "StC_Y_C", "StC_Z_C",
+    "StC_X_KS", "StC_Y_KS", "StC_Z_KS", "StC_X_CS", "StC_Y_CS", "StC_Z_CS",
+    None, "Use_F_TBL", "NKInpSt", None, None, None, None, None,
+    None, "StC_CMODE", "StC_CChan", "StC_SA_MODE", "StC_X_C_HIGH", "StC_X_C_LOW", "StC_Y_C_HIGH", "StC_Y_C_LOW",
+    "StC_Z_C_HIGH", "StC_Z_C_LOW", "StC_X_C_BRAKE", "StC_Y_C_BRAKE", "StC_Z_C_BRAKE",
+    None, "L_X", "B_X", "area_X", "area_ratio_X", "headLossCoeff_X", "rho_X",
+    "L_Y", "B_Y", "area_Y", "area_ratio_Y", "headLossCoeff_Y", "rho_Y",
+    None, "PrescribedForcesCoord", "PrescribedForcesFile", None)
+
+
+def read_control(path):
+    lines = path.read_text(encoding="ascii").splitlines()
+    assert len(lines) == len(LINES), len(lines)
+    values = {}
+    for text, name in zip(lines, LINES):
+        if name is None:
+            continue
+        value, found = text.split()[:2]
+        assert found == name, text
+        values[name] = value
+    return values
+
+
+def read_forces(path):
+    return np.loadtxt(path, comments=["#", "!", "%"])
+
+
+class OpenFast(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        subprocess.run([BRASH, "run", SOURCE / "experiments/validation/cone.toml", "--set", "time.duration=1.5", "-o",
+                        cls.folder / "run"], check=True, capture_output=True)
+        with open(cls.folder / "run/history.csv", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        cls.history = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def export(self, *options, code=0):
+        done = subprocess.run([BRASH, "export", "openfast", self.folder / "run/run.nc", *options], check=False,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stderr
+
+    def test_the_forces_are_those_of_the_history(self):
+        self.export()
+        table = read_forces(self.folder / "run/openfast/ice_forces.dat")
+        names = ("time", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
+        self.assertEqual(table.shape, (150, 7))
+        for column, name in zip(table.T, names):
+            np.testing.assert_allclose(column, self.history[name], rtol=1e-8, atol=1e-6)
+        self.assertGreater(table[:, 1].max(), 1e4)  # pushes the structure back, as the ice drifts
+
+    def test_moments_are_about_the_point_and_time_starts_where_it_is_told(self):
+        self.export("-o", self.folder / "moved", "--point", "0,1.5,-4", "--from", "0.5")
+        table = read_forces(self.folder / "moved/ice_forces.dat")
+        late = self.history["time"] >= 0.5
+        np.testing.assert_allclose(table[:, 0], self.history["time"][late] - 0.5, atol=1e-6)
+        force = np.stack([self.history[name][late] for name in ("Fx", "Fy", "Fz")], axis=1)
+        moment = np.stack([self.history[name][late] for name in ("Mx", "My", "Mz")], axis=1)
+        np.testing.assert_allclose(table[:, 4:], moment - np.cross([0, 1.5, -4], force), rtol=1e-7, atol=1e-2)
+        control = read_control(self.folder / "moved/ice_StC.dat")
+        self.assertEqual([float(control[f"StC_P_{axis}"]) for axis in "XYZ"], [0, 1.5, -4])
+
+    def test_the_control_applies_that_file_in_global_coordinates(self):
+        self.export("-o", self.folder / "plain")
+        control = read_control(self.folder / "plain/ice_StC.dat")
+        self.assertEqual(control["StC_DOF_MODE"], "4")
+        self.assertEqual(control["PrescribedForcesCoord"], "1")
+        self.assertEqual(control["PrescribedForcesFile"], '"ice_forces.dat"')
+        self.assertEqual(control["NKInpSt"], "2")
+
+    def test_a_start_after_the_end_is_refused(self):
+        self.assertIn("less than the end of the run", self.export("--from", "7", code=2))
+
+
+if __name__ == "__main__":
+    unittest.main()
