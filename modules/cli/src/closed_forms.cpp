@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "brash/core/constants.hpp"
+#include "brash/standards/crushing.hpp"
 #include "brash/standards/nevel.hpp"
 #include "brash/structure/hull.hpp"
 
@@ -104,6 +105,8 @@ constexpr const char* kCroasdaleApplies =
 constexpr const char* kRalstonApplies =
     "cones at low speed with one layer of ice on the whole slope; upper bound; friction that does not lock the ice";
 constexpr const char* kNevelApplies = "narrow wedges, loaded over at most 0.6 characteristic lengths from the tip";
+constexpr const char* kCrushingApplies =
+    "a vertical face of the structure's width, which crushes the ice all over it; once in many years";
 constexpr const char* kLindqvistApplies =
     "icebreaking bows in continuous motion; friction that does not lock the ice under the bow";
 
@@ -179,6 +182,21 @@ ordered_json nevel_json(const model::Case& c, int wedges) {
           {"in_range", load.in_range}};
 }
 
+ordered_json crushing_json(const model::Case& c, double coefficient, const char* region) {
+  const std::string method = fmt::format("crushing on a vertical face, C_R = {:g} MPa ({})", coefficient / 1e6, region);
+  constexpr const char* kSource = "ISO 19906:2010, A.8.2.4.3.3";
+  const auto load = standards::global_crushing(
+      {.width = slope_of(c).width, .thickness = c.ice.thickness, .strength_coefficient = coefficient});
+  if (!load) return refused(method.c_str(), kSource, load.error());
+  return {{"method", method},
+          {"source", kSource},
+          {"kind", kPeak},
+          {"applies_to", kCrushingApplies},
+          {"horizontal", load->horizontal},
+          {"components", {{"p w h", load->horizontal}}},
+          {"pressure", load->pressure}};
+}
+
 ordered_json lindqvist_json(const standards::LindqvistLoad& load) {
   return {{"method", "ship's hull at the structure's speed"},
           {"source", "Lindqvist 1989"},
@@ -198,6 +216,8 @@ ordered_json closed_form_loads(const model::Case& c) {
   loads.push_back(ralston_json(c, standards::Yield::kJohansen));
   for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges)
     loads.push_back(nevel_json(c, wedges));
+  loads.push_back(crushing_json(c, 1.8e6, "Baltic"));
+  loads.push_back(crushing_json(c, 2.8e6, "Arctic"));
   if (const auto hull = lindqvist_of(c))
     loads.push_back(*hull ? lindqvist_json(**hull)
                           : refused("ship's hull at the structure's speed", "Lindqvist 1989", hull->error()));

@@ -311,6 +311,10 @@ class NevelLoad:
     characteristic_length: float
     in_range: bool
 
+class CrushingLoad:
+    horizontal: float
+    pressure: float
+
 class LindqvistLoad:
     total: float
     crushing: float
@@ -362,6 +366,7 @@ def nevel(
     water_density: float = ...,
     gravity: float = ...,
 ) -> NevelLoad: ...
+def global_crushing(*, width: float, thickness: float, strength_coefficient: float = ...) -> CrushingLoad: ...
 def lindqvist(
     *,
     length: float,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../../cli/src/closed_forms.hpp"
+#include "brash/standards/crushing.hpp"
 #include "brash/standards/lindqvist.hpp"
 #include "brash/standards/nevel.hpp"
 #include "case.hpp"
@@ -60,6 +61,10 @@ constexpr std::array kNevel{Argument<NevelInput>{"wedge_angle", &NevelInput::wed
                             Argument<NevelInput>{"youngs_modulus", &NevelInput::youngs_modulus, true},
                             Argument<NevelInput>{"water_density", &NevelInput::water_density},
                             Argument<NevelInput>{"gravity", &NevelInput::gravity}};
+
+constexpr std::array kCrushing{Argument<CrushingInput>{"width", &CrushingInput::width, true},
+                               Argument<CrushingInput>{"thickness", &CrushingInput::thickness, true},
+                               Argument<CrushingInput>{"strength_coefficient", &CrushingInput::strength_coefficient}};
 
 constexpr std::array kLindqvist{Argument<LindqvistInput>{"length", &LindqvistInput::length, true},
                                 Argument<LindqvistInput>{"breadth", &LindqvistInput::breadth, true},
@@ -134,6 +139,9 @@ void add_loads(py::module_& m) {
   add_value<NevelLoad>(m, "NevelLoad", "Force that breaks a narrow wedge [N].", pair("vertical", &NevelLoad::vertical),
                        pair("characteristic_length", &NevelLoad::characteristic_length),
                        pair("in_range", &NevelLoad::in_range));
+  add_value<CrushingLoad>(m, "CrushingLoad",
+                          "Load of ice that crushes over a vertical face [N], and its pressure [Pa].",
+                          pair("horizontal", &CrushingLoad::horizontal), pair("pressure", &CrushingLoad::pressure));
   add_value<LindqvistLoad>(m, "LindqvistLoad", "Mean resistance [N] and its parts at zero speed.",
                            pair("total", &LindqvistLoad::total), pair("crushing", &LindqvistLoad::crushing),
                            pair("bending", &LindqvistLoad::bending), pair("submersion", &LindqvistLoad::submersion));
@@ -170,6 +178,14 @@ void add_standards(py::module_& m) {
       },
       "Vertical force that breaks a narrow wedge. Keywords, SI and radians: wedge_angle, loaded_length, thickness, "
       "flexural_strength, youngs_modulus.");
+  m.def(
+      "global_crushing",
+      [](const py::kwargs& given) {
+        const CrushingInput input = input_from(given, kCrushing);
+        return with_arguments_of("global_crushing", [&] { return applicable(global_crushing(input)); });
+      },
+      "Load of level ice that crushes over a vertical face, ISO 19906:2010, A.8.2.4.3.3. Keywords, SI: width, "
+      "thickness, strength_coefficient.");
   m.def(
       "lindqvist",
       [](const py::kwargs& given) {

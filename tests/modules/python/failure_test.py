@@ -90,6 +90,10 @@ class ClosedForms(unittest.TestCase):
 
     def test_each_is_callable_by_keywords(self):
         self.assertGreater(brash.croasdale(slope=1.07, width=13.6, **self.ICE).horizontal, 0)
+        crushing = brash.global_crushing(width=100, thickness=1)
+        self.assertAlmostEqual(crushing.pressure / 1e6, 1.340, places=3)
+        with self.assertRaises(brash.NotApplicable):
+            brash.global_crushing(width=1, thickness=1)
         self.assertGreater(brash.nevel(wedge_angle=0.8, loaded_length=0.33, **self.ICE).vertical, 0)
         ship = brash.lindqvist(length=100, breadth=20, draught=7, stem_angle=0.4, waterline_angle=0.5, friction=0.1,
                                speed=2, **self.ICE)
