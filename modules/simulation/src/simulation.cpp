@@ -16,8 +16,9 @@ namespace {
 
 rigid_body::WorldSettings world_settings(const model::Case& c) {
   const double crushing = c.ice.compressive_strength * c.ice.crushing_factor;
-  return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
-          .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
+  return {.ice_structure = {c.ice.friction_structure, crushing},
+          .ice_ice = {c.ice.friction_ice, crushing},
+          .restitution = c.contact.restitution,
           .iterations = c.contact.iterations,
           .collision_margin = c.contact.margin,
           .release_speed = c.time.settle_speed,
