@@ -55,6 +55,9 @@ class TimedCriterion final : public failure::BendingCriterion {
   std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
     return criterion_->thickness_over_lc_range();
   }
+  std::unique_ptr<failure::BendingCriterion> for_ice(const failure::IceProperties& ice) const override {
+    return std::make_unique<TimedCriterion>(criterion_->for_ice(ice), timer_, seconds_);
+  }
 
  private:
   std::unique_ptr<failure::BendingCriterion> criterion_;
