@@ -40,7 +40,8 @@ Course course_of(const model::Case& c) {
           .half_width = 0.5 * (reach({0.0, 1.0}) + reach({0.0, -1.0}))};
 }
 
-/// Borders nearer than this many characteristic lengths hold the sheet up: the plate of the failure model has none.
+/// Sides nearer than this many characteristic lengths change how the ice bends: the plate of the failure model has
+/// none.
 constexpr double kNearBorder = 2.0;
 /// Loads stay correlated over about this share of l_c of travel: 0.03 to 0.11 in the validation case.
 constexpr double kCorrelatedTravel = 0.1;
@@ -52,9 +53,10 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
   if (beside < margin)
     warnings.push_back(
         {"near-side",
-         fmt::format("the structure leaves {:.3g} m of ice to each side of the sheet, which is fixed there "
-                     "and holds it up; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
-                     beside, margin, 2.0 * (course.half_width + margin))});
+         fmt::format(
+             "the structure leaves {:.3g} m of ice to each side of the sheet, and the plate of the "
+             "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
+             beside, margin, 2.0 * (course.half_width + margin))});
   const double end = course.front(c.time.duration);
   if (end > c.field.length)
     warnings.push_back(
@@ -65,8 +67,9 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
                      end + margin)});
   else if (end > c.field.length - margin)
     warnings.push_back(
-        {"near-end", fmt::format("the structure ends {:.3g} m before the far side of the sheet, which is fixed there; "
-                                 "expected at least 2 l_c = {:.3g} m: shorten the run, or raise field.length = {} m",
+        {"near-end", fmt::format("the structure ends {:.3g} m before the far side of the sheet, and the plate of the "
+                                 "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: shorten the "
+                                 "run, or raise field.length = {} m",
                                  c.field.length - end, margin, c.field.length)});
 }
 
