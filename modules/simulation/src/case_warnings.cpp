@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "brash/ice/variation.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "brash/structure/hull.hpp"
@@ -136,8 +137,22 @@ namespace {
 /// A network is scaled by Eq. 19 to ice of another h / l_c, which is right for its bending alone. Against the plate its
 /// stress was 23 % off at three times the h / l_c it was trained with.
 constexpr double kThicknessScaled = 0.2;
+/// Ice breaks about so far ahead of a contact, in characteristic lengths.
+constexpr double kEvenOver = 0.5;
 
 }  // namespace
+
+void add_variation_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  if (!ice::varies(c.ice)) return;
+  const double length = ice::correlation_length(c.ice), least = kEvenOver * scales.characteristic_length;
+  if (length < least)
+    warnings.push_back(
+        {"short-correlation",
+         fmt::format(
+             "the ice varies over ice.variation.correlation_length = {:.3g} m, and the plate of the failure model "
+             "is even over its breaking length: expected at least l_c / 2 = {:.3g} m",
+             length, least)});
+}
 
 void add_model_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion,
                         Warnings& warnings) {
@@ -167,6 +182,7 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
 Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
   Warnings warnings;
   add_ice_warnings(c, warnings);
+  add_variation_warnings(c, scales, warnings);
   add_field_warnings(c, scales, warnings);
   add_time_warnings(c, scales, warnings);
   add_model_warnings(c, scales, criterion, warnings);

@@ -85,7 +85,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
     criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
 }
 
-Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c))) {
+Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c))) {
   if (c.field.initial_crack) initial_crack();
   begin_watch();
 }
