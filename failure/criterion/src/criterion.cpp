@@ -69,7 +69,7 @@ std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exa
                                            const BendingOptions& options, double margin) {
   if (options.radial_first) margin *= kSplitMargin;
   return make_screened_criterion(superposition("", ice, {.second_order = options.second_order}), std::move(exact),
-                                 ice.flexural_strength / margin);
+                                 ice.flexural_strength, margin);
 }
 
 void refuse_options(FailureModel model, const std::string& file, const BendingOptions& options) {

@@ -98,8 +98,15 @@ EdgeDynamics::EdgeDynamics(Responses responses, const IceProperties& ice, double
       ice_(ice),
       l_c_(characteristic_length(ice)),
       period_(std::sqrt(l_c_ / kGravity)),
+      ice_density_(ice_density),
       mass_ratio_(mass_ratio(ice, ice_density)) {
   memory_ = period_ * responses_(geometry({.contact_length = ice.thickness}, false)).time.back();
+}
+
+EdgeDynamics EdgeDynamics::of_thickness(double thickness) const {
+  IceProperties ice = ice_;
+  ice.thickness = thickness;
+  return {responses_, ice, ice_density_};
 }
 
 plate::EdgeGeometry EdgeDynamics::geometry(const LoadCase& load, bool split) const {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "brash/meta_model/network.hpp"
 #include "criteria.hpp"
 
@@ -8,8 +10,8 @@ namespace {
 /// A network with the inputs and outputs of Eq. 17, by Eq. 19: lengths over l_c, stress over p.
 class NetworkCriterion final : public BendingCriterion {
  public:
-  NetworkCriterion(const std::string& file, const IceProperties& ice)
-      : network_(meta_model::read_network(file)),
+  NetworkCriterion(std::shared_ptr<const meta_model::ResponseNetwork> network, const IceProperties& ice)
+      : network_(std::move(network)),
         l_c_(characteristic_length(ice)),
         thickness_over_lc_(ice.thickness / l_c_),
         strength_(ice.flexural_strength) {}
@@ -36,6 +38,10 @@ class NetworkCriterion final : public BendingCriterion {
 
   std::optional<double> trained_thickness_over_lc() const override { return network_->thickness_over_lc(); }
 
+  std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {
+    return std::make_unique<NetworkCriterion>(network_, ice);
+  }
+
  private:
   meta_model::Input input(const LoadCase& load) const {
     return {.b_lc = load.depth / l_c_,
@@ -45,7 +51,7 @@ class NetworkCriterion final : public BendingCriterion {
             .mu2 = load.mu2};
   }
 
-  std::unique_ptr<meta_model::ResponseNetwork> network_;
+  std::shared_ptr<const meta_model::ResponseNetwork> network_;
   double l_c_;
   double thickness_over_lc_;
   double strength_;
@@ -54,7 +60,7 @@ class NetworkCriterion final : public BendingCriterion {
 }  // namespace
 
 std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice) {
-  return std::make_unique<NetworkCriterion>(file, ice);
+  return std::make_unique<NetworkCriterion>(meta_model::read_network(file), ice);
 }
 
 }  // namespace brash::failure

@@ -59,6 +59,10 @@ class OutlineCriterion final : public BendingCriterion {
     return Assessment{.sigma_max = quick.sigma_max, .breaking_length = quick.breaking_length};
   }
 
+  std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {
+    return std::make_unique<OutlineCriterion>(screen_->for_ice(ice), ice, options_);
+  }
+
  private:
   /// A solved sheet and its stresses on the centre line and beside it.
   struct Solved {

@@ -70,6 +70,10 @@ class PlateCriterion final : public BendingCriterion {
     return answer;
   }
 
+  std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {
+    return std::make_unique<PlateCriterion>(ice, options_);
+  }
+
  private:
   plate::Response respond(const plate::WedgePlate& wedge, const LoadCase& load, bool& buckled) const {
     const Solved solved = last_.get(wedge, solve);

@@ -9,9 +9,9 @@ namespace {
 /// Asks a fast criterion first and an exact, slow one only where the fast one does not exclude failure by far.
 class ScreenedCriterion final : public BendingCriterion {
  public:
-  ScreenedCriterion(std::unique_ptr<BendingCriterion> fast, std::unique_ptr<BendingCriterion> exact,
-                    double harmless_stress)
-      : fast_(std::move(fast)), exact_(std::move(exact)), harmless_stress_(harmless_stress) {}
+  ScreenedCriterion(std::unique_ptr<BendingCriterion> fast, std::unique_ptr<BendingCriterion> exact, double strength,
+                    double margin)
+      : fast_(std::move(fast)), exact_(std::move(exact)), harmless_stress_(strength / margin), margin_(margin) {}
 
   bool needs_outline() const override { return exact_->needs_outline(); }
 
@@ -24,18 +24,23 @@ class ScreenedCriterion final : public BendingCriterion {
     return exact_->assess(load);
   }
 
+  std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {
+    return make_screened_criterion(fast_->for_ice(ice), exact_->for_ice(ice), ice.flexural_strength, margin_);
+  }
+
  private:
   std::unique_ptr<BendingCriterion> fast_;
   std::unique_ptr<BendingCriterion> exact_;
   double harmless_stress_;  ///< [Pa]
+  double margin_;
 };
 
 }  // namespace
 
 std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<BendingCriterion> fast,
-                                                          std::unique_ptr<BendingCriterion> exact,
-                                                          double harmless_stress) {
-  return std::make_unique<ScreenedCriterion>(std::move(fast), std::move(exact), harmless_stress);
+                                                          std::unique_ptr<BendingCriterion> exact, double strength,
+                                                          double margin) {
+  return std::make_unique<ScreenedCriterion>(std::move(fast), std::move(exact), strength, margin);
 }
 
 }  // namespace brash::failure

@@ -37,22 +37,27 @@ constexpr double kFarFromBuckling = 0.5;
 /// Interpolated unit profiles, superposed for the case's mu1, mu2 and h / l_c; then the largest stress.
 class SuperpositionCriterion final : public BendingCriterion {
  public:
-  SuperpositionCriterion(const std::string& file, const std::string& split_file, const IceProperties& ice,
+  using Model = std::shared_ptr<const meta_model::ProfileModel>;
+
+  /// @param split  nothing where the options do not ask for it.
+  SuperpositionCriterion(Model whole, Model split, const IceProperties& ice, const BendingOptions& options)
+      : SuperpositionCriterion(whole, std::move(split), meta_model::ProfileBound(*whole, shear_thickness(*whole, ice)),
+                               ice, options) {}
+  SuperpositionCriterion(Model whole, Model split, const meta_model::ProfileBound& bound, const IceProperties& ice,
                          const BendingOptions& options)
-      : whole_(meta_model::ProfileModel::read(file)),
+      : whole_(std::move(whole)),
+        split_(std::move(split)),
         ice_(ice),
         options_(options),
         l_c_(characteristic_length(ice)),
         thickness_over_lc_(ice.thickness / l_c_),
-        shear_thickness_(std::clamp(thickness_over_lc_, whole_.range()[0].h_lc, whole_.range()[1].h_lc)),
-        bound_(whole_, shear_thickness_) {
-    if (options.radial_first) split_ = meta_model::ProfileModel::read(split_file);
-  }
+        shear_thickness_(shear_thickness(*whole_, ice)),
+        bound_(bound) {}
 
   Assessment assess(const LoadCase& load) const override {
     const auto [used, pressure, answer_so_far] = place(load);
     Assessment answer = answer_so_far;
-    plate::Response r = respond(whole_, used, pressure, load, answer.buckled);
+    plate::Response r = respond(*whole_, used, pressure, load, answer.buckled);
     if (split_ && r.sigma_radial_over_p * pressure > ice_.flexural_strength) {
       answer.split = true;
       r = respond(*split_, used, pressure, load, answer.buckled);
@@ -79,10 +84,19 @@ class SuperpositionCriterion final : public BendingCriterion {
   }
 
   std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
-    return std::pair(whole_.range()[0].h_lc, whole_.range()[1].h_lc);
+    return std::pair(whole_->range()[0].h_lc, whole_->range()[1].h_lc);
+  }
+
+  /// The bound stays: it depends on h / l_c by shear alone.
+  std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {
+    return std::make_unique<SuperpositionCriterion>(whole_, split_, bound_, ice, options_);
   }
 
  private:
+  static double shear_thickness(const meta_model::ProfileModel& model, const IceProperties& ice) {
+    return std::clamp(ice.thickness / characteristic_length(ice), model.range()[0].h_lc, model.range()[1].h_lc);
+  }
+
   /// A load case as the model can answer it.
   struct Placed {
     meta_model::Geometry geometry;  ///< inside the range
@@ -93,8 +107,8 @@ class SuperpositionCriterion final : public BendingCriterion {
   Placed place(const LoadCase& load) const {
     expect_valid(load);
     const meta_model::Geometry wanted{load.depth / l_c_, load.contact_length / l_c_, load.angle, shear_thickness_};
-    const meta_model::RangeCheck range = whole_.check(wanted);
-    const meta_model::Geometry used = whole_.clamp(wanted);
+    const meta_model::RangeCheck range = whole_->check(wanted);
+    const meta_model::Geometry used = whole_->clamp(wanted);
     // A contact that is widened to the smallest c keeps its force p c h: far from the tip only the force counts.
     const double pressure = wanted.c_lc < used.c_lc ? load.pressure * wanted.c_lc / used.c_lc : load.pressure;
     return {used,
@@ -115,8 +129,8 @@ class SuperpositionCriterion final : public BendingCriterion {
     return plate::respond(unit, thickness_over_lc_, load.mu1, load.mu2);
   }
 
-  meta_model::ProfileModel whole_;
-  std::optional<meta_model::ProfileModel> split_;  ///< by a radial crack
+  Model whole_;
+  Model split_;  ///< by a radial crack
   IceProperties ice_;
   BendingOptions options_;
   double l_c_;
@@ -130,7 +144,10 @@ class SuperpositionCriterion final : public BendingCriterion {
 std::unique_ptr<BendingCriterion> make_superposition_criterion(const std::string& file, const std::string& split_file,
                                                                const IceProperties& ice,
                                                                const BendingOptions& options) {
-  return std::make_unique<SuperpositionCriterion>(file, split_file, ice, options);
+  using Model = meta_model::ProfileModel;
+  auto split = options.radial_first ? std::make_shared<const Model>(Model::read(split_file)) : nullptr;
+  return std::make_unique<SuperpositionCriterion>(std::make_shared<const Model>(Model::read(file)), std::move(split),
+                                                  ice, options);
 }
 
 }  // namespace brash::failure

@@ -73,6 +73,10 @@ class WedgeCriterion final : public BendingCriterion {
     return {.fails = sigma > strength_, .sigma_max = sigma, .breaking_length = l_ * place(alpha)};
   }
 
+  std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {
+    return std::make_unique<WedgeCriterion>(ice);
+  }
+
  private:
   double thickness_;
   double strength_;

@@ -27,6 +27,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
   print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
   print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
+  if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
   print_warnings(scales.warnings);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 
@@ -54,12 +55,14 @@ struct Accounts {
 
 }  // namespace
 
-Field::Field(const model::FieldSection& section, const failure::IceProperties& ice) : level_ice_(laid(section, ice)) {
+Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation)
+    : level_ice_(laid(section, ice)), variation_(std::move(variation)) {
   ledger_.initial = ledger_.sheet = total(level_ice_);
 }
 
-Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, const model::Checkpoint& checkpoint)
-    : level_ice_(laid(section, ice)) {
+Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
+             const model::Checkpoint& checkpoint)
+    : level_ice_(laid(section, ice)), variation_(std::move(variation)) {
   std::vector<std::vector<geometry::Polygon>> outlines(level_ice_.size());
   const model::Table& table = checkpoint.table("level_ice");
   for (std::size_t i = 0; i < table.n_rows(); ++i) {
@@ -80,7 +83,7 @@ void Field::save(model::Checkpoint& checkpoint) const {
   model::Table table{"level_ice", {}};
   for (const Plate& plate : level_ice_) {
     for (geometry::Polygon& polygon : plate.outline()) {
-      const PlatePart part{plate.level_ice(), std::move(polygon)};
+      const PlatePart part{plate.level_ice(), plate.ice().thickness, plate.ice().flexural_strength, std::move(polygon)};
       model::SavedRow row(table);
       PlatePart::visit(part, row);
     }
@@ -128,14 +131,15 @@ std::vector<geometry::Polygon> Field::carve(Plate piece, std::span<const geometr
   return piece.outline();
 }
 
-/// A part of `plate` becomes a floe, or brash where it is small.
+/// A part of `plate` becomes a floe, or brash where it is small. Level ice varies; a floe is a prism of even ice.
 void Field::book_piece(const Plate& plate, geometry::Polygon part, double smallest_floe, std::vector<Plate>& pieces) {
   const geometry::ExactArea area = geometry::area(part);
   if (area.square_metres() < smallest_floe) {
     ledger_.brash += area;
   } else {
     ledger_.floes += area;
-    pieces.push_back(plate.piece(std::move(part)));
+    const failure::IceProperties ice = plate.hold() == Hold::kFast ? variation_.mean(plate.ice(), part) : plate.ice();
+    pieces.push_back(plate.piece(std::move(part), ice));
   }
 }
 

@@ -10,7 +10,9 @@ namespace brash::ice {
 Plate::Plate(int level_ice, Hold hold, const failure::IceProperties& ice, std::vector<geometry::Polygon> outline)
     : level_ice_(level_ice), hold_(hold), ice_(ice), outline_(std::move(outline)) {}
 
-Plate Plate::piece(geometry::Polygon outline) const { return {level_ice_, Hold::kAfloat, ice_, {std::move(outline)}}; }
+Plate Plate::piece(geometry::Polygon outline, const failure::IceProperties& ice) const {
+  return {level_ice_, Hold::kAfloat, ice, {std::move(outline)}};
+}
 
 std::vector<geometry::Polygon> Plate::outline() const { return sheet_ ? sheet_->polygons() : outline_; }
 

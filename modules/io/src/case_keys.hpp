@@ -87,6 +87,9 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("ice", "crushing_factor", c.ice.crushing_factor);
   visit("ice", "friction_structure", c.ice.friction_structure);
   visit("ice", "friction_ice", c.ice.friction_ice);
+  visit("ice.variation", "thickness", c.ice.variation.thickness);
+  visit("ice.variation", "flexural_strength", c.ice.variation.flexural_strength);
+  visit("ice.variation", "correlation_length", c.ice.variation.correlation_length);
   visit("water", "density", c.water.density);
   visit("water", "current", c.water.current);
   visit_kind("structure", c.structure.shape, visit);

@@ -192,6 +192,12 @@ void check_hull(const model::Case& c, Checks& checks) {
                    "all keys of the hull or none", "write it, or leave [hull] out");
 }
 
+void check_contact(const model::Case& c, Checks& checks) {
+  checks.require(c.contact.restitution == 0.0 || c.contact.engine == model::ContactEngine::kBrash,
+                 {"contact", "restitution"}, {"contact", "engine"}, "with engine = bullet contacts could give energy",
+                 "0 with contact.engine = \"bullet\"", "take engine = \"brash\", or 0");
+}
+
 void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
                  "the least number is above the largest", "[least, largest] with least <= largest",
@@ -247,6 +253,7 @@ std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& 
   check_field(resolved, checks);
   check_initial_crack(resolved, checks);
   check_hull(resolved, checks);
+  check_contact(resolved, checks);
   check_rest(resolved, checks);
   return checks.take();
 }

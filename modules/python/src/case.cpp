@@ -71,6 +71,7 @@ py::dict derived(const Case& c) {
   out["mu1"] = s.mu1;
   out["freeboard"] = s.freeboard;
   out["draft"] = s.draft;
+  out["correlation_length"] = s.correlation_length;
   out["collision_time"] = s.collision_time;
   out["initial_crack_radius"] = s.initial_crack_radius;
   py::list warnings;

@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
   const double seconds = argc > 2 ? std::atof(argv[2]) : 5.0;
   const double dt = argc > 3 ? std::atof(argv[3]) : 0.01;
   WorldSettings settings;
-  settings.ice_structure = {0.027, 0.0, 0.5e6};
-  settings.ice_ice = {0.3, 0.0, 0.5e6};
+  settings.ice_structure = {0.027, 0.5e6};
+  settings.ice_ice = {0.3, 0.5e6};
   if (argc > 4) settings.iterations = std::atoi(argv[4]);
   World world(settings);
 

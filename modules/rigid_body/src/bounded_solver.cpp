@@ -19,7 +19,8 @@ Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
 
 }  // namespace
 
-void BoundedSolver::clear() {
+void BoundedSolver::clear(double restitution) {
+  restitution_ = restitution;
   bodies_.resize(1);
   contacts_.clear();
   normals_.clear();
@@ -99,7 +100,7 @@ void BoundedSolver::add_point(const SolverContact& contact, const PatchPoint& po
     partings_.push_back({contact.normal, normal, {}, contact.first, contact.second});
     partings_.back().row.velocity = -contact.parting_speed;
   }
-  normal.velocity -= std::max(0.0, -contact.restitution * normal.velocity);
+  normal.velocity *= 1.0 + restitution_;
 }
 
 /// @return its number.
@@ -109,7 +110,10 @@ std::uint32_t BoundedSolver::add_friction(const Contact& contact, Vec3 position)
   friction.second = contact.second;
   friction.tangents = plane_axes(contact.normal);
   const Arms from_centres = arms(contact.first, contact.second, position);
-  for (std::size_t k = 0; k < 2; ++k) friction.rows[k] = row(from_centres, friction.tangents[k]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    friction.rows[k] = row(from_centres, friction.tangents[k]);
+    friction.rows[k].velocity *= 1.0 + restitution_;
+  }
   auto& [first, second] = friction.rows;
   // Slip per impulse in the first direction, in the second, and in one per impulse in the other.
   const double give_first = 1.0 / first.mass, give_second = 1.0 / second.mass;

@@ -28,7 +28,6 @@ struct SolverContact {
   std::uint32_t second = 0;       ///< likewise
   Vec3 normal{};                  ///< unit, from the second body into the first
   double friction = 0.0;          ///< [-]
-  double restitution = 0.0;       ///< [-]
   double crushing_impulse = 0.0;  ///< dt sigma_c R [N s/m2]: bound of a point per area, Eq. 16; infinite: none
   double parting_speed = 0.0;     ///< at which the positions part [m/s], to take an overlap back; 0: not at all
 };
@@ -60,13 +59,17 @@ struct PointImpulse {
 /// An iteration goes through the joints, then through the normal rows of all points, then through their friction, in
 /// the order in which they were added, and starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)).
 /// There is no warm start: the result is a function of the added bodies, contacts and joints.
+///
+/// Contacts obey Moreau's impact law with one coefficient of restitution e (docs/theory/dynamics.md, (C5)). So they never
+/// gain energy, if e is at most 1 (docs/theory/dynamics.md, (C6)).
 class BoundedSolver {
  public:
   /// A body that never moves, known from the start.
   static constexpr std::uint32_t kFixed = 0;
 
   /// Forgets bodies, contacts and joints.
-  void clear();
+  /// @param restitution  e of all contacts to come [-], 0 to 1.
+  void clear(double restitution = 0.0);
   /// @return the number of the body.
   std::uint32_t add(const SolverBody& body);
   /// Points are numbered as they come.
@@ -221,6 +224,7 @@ class BoundedSolver {
   template <typename Rows>
   double iterate(std::vector<Moved>& bodies, int iterations, double still, Rows&& rows);
 
+  double restitution_ = 0.0;
   std::vector<SolverBody> bodies_{1};
   std::vector<Moved> moved_;
   std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one

@@ -76,8 +76,7 @@ void ContactSet::add(std::span<const GivenContact> given, const std::function<Bo
     Body* const other = g.other == kNoBody ? &ground_ : find_body(g.other);
     Patch patch{.area = g.area, .n_points = 1};
     patch.points[0] = {g.point, g.area};
-    contacts_.push_back(
-        {find_body(g.body), other, 0, g.normal, patch, {g.friction, 0.0, g.most_normal_force / g.area}});
+    contacts_.push_back({find_body(g.body), other, 0, g.normal, patch, {g.friction, g.most_normal_force / g.area}});
   }
   std::sort(contacts_.begin() + static_cast<std::ptrdiff_t>(n_found), contacts_.end(),
             [](const Contact& a, const Contact& b) {
@@ -112,7 +111,6 @@ void ContactSet::add_to(BoundedSolver& solver, double dt) const {
                 .second = contact.second->in_solver,
                 .normal = contact.normal,
                 .friction = how.friction,
-                .restitution = how.restitution,
                 .crushing_impulse = dt * how.crushing_pressure,
                 .parting_speed =
                     breakable ? 0.0 : kPositionCorrection * std::max(0.0, contact.patch.depth - kKeptOverlap) / dt},

@@ -127,7 +127,7 @@ void ExactWorld::find_contacts() {
 }
 
 void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info) {
-  bounded_.clear();
+  bounded_.clear(settings().restitution);
   for (Body* body : order()) {
     const bool fixed = body->kind == BodyKind::kSheet || body->settled;
     body->in_solver = fixed ? BoundedSolver::kFixed : bounded_.add(to_solver(*body));

@@ -121,7 +121,6 @@ void StockWorld::prepare(btPersistentManifold& manifold, double dt, std::vector<
   for (int i = 0; i < n; ++i) {
     btManifoldPoint& p = manifold.getContactPoint(i);
     p.m_combinedFriction = law.friction;
-    p.m_combinedRestitution = law.restitution;
     const double area = overlap ? overlaps_.project(from_bullet(p.m_normalWorldOnB)).area / n : 0.0;
     double bound = SIMD_INFINITY;
     if (std::isfinite(law.crushing_pressure)) {

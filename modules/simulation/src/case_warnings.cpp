@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "brash/ice/variation.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "brash/structure/hull.hpp"
@@ -40,7 +41,8 @@ Course course_of(const model::Case& c) {
           .half_width = 0.5 * (reach({0.0, 1.0}) + reach({0.0, -1.0}))};
 }
 
-/// Borders nearer than this many characteristic lengths hold the sheet up: the plate of the failure model has none.
+/// Sides nearer than this many characteristic lengths change how the ice bends: the plate of the failure model has
+/// none.
 constexpr double kNearBorder = 2.0;
 /// Loads stay correlated over about this share of l_c of travel: 0.03 to 0.11 in the validation case.
 constexpr double kCorrelatedTravel = 0.1;
@@ -52,9 +54,10 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
   if (beside < margin)
     warnings.push_back(
         {"near-side",
-         fmt::format("the structure leaves {:.3g} m of ice to each side of the sheet, which is fixed there "
-                     "and holds it up; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
-                     beside, margin, 2.0 * (course.half_width + margin))});
+         fmt::format(
+             "the structure leaves {:.3g} m of ice to each side of the sheet, and the plate of the "
+             "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
+             beside, margin, 2.0 * (course.half_width + margin))});
   const double end = course.front(c.time.duration);
   if (end > c.field.length)
     warnings.push_back(
@@ -65,8 +68,9 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
                      end + margin)});
   else if (end > c.field.length - margin)
     warnings.push_back(
-        {"near-end", fmt::format("the structure ends {:.3g} m before the far side of the sheet, which is fixed there; "
-                                 "expected at least 2 l_c = {:.3g} m: shorten the run, or raise field.length = {} m",
+        {"near-end", fmt::format("the structure ends {:.3g} m before the far side of the sheet, and the plate of the "
+                                 "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: shorten the "
+                                 "run, or raise field.length = {} m",
                                  c.field.length - end, margin, c.field.length)});
 }
 
@@ -133,8 +137,22 @@ namespace {
 /// A network is scaled by Eq. 19 to ice of another h / l_c, which is right for its bending alone. Against the plate its
 /// stress was 23 % off at three times the h / l_c it was trained with.
 constexpr double kThicknessScaled = 0.2;
+/// Ice breaks about so far ahead of a contact, in characteristic lengths.
+constexpr double kEvenOver = 0.5;
 
 }  // namespace
+
+void add_variation_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  if (!ice::varies(c.ice)) return;
+  const double length = ice::correlation_length(c.ice), least = kEvenOver * scales.characteristic_length;
+  if (length < least)
+    warnings.push_back(
+        {"short-correlation",
+         fmt::format(
+             "the ice varies over ice.variation.correlation_length = {:.3g} m, and the plate of the failure model "
+             "is even over its breaking length: expected at least l_c / 2 = {:.3g} m",
+             length, least)});
+}
 
 void add_model_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion,
                         Warnings& warnings) {
@@ -164,6 +182,7 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
 Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
   Warnings warnings;
   add_ice_warnings(c, warnings);
+  add_variation_warnings(c, scales, warnings);
   add_field_warnings(c, scales, warnings);
   add_time_warnings(c, scales, warnings);
   add_model_warnings(c, scales, criterion, warnings);

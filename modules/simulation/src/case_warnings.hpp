@@ -15,6 +15,9 @@ using Warnings = std::vector<model::Warning>;
 /// Properties outside the measured ranges of ice, with the unit that was probably meant.
 void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
 
+/// Ice that varies within a length over which the failure model takes it for even.
+void add_variation_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
+
 /// A structure that does not reach the ice, leaves it, or passes near its borders, which are fixed and rigid.
 void add_field_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
 

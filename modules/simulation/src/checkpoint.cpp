@@ -15,7 +15,7 @@ ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkp
                                "a checkpoint of this case with the same values",
                                "resume with the case file and the --set options of the interrupted run, or start again "
                                "without --resume"});
-  return {resolved.field, ice_properties(resolved), checkpoint};
+  return {resolved.field, ice_properties(resolved), ice::Variation(resolved), checkpoint};
 }
 
 }  // namespace

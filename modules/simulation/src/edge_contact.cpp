@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "brash/structure/patches.hpp"
+#include "local_ice.hpp"
 #include "plan.hpp"
 #include "sheet_loads.hpp"
 
@@ -27,13 +28,14 @@ std::vector<geometry::Ring> on_grid(const std::vector<structure::Outline>& outli
   return rings;
 }
 
+/// Its outlines where the sheet has its mean thickness.
 structure::Footprint footprint(const EdgeModel& model, const Pose& pose, double shift = 0.0) {
   const Freeboard heights = freeboard(model.resolved);
   return model.hull.footprint(pose, heights.bottom + shift, heights.top + shift);
 }
 
 std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose, double shift = 0.0) {
-  const Freeboard heights = freeboard(model.resolved);
+  const Freeboard heights = freeboard(model.resolved, model.ice.thickness);
   return model.hull.sides(pose, heights.bottom + shift, heights.top + shift);
 }
 
@@ -212,18 +214,22 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
                                        const structure::State& state,
                                        const std::function<double(const Touch&)>& shift_of) {
   std::vector<EdgeContact> contacts;
-  const auto sides_at_rest = sides(model, state.pose);
+  const auto sides_of_mean = sides(model, state.pose);
   for (const geometry::Ring& outline : on_grid(footprint(model, state.pose).leading)) {
     for (geometry::ContactRegion& region : sheet.contacts(outline)) {
       if (!(region.contact_length > 0.0)) continue;
       EdgeContact contact;
       contact.touched = {0.5 * (region.chord_from + region.chord_to), region.contact_length};
       contact.region = std::move(region);
+      const LocalIce local(model, contact.touched.tip);
+      const EdgeModel here = local.model();
+      contact.ice = local.ice();
       const double shift = shift_of ? shift_of(contact.touched) : 0.0;
-      const Crushing crushed = shift == 0.0 ? crushing(model, state, sides_at_rest, contact.region.overlap)
-                                            : crushing_shifted(model, sheet, state, shift, contact.region);
-      fit(model, sheet, contact);
-      load_contact(model, crushed, contact);
+      const auto sides_at_rest = model.variation != nullptr ? sides(here, state.pose) : sides_of_mean;
+      const Crushing crushed = shift == 0.0 ? crushing(here, state, sides_at_rest, contact.region.overlap)
+                                            : crushing_shifted(here, sheet, state, shift, contact.region);
+      fit(here, sheet, contact);
+      load_contact(here, crushed, contact);
       contacts.push_back(std::move(contact));
     }
   }
@@ -244,8 +250,11 @@ std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact
   return given;
 }
 
-std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
+std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry::IceSheet& sheet, std::int64_t floe,
                                            const Bearing& bearing) {
+  if (bearing.weight == 0.0) return std::nullopt;
+  const LocalIce local(mean, plan(bearing.first / bearing.weight));
+  const EdgeModel model = local.model();
   const double h = model.ice.thickness;
   // A cantilever of the width h and the length l_c does not break under less.
   const double harmless = model.ice.flexural_strength * h * h * h / (6.0 * failure::characteristic_length(model.ice));
@@ -256,6 +265,7 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometr
 
   EdgeContact contact;
   contact.floe = floe;
+  contact.ice = local.ice();
   contact.on_ice = bearing.force;
   contact.point = line.middle;
   geometry::ContactRegion& region = contact.region;
@@ -284,13 +294,15 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     failure::LoadCase load = contacts[i].load;
     if (!(load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
-    if (model.criterion.needs_outline())
-      frames[i] = place_loads(model, sheet, contacts, i, joint, load);
+    const LocalIce local(model, contacts[i]);
+    const failure::BendingCriterion& criterion = local.model().criterion;
+    if (criterion.needs_outline())
+      frames[i] = place_loads(local.model(), sheet, contacts, i, joint, load);
     else if (presses_inside(sheet, contacts[i]))
       continue;
-    const auto harmless = model.criterion.dismiss(load);
+    const auto harmless = criterion.dismiss(load);
     if (!harmless && motion_of) load.motion = motion_of(contacts[i]);
-    contacts[i].assessment = harmless ? *harmless : model.criterion.assess(load);
+    contacts[i].assessment = harmless ? *harmless : criterion.assess(load);
   }
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (frames[i]) move_to(*frames[i], contacts[i]);

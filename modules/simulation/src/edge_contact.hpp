@@ -11,6 +11,7 @@
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/trapezoid.hpp"
+#include "brash/ice/variation.hpp"
 #include "brash/model/case.hpp"
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
@@ -39,6 +40,7 @@ struct EdgeContact {
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
   Touch touched{};                     ///< of the structure
+  failure::IceProperties ice{};        ///< there
 };
 
 /// The inputs of the edge contacts besides the sheet.
@@ -47,6 +49,7 @@ struct EdgeModel {
   const model::Case& resolved;
   const failure::IceProperties& ice;
   const failure::BendingCriterion& criterion;
+  const ice::Variation* variation = nullptr;  ///< of the ice; nullptr: it is even
 };
 
 /// Heights of the level ice floating at rest [m].
@@ -94,7 +97,7 @@ std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact
 /// vertical part. A floe flat under the sheet has no thrust; its line lies along the nearest edge. Its length c is the
 /// length of an even load with the same second moment about its middle. It is at least h: plate theory says nothing of
 /// less. docs/theory/simulation.md, (S1).
-std::optional<EdgeContact> bearing_contact(const EdgeModel& model, const geometry::IceSheet& sheet, std::int64_t floe,
+std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry::IceSheet& sheet, std::int64_t floe,
                                            const Bearing& bearing);
 
 /// Judges contacts with the same sheet by the model's criterion. A criterion that does not solve the sheet knows loads

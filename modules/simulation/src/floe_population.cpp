@@ -128,7 +128,9 @@ Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
 void FloePopulation::save(const rigid_body::World& world, model::Checkpoint& checkpoint) const {
   model::Table table{"floe", {}};
   for (const auto& [body, floe] : floes_) {
-    const ice::PlatePart part{floe.plate.level_ice(), floe.plate.outline().front()};
+    const failure::IceProperties& ice = floe.plate.ice();
+    const ice::PlatePart part{floe.plate.level_ice(), ice.thickness, ice.flexural_strength,
+                              floe.plate.outline().front()};
     const Pose pose = world.pose(body);
     const Twist twist = world.twist(body);
     model::SavedRow row(table);
@@ -152,7 +154,10 @@ void FloePopulation::restore(rigid_body::World& world, std::span<const ice::Plat
     ice::PlatePart::visit(part, row);
     const auto number = static_cast<std::size_t>(part.level_ice);
     BRASH_EXPECTS(number < level_ice.size(), part.level_ice);
-    Floe floe{.plate = level_ice[number].piece(std::move(part.outline))};
+    failure::IceProperties ice = level_ice[number].ice();
+    ice.thickness = part.thickness;
+    ice.flexural_strength = part.flexural_strength;
+    Floe floe{.plate = level_ice[number].piece(std::move(part.outline), ice)};
     Floe::visit(floe, row);
     model::visit_pose(pose, row);
     model::visit_twist(twist, row);

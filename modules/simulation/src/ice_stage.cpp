@@ -8,6 +8,7 @@
 #include "brash/simulation/scales.hpp"
 #include "initial_crack.hpp"
 #include "load_axes.hpp"
+#include "local_ice.hpp"
 #include "simulation_impl.hpp"
 
 namespace brash::simulation {
@@ -22,7 +23,9 @@ void count_range(const failure::Assessment& assessment, StepReport& report) {
 }  // namespace
 
 EdgeModel Simulation::Impl::edge_model(const ice::Plate& plate) const {
-  return {*hull, resolved, plate.ice(), *criteria[static_cast<std::size_t>(plate.level_ice())]};
+  const ice::Variation& variation = field.variation();
+  return {*hull, resolved, plate.ice(), *criteria[static_cast<std::size_t>(plate.level_ice())],
+          variation ? &variation : nullptr};
 }
 
 /// Fig. 5: the ice has broken once before the structure comes.
@@ -89,8 +92,8 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, doub
   const auto contacts_after = [&](double part) { return contacts_at(motion->after(part), time_after(part)); };
   const auto above_range = [&](const std::vector<EdgeContact>& contacts) {
     return std::ranges::any_of(contacts, [&](const EdgeContact& contact) {
-      const failure::BendingCriterion& criterion = *criteria[static_cast<std::size_t>(contact.level_ice)];
-      return contact.load.pressure > 0.0 && criterion.above_range(contact.load);
+      const EdgeModel sheet = edge_model(field.level_ice()[static_cast<std::size_t>(contact.level_ice)]);
+      return contact.load.pressure > 0.0 && LocalIce(sheet, contact).model().criterion.above_range(contact.load);
     });
   };
   std::vector<EdgeContact> contacts = contacts_after(share);
@@ -179,7 +182,9 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .towards = contact.region.normal,
                             .pressing_floe = contact.floe,
                             .edge_age = life.age,
-                            .edge_deflection = life.deflection};
+                            .edge_deflection = life.deflection,
+                            .thickness = contact.ice.thickness,
+                            .flexural_strength = contact.ice.flexural_strength};
     Break made = break_off(contact, report);
     event.wedges = made.n_wedges;
     const bool solves_sheet = edge_model(field.level_ice(contact.level_ice)).criterion.needs_outline();

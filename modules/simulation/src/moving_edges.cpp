@@ -12,7 +12,7 @@ struct SavedEdge {
   std::int64_t level_ice = 0;
   double touched_at = 0.0;
   Vec2 tip{};
-  double length = 0.0, way = 0.0, deflection = 0.0, depth = 0.0, contact_length = 0.0, angle = 0.0;
+  double length = 0.0, thickness = 0.0, way = 0.0, deflection = 0.0, depth = 0.0, contact_length = 0.0, angle = 0.0;
   failure::EdgeHistory::Settled settled;
 
   template <typename Self, typename Visit>
@@ -21,6 +21,7 @@ struct SavedEdge {
     visit("touched_at", "s", "time of the first touch", self.touched_at);
     visit("tip_", "m", "middle of the chord", self.tip);
     visit("length", "m", "of the chord", self.length);
+    visit("thickness", "m", "of the ice at the first touch", self.thickness);
     visit("way", "1", "-1: pushed down, 1: up", self.way);
     visit("deflection", "m", "deflection of the tip", self.deflection);
     visit("depth", "m", "b of its trapezoid", self.depth);
@@ -63,14 +64,14 @@ const MovingEdges::Edge* MovingEdges::edge_at(int level_ice, const Touch& touche
 double MovingEdges::shift(int level_ice, const Touch& touched, double time) const {
   const Edge* const edge = edge_at(level_ice, touched);
   if (edge == nullptr || edge->history.knots().size() < 2) return 0.0;
-  return edge->way * std::max(0.0, dynamics(level_ice).deflection(edge->shape, edge->history, time));
+  return edge->way * std::max(0.0, edge->dynamics.deflection(edge->shape, edge->history, time));
 }
 
 double MovingEdges::largest_shift(int level_ice, double time) const {
   double largest = 0.0;
   for (const Edge& edge : edges_) {
     if (edge.level_ice != level_ice || edge.history.knots().size() < 2) continue;
-    const double here = edge.way * std::max(0.0, dynamics(level_ice).deflection(edge.shape, edge.history, time));
+    const double here = edge.way * std::max(0.0, edge.dynamics.deflection(edge.shape, edge.history, time));
     if (std::abs(here) > std::abs(largest)) largest = here;
   }
   return largest;
@@ -82,9 +83,12 @@ double MovingEdges::follow(const std::vector<EdgeContact>& contacts, double from
   std::vector<Edge> now;
   for (const EdgeContact& contact : contacts) {
     const Edge* const before = edge_at(contact.level_ice, contact.touched);
-    Edge edge = before != nullptr
-                    ? *before
-                    : Edge{.level_ice = contact.level_ice, .touched_at = from, .history = failure::EdgeHistory(from)};
+    Edge edge = before != nullptr ? *before
+                                  : Edge{.level_ice = contact.level_ice,
+                                         .touched_at = from,
+                                         .history = failure::EdgeHistory(from),
+                                         .thickness = contact.ice.thickness,
+                                         .dynamics = dynamics(contact.level_ice, contact.ice.thickness)};
     edge.touched = contact.touched;
     if (contact.load.pressure > 0.0) {
       edge.way = contact.on_ice.z > 0.0 ? 1.0 : -1.0;
@@ -93,10 +97,9 @@ double MovingEdges::follow(const std::vector<EdgeContact>& contacts, double from
     } else if (before == nullptr) {
       continue;
     }
-    const failure::EdgeDynamics& bends = dynamics(edge.level_ice);
     const double force = std::abs(contact.on_ice.z), mean_force = 0.5 * (edge.history.force() + force);
-    edge.history.extend(to, force, bends.memory());
-    const double deflection = bends.deflection(edge.shape, edge.history, to);
+    edge.history.extend(to, force, edge.dynamics.memory());
+    const double deflection = edge.dynamics.deflection(edge.shape, edge.history, to);
     work += mean_force * (deflection - edge.deflection);
     edge.deflection = deflection;
     now.push_back(std::move(edge));
@@ -114,7 +117,7 @@ failure::EdgeMotion MovingEdges::motion(const EdgeContact& contact) const {
   const bool of_structure = contact.floe == model::kNoFloe;
   const Edge* const edge = of_structure && !dynamics_.empty() ? edge_at(contact.level_ice, contact.touched) : nullptr;
   if (edge == nullptr || !(edge->history.force() > 0.0)) return {};
-  return dynamics(contact.level_ice).motion(contact.load, edge->history);
+  return edge->dynamics.motion(contact.load, edge->history);
 }
 
 void MovingEdges::forget_within(int level_ice, Vec2 at, double radius) {
@@ -129,6 +132,7 @@ void MovingEdges::save(model::Checkpoint& checkpoint) const {
                           .touched_at = edge.touched_at,
                           .tip = edge.touched.tip,
                           .length = edge.touched.length,
+                          .thickness = edge.thickness,
                           .way = edge.way,
                           .deflection = edge.deflection,
                           .depth = edge.shape.depth,
@@ -169,7 +173,9 @@ void MovingEdges::restore(const model::Checkpoint& checkpoint) {
                       .way = saved.way,
                       .deflection = saved.deflection,
                       .shape = {.depth = saved.depth, .contact_length = saved.contact_length, .angle = saved.angle},
-                      .history = {std::move(loads[i]), saved.settled}});
+                      .history = {std::move(loads[i]), saved.settled},
+                      .thickness = saved.thickness,
+                      .dynamics = dynamics(static_cast<int>(saved.level_ice), saved.thickness)});
   }
 }
 

@@ -55,12 +55,17 @@ class MovingEdges {
     double deflection = 0.0;    ///< at the end of the history, >= 0 as pushed [m]
     failure::LoadCase shape{};  ///< its trapezoid
     failure::EdgeHistory history;
+    double thickness = 0.0;  ///< of the ice at the first touch [m]
+    failure::EdgeDynamics dynamics;
   };
 
-  const failure::EdgeDynamics& dynamics(int level_ice) const { return dynamics_[static_cast<std::size_t>(level_ice)]; }
+  /// Of ice of a thickness [m].
+  failure::EdgeDynamics dynamics(int level_ice, double thickness) const {
+    return dynamics_[static_cast<std::size_t>(level_ice)].of_thickness(thickness);
+  }
   const Edge* edge_at(int level_ice, const Touch& touched) const;
 
-  std::vector<failure::EdgeDynamics> dynamics_;
+  std::vector<failure::EdgeDynamics> dynamics_;  ///< of the mean thickness
   std::vector<Edge> edges_;
 };
 

@@ -44,6 +44,7 @@ DerivedScales derived_scales(const model::Case& resolved, const failure::Bending
   scales.freeboard = freeboard(resolved).top;
   scales.draft = -freeboard(resolved).bottom;
   scales.initial_crack_radius = initial_crack_radius(resolved, ice, criterion);
+  if (ice::varies(resolved.ice)) scales.correlation_length = ice::correlation_length(resolved.ice);
   const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
   scales.collision_time = collision_time(resolved, resolved.ice.density * ice.thickness * piece);
   scales.warnings = case_warnings(resolved, scales, criterion);

@@ -16,8 +16,9 @@ namespace {
 
 rigid_body::WorldSettings world_settings(const model::Case& c) {
   const double crushing = c.ice.compressive_strength * c.ice.crushing_factor;
-  return {.ice_structure = {c.ice.friction_structure, c.contact.restitution, crushing},
-          .ice_ice = {c.ice.friction_ice, c.contact.restitution, crushing},
+  return {.ice_structure = {c.ice.friction_structure, crushing},
+          .ice_ice = {c.ice.friction_ice, crushing},
+          .restitution = c.contact.restitution,
           .iterations = c.contact.iterations,
           .collision_margin = c.contact.margin,
           .release_speed = c.time.settle_speed,
@@ -54,6 +55,9 @@ class TimedCriterion final : public failure::BendingCriterion {
   std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
     return criterion_->thickness_over_lc_range();
   }
+  std::unique_ptr<failure::BendingCriterion> for_ice(const failure::IceProperties& ice) const override {
+    return std::make_unique<TimedCriterion>(criterion_->for_ice(ice), timer_, seconds_);
+  }
 
  private:
   std::unique_ptr<failure::BendingCriterion> criterion_;
@@ -81,7 +85,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
     criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
 }
 
-Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c))) {
+Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c))) {
   if (c.field.initial_crack) initial_crack();
   begin_watch();
 }

@@ -138,12 +138,10 @@ double Watchdog::impulses(const rigid_body::World& world) const {
   return sum * case_->time.step;
 }
 
-/// Contacts take energy, and so does water at rest. With restitution the impacts of several points at once may give
-/// some (docs/theory/dynamics.md, (E4)); the bound is then the bound of the balance, far wider than any energy seen.
+/// Contacts take energy, and so does water at rest (docs/theory/dynamics.md, (E4)).
 void Watchdog::look_at_losses(const Watched& now) const {
   const double rounding = kRounding * (1.0 + now.row.kinetic_energy);
-  const double given =
-      case_->contact.restitution > 0.0 ? allowance_of_all(now.floes) : rounding + kLeft * impulses(now.world);
+  const double given = rounding + kLeft * impulses(now.world);
   const auto& [contacts, water] = now.taken;
   if (!(contacts >= -given)) throw RunError(fmt::format("contacts gave the floes {:.6g} J in this step", -contacts));
   const bool still = current_past_ice(*case_) == Vec2{} && !case_->hydrodynamics.structure_flow;

@@ -26,7 +26,7 @@ inline model::Case validation(const std::vector<std::string>& overrides) {
 struct Field {
   Field(int n_floes, int layers, const std::vector<std::string>& overrides)
       : ice(validation(overrides)),
-        world({.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}),
+        world({.ice_structure = {0.027, 0.5e6}, .ice_ice = {0.3, 0.5e6}}),
         floes(ice),
         water(ice) {
     const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(n_floes) / layers)));

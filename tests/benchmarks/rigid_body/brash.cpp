@@ -25,8 +25,8 @@ class BrashEngine : public Engine {
   BrashEngine(const Pack& pack, const Settings& settings)
       : pack_(pack),
         dt_(settings.dt),
-        world_({.ice_structure = {0.0, 0.0, settings.crushing},
-                .ice_ice = {kFriction, 0.0, settings.crushing},
+        world_({.ice_structure = {0.0, settings.crushing},
+                .ice_ice = {kFriction, settings.crushing},
                 .iterations = settings.iterations}) {
     for (const Floe& floe : pack.floes) {
       const double x = 0.5 * floe.size.x, y = 0.5 * floe.size.y;

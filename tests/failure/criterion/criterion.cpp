@@ -272,6 +272,26 @@ BOOST_AUTO_TEST_CASE(a_radial_crack_comes_first_where_the_edge_stress_exceeds_th
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_criterion_for_other_ice_is_the_criterion_made_for_that_ice) {
+  IceProperties other = ice();
+  other.thickness *= 1.15;
+  other.flexural_strength *= 0.9;
+  for (const auto& named : model::kNames<model::FailureModel>) {
+    const model::FailureOptions takes = model::options_of(named.value, false);
+    const BendingOptions options{.second_order = takes.second_order, .radial_first = takes.radial_first};
+    const auto made = make_criterion(named.value, "", other, options);
+    const auto shared = make_criterion(named.value, "", ice(), options)->for_ice(other);
+    for (const double pressure : {1e4, 3e5, 9e5}) {
+      LoadCase l = load();
+      l.pressure = pressure;
+      const Assessment a = made->assess(l), b = shared->assess(l);
+      BOOST_TEST(a.sigma_max == b.sigma_max);
+      BOOST_TEST(a.breaking_length == b.breaking_length);
+      BOOST_TEST(a.fails == b.fails);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_model_refuses_an_option_that_it_does_not_have) {
   BOOST_CHECK_THROW(make_criterion(model::FailureModel::kWedge, "", ice(), {.second_order = true}), InputError);
   BOOST_CHECK_THROW(make_criterion(model::FailureModel::kSuperposition, "mine.json", ice(), {.radial_first = true}),

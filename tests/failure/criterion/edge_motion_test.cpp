@@ -131,6 +131,19 @@ BOOST_AUTO_TEST_CASE(a_bay_of_a_run_breaks_nearly_as_the_moving_bay_does) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_edge_of_another_thickness_moves_as_one_made_for_it) {
+  failure::IceProperties thick = kIce;
+  thick.thickness *= 1.2;
+  const failure::EdgeDynamics made = failure::make_edge_dynamics(thick, kDensity);
+  const failure::EdgeDynamics shared = failure::make_edge_dynamics(kIce, kDensity).of_thickness(thick.thickness);
+  const failure::LoadCase shape{.depth = 0.5, .contact_length = 1.0, .angle = 1.0};
+  const Pushed edge = push(made, shape, 1.202, 0.3);
+  BOOST_TEST(made.memory() == shared.memory());
+  BOOST_TEST(made.deflection(shape, edge.history, 0.3) == shared.deflection(shape, edge.history, 0.3));
+  BOOST_TEST(made.deflection(shape, edge.history, 0.3) !=
+             failure::make_edge_dynamics(kIce, kDensity).deflection(shape, edge.history, 0.3));
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_that_is_pushed_slowly_is_at_rest) {
   const double l_c = failure::characteristic_length(kIce);
   const failure::EdgeDynamics edge = failure::make_edge_dynamics(kIce, kDensity);

@@ -121,14 +121,14 @@ BOOST_AUTO_TEST_CASE(a_field_restores_what_it_saved) {
   field.save(checkpoint);
   model::FieldSection section;
   section.length = section.width = 50.0;
-  const Field restored(section, properties(), checkpoint);
+  const Field restored(section, properties(), {}, checkpoint);
   BOOST_TEST((restored.outlines() == field.outlines()));
   BOOST_TEST((restored.ledger().crushed == field.ledger().crushed));
   BOOST_TEST(restored.ledger().n_rounded == field.ledger().n_rounded);
   // Accounts that do not fit the ice are refused.
   model::Table& ledger = checkpoint.table("ledger");
   std::swap(ledger.column("sheet").values, ledger.column("floes").values);
-  BOOST_CHECK_THROW(Field(section, properties(), checkpoint), ContractViolation);
+  BOOST_CHECK_THROW(Field(section, properties(), {}, checkpoint), ContractViolation);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

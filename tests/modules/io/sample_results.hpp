@@ -50,6 +50,8 @@ inline brash::model::RunResults sample_results() {
   event.wedges = 4;
   event.edge_age = 0.25;
   event.edge_deflection = 0.0625;
+  event.thickness = 0.375;
+  event.flexural_strength = 4.9e5;
   event.pieces = 5;
   event.substeps = 2;
   event.area_before = 2499.0;

@@ -14,7 +14,7 @@ constexpr double kStep = 0.01;
 constexpr double kMass = 5000.0;
 const MassProperties kBlock{kMass, {4000.0, 5000.0, 6000.0}};
 
-WorldSettings breakable() { return {.ice_structure = {0.1, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}; }
+WorldSettings breakable() { return {.ice_structure = {0.1, 0.5e6}, .ice_ice = {0.3, 0.5e6}}; }
 
 BodyId add_block(World& world, Vec3 velocity) {
   const std::vector<std::vector<Vec3>> hulls{box({-1, -1, -1}, {1, 1, 1})};

@@ -26,7 +26,7 @@ constexpr Vec3 kPull{1500.0, 900.0, 0.0};
 constexpr Engine kEngines[] = {Engine::kBrash, Engine::kBullet};
 
 WorldSettings breakable(Engine engine = Engine::kBrash) {
-  return {.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}, .engine = engine};
+  return {.ice_structure = {0.027, 0.5e6}, .ice_ice = {0.3, 0.5e6}, .engine = engine};
 }
 
 /// Two floes side by side, the first moored at its outer corner, the second tied to it and pulled.

@@ -21,7 +21,7 @@ struct Piece {
 
 /// A cone runs into 5 x 6 floes, some L-shaped (two parts), against a fixed edge.
 struct Scene {
-  explicit Scene(bool backwards) : world({.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}) {
+  explicit Scene(bool backwards) : world({.ice_structure = {0.027, 0.5e6}, .ice_ice = {0.3, 0.5e6}}) {
     std::vector<Piece> pieces;
     for (int i = 0; i < 5; ++i)
       for (int j = 0; j < 6; ++j) pieces.push_back(piece({6.9 + 1.02 * i, -3.06 + 1.02 * j}, (i + j) % 3 == 0));

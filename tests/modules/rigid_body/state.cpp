@@ -13,7 +13,7 @@ using namespace brash::rigid_body::testing;
 
 namespace {
 
-WorldSettings breakable() { return {.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}}; }
+WorldSettings breakable() { return {.ice_structure = {0.027, 0.5e6}, .ice_ice = {0.3, 0.5e6}}; }
 
 /// Signed distances of `point` to the neighbours of `floe`, in their order.
 std::vector<double> distances(World& world, BodyId floe, double reach, Vec3 point) {

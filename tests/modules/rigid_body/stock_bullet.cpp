@@ -14,7 +14,7 @@ namespace {
 constexpr double kPressure = 0.5e6;
 
 WorldSettings bullet(double pressure = kPressure) {
-  return {.ice_structure = {0.027, 0.0, pressure}, .ice_ice = {0.3, 0.0, pressure}, .engine = Engine::kBullet};
+  return {.ice_structure = {0.027, pressure}, .ice_ice = {0.3, pressure}, .engine = Engine::kBullet};
 }
 
 /// A cone runs into 3 x 4 floes against a fixed edge.

@@ -31,7 +31,7 @@ struct Pushed {
 /// The first push of the cone on a floe of 1 m by 2 m at the waterline, one facet square on to the floe's edge.
 Pushed push_on_floe(double density_bound, bool downward, int facets) {
   rigid_body::WorldSettings settings;
-  settings.ice_structure = {kFriction, 0.0, density_bound};
+  settings.ice_structure = {kFriction, density_bound};
   World world(settings);
   const auto breaking = downward ? model::Breaking::kDownward : model::Breaking::kUpward;
   const auto hull = structure::make_hull(model::Cone{kAngle, 13.6, 9.08, 5.68, breaking, facets});

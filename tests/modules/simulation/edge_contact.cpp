@@ -22,6 +22,9 @@ class Listening final : public failure::BendingCriterion {
     return {};
   }
   bool needs_outline() const override { return wants_outline_; }
+  std::unique_ptr<BendingCriterion> for_ice(const failure::IceProperties&) const override {
+    return std::make_unique<Listening>(wants_outline_);
+  }
   mutable failure::LoadCase heard;
 
  private:

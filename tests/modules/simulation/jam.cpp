@@ -42,9 +42,7 @@ struct Basin {
     lay_floes();
   }
 
-  static rigid_body::WorldSettings settings() {
-    return {.ice_structure = {0.027, 0.0, 0.5e6}, .ice_ice = {0.3, 0.0, 0.5e6}};
-  }
+  static rigid_body::WorldSettings settings() { return {.ice_structure = {0.027, 0.5e6}, .ice_ice = {0.3, 0.5e6}}; }
 
   /// Cells of a lattice whose inner nodes are moved at random by up to a quarter of the pitch, each shrunk by a tenth.
   void lay_floes() {

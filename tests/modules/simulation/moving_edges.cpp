@@ -46,6 +46,7 @@ EdgeContact contact(double y, double force) {
   result.touched = {{0.0, y}, 1.0};
   result.load = {.contact_length = 1.0, .mu1 = 0.5, .pressure = force > 0.0 ? 1e5 : 0.0};
   result.on_ice = {0.0, 0.0, -force};
+  result.ice = kIce;
   return result;
 }
 

@@ -19,9 +19,7 @@ inline const std::string kValidation = BRASH_SOURCE_DIR "/experiments/validation
 struct Pool {
   explicit Pool(std::vector<std::string> overrides = {})
       : resolved(io::read_case(kValidation, overrides)),
-        world({.ice_structure = {0.027, 0.0, 0.5e6},
-               .ice_ice = {0.3, 0.0, 0.5e6},
-               .release_speed = resolved.time.settle_speed}),
+        world({.ice_structure = {0.027, 0.5e6}, .ice_ice = {0.3, 0.5e6}, .release_speed = resolved.time.settle_speed}),
         floes(resolved),
         water(resolved),
         sleep(resolved) {}

@@ -9,11 +9,13 @@
 #include <set>
 
 #include "brash/core/error.hpp"
+#include "brash/ice/variation.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/checkpoint.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/scales.hpp"
+#include "edge_contact.hpp"
 
 namespace {
 
@@ -92,6 +94,40 @@ BOOST_AUTO_TEST_CASE(an_edge_that_moves_gives_way_and_its_run_goes_on_from_a_che
   BOOST_TEST(rigid.results.loads.back().losses.bending == 0.0);
   // Before any break a rigid edge is crushed more.
   BOOST_TEST(rigid.results.loads[70].crushing.force.x > whole.results.loads[70].crushing.force.x);
+}
+
+BOOST_AUTO_TEST_CASE(ice_that_varies_breaks_where_it_is_thin_or_weak_and_its_run_goes_on_from_a_checkpoint) {
+  const std::vector<std::string> settings{"algorithm.preset=brash", "ice.variation.thickness=0.1",
+                                          "ice.variation.flexural_strength=0.1"};
+  std::optional<model::Checkpoint> saved;
+  const auto look = [&](const simulation::Simulation& simulation, const simulation::StepReport&) {
+    if (!saved && simulation.time() > 1.5) saved = simulation.checkpoint();
+    BOOST_REQUIRE(simulation.ledger().closes());
+  };
+  const model::Case resolved = short_case(settings, 2.0);
+  const simulation::Run whole = simulation::run(resolved, {.observer = look});
+  BOOST_REQUIRE(saved);
+  simulation::Simulation rest(resolved, *saved);
+  for (std::size_t i = 151; i < whole.results.loads.size(); ++i)
+    BOOST_TEST((rest.step().loads == whole.results.loads[i]));
+
+  const ice::Variation variation(resolved);
+  BOOST_REQUIRE(whole.results.events.size() > 3u);
+  for (const model::CrackEvent& event : whole.results.events) {
+    BOOST_TEST(event.thickness != resolved.ice.thickness);
+    BOOST_TEST(event.sigma_max > event.flexural_strength);
+    if (event.pressing_floe != model::kNoFloe) continue;
+    // The middle of the chord lies at the tip, to the shift of a moving edge.
+    const failure::IceProperties there = variation.at(simulation::ice_properties(resolved), event.tip);
+    BOOST_TEST(event.thickness == there.thickness, boost::test_tools::tolerance(0.01));
+  }
+  const auto& thickness = std::get<std::vector<double>>(saved->table("floe").column("thickness").values);
+  BOOST_TEST(std::ranges::min(thickness) < std::ranges::max(thickness));
+  BOOST_TEST(std::abs(whole.results.loads.back().energy_error) < 1e-3 * whole.results.loads.back().work);
+
+  const simulation::Run even = simulation::run(short_case({"algorithm.preset=brash"}, 1.0));
+  BOOST_TEST(even.results.loads[90].crushing.force.x != whole.results.loads[90].crushing.force.x);
+  for (const model::CrackEvent& event : even.results.events) BOOST_TEST(event.thickness == resolved.ice.thickness);
 }
 
 BOOST_AUTO_TEST_CASE(stock_bullet_runs_the_case_by_choice_and_its_energies_close) {

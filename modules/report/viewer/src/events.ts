@@ -49,7 +49,7 @@ export class EventCard {
 
   private numbers(event: number): HTMLElement {
     const at = (name: string) => this.run.column(`event.${name}`)[event];
-    const force = at("p") * at("c") * this.run.input("ice", "thickness");
+    const force = at("p") * at("c") * at("thickness");
     const rows: [string, string, string, string][] = [
       ["b", number(at("b"), 4), "m", "depth of the fitted trapezoid"],
       ["c", number(at("c"), 4), "m", "contact length"],

@@ -131,6 +131,8 @@ class BendingCriterion {
   virtual std::optional<double> trained_thickness_over_lc() const { return std::nullopt; }
   /// Least and largest h / l_c that the model holds for; nothing for one without limits.
   virtual std::optional<std::pair<double, double>> thickness_over_lc_range() const { return std::nullopt; }
+  /// The same criterion for other ice: it shares the model, so it costs little.
+  virtual std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const = 0;
 };
 
 /// Options that go beyond the paper's criterion. docs/theory/failure.md, (4)

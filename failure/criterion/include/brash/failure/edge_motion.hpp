@@ -66,6 +66,9 @@ class EdgeDynamics {
   /// @param ice_density  [kg/m3].
   EdgeDynamics(Responses responses, const IceProperties& ice, double ice_density);
 
+  /// The same for ice of another thickness [m]: it shares the responses.
+  EdgeDynamics of_thickness(double thickness) const;
+
   /// Time after which an edge has come to rest under an even force [s].
   double memory() const { return memory_; }
 
@@ -84,6 +87,7 @@ class EdgeDynamics {
   IceProperties ice_;
   double l_c_;
   double period_;
+  double ice_density_;
   double mass_ratio_;
   double memory_ = 0.0;
 };

@@ -7,6 +7,7 @@
 #include "brash/geometry/ledger.hpp"
 #include "brash/ice/crack_pattern.hpp"
 #include "brash/ice/plate.hpp"
+#include "brash/ice/variation.hpp"
 #include "brash/model/checkpoint.hpp"
 
 namespace brash::ice {
@@ -21,15 +22,18 @@ struct Broken {
 class Field {
  public:
   /// Level ice as the case lays it, all of `ice`: a rectangle, x from 0 to `length`, |y| <= width/2 [m].
-  Field(const model::FieldSection& section, const failure::IceProperties& ice);
+  /// @param variation  of its thickness and strength. A piece that breaks off has the means over itself, and is even.
+  Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation = {});
   /// The field of a run that goes on.
-  Field(const model::FieldSection& section, const failure::IceProperties& ice, const model::Checkpoint& checkpoint);
+  Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
+        const model::Checkpoint& checkpoint);
   void save(model::Checkpoint& checkpoint) const;
 
   /// The level ice, each in the place of its number.
   std::span<const Plate> level_ice() const { return level_ice_; }
   Plate& level_ice(int number) { return level_ice_[static_cast<std::size_t>(number)]; }
   const geometry::Ledger& ledger() const { return ledger_; }
+  const Variation& variation() const { return variation_; }
   std::vector<geometry::Polygon> outlines() const;  ///< of the level ice
 
   /// Ice of `plate` inside `section` is crushed and leaves. @return around all of it that is not as before.
@@ -61,6 +65,7 @@ class Field {
   geometry::ExactArea& account_of(const Plate& plate);
 
   std::vector<Plate> level_ice_;
+  Variation variation_;
   geometry::Ledger ledger_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "brash/failure/criterion.hpp"
@@ -14,17 +15,21 @@ enum class Hold { kFast, kAfloat };
 
 /// A connected polygon of a plate, as a checkpoint keeps it.
 struct PlatePart {
-  std::int64_t level_ice = 0;  ///< Plate::level_ice()
+  std::int64_t level_ice = 0;      ///< Plate::level_ice()
+  double thickness = 0.0;          ///< of Plate::ice()
+  double flexural_strength = 0.0;  ///< likewise
   geometry::Polygon outline;
 
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit("level_ice", "1", "number of the level ice that it is part of, or was", self.level_ice);
+    visit("thickness", "m", "mean thickness", self.thickness);
+    visit("flexural_strength", "Pa", "mean flexural strength", self.flexural_strength);
     visit("outline", "1", "outline, frame of that level ice", self.outline);
   }
 };
 
-/// A piece of ice of even thickness that can break: level ice or a floe. A piece that breaks off a plate is a plate
+/// A piece of ice that can break: level ice or a floe. A piece that breaks off a plate is a plate
 /// again.
 ///
 /// Its outline is exact, in its own frame. Level ice is fast, and its frame is the world's. A floe keeps the frame of
@@ -35,8 +40,10 @@ class Plate {
   /// @param outline    simple and disjoint.
   Plate(int level_ice, Hold hold, const failure::IceProperties& ice, std::vector<geometry::Polygon> outline);
 
-  /// A piece of this plate's ice, afloat.
-  Plate piece(geometry::Polygon outline) const;
+  /// A piece of this plate, afloat.
+  Plate piece(geometry::Polygon outline, const failure::IceProperties& ice) const;
+  /// Likewise, of the same ice.
+  Plate piece(geometry::Polygon outline) const { return piece(std::move(outline), ice_); }
 
   int level_ice() const { return level_ice_; }
   Hold hold() const { return hold_; }

@@ -174,6 +174,11 @@ struct Columns<model::CrackEvent> {
     visit(
         "w_edge", "m", "deflection of the edge as it is pushed; 0 where it does not move",
         [](auto& row) -> auto& { return row.edge_deflection; });
+    visit(
+        "thickness", "m", "thickness of the sheet at the contact", [](auto& row) -> auto& { return row.thickness; });
+    visit(
+        "flexural_strength", "Pa", "flexural strength of the sheet at the contact",
+        [](auto& row) -> auto& { return row.flexural_strength; });
   }
 };
 

@@ -19,6 +19,15 @@ struct AlgorithmSection {
   friend bool operator==(const AlgorithmSection&, const AlgorithmSection&) = default;
 };
 
+/// [ice.variation]
+struct IceVariation {
+  double thickness = 0.0;           ///< coefficient of variation [-]
+  double flexural_strength = 0.0;   ///< likewise
+  double correlation_length = 0.0;  ///< 0: ten thicknesses
+
+  friend bool operator==(const IceVariation&, const IceVariation&) = default;
+};
+
 /// [ice]; SI throughout. Unit, range, default and source of every key are in case.schema.json; the defaults here are
 /// the same, and those without one are zero.
 struct IceSection {
@@ -31,6 +40,7 @@ struct IceSection {
   double crushing_factor = 0.5;
   double friction_structure = 0.027;
   double friction_ice = 0.3;
+  IceVariation variation;
 
   friend bool operator==(const IceSection&, const IceSection&) = default;
 };

@@ -104,8 +104,10 @@ struct CrackEvent {
   Vec2 tip{};      ///< middle of the trapezoid's tip edge [m]
   Vec2 towards{};  ///< unit vector from the tip into the ice, along the trapezoid's axis
   std::int64_t pressing_floe = kNoFloe;
-  double edge_age = 0.0;         ///< since the structure touched the edge first; 0 where it does not move [s]
-  double edge_deflection = 0.0;  ///< as the edge is pushed; 0 where it does not move [m]
+  double edge_age = 0.0;           ///< since the structure touched the edge first; 0 where it does not move [s]
+  double edge_deflection = 0.0;    ///< as the edge is pushed; 0 where it does not move [m]
+  double thickness = 0.0;          ///< of the ice at the contact [m]
+  double flexural_strength = 0.0;  ///< likewise [Pa]
 
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };

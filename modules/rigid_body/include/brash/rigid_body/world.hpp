@@ -21,8 +21,7 @@ class BodyWorld;
 
 /// How a pair of surfaces meets.
 struct ContactLaw {
-  double friction = 0.0;     ///< Coulomb coefficient of the pair [-], Eq. 6
-  double restitution = 0.0;  ///< Newton's e [-], Eq. 5
+  double friction = 0.0;  ///< Coulomb coefficient of the pair [-], Eq. 6
   /// sigma_c R [Pa]: the normal force of a contact is at most this times the contact's own area (Eqs. 15, 16).
   /// Infinite: ice that does not break, an ordinary rigid contact whose overlap is taken back by split impulse.
   double crushing_pressure = std::numeric_limits<double>::infinity();
@@ -37,6 +36,9 @@ enum class Engine {
 struct WorldSettings {
   ContactLaw ice_structure;
   ContactLaw ice_ice;
+  /// e of Eq. 5 [-], 0 to 1: one for all contacts, so that they never gain energy (docs/theory/dynamics.md, (C6)).
+  /// Engine::kBullet knows 0 alone.
+  double restitution = 0.0;
   int iterations = 30;  ///< sweeps of sequential impulses a step, at most
   /// [m], > 0; convex parts thinner than twice this have no contact. Bullet's hulls are inset by it and rounded.
   double collision_margin = 0.005;

@@ -21,6 +21,7 @@ struct DerivedScales {
   double freeboard = 0.0;                ///< [m]
   double draft = 0.0;                    ///< [m]
   double initial_crack_radius = 0.0;     ///< of Fig. 5 [m]
+  double correlation_length = 0.0;       ///< of ice that varies; 0: it is even [m]
   double collision_time = 0.0;           ///< T_col of a piece of l_c^2 / 4, Eqs. 11, 12 [s]
   std::vector<model::Warning> warnings;  ///< docs/reference/warnings.md
 };

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/ice/variation.hpp"
+
+#include <cmath>
+
+#include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
+
+namespace brash::ice {
+namespace {
+
+/// More waves cost more and bring the correlation of one field nearer to its law; by rings and angles
+/// (docs/theory/ice-variation.md).
+constexpr int kRings = 16;
+constexpr int kAngles = 16;
+/// Where the case gives no correlation length, in thicknesses.
+constexpr double kUsualLength = 10.0;
+
+}  // namespace
+
+/// The lengths of the wave vectors are stratified into rings of equal weight, and their directions over the half circle
+/// in each ring: k and -k are one wave.
+GaussianField::GaussianField(double length, statistics::RandomStream random) {
+  BRASH_EXPECTS(length > 0.0, length);
+  for (int ring = 0; ring < kRings; ++ring) {
+    for (int angle = 0; angle < kAngles; ++angle) {
+      const double share = (ring + 1.0 - random.uniform()) / kRings;  // in (0, 1]
+      const double size = 2.0 / length * std::sqrt(-std::log(share));
+      const double direction = kPi * (angle + random.uniform()) / kAngles;
+      waves_.push_back({size * Vec2{std::cos(direction), std::sin(direction)}, 2.0 * kPi * random.uniform()});
+    }
+  }
+}
+
+double GaussianField::at(Vec2 place) const {
+  double sum = 0.0;
+  for (const Wave& wave : waves_) sum += std::cos(dot(wave.vector, place) + wave.phase);
+  return std::sqrt(2.0 / static_cast<double>(waves_.size())) * sum;
+}
+
+bool varies(const model::IceSection& ice) {
+  return ice.variation.thickness > 0.0 || ice.variation.flexural_strength > 0.0;
+}
+
+double correlation_length(const model::IceSection& ice) {
+  const double length = ice.variation.correlation_length;
+  return length > 0.0 ? length : kUsualLength * ice.thickness;
+}
+
+double Variation::LogNormal::at(Vec2 place) const {
+  return std::exp(deviation * field.at(place) - 0.5 * deviation * deviation);
+}
+
+std::optional<Variation::LogNormal> Variation::field(const model::Case& resolved, double coefficient,
+                                                     const char* purpose) {
+  if (coefficient == 0.0) return std::nullopt;
+  return LogNormal{GaussianField(correlation_length(resolved.ice),
+                                 {resolved.random.seed, resolved.name, resolved.random.replicate, purpose}),
+                   std::sqrt(std::log1p(coefficient * coefficient))};
+}
+
+Variation::Variation(const model::Case& resolved)
+    : thickness_(field(resolved, resolved.ice.variation.thickness, "thickness")),
+      flexural_strength_(field(resolved, resolved.ice.variation.flexural_strength, "flexural_strength")) {}
+
+failure::IceProperties Variation::at(const failure::IceProperties& ice, Vec2 place) const {
+  failure::IceProperties here = ice;
+  if (thickness_) here.thickness *= thickness_->at(place);
+  if (flexural_strength_) here.flexural_strength *= flexural_strength_->at(place);
+  return here;
+}
+
+failure::IceProperties Variation::mean(const failure::IceProperties& ice, const geometry::Polygon& piece) const {
+  if (!*this) return ice;
+  double area = 0.0, thickness = 0.0, strength = 0.0;
+  const auto add = [&](Vec2 a, Vec2 b, Vec2 c) {
+    const double third = cross(b - a, c - a) / 6.0;
+    for (const Vec2 middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+      const failure::IceProperties here = at(ice, middle);
+      thickness += third * here.thickness;
+      strength += third * here.flexural_strength;
+      area += third;
+    }
+  };
+  for (const geometry::Ring& part : geometry::convex_parts(piece)) {
+    for (std::size_t i = 1; i + 1 < part.size(); ++i)
+      add(geometry::metres(part[0]), geometry::metres(part[i]), geometry::metres(part[i + 1]));
+  }
+  failure::IceProperties mean = ice;
+  if (thickness_) mean.thickness = thickness / area;
+  if (flexural_strength_) mean.flexural_strength = strength / area;
+  return mean;
+}
+
+}  // namespace brash::ice
