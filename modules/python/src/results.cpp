@@ -37,6 +37,7 @@ void add_floes(py::module_& m) {
   py::class_<model::FloeRecord>(m, "FloeRecord", "A floe's life.")
       .def_readonly("id", &model::FloeRecord::id)
       .def_readonly("area", &model::FloeRecord::area, "[m2]")
+      .def_readonly("thickness", &model::FloeRecord::thickness, "[m]")
       .def_readonly("birth", &model::FloeRecord::birth, "[s]")
       .def_readonly("death", &model::FloeRecord::death, "[s]; the run's end when alive")
       .def_property_readonly(

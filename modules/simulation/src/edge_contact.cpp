@@ -28,14 +28,13 @@ std::vector<geometry::Ring> on_grid(const std::vector<structure::Outline>& outli
   return rings;
 }
 
-/// Its outlines where the sheet has its mean thickness.
 structure::Footprint footprint(const EdgeModel& model, const Pose& pose, double shift = 0.0) {
   const Freeboard heights = freeboard(model.resolved);
   return model.hull.footprint(pose, heights.bottom + shift, heights.top + shift);
 }
 
 std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose, double shift = 0.0) {
-  const Freeboard heights = freeboard(model.resolved, model.ice.thickness);
+  const Freeboard heights = freeboard(model.resolved);
   return model.hull.sides(pose, heights.bottom + shift, heights.top + shift);
 }
 
@@ -55,17 +54,19 @@ struct Crushing {
   }
 };
 
-/// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip.
+/// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip. The surface is
+/// as high as the case's ice is thick; where the ice is thicker, its area is larger.
 Crushing crushing(const EdgeModel& model, const structure::State& state, std::span<const structure::SidePiece> sides,
                   const geometry::Polygon& overlap) {
   const model::Case& c = model.resolved;
   const bool projected = c.contact.area == model::ContactArea::kProjected;
+  const double thicker = model.ice.thickness / c.ice.thickness;
   Crushing sum;
   for (const structure::Patch& patch : structure::patches_within(sides, rings_in_metres(overlap))) {
     const Vec3 velocity = velocity_at(state.twist, patch.centroid - state.pose.position);
     const double into_ice = dot(velocity, patch.normal);
     if (into_ice <= 0.0) continue;  // slides past or leaves
-    const double area = projected ? patch.plan_area : patch.area;
+    const double area = thicker * (projected ? patch.plan_area : patch.area);
     const Vec3 slip = velocity - into_ice * patch.normal;
     const Vec3 friction = norm(slip) > 0.0 ? c.ice.friction_structure * normalized(slip) : Vec3{};
     sum.force += failure::crushing_force(model.ice, area) * (patch.normal + friction);
@@ -214,7 +215,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
                                        const structure::State& state,
                                        const std::function<double(const Touch&)>& shift_of) {
   std::vector<EdgeContact> contacts;
-  const auto sides_of_mean = sides(model, state.pose);
+  const auto sides_at_rest = sides(model, state.pose);
   for (const geometry::Ring& outline : on_grid(footprint(model, state.pose).leading)) {
     for (geometry::ContactRegion& region : sheet.contacts(outline)) {
       if (!(region.contact_length > 0.0)) continue;
@@ -225,7 +226,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
       const EdgeModel here = local.model();
       contact.ice = local.ice();
       const double shift = shift_of ? shift_of(contact.touched) : 0.0;
-      const auto sides_at_rest = model.variation != nullptr ? sides(here, state.pose) : sides_of_mean;
       const Crushing crushed = shift == 0.0 ? crushing(here, state, sides_at_rest, contact.region.overlap)
                                             : crushing_shifted(here, sheet, state, shift, contact.region);
       fit(here, sheet, contact);

@@ -97,8 +97,12 @@ std::optional<model::FloeRecord> FloePopulation::add_piece(rigid_body::World& wo
 model::FloeRecord FloePopulation::launch(rigid_body::World& world, Floe floe, const Pose& pose, const Twist& twist,
                                          double time) {
   floe.id = next_id_++;
-  model::FloeRecord record{
-      .id = floe.id, .rings = floe.prism.rings, .area = floe.area.square_metres(), .birth = time, .birth_pose = pose};
+  model::FloeRecord record{.id = floe.id,
+                           .rings = floe.prism.rings,
+                           .area = floe.area.square_metres(),
+                           .birth = time,
+                           .birth_pose = pose,
+                           .thickness = floe.prism.thickness};
   const BodyId body = world.add_floe(floe.prism, floe.inertia, pose, twist);
   insert(body, std::move(floe));
   return record;

@@ -193,7 +193,7 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
     const auto outline = outline_in(frame, edge.line);
     if (!outline) return std::nullopt;
 
-    const Freeboard heights = freeboard(model.resolved, model.ice.thickness);
+    const Freeboard heights = freeboard(model.resolved);
     const double own_way = own.on_ice.z > 0.0 ? 1.0 : -1.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const EdgeContact& other = all[i];

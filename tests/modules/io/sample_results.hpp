@@ -67,7 +67,7 @@ inline brash::model::RunResults sample_results() {
   const std::vector<Vec2> hole{{-0.1, -0.1}, {-0.1, 0.1}, {0.1, 0.1}};
   results.floes.push_back({0, {square, hole}, 3.98, 0.0, 0.05, FloeEnd::kAlive, 1e5, {{1, 2, -0.1}, {0.8, 0, 0, 0.6}}});
   results.floes.push_back({1, {{{0, 0}, {1, 0}, {0, 1}}}, 0.5, 0.02, 0.03, FloeEnd::kCrushed, 1.25e6});
-  results.floes.push_back({7, {square}, 4.0, 0.02, 0.04, FloeEnd::kBroken, 0.0, {}, 0});
+  results.floes.push_back({7, {square}, 4.0, 0.02, 0.04, FloeEnd::kBroken, 0.0, {}, 0, 0.375});
   results.frames.push_back({0.0, {{-7, 0, 0}, {}}, {}});
   results.frames.push_back({0.02, {{-6.9, 0, 0}, {}}, {{0, {{1, 2, 3}, {0.5, 0.5, 0.5, 0.5}}}, {7, {{4, 5, 6}, {}}}}});
   results.frames.push_back({0.04, {{-6.8, 0, 0}, {}}, {{0, {{1.5, 2, 3}, {0, 1, 0, 0}}, 1.5e4}}});

@@ -121,6 +121,7 @@ BOOST_AUTO_TEST_CASE(ice_that_varies_breaks_where_it_is_thin_or_weak_and_its_run
     const failure::IceProperties there = variation.at(simulation::ice_properties(resolved), event.tip);
     BOOST_TEST(event.thickness == there.thickness, boost::test_tools::tolerance(0.01));
   }
+  for (const model::FloeRecord& floe : whole.results.floes) BOOST_TEST(floe.thickness > 0.0);
   const auto& thickness = std::get<std::vector<double>>(saved->table("floe").column("thickness").values);
   BOOST_TEST(std::ranges::min(thickness) < std::ranges::max(thickness));
   BOOST_TEST(std::abs(whole.results.loads.back().energy_error) < 1e-3 * whole.results.loads.back().work);

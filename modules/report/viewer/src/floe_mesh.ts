@@ -32,11 +32,11 @@ export class FloeMesh {
     private readonly palette: Record<string, Color>,
     materials: { floes: Material; edges: Material },
   ) {
-    const h = run.input("ice", "thickness");
+    const thickness = run.column("floe.thickness");
     const prisms = new Prisms();
     this.firstVertex = new Int32Array(run.nFloes + 1);
     run.outlines.forEach((rings, i) => {
-      prisms.add(rings, -0.5 * h, 0.5 * h);
+      prisms.add(rings, -0.5 * thickness[i], 0.5 * thickness[i]);
       this.firstVertex[i + 1] = prisms.size;
     });
     this.body = prisms.positions();

@@ -226,6 +226,8 @@ struct Columns<model::FloeRecord> {
     visit(
         "parent", "1", "floe_id of the floe that it is a piece of; -1: of level ice",
         [](auto& row) -> auto& { return row.parent; });
+    visit(
+        "thickness", "m", "thickness of the floe", [](auto& row) -> auto& { return row.thickness; });
   }
 };
 

@@ -137,6 +137,7 @@ struct FloeRecord {
   double peak_stress = 0.0;       ///< largest of the deletion criterion's stress [Pa]
   Pose birth_pose{};              ///< of a piece of level ice, where it lay there
   std::int64_t parent = kNoFloe;  ///< FloeRecord::id of the floe that it is a piece of; none of a piece of level ice
+  double thickness = 0.0;         ///< [m]
 
   friend bool operator==(const FloeRecord&, const FloeRecord&) = default;
 };
