@@ -162,6 +162,14 @@ void check_hull(const model::Case& c, Checks& checks) {
                    "all keys of the hull or none", "write it, or leave [hull] out");
 }
 
+void check_water(const model::Case& c, Checks& checks) {
+  const model::HydrodynamicsSection& h = c.hydrodynamics;
+  checks.require(h.form_drag_along != model::FormDragAlong::kNormal || h.drag == model::DragLaw::kSurface,
+                 {"hydrodynamics", "form_drag_along"}, {"hydrodynamics", "drag"},
+                 "the drag law paper has one velocity for all faces", "normal with hydrodynamics.drag = \"surface\"",
+                 "take drag = \"surface\", or form_drag_along = \"velocity\"");
+}
+
 void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
                  "the least number is above the largest", "[least, largest] with least <= largest",
@@ -217,6 +225,7 @@ std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& 
   check_field(resolved, checks);
   check_initial_crack(resolved, checks);
   check_hull(resolved, checks);
+  check_water(resolved, checks);
   check_rest(resolved, checks);
   return checks.take();
 }

@@ -63,7 +63,8 @@ FloeWater::FloeWater(const model::Case& resolved)
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction,
-             .shading_gap = shading_gap(resolved)} {
+             .shading_gap = shading_gap(resolved),
+             .form_drag_along = resolved.hydrodynamics.form_drag_along} {
   if (!resolved.hydrodynamics.structure_flow) return;
   const structure::Displacement hull = structure::make_hull(resolved.structure.shape)->displaced({});
   flow_.emplace(hull.waterplane.radius, hull.volume);

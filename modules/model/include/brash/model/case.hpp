@@ -94,6 +94,7 @@ struct HydrodynamicsSection {
   double shading_gap = 0.5;  ///< in ice thicknesses
   double drag_travel = 0.1;  ///< a floe's drag coefficients are kept for that way, in ice thicknesses
   double form_drag = 1.0;
+  FormDragAlong form_drag_along = FormDragAlong::kNormal;
   double rotational_drag = 1.0;
   double skin_friction = 0.005;
   double added_mass = 0.5;
