@@ -100,9 +100,10 @@ struct WaterLoad {
 ///
 /// @param wet  displacement of the floe in `pose`.
 /// @param drag  at the velocity of the start of the step.
+/// @param besides  other loads of the step that the drag's velocity is to heed; not part of the result. World axes.
 /// @see docs/theory/hydrodynamics.md, (H9).
 WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, const StepInertia& step,
-                     const Displacement& wet, const Drag& drag);
+                     const Displacement& wet, const Drag& drag, const Wrench& besides = {});
 
 /// Likewise with the drag of the start of the step.
 inline WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
