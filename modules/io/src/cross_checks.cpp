@@ -168,6 +168,10 @@ void check_water(const model::Case& c, Checks& checks) {
                  {"hydrodynamics", "form_drag_along"}, {"hydrodynamics", "drag"},
                  "the drag law paper has one velocity for all faces", "normal with hydrodynamics.drag = \"surface\"",
                  "take drag = \"surface\", or form_drag_along = \"velocity\"");
+  const bool plate = h.added_mass_law == model::AddedMassLaw::kPlate;
+  checks.require(!plate || c.contact.engine == model::ContactEngine::kBrash, {"hydrodynamics", "added_mass_law"},
+                 {"contact", "engine"}, "Bullet's bodies have the same mass in every direction",
+                 "plate with contact.engine = \"brash\"", "take this engine, or added_mass_law = \"isotropic\"");
 }
 
 void check_rest(const model::Case& c, Checks& checks) {

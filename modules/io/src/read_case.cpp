@@ -74,6 +74,8 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   model::HydrodynamicsSection& h = c.hydrodynamics;
   if (h.drag != model::DragLaw::kSurface && !is_written("form_drag_along"))
     h.form_drag_along = model::FormDragAlong::kVelocity;
+  const bool by_share = is_written("added_mass") || c.contact.engine == model::ContactEngine::kBullet;
+  if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
 /// The problem of a model file outside the folder of the file that names it.

@@ -263,6 +263,7 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("contact", "engine") == names_in_model<ContactEngine>());
   BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());
   BOOST_TEST(names_in_schema("hydrodynamics", "form_drag_along") == names_in_model<FormDragAlong>());
+  BOOST_TEST(names_in_schema("hydrodynamics", "added_mass_law") == names_in_model<AddedMassLaw>());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
