@@ -23,7 +23,7 @@ struct SolverBody {
   Vec3 normal{};         ///< unit axis along which it has more mass, world frame
   double stretch = 0.0;  ///< root of 1/inverse_mass over the mass along `normal`, less 1 [-]; in (-1, 0]
 
-  /// S v of (M2), with 1/mass = inverse_mass S S.
+  /// S v with 1/mass = inverse_mass S S (docs/theory/dynamics.md, (M2)).
   Vec3 stretched(Vec3 v) const { return stretch == 0.0 ? v : v + stretch * dot(normal, v) * normal; }
 };
 

@@ -20,7 +20,8 @@ class StructureFlow {
   /// it moves at `velocity` along the surface. Inside the ellipsoid it is the ellipsoid's.
   Vec3 at(Vec3 point, Vec2 velocity) const;
 
-  /// Acceleration of the water there, Du/Dt [m/s2], while `velocity` stays (H22). 0 inside.
+  /// Acceleration of the water there, Du/Dt [m/s2], while `velocity` stays (docs/theory/hydrodynamics.md, (H22)). 0
+  /// inside.
   Vec3 acceleration(Vec3 point, Vec2 velocity) const;
 
  private:

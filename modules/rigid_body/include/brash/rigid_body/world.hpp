@@ -56,7 +56,7 @@ struct MassProperties {
   double added_across = 0.0;
 };
 
-/// Momentum of a body in `pose` that moves at `velocity`, world frame: (M1) [N s].
+/// Momentum of a body in `pose` that moves at `velocity`, world frame [N s] (docs/theory/dynamics.md, (M1)).
 constexpr Vec3 momentum(const MassProperties& mass, const Pose& pose, Vec3 velocity) {
   const Vec3 n = rotate(pose.rotation, {0.0, 0.0, 1.0});
   return mass.mass * velocity + mass.added_across * dot(n, velocity) * n;
