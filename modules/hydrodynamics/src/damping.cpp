@@ -1,10 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/hydrodynamics/damping.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 namespace brash::hydrodynamics {
+namespace {
+
+/// The product of a symmetric matrix, by its squares xx, yy, zz and products yz, zx, xy, with a vector.
+Vec3 times(Vec3 squares, Vec3 products, Vec3 v) {
+  return {squares.x * v.x + products.z * v.y + products.y * v.z, products.z * v.x + squares.y * v.y + products.x * v.z,
+          products.y * v.x + products.x * v.y + squares.z * v.z};
+}
+
+using Column = std::array<double, 6>;
+using Matrix = std::array<Column, 6>;
+
+Column column(const Vec3& linear, const Vec3& angular) {
+  return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
+}
+
+/// Solves a symmetric positive definite system by Cholesky's factors; reads the lower triangle.
+Column solved(Matrix a, Column b) {
+  for (std::size_t j = 0; j < 6; ++j) {
+    for (std::size_t k = 0; k < j; ++k) a[j][j] -= a[j][k] * a[j][k];
+    a[j][j] = std::sqrt(a[j][j]);
+    for (std::size_t i = j + 1; i < 6; ++i) {
+      for (std::size_t k = 0; k < j; ++k) a[i][j] -= a[i][k] * a[j][k];
+      a[i][j] /= a[j][j];
+    }
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
+    b[i] /= a[i][i];
+  }
+  for (std::size_t i = 6; i-- > 0;) {
+    for (std::size_t k = i + 1; k < 6; ++k) b[i] -= a[k][i] * b[k];
+    b[i] /= a[i][i];
+  }
+  return b;
+}
+
+}  // namespace
+
+NormalDamping NormalDamping::scaled(double factor) const {
+  return {factor * squares, factor * products,        factor * with_x,          factor * with_y,
+          factor * with_z,  factor * turning_squares, factor * turning_products};
+}
+
+Wrench NormalDamping::load(const Twist& twist) const {
+  const auto& [v, w] = twist;
+  const Vec3 turned{dot(with_x, w), dot(with_y, w), dot(with_z, w)};
+  return {-(times(squares, products, v) + turned),
+          -(v.x * with_x + v.y * with_y + v.z * with_z + times(turning_squares, turning_products, w))};
+}
 
 Damping Damping::scaled(double factor) const {
-  return {factor * sum, factor * first, factor * squares, factor * products, factor * rotation};
+  return {factor * sum, factor * first, factor * squares, factor * products, factor * rotation, normal.scaled(factor)};
 }
 
 Wrench Damping::load(const Twist& twist) const {
@@ -13,10 +66,33 @@ Wrench Damping::load(const Twist& twist) const {
   const Vec3 turning{(squares.y + squares.z) * w.x - products.z * w.y - products.y * w.z,
                      (squares.z + squares.x) * w.y - products.x * w.z - products.z * w.x,
                      (squares.x + squares.y) * w.z - products.y * w.x - products.x * w.y};
-  return {-(sum * twist.linear + cross(w, first)), -(cross(first, twist.linear) + turning + rotation * w)};
+  Wrench result{-(sum * twist.linear + cross(w, first)), -(cross(first, twist.linear) + turning + rotation * w)};
+  if (normal != NormalDamping{}) result += normal.load(twist);
+  return result;
 }
 
 Twist Damping::velocity_after(const Twist& twist, const Wrench& load, const StepInertia& step) const {
+  if (step.added_across == 0.0 && normal == NormalDamping{}) return velocity_after_isotropic(twist, load, step);
+
+  // (M + dt D) V' = M V + dt W; each column of D is the load against a unit velocity.
+  const auto& [v, w] = twist;
+  const double dt = step.dt;
+  const Vec3 mass{step.mass, step.mass, step.mass + step.added_across}, i = step.inertia;
+  const Column inertia = column(mass, i);
+  Matrix matrix;
+  for (std::size_t k = 0; k < 6; ++k) {
+    Column unit{};
+    unit[k] = 1.0;
+    const Wrench against = this->load({{unit[0], unit[1], unit[2]}, {unit[3], unit[4], unit[5]}});
+    matrix[k] = column(-dt * against.force, -dt * against.moment);
+    matrix[k][k] += inertia[k];
+  }
+  const Column after = solved(matrix, column(Vec3{mass.x * v.x, mass.y * v.y, mass.z * v.z} + dt * load.force,
+                                             Vec3{i.x * w.x, i.y * w.y, i.z * w.z} + dt * load.moment));
+  return {{after[0], after[1], after[2]}, {after[3], after[4], after[5]}};
+}
+
+Twist Damping::velocity_after_isotropic(const Twist& twist, const Wrench& load, const StepInertia& step) const {
   const double dt = step.dt;
   const Vec3 linear = step.mass * twist.linear + dt * load.force;
   const Vec3 l = twist.angular;

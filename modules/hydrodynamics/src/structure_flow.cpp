@@ -1,51 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/hydrodynamics/structure_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 
 namespace brash::hydrodynamics {
 namespace {
 
-/// Where q^2 and e = R^2 - H^2 of the integral below differ by so much, its closed forms cancel to 1e-9 and the
-/// sphere's series is as good.
-constexpr double kNearlySphere = 1e-3;
+/// Carlson's R_D(x, y, z) by duplication, to rounding (B. C. Carlson, Numer. Algorithms 10, 1995). All > 0.
+double elliptic_rd(double x, double y, double z) {
+  constexpr double kSmall = 1e-3;  // the series leaves its sixth power
+  double sum = 0.0, scale = 1.0;
+  for (;;) {
+    const double mean = (x + y + 3.0 * z) / 5.0;
+    const double dx = 1.0 - x / mean, dy = 1.0 - y / mean, dz = 1.0 - z / mean;
+    if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) < kSmall) {
+      const double xy = dx * dy, zz = dz * dz;
+      const double e2 = xy - 6.0 * zz, e3 = (3.0 * xy - 8.0 * zz) * dz, e4 = 3.0 * (xy - zz) * zz, e5 = xy * zz * dz;
+      const double series = 1.0 - 3.0 * e2 / 14.0 + e3 / 6.0 + 9.0 * e2 * e2 / 88.0 - 3.0 * e4 / 22.0 -
+                            9.0 * e2 * e3 / 52.0 + 3.0 * e5 / 26.0;
+      return 3.0 * sum + scale * series / (mean * std::sqrt(mean));
+    }
+    const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z);
+    const double step = rx * ry + ry * rz + rz * rx;
+    sum += scale / (rz * (z + step));
+    scale *= 0.25;
+    x = 0.25 * (x + step);
+    y = 0.25 * (y + step);
+    z = 0.25 * (z + step);
+  }
+}
 
-/// The integral of ds / ((R^2 + s)^2 sqrt(H^2 + s)) from lambda on, with q^2 = H^2 + lambda and e = R^2 - H^2. It
-/// equals the integral of 2 dq / (q^2 + e)^2 from q on.
-double alpha(double q, double e) {
-  const double ratio = e / (q * q);
-  if (std::abs(ratio) < kNearlySphere) return (2.0 / 3.0 - ratio * (0.8 - ratio * 6.0 / 7.0)) / (q * q * q);
-  const double root = std::sqrt(std::abs(e));
-  const double angle = e > 0.0 ? std::atan(root / q) : std::atanh(root / q);
-  return (angle / root - q / (q * q + e)) / e;
+/// The integrals of ds / ((a^2 + s) D(s)) and ds / ((b^2 + s) D(s)) from lambda on, D(s) the root of the product of all
+/// (a^2 + s); by the squares a^2 + lambda [1/m3].
+Vec2 alpha_and_beta(Vec3 s) { return {2.0 / 3.0 * elliptic_rd(s.y, s.z, s.x), 2.0 / 3.0 * elliptic_rd(s.z, s.x, s.y)}; }
+
+/// The confocal ellipsoid through a point outside: the largest root of sum x^2 / (a^2 + lambda) = 1 [m2]; 0 inside. The
+/// sum is convex, so Newton's steps from below rise to the root.
+double confocal(Vec3 point, Vec3 squares) {
+  const Vec3 p{point.x * point.x, point.y * point.y, point.z * point.z};
+  double lambda = std::max(0.0, p.x + p.y + p.z - std::max({squares.x, squares.y, squares.z}));
+  for (;;) {
+    const Vec3 s = squares + Vec3{lambda, lambda, lambda};
+    const Vec3 terms{p.x / s.x, p.y / s.y, p.z / s.z};
+    const double beyond = terms.x + terms.y + terms.z - 1.0;
+    const double next = lambda + beyond / (terms.x / s.x + terms.y / s.y + terms.z / s.z);
+    if (!(next > lambda)) return lambda;
+    lambda = next;
+  }
 }
 
 }  // namespace
 
-StructureFlow::StructureFlow(double radius, double volume)
-    : radius_(radius), depth_(1.5 * volume / (kPi * radius * radius)) {
-  BRASH_EXPECTS(radius > 0.0 && volume > 0.0, radius, volume);
-  const double size = radius_ * radius_ * depth_;
-  strength_ = size / (2.0 - size * alpha(depth_, radius_ * radius_ - depth_ * depth_));
+StructureFlow::StructureFlow(Vec3 semi_axes)
+    : squares_{semi_axes.x * semi_axes.x, semi_axes.y * semi_axes.y, semi_axes.z * semi_axes.z} {
+  BRASH_EXPECTS(semi_axes.x > 0.0 && semi_axes.y > 0.0 && semi_axes.z > 0.0, semi_axes.x, semi_axes.y, semi_axes.z);
+  const double product = semi_axes.x * semi_axes.y * semi_axes.z;
+  const Vec2 integrals = alpha_and_beta(squares_);
+  strength_ = {product / (2.0 - product * integrals.x), product / (2.0 - product * integrals.y)};
 }
 
 Vec3 StructureFlow::at(Vec3 point, Vec2 velocity) const {
-  const Vec3 U{velocity.x, velocity.y, 0.0};
-  const double RR = radius_ * radius_, HH = depth_ * depth_;
-  const double across = point.x * point.x + point.y * point.y, up = point.z * point.z;
-  // The confocal spheroid through the point: the larger root of across / (RR + l) + up / (HH + l) = 1.
-  const double half = 0.5 * (across + up - RR - HH);
-  const double lambda = half + std::sqrt(half * half + across * HH + up * RR - RR * HH);
-  if (!(lambda > 0.0)) return U;
+  const double lambda = confocal(point, squares_);
+  if (!(lambda > 0.0)) return {velocity.x, velocity.y, 0.0};
 
-  const double a = RR + lambda, c = HH + lambda;
-  const Vec3 normal{point.x / a, point.y / a, point.z / c};  // half the gradient of that spheroid's equation
-  const Vec3 slope = 2.0 / dot(normal, normal) * normal;     // gradient of lambda
-  const double alpha_slope = -1.0 / (a * a * std::sqrt(c));
-  return -strength_ * (alpha(std::sqrt(c), RR - HH) * U + dot(U, point) * alpha_slope * slope);
+  const Vec3 s = squares_ + Vec3{lambda, lambda, lambda};
+  const Vec3 normal{point.x / s.x, point.y / s.y, point.z / s.z};  // half the gradient of that ellipsoid's equation
+  const Vec3 slope = 2.0 / dot(normal, normal) * normal;           // gradient of lambda
+  const Vec2 integrals = alpha_and_beta(s);
+  const double root = std::sqrt(s.x * s.y * s.z);
+  const Vec2 strong{strength_.x * velocity.x, strength_.y * velocity.y};
+  const double along = strong.x * point.x / (s.x * root) + strong.y * point.y / (s.y * root);
+  return along * slope - Vec3{strong.x * integrals.x, strong.y * integrals.y, 0.0};
+}
+
+Vec3 StructureFlow::acceleration(Vec3 point, Vec2 velocity) const {
+  // A particle of water passes the ellipsoid at u - U. Central differences over 1e-4 of the size leave 1e-8 of it.
+  const Vec3 past = at(point, velocity) - Vec3{velocity.x, velocity.y, 0.0};
+  const double speed = norm(past);
+  if (speed == 0.0) return {};
+  const double time = 1e-4 * std::sqrt(std::max({squares_.x, squares_.y, squares_.z})) / speed;
+  return (at(point + time * past, velocity) - at(point - time * past, velocity)) / (2.0 * time);
 }
 
 }  // namespace brash::hydrodynamics

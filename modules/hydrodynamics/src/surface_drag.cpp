@@ -200,6 +200,7 @@ class Integral {
  public:
   Integral(const Twist& relative, const Water& water)
       : relative_(relative),
+        along_normal_(water.form_drag_along == FormDragAlong::kNormal),
         form_(0.5 * water.density * water.form_drag),
         skin_(0.5 * water.density * water.skin_friction) {}
 
@@ -211,11 +212,10 @@ class Integral {
     const Lanes outwards = dot(velocity, n);
 
     const Lanes damper = form_ * area * max(outwards, 0.0);
-    const Vectors moment = damper * p;
-    dampers_ += damper;
-    first_ += moment;
-    squares_ += {moment.x * p.x, moment.y * p.y, moment.z * p.z};
-    products_ += {moment.y * p.z, moment.z * p.x, moment.x * p.y};
+    if (along_normal_)
+      add_along(n, damper, p);
+    else
+      add_in_points(damper, p);
 
     const Vectors along{velocity.x - outwards * n.x, velocity.y - outwards * n.y, velocity.z - outwards * n.z};
     const Lanes speed = sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
@@ -225,15 +225,46 @@ class Integral {
   }
 
   Drag result() const {
-    return {{sum(dampers_), sum(first_), sum(squares_), sum(products_)}, {sum(force_), sum(moment_)}};
+    return {{.sum = sum(dampers_),
+             .first = sum(first_),
+             .squares = sum(squares_),
+             .products = sum(products_),
+             .normal = normal_},
+            {sum(force_), sum(moment_)}};
   }
 
  private:
+  void add_in_points(Lanes damper, const Vectors& p) {
+    const Vectors moment = damper * p;
+    dampers_ += damper;
+    first_ += moment;
+    squares_ += {moment.x * p.x, moment.y * p.y, moment.z * p.z};
+    products_ += {moment.y * p.z, moment.z * p.x, moment.x * p.y};
+  }
+
+  /// (H15).
+  void add_along(Vec3 n, Lanes damper, const Vectors& p) {
+    const double c = sum(damper);
+    if (c == 0.0) return;
+    const Vectors arm = cross(-n, p);  // p x n
+    const Vectors weighted = damper * arm;
+    const Vec3 moment = sum(weighted);
+    normal_.squares += c * Vec3{n.x * n.x, n.y * n.y, n.z * n.z};
+    normal_.products += c * Vec3{n.y * n.z, n.z * n.x, n.x * n.y};
+    normal_.with_x += n.x * moment;
+    normal_.with_y += n.y * moment;
+    normal_.with_z += n.z * moment;
+    normal_.turning_squares += {sum(weighted.x * arm.x), sum(weighted.y * arm.y), sum(weighted.z * arm.z)};
+    normal_.turning_products += {sum(weighted.y * arm.z), sum(weighted.z * arm.x), sum(weighted.x * arm.y)};
+  }
+
   const Twist& relative_;
+  bool along_normal_;
   double form_;
   double skin_;
   Lanes dampers_;
   Vectors first_, squares_, products_;
+  NormalDamping normal_{};
   Vectors force_, moment_;  ///< of the skin friction
 };
 

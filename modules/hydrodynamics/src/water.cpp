@@ -77,7 +77,7 @@ Drag drag(const Prism& prism, const Pose& pose, const Twist& twist, const Water&
 }
 
 WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, const StepInertia& step,
-                     const Displacement& wet, const Drag& drag) {
+                     const Displacement& wet, const Drag& drag, const Wrench& besides) {
   BRASH_EXPECTS(step.dt >= 0.0 && step.mass > 0.0, step.dt, step.mass);
   BRASH_EXPECTS(step.inertia.x > 0.0 && step.inertia.y > 0.0 && step.inertia.z > 0.0);
   if (wet.volume <= 0.0) return {};
@@ -93,6 +93,7 @@ WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, c
   Wrench others{{0.0, 0.0, -step.weight}, {}};
   others += load.buoyancy;
   others += load.skin_friction;
+  others += besides;
   const Twist after = drag.form.velocity_after(relative, rotated(conjugate(pose.rotation), others), step);
   load.drag = rotated(pose.rotation, drag.form.load(after));
   return load;

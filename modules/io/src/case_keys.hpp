@@ -134,9 +134,12 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hydrodynamics", "shading_gap", c.hydrodynamics.shading_gap);
   visit("hydrodynamics", "drag_travel", c.hydrodynamics.drag_travel);
   visit("hydrodynamics", "form_drag", c.hydrodynamics.form_drag);
+  visit("hydrodynamics", "form_drag_along", c.hydrodynamics.form_drag_along);
   visit("hydrodynamics", "rotational_drag", c.hydrodynamics.rotational_drag);
   visit("hydrodynamics", "skin_friction", c.hydrodynamics.skin_friction);
+  visit("hydrodynamics", "added_mass_law", c.hydrodynamics.added_mass_law);
   visit("hydrodynamics", "added_mass", c.hydrodynamics.added_mass);
+  visit("hydrodynamics", "ventilation", c.hydrodynamics.ventilation);
   visit("hydrodynamics", "structure_flow", c.hydrodynamics.structure_flow);
   visit("time", "step", c.time.step);
   visit("time", "duration", c.time.duration);

@@ -198,6 +198,18 @@ void check_contact(const model::Case& c, Checks& checks) {
                  "0 with contact.engine = \"bullet\"", "take engine = \"brash\", or 0");
 }
 
+void check_water(const model::Case& c, Checks& checks) {
+  const model::HydrodynamicsSection& h = c.hydrodynamics;
+  checks.require(h.form_drag_along != model::FormDragAlong::kNormal || h.drag == model::DragLaw::kSurface,
+                 {"hydrodynamics", "form_drag_along"}, {"hydrodynamics", "drag"},
+                 "the drag law paper has one velocity for all faces", "normal with hydrodynamics.drag = \"surface\"",
+                 "take drag = \"surface\", or form_drag_along = \"velocity\"");
+  const bool plate = h.added_mass_law == model::AddedMassLaw::kPlate;
+  checks.require(!plate || c.contact.engine == model::ContactEngine::kBrash, {"hydrodynamics", "added_mass_law"},
+                 {"contact", "engine"}, "Bullet's bodies have the same mass in every direction",
+                 "plate with contact.engine = \"brash\"", "take this engine, or added_mass_law = \"isotropic\"");
+}
+
 void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.wedges[0] <= c.failure.wedges[1], {"failure", "wedges"}, {"failure", "wedges"},
                  "the least number is above the largest", "[least, largest] with least <= largest",
@@ -254,6 +266,7 @@ std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& 
   check_initial_crack(resolved, checks);
   check_hull(resolved, checks);
   check_contact(resolved, checks);
+  check_water(resolved, checks);
   check_rest(resolved, checks);
   return checks.take();
 }

@@ -68,6 +68,16 @@ void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   if (!takes.joint_loads && !is_written("joint_loads")) c.failure.joint_loads = false;
 }
 
+/// Likewise of the laws of the water.
+void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
+  const auto is_written = [&](const char* key) { return source.tree["hydrodynamics"][key].node() != nullptr; };
+  model::HydrodynamicsSection& h = c.hydrodynamics;
+  if (h.drag != model::DragLaw::kSurface && !is_written("form_drag_along"))
+    h.form_drag_along = model::FormDragAlong::kVelocity;
+  const bool by_share = is_written("added_mass") || c.contact.engine == model::ContactEngine::kBullet;
+  if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
+}
+
 /// The problem of a model file outside the folder of the file that names it.
 std::vector<Problem> leads_out(const std::string& file, const CaseSource& source) {
   const Place named = place_of(source, "failure", "file");
@@ -87,6 +97,7 @@ model::Case resolve(const CaseSource& source, const std::string& name, ModelFile
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
   drop_options_not_taken(result, source);
+  drop_water_laws_not_taken(result, source);
   std::vector<Problem> problems;
   if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source);
   if (problems.empty()) problems = cross_check(result, source);

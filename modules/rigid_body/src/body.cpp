@@ -58,6 +58,7 @@ void Body::set_mass(const MassProperties& value) {
 void Body::set_settled(bool value) {
   settled = value;
   twist = {};
+  start_twist = {};
   mean_twist = {};
   loaded_twist = {};
   load = {};
@@ -82,7 +83,8 @@ void Body::place() {
 
 double Body::kinetic_energy() const {
   const Vec3 w = rotate(conjugate(pose.rotation), twist.angular);
-  return 0.5 * mass.mass * dot(twist.linear, twist.linear) +
+  const double across = dot(rotate(pose.rotation, {0.0, 0.0, 1.0}), twist.linear);
+  return 0.5 * mass.mass * dot(twist.linear, twist.linear) + 0.5 * mass.added_across * across * across +
          0.5 * (mass.inertia.x * w.x * w.x + mass.inertia.y * w.y * w.y + mass.inertia.z * w.z * w.z);
 }
 

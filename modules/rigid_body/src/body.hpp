@@ -46,11 +46,14 @@ struct Body {
   BodyKind kind = BodyKind::kFloe;
   Pose pose;
   Twist twist;
-  Twist mean_twist;     ///< over the last step
-  Twist loaded_twist;   ///< after the loads of the last step, before its contacts
-  MassProperties mass;  ///< none: the sheet, and a structure that moves as it is told
-  Wrench load;          ///< for the next step
-  Pose next_pose;       ///< of a structure that moves as it is told
+  Twist start_twist;               ///< at the start of the last step
+  Twist mean_twist;                ///< over the last step
+  Twist loaded_twist;              ///< after the loads of the last step, before its contacts
+  MassProperties mass;             ///< none: the sheet, and a structure that moves as it is told
+  Wrench load;                     ///< for the next step
+  Vec3 stream;                     ///< velocity of the water around it
+  double gained_by_turning = 0.0;  ///< World::gained_by_turning() [J]
+  Pose next_pose;                  ///< of a structure that moves as it is told
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
   int rank = 0;                   ///< in the order of the step

@@ -150,12 +150,15 @@ void BodyWorld::predictUnconstraintMotion(btScalar dt) {
     b.applyTorque(to_bullet(body->load.moment));
     b.integrateVelocities(dt);
     b.clearForces();
+    if (body->mass.added_across > 0.0)
+      b.setLinearVelocity(to_bullet(body->twist.linear + dt * velocity_of(body->mass, body->pose, body->load.force)));
     body->loaded_twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
   }
 }
 
 void BodyWorld::average_velocities() {
   for (Body* body : order_) {
+    body->start_twist = body->twist;
     body->mean_twist = body->twist;
     if (!body->is_free()) continue;
     const Vec3 linear = from_bullet(body->bullet->getLinearVelocity());

@@ -17,6 +17,19 @@ Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
   return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)};
 }
 
+/// Velocity along `direction`, unit, per impulse along it [1/kg].
+double mobility_along(const SolverBody& body, Vec3 direction) {
+  if (body.stretch == 0.0) return body.inverse_mass;
+  const Vec3 s = body.stretched(direction);
+  return body.inverse_mass * dot(s, s);
+}
+
+/// Velocity along `one` per impulse along `other`, two directions at right angles [1/kg].
+double mobility_across(const SolverBody& body, Vec3 one, Vec3 other) {
+  if (body.stretch == 0.0) return 0.0;
+  return body.inverse_mass * dot(body.stretched(one), body.stretched(other));
+}
+
 }  // namespace
 
 void BoundedSolver::clear(double restitution) {
@@ -39,6 +52,8 @@ std::uint32_t BoundedSolver::add(const SolverBody& body) {
 
 void BoundedSolver::add(const SolverContact& contact, std::span<const PatchPoint> points) {
   contacts_.push_back({.normal = contact.normal,
+                       .direction_a = bodies_[contact.first].stretched(contact.normal),
+                       .direction_b = bodies_[contact.second].stretched(-contact.normal),
                        .friction = contact.friction,
                        .first = contact.first,
                        .second = contact.second,
@@ -51,12 +66,13 @@ void BoundedSolver::add(const SolverJoint& joint) {
   const auto& [linear_a, angular_a] = joint.of_first;
   const auto& [linear_b, angular_b] = joint.of_second;
   const Vec3 turn_a = times(a.axes, angular_a), turn_b = times(b.axes, angular_b);
-  const double mobility = a.inverse_mass * dot(linear_a, linear_a) + dot(turn_a, turn_a) +
-                          b.inverse_mass * dot(linear_b, linear_b) + dot(turn_b, turn_b) + joint.softness;
+  const Vec3 direction_a = a.stretched(linear_a), direction_b = b.stretched(linear_b);
+  const double mobility = a.inverse_mass * dot(direction_a, direction_a) + dot(turn_a, turn_a) +
+                          b.inverse_mass * dot(direction_b, direction_b) + dot(turn_b, turn_b) + joint.softness;
   const double velocity = dot(linear_a, a.twist.linear) + dot(angular_a, a.twist.angular) +
                           dot(linear_b, b.twist.linear) + dot(angular_b, b.twist.angular);
-  joints_.push_back({.direction_a = linear_a,
-                     .direction_b = linear_b,
+  joints_.push_back({.direction_a = direction_a,
+                     .direction_b = direction_b,
                      .row = {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
                              .turn_b = {turn_b.x, turn_b.y, turn_b.z},
                              .velocity = velocity - joint.velocity,
@@ -81,8 +97,8 @@ BoundedSolver::Row BoundedSolver::row(const Arms& arms, Vec3 direction) {
   const Vec3 moment_b = cross(second_arm, -direction);
   const Vec3 turn_a = times(first.axes, moment_a);
   const Vec3 turn_b = times(second.axes, moment_b);
-  const double mobility_a = first.inverse_mass + dot(turn_a, turn_a);
-  const double mobility_b = second.inverse_mass + dot(turn_b, turn_b);
+  const double mobility_a = mobility_along(first, direction) + dot(turn_a, turn_a);
+  const double mobility_b = mobility_along(second, direction) + dot(turn_b, turn_b);
   return {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
           .turn_b = {turn_b.x, turn_b.y, turn_b.z},
           .velocity = (dot(direction, first.twist.linear) + dot(moment_a, first.twist.angular)) +
@@ -97,7 +113,12 @@ void BoundedSolver::add_point(const SolverContact& contact, const PatchPoint& po
   positions_.push_back(point.position);
   if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
   if (contact.parting_speed > 0.0) {
-    partings_.push_back({contact.normal, normal, {}, contact.first, contact.second});
+    partings_.push_back({bodies_[contact.first].stretched(contact.normal),
+                         bodies_[contact.second].stretched(-contact.normal),
+                         normal,
+                         {},
+                         contact.first,
+                         contact.second});
     partings_.back().row.velocity = -contact.parting_speed;
   }
   normal.velocity *= 1.0 + restitution_;
@@ -111,13 +132,17 @@ std::uint32_t BoundedSolver::add_friction(const Contact& contact, Vec3 position)
   friction.tangents = plane_axes(contact.normal);
   const Arms from_centres = arms(contact.first, contact.second, position);
   for (std::size_t k = 0; k < 2; ++k) {
-    friction.rows[k] = row(from_centres, friction.tangents[k]);
+    const Vec3 tangent = friction.tangents[k];
+    friction.directions_a[k] = from_centres.first.stretched(tangent);
+    friction.directions_b[k] = from_centres.second.stretched(-tangent);
+    friction.rows[k] = row(from_centres, tangent);
     friction.rows[k].velocity *= 1.0 + restitution_;
   }
   auto& [first, second] = friction.rows;
   // Slip per impulse in the first direction, in the second, and in one per impulse in the other.
   const double give_first = 1.0 / first.mass, give_second = 1.0 / second.mass;
-  double across = 0.0;
+  double across = mobility_across(from_centres.first, friction.tangents[0], friction.tangents[1]) +
+                  mobility_across(from_centres.second, friction.tangents[0], friction.tangents[1]);
   for (std::size_t i = 0; i < 3; ++i) across += first.turn_a[i] * second.turn_a[i] + first.turn_b[i] * second.turn_b[i];
   const double determinant = give_first * give_second - across * across;
   first.mass = give_second / determinant;
@@ -151,9 +176,8 @@ void BoundedSolver::Sweep::add(double velocity, double impulse) {
 }
 
 /// Changes a row's impulse within its limits.
-void BoundedSolver::resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, Limits limits, Impulse& impulse,
-                            Sweep& sweep) {
-  const Jacobian jacobian(direction, row);
+void BoundedSolver::resolve(Moved& a, Moved& b, const Jacobian& jacobian, const Row& row, Limits limits,
+                            Impulse& impulse, Sweep& sweep) {
   const double start = impulse.go_on(sweep.momentum);
   double change = -row.mass * (row.velocity + jacobian.velocity(a, b));
   double wanted = start + change;
@@ -174,8 +198,8 @@ void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, Friction
   const Vec2 before{first.go_on(sweep.momentum), second.go_on(sweep.momentum)};
   if (radius == 0.0 && before == Vec2{}) return;
   const auto& [along_first, along_second] = friction.rows;
-  const Jacobian jacobian_first(friction.tangents[0], along_first);
-  const Jacobian jacobian_second(friction.tangents[1], along_second);
+  const Jacobian jacobian_first(friction.directions_a[0], friction.directions_b[0], along_first);
+  const Jacobian jacobian_second(friction.directions_a[1], friction.directions_b[1], along_second);
   const Vec2 slip{along_first.velocity + jacobian_first.velocity(a, b),
                   along_second.velocity + jacobian_second.velocity(a, b)};
   Vec2 wanted = before - Vec2{along_first.mass * slip.x + friction.coupling * slip.y,
@@ -214,10 +238,11 @@ void BoundedSolver::sweep_normals(Sweep& sweep) {
     Moved &a = moved_[contact.first], &b = moved_[contact.second];
     for (const std::size_t end = i + contact.n_points; i < end; ++i) {
       const Row& row = normals_[i];
-      if (borne_[i] == 0 && row.velocity + Jacobian(contact.normal, row).velocity(a, b) >= 0.0) continue;
+      const Jacobian jacobian(contact.direction_a, contact.direction_b, row);
+      if (borne_[i] == 0 && row.velocity + jacobian.velocity(a, b) >= 0.0) continue;
       borne_[i] = 1;
       Bearing& bearing = bearings_[i];
-      resolve(a, b, contact.normal, row, {0.0, bearing.bound}, bearing.impulse, sweep);
+      resolve(a, b, jacobian, row, {0.0, bearing.bound}, bearing.impulse, sweep);
       const double radius = contact.friction * bearing.impulse.now;
       if (bearing.friction == kNone && radius > 0.0) bearing.friction = add_friction(contact, positions_[i]);
       if (bearing.friction != kNone) rubbing_.push_back({bearing.friction, radius});
@@ -235,7 +260,8 @@ void BoundedSolver::sweep_frictions(Sweep& sweep) {
 void BoundedSolver::sweep_partings(Sweep& sweep) {
   constexpr Limits kPush{0.0, std::numeric_limits<double>::infinity()};
   for (Parting& p : partings_)
-    resolve(parted_[p.first], parted_[p.second], p.direction, p.row, kPush, p.impulse, sweep);
+    resolve(parted_[p.first], parted_[p.second], Jacobian(p.direction_a, p.direction_b, p.row), p.row, kPush, p.impulse,
+            sweep);
 }
 
 /// Sweeps with `rows` over impulses that move `bodies`. @return the largest change of a relative velocity in the last
@@ -275,18 +301,19 @@ void BoundedSolver::Moved::go_on(double momentum, Spatial& before) {
   }
 }
 
-Twist BoundedSolver::Moved::twist(const std::array<Vec3, 3>& axes) const {
+Twist BoundedSolver::Moved::twist(const SolverBody& body) const {
   const auto& [x, y, z] = velocity;
-  return {{x[0], y[0], z[0]}, x[1] * axes[0] + y[1] * axes[1] + z[1] * axes[2]};
+  const auto& axes = body.axes;
+  return {body.stretched({x[0], y[0], z[0]}), x[1] * axes[0] + y[1] * axes[1] + z[1] * axes[2]};
 }
 
 Twist BoundedSolver::twist(std::uint32_t body) const {
   const Twist before = bodies_[body].twist;
-  const Twist change = moved_[body].twist(bodies_[body].axes);
+  const Twist change = moved_[body].twist(bodies_[body]);
   return {before.linear + change.linear, before.angular + change.angular};
 }
 
-Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].twist(bodies_[body].axes); }
+Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].twist(bodies_[body]); }
 
 PointImpulse BoundedSolver::impulse(std::size_t point) const {
   const Bearing& bearing = bearings_[point];

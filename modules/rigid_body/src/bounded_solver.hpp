@@ -20,6 +20,11 @@ struct SolverBody {
   /// Principal axes of inertia, each divided by the root of its moment, world frame [1/(m kg^1/2)]; 0: contacts do not
   /// turn it.
   std::array<Vec3, 3> axes{};
+  Vec3 normal{};         ///< unit axis along which it has more mass, world frame
+  double stretch = 0.0;  ///< root of 1/inverse_mass over the mass along `normal`, less 1 [-]; in (-1, 0]
+
+  /// S v with 1/mass = inverse_mass S S (docs/theory/dynamics.md, (M2)).
+  Vec3 stretched(Vec3 v) const { return stretch == 0.0 ? v : v + stretch * dot(normal, v) * normal; }
 };
 
 /// Where two bodies touch along one normal.
@@ -108,6 +113,8 @@ class BoundedSolver {
   /// The points of a contact follow the points of the contact before.
   struct Contact {
     Vec3 normal{};
+    Vec3 direction_a{};  ///< the normal as the first body's velocities take it, (M2)
+    Vec3 direction_b{};  ///< and its opposite as the second's
     double friction = 0.0;
     std::uint32_t first = kFixed;
     std::uint32_t second = kFixed;
@@ -137,7 +144,9 @@ class BoundedSolver {
   /// The friction of a point that bears, or did in this step: two rows whose masses are the diagonal of the matrix [kg]
   /// that tells the impulse from the slip.
   struct Friction {
-    std::array<Vec3, 2> tangents{};  ///< unit, at right angles to the normal and to each other
+    std::array<Vec3, 2> tangents{};      ///< unit, at right angles to the normal and to each other
+    std::array<Vec3, 2> directions_a{};  ///< as Contact::direction_a
+    std::array<Vec3, 2> directions_b{};
     std::array<Row, 2> rows;
     double coupling = 0.0;    ///< off the diagonal [kg]
     double least_mass = 0.0;  ///< impulse per slip in the direction in which the bodies give way most [kg]
@@ -152,17 +161,17 @@ class BoundedSolver {
   };
   /// The numbers of a body that an iteration changes.
   struct Moved {
-    Spatial velocity{};         ///< velocity and spins, change so far
+    Spatial velocity{};         ///< y of the velocity S y (M2), and spins, change so far
     double inverse_mass = 0.0;  ///< [1/kg]
 
     /// Likewise; `before` is the velocity at the end of the last sweep but one, then of the last.
     void go_on(double momentum, Spatial& before);
-    /// With the axes of the body.
-    Twist twist(const std::array<Vec3, 3>& axes) const;
+    Twist twist(const SolverBody& body) const;
   };
   /// A point whose bodies' positions are to part.
   struct Parting {
-    Vec3 direction{};
+    Vec3 direction_a{};
+    Vec3 direction_b{};
     Row row;
     Impulse impulse;
     std::uint32_t first = kFixed;
@@ -201,7 +210,6 @@ class BoundedSolver {
   };
   /// A row's direction and turns side by side.
   struct Jacobian {
-    Jacobian(Vec3 direction, const Row& row) : Jacobian(direction, -direction, row) {}
     Jacobian(Vec3 direction_a, Vec3 direction_b, const Row& row);
     double velocity(const Moved& first, const Moved& second) const;
     void push(Moved& first, Moved& second, double impulse) const;
@@ -214,7 +222,7 @@ class BoundedSolver {
   Arms arms(std::uint32_t first, std::uint32_t second, Vec3 position) const;
   void add_point(const SolverContact& contact, const PatchPoint& point);
   std::uint32_t add_friction(const Contact& contact, Vec3 position);
-  static void resolve(Moved& a, Moved& b, Vec3 direction, const Row& row, Limits limits, Impulse& impulse,
+  static void resolve(Moved& a, Moved& b, const Jacobian& jacobian, const Row& row, Limits limits, Impulse& impulse,
                       Sweep& sweep);
   static void resolve_friction(Moved& a, Moved& b, double radius, Friction& friction, Sweep& sweep);
   void sweep_joints(Sweep& sweep);

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <new>
 
+#include "turning.hpp"
+
 namespace brash::rigid_body {
 namespace {
 
@@ -16,6 +18,11 @@ namespace {
 constexpr double kStill = 1e-8;
 /// Share of the turn that a split impulse gives which a step takes [-]: floes that part shall not tumble.
 constexpr double kPartingTurn = 0.1;
+
+/// SolverBody::stretch.
+double stretch(const MassProperties& mass) {
+  return mass.added_across == 0.0 ? 0.0 : std::sqrt(mass.mass / (mass.mass + mass.added_across)) - 1.0;
+}
 
 SolverBody to_solver(const Body& body) {
   if (!body.is_free()) return {.position = body.pose.position, .twist = body.twist};
@@ -26,7 +33,9 @@ SolverBody to_solver(const Body& body) {
   return {.position = body.pose.position,
           .twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())},
           .inverse_mass = b.getInvMass(),
-          .axes = {axis(0), axis(1), axis(2)}};
+          .axes = {axis(0), axis(1), axis(2)},
+          .normal = rotate(body.pose.rotation, {0.0, 0.0, 1.0}),
+          .stretch = stretch(body.mass)};
 }
 
 /// Finds the exact overlaps of two bodies. No manifold: a step's overlaps are gone with it.
@@ -160,7 +169,13 @@ void ExactWorld::advance(Body& body, double dt) {
   const Twist parting = bounded_.parting(body.in_solver);
   Pose pose = body.pose;
   if (parting != Twist{}) pose = advanced(pose, {parting.linear, kPartingTurn * parting.angular}, dt);
-  finish(body, advanced(pose, body.twist, dt));
+  body.gained_by_turning = 0.0;
+  if (body.mass.added_across == 0.0) return finish(body, advanced(pose, body.twist, dt));
+  const double before = body.kinetic_energy();
+  const Turn turn = turned_with_water(body.mass, pose, body.twist, body.stream, dt);
+  body.twist = turn.twist;
+  finish(body, turn.pose);
+  body.gained_by_turning = body.kinetic_energy() - before;
 }
 
 }  // namespace brash::rigid_body

@@ -14,6 +14,7 @@ namespace {
 void expect_positive(const MassProperties& mass) {
   BRASH_EXPECTS(mass.mass > 0.0 && mass.inertia.x > 0.0 && mass.inertia.y > 0.0 && mass.inertia.z > 0.0, mass.mass,
                 mass.inertia.x, mass.inertia.y, mass.inertia.z);
+  BRASH_EXPECTS(mass.added_across >= 0.0, mass.added_across);
 }
 
 std::unique_ptr<BodyWorld> make(const WorldSettings& settings) {
@@ -37,6 +38,8 @@ World::~World() = default;
 
 BodyId World::add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist) {
   expect_positive(mass);
+  BRASH_EXPECTS(mass.added_across == 0.0 || world_->settings().engine == Engine::kBrash,
+                "mass by direction needs the engine kBrash");
   BRASH_EXPECTS(is_finite(pose, twist), "state of a new floe is not finite");
   auto body = std::make_unique<Body>();
   body->pose = pose;
@@ -126,6 +129,9 @@ void World::apply(BodyId id, const Wrench& wrench) {
   body.load += wrench;
 }
 
+void World::set_stream(BodyId id, Vec3 velocity) { world_->get(id).stream = velocity; }
+double World::gained_by_turning(BodyId id) const { return world_->get(id).gained_by_turning; }
+
 void World::step(double dt) {
   BRASH_EXPECTS(dt > 0.0 && std::isfinite(dt), dt);
   world_->step(dt);
@@ -165,6 +171,7 @@ std::pair<Vec3, Vec3> World::bounds(BodyId id) const {
 
 Twist World::twist(BodyId id) const { return world_->get(id).twist; }
 Twist World::mean_twist(BodyId id) const { return world_->get(id).mean_twist; }
+Twist World::start_twist(BodyId id) const { return world_->get(id).start_twist; }
 Twist World::loaded_twist(BodyId id) const { return world_->get(id).loaded_twist; }
 
 void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
@@ -178,7 +185,10 @@ void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
 
 void World::set_mass(BodyId id, const MassProperties& mass, const Twist& twist) {
   Body& body = world_->get(id);
-  BRASH_EXPECTS(body.is_free() && mass.mass > 0.0 && is_finite({}, twist), id.index, mass.mass);
+  BRASH_EXPECTS(body.is_free() && is_finite({}, twist), id.index);
+  expect_positive(mass);
+  BRASH_EXPECTS(mass.added_across == 0.0 || world_->settings().engine == Engine::kBrash,
+                "mass by direction needs the engine kBrash");
   body.set_mass(mass);
   body.twist = twist;
 }

@@ -49,13 +49,13 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     const Twist twist = world.mean_twist(body);
     const double drag = dt * power(floe.drag, twist);
     const double skin_friction = dt * power(floe.skin_friction, twist);
-    const Twist end = world.twist(body);
-    const Twist start{2.0 * twist.linear - end.linear, 2.0 * twist.angular - end.angular};
+    const double pressure = dt * power(floe.pressure, twist) + world.gained_by_turning(body);
     taken_.water += floe.shed;
-    taken_.water -= dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, start));
-    losses_.drag += floe.shed - drag;
+    taken_.water -=
+        dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, world.start_twist(body)));
+    losses_.drag += floe.shed - drag - pressure;
     losses_.skin_friction -= skin_friction;
-    received_[body] += drag + skin_friction - floe.shed;
+    received_[body] += drag + skin_friction - floe.shed + pressure;
     if (floe.id >= first_newborn) birth_ += floes.energy(world, body, floe) - received_[body];
   }
 }

@@ -36,8 +36,14 @@ const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose)
 }
 
 rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resolved) {
-  return rigid_body::mass_properties(floe.prism, resolved.ice.density,
-                                     floe.wet_share * resolved.hydrodynamics.added_mass);
+  const model::HydrodynamicsSection& h = resolved.hydrodynamics;
+  if (h.added_mass_law == model::AddedMassLaw::kIsotropic)
+    return rigid_body::mass_properties(floe.prism, resolved.ice.density, floe.wet_share * h.added_mass);
+  rigid_body::MassProperties mass = rigid_body::mass_properties(floe.prism, resolved.ice.density, 0.0);
+  mass.mass += floe.wet_share * floe.added.along;
+  mass.inertia += floe.wet_share * floe.added.inertia;
+  mass.added_across = floe.wet_share * (floe.added.across - floe.added.along);
+  return mass;
 }
 
 double averaging_share(const Floe& floe, double dt) { return 1.0 - std::exp(-dt / floe.collision_time); }
@@ -63,13 +69,17 @@ bool FloePopulation::complete(Floe& floe) const {
   const double mass = case_->ice.density * h * floe.area.square_metres();
   floe.weight = mass * kGravity;
   floe.rest_potential = potential(floe, placed.pose, case_->water.density);
+  if (case_->hydrodynamics.added_mass_law == model::AddedMassLaw::kPlate)
+    floe.added = hydrodynamics::added_mass_of_plate(floe.prism, case_->water.density);
   floe.inertia = inertia_of(floe, *case_);
   floe.collision_time = collision_time(*case_, mass);
   return true;
 }
 
 std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, ice::Plate&& plate, double time) {
-  Floe floe{.plate = std::move(plate)};
+  // Afloat, one face of a plate is wet.
+  const bool plate_law = case_->hydrodynamics.added_mass_law == model::AddedMassLaw::kPlate;
+  Floe floe{.plate = std::move(plate), .wet_share = plate_law ? 0.5 : 1.0};
   if (!complete(floe)) {
     plate = std::move(floe.plate);
     return std::nullopt;
@@ -81,7 +91,7 @@ std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, i
 std::optional<model::FloeRecord> FloePopulation::add_piece(rigid_body::World& world, ice::Plate&& plate,
                                                            const Floe& parent, const Pose& pose, const Twist& twist,
                                                            double time) {
-  Floe floe{.plate = std::move(plate), .wet_share = parent.wet_share};
+  Floe floe{.plate = std::move(plate), .wet_share = parent.wet_share, .ran_in = parent.ran_in};
   if (!complete(floe)) {
     plate = std::move(floe.plate);
     return std::nullopt;
@@ -185,7 +195,7 @@ std::map<std::int64_t, BodyId> FloePopulation::bodies_by_id() const {
 void FloePopulation::put_to_sleep(rigid_body::World& world, BodyId body) {
   Floe& floe = at(body);
   floe.rest = {.slow_for = 0.0, .asleep = true, .push = {}};
-  floe.drag = floe.skin_friction = {};
+  floe.drag = floe.skin_friction = floe.pressure = {};
   floe.asleep_height = raised(world, body, floe);
   world.set_settled(body, true);
   add_up_asleep();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "brash/core/prism.hpp"
+#include "brash/hydrodynamics/added_mass.hpp"
 #include "brash/hydrodynamics/water.hpp"
 #include "brash/ice/plate.hpp"
 #include "brash/model/case.hpp"
@@ -44,13 +45,18 @@ struct Floe {
   geometry::ExactArea area{};
   rigid_body::MassProperties inertia{};  ///< with added mass, as far as it is wet
   double wet_share = 1.0;                ///< of the added mass that it has [-]
+  hydrodynamics::AddedMass added{};      ///< of AddedMassLaw::kPlate, both faces wet
+  double ran_in = 0.0;                   ///< how far water has run in over its top [m]
+  double flooded = 1.0;                  ///< share of the part of its top below the waterplane that is wet [-]
   double shed = 0.0;                     ///< kinetic energy that it left to the water with added mass in this step [J]
   double weight = 0.0;                   ///< m g, without added mass [N]
   double rest_potential = 0.0;           ///< potential energy floating at rest [J]
   double collision_time = 0.0;           ///< T_col of Eqs. 11, 12 [s]
+  Vec3 stream{};                         ///< velocity of the water around it [m/s]
   KeptDrag kept_drag{};
   Wrench drag{};                   ///< of the last step, form and rotational, about the centre of mass
   Wrench skin_friction{};          ///< likewise
+  Wrench pressure{};               ///< likewise, of accelerated water and of the air on its top
   MeanStress stress{};             ///< from contact forces
   std::array<double, 6> dipole{};  ///< of the last step: sum of arm x force, symmetric part, as MeanStress::now [N m]
   Rest rest{};
@@ -63,6 +69,7 @@ struct Floe {
   static void visit(Self& self, Visit&& visit) {
     visit("id", "1", "floe_id of the floe", self.id);
     visit("wet_share", "1", "share of the added mass that it has", self.wet_share);
+    visit("ran_in", "m", "how far water has run in over its top", self.ran_in);
     KeptDrag::visit(self.kept_drag, visit);
     MeanStress::visit(self.stress, visit);
     Rest::visit(self.rest, visit);
@@ -72,7 +79,7 @@ struct Floe {
 /// The displacement of `floe` at `pose`.
 const hydrodynamics::Displacement& displaced(const Floe& floe, const Pose& pose);
 
-/// Mass and inertia of `floe` with the share `wet_share` of the added mass.
+/// Mass and inertia of `floe` with the share Floe::wet_share of the added mass.
 rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resolved);
 
 /// Weight of a step of `dt` [s] in means over the floe's collision time [-].

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "floe_water.hpp"
 
-#include <algorithm>
+#include <cmath>
 
+#include "added_mass.hpp"
 #include "brash/core/constants.hpp"
+#include "brash/hydrodynamics/ventilation.hpp"
 #include "brash/structure/hull.hpp"
 
 namespace brash::simulation {
@@ -17,40 +19,10 @@ double shading_gap(const model::Case& resolved) {
   return h.shading && h.drag == DragLaw::kSurface ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
-/// Applies weight and the load of `water` to a floe that has `drag` at its velocity.
-void apply_to(rigid_body::World& world, BodyId body, Floe& floe, double dt, const hydrodynamics::Water& water,
-              const hydrodynamics::Drag& drag) {
-  const Pose pose = world.pose(body);
-  const hydrodynamics::StepInertia step{
-      .dt = dt, .mass = floe.inertia.mass, .inertia = floe.inertia.inertia, .weight = floe.weight};
-  const hydrodynamics::WaterLoad load =
-      hydrodynamics::water_load(pose, world.twist(body), water, step, displaced(floe, pose), drag);
-  Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
-  wrench += load.buoyancy;
-  wrench += load.drag;
-  wrench += load.skin_friction;
-  world.apply(body, wrench);
-  floe.drag = load.drag;
-  floe.skin_friction = load.skin_friction;
-}
-
-/// Below this share of the displacement at rest a floe loses its added mass, in proportion to what is wet.
-constexpr double kWellWet = 0.5;
-
-/// Gives a floe the added mass of its wet part. Added mass that leaves keeps its velocity; added mass that comes is at
-/// rest and takes its share of the momentum, as in an impact on water.
-void take_added_mass(rigid_body::World& world, BodyId body, Floe& floe, const model::Case& resolved) {
-  const double at_rest = floe.weight / (kGravity * resolved.water.density);
-  const double share = std::min(1.0, displaced(floe, world.pose(body)).volume / (kWellWet * at_rest));
-  floe.shed = 0.0;
-  if (share == floe.wet_share) return;
-  const double before = world.kinetic_energy(body), old_mass = floe.inertia.mass;
-  floe.wet_share = share;
-  floe.inertia = inertia_of(floe, resolved);
-  const Twist twist = world.twist(body);
-  const double kept = std::min(1.0, old_mass / floe.inertia.mass);
-  world.set_mass(body, floe.inertia, {kept * twist.linear, kept * twist.angular});
-  floe.shed = before - world.kinetic_energy(body);
+/// Force of accelerated water on a floe [N]: on the water that it displaces, and on its added mass (H22).
+Vec3 force_of(Vec3 acceleration, const Floe& floe, const Pose& pose, double displaced_mass) {
+  const double ice = floe.weight / kGravity;
+  return displaced_mass * acceleration + (rigid_body::momentum(floe.inertia, pose, acceleration) - ice * acceleration);
 }
 
 }  // namespace
@@ -63,50 +35,107 @@ FloeWater::FloeWater(const model::Case& resolved)
              .form_drag = resolved.hydrodynamics.form_drag,
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction,
-             .shading_gap = shading_gap(resolved)} {
+             .shading_gap = shading_gap(resolved),
+             .form_drag_along = resolved.hydrodynamics.form_drag_along} {
   if (!resolved.hydrodynamics.structure_flow) return;
-  const structure::Displacement hull = structure::make_hull(resolved.structure.shape)->displaced({});
-  flow_.emplace(hull.waterplane.radius, hull.volume);
+  const auto body = structure::fitted_ellipsoid(*structure::make_hull(resolved.structure.shape));
+  flow_.emplace(body.semi_axes);
+  const double half = 0.5 * body.heading;
+  ellipsoid_ = {{body.centre.x, body.centre.y, 0.0}, {std::cos(half), 0.0, 0.0, std::sin(half)}};
 }
 
-hydrodynamics::Water FloeWater::at(Vec3 position, const structure::State& structure) const {
+FloeWater::Flow FloeWater::flow_at(Vec3 position, const structure::State& structure) const {
+  // Heave, trim and heel of the structure move no water along the surface.
+  const Quaternion& q = structure.pose.rotation;
+  const double heading = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  const Pose hull{{structure.pose.position.x, structure.pose.position.y, 0.0},
+                  {std::cos(0.5 * heading), 0.0, 0.0, std::sin(0.5 * heading)}};
+  const auto inwards = [&](Vec3 v) {
+    return rotate(conjugate(ellipsoid_.rotation), rotate(conjugate(hull.rotation), v));
+  };
+  const auto outwards = [&](Vec3 v) { return rotate(hull.rotation, rotate(ellipsoid_.rotation, v)); };
+  const Vec3 centre = to_world(hull, ellipsoid_.position);
+  const Twist moves{structure.twist.linear, {0.0, 0.0, structure.twist.angular.z}};
+  const Vec2 velocity = plan(inwards(velocity_at(moves, centre - hull.position) - water_.current));
+  const Vec3 point = inwards(position - centre);
+  return {outwards(flow_->at(point, velocity)), outwards(flow_->acceleration(point, velocity))};
+}
+
+void FloeWater::meet(rigid_body::World& world, BodyId body, Floe& floe, double dt,
+                     const structure::State& structure) const {
+  const model::HydrodynamicsSection& laws = case_->hydrodynamics;
+  const Pose pose = world.pose(body);
+  const Flow flow = flow_ ? flow_at(pose.position, structure) : Flow{};
+  floe.stream = water_.current + flow.velocity;
+  floe.pressure = {};
+  if (laws.ventilation) {
+    const hydrodynamics::SunkTop top = hydrodynamics::sunk_top(floe.prism, pose, water_.density);
+    floe.ran_in = hydrodynamics::ran_in_after(floe.ran_in, top, dt);
+    floe.flooded = hydrodynamics::flooded_share(floe.ran_in, top);
+    const double dry = 1.0 - floe.flooded;
+    floe.pressure = {-dry * top.pressure.force, -dry * top.pressure.moment};
+  }
+  take_added_mass(world, body, floe, *case_, floe.stream);
+  world.set_stream(body, floe.stream);
+  if (flow_)
+    floe.pressure.force += force_of(flow.acceleration, floe, pose, water_.density * displaced(floe, pose).volume);
+}
+
+hydrodynamics::Water FloeWater::around(const Floe& floe) const {
   hydrodynamics::Water water = water_;
-  const Vec3 origin{structure.pose.position.x, structure.pose.position.y, 0.0};
-  if (flow_) water.current += flow_->at(position - origin, plan(structure.twist.linear - water_.current));
+  water.current = floe.stream;
   return water;
+}
+
+void FloeWater::apply_to(rigid_body::World& world, BodyId body, Floe& floe, double dt,
+                         const hydrodynamics::Drag& drag) const {
+  const Pose pose = world.pose(body);
+  const hydrodynamics::StepInertia step{.dt = dt,
+                                        .mass = floe.inertia.mass,
+                                        .inertia = floe.inertia.inertia,
+                                        .weight = floe.weight,
+                                        .added_across = floe.inertia.added_across};
+  const hydrodynamics::WaterLoad load = hydrodynamics::water_load(pose, world.twist(body), around(floe), step,
+                                                                  displaced(floe, pose), drag, floe.pressure);
+  Wrench wrench{{0.0, 0.0, -floe.weight}, {}};
+  wrench += load.buoyancy;
+  wrench += load.drag;
+  wrench += load.skin_friction;
+  wrench += floe.pressure;
+  world.apply(body, wrench);
+  floe.drag = load.drag;
+  floe.skin_friction = load.skin_friction;
 }
 
 void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure) {
   due_.clear();
   for (const BodyId body : world.moving()) {
     Floe& floe = floes.at(body);
-    take_added_mass(world, body, floe, *case_);
+    meet(world, body, floe, dt, structure);
     const Pose pose = world.pose(body);
-    const hydrodynamics::Water water = at(pose.position, structure);
     if (displaced(floe, pose).volume <= 0.0) {
       floe.kept_drag = {};
-      apply_to(world, body, floe, dt, water, {});
+      apply_to(world, body, floe, dt, {});
     } else if (const auto drag = floe.kept_drag.follow(
-                   floe.inertia, hydrodynamics::against_water(pose, world.twist(body), water), dt)) {
-      apply_to(world, body, floe, dt, water, *drag);
+                   floe.inertia, hydrodynamics::against_water(pose, world.twist(body), around(floe)), dt)) {
+      apply_to(world, body, floe, dt, *drag);
     } else {
       due_.push_back(body);
     }
   }
-  renew_drag(world, floes, dt, structure);
+  renew_drag(world, floes, dt);
 }
 
-void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, double dt,
-                           const structure::State& structure) {
+void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, double dt) {
   const double travel = case_->hydrodynamics.drag_travel * case_->ice.thickness;
   const auto renew = [&](BodyId body, std::span<const Solid> neighbours) {
     Floe& floe = floes.at(body);
     const Pose pose = world.pose(body);
     const Twist twist = world.twist(body);
-    const hydrodynamics::Water water = at(pose.position, structure);
+    const hydrodynamics::Water water = around(floe);
     floe.kept_drag = {hydrodynamics::drag(floe.prism, pose, twist, water, neighbours, displaced(floe, pose)),
                       hydrodynamics::against_water(pose, twist, water), travel};
-    apply_to(world, body, floe, dt, water, floe.kept_drag.drag);
+    apply_to(world, body, floe, dt, floe.kept_drag.drag);
   };
   if (water_.shading_gap > 0.0)
     world.visit_neighbours(due_, reach(), renew);

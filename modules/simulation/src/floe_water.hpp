@@ -11,7 +11,7 @@
 
 namespace brash::simulation {
 
-/// Water on floes: weight, buoyancy and drag (Eqs. 13, 14).
+/// Water on floes: weight, buoyancy, drag (Eqs. 13, 14), added mass, air on their tops and the structure's flow.
 class FloeWater {
  public:
   explicit FloeWater(const model::Case& resolved);
@@ -24,14 +24,25 @@ class FloeWater {
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
 
  private:
-  /// The water that a floe at `position` meets.
-  hydrodynamics::Water at(Vec3 position, const structure::State& structure) const;
+  /// The structure's flow as a floe meets it.
+  struct Flow {
+    Vec3 velocity{};      ///< [m/s]
+    Vec3 acceleration{};  ///< Du/Dt [m/s2]
+  };
+  Flow flow_at(Vec3 position, const structure::State& structure) const;
+  /// The water around each moving floe, its added mass and the air on its top, at the start of a step of `dt` [s].
+  void meet(rigid_body::World& world, BodyId body, Floe& floe, double dt, const structure::State& structure) const;
+  /// The water that a floe meets.
+  hydrodynamics::Water around(const Floe& floe) const;
+  /// Applies weight and the load of the water to a floe that has `drag` at its velocity.
+  void apply_to(rigid_body::World& world, BodyId body, Floe& floe, double dt, const hydrodynamics::Drag& drag) const;
   /// Computes the drag of the floes `due_`, whose neighbours are sought together.
-  void renew_drag(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure);
+  void renew_drag(rigid_body::World& world, FloePopulation& floes, double dt);
 
   const model::Case* case_;
   hydrodynamics::Water water_;
   std::optional<hydrodynamics::StructureFlow> flow_;
+  Pose ellipsoid_;           ///< of the flow, hull's frame
   std::vector<BodyId> due_;  ///< floes whose drag is to be computed
 };
 

@@ -13,7 +13,8 @@ constexpr double kTurn = 10.0;
 /// a . M b, both in the body frame [J].
 double inner(const rigid_body::MassProperties& m, const Twist& a, const Twist& b) {
   const Vec3 v = a.angular, w = b.angular;
-  return m.mass * dot(a.linear, b.linear) + m.inertia.x * v.x * w.x + m.inertia.y * v.y * w.y + m.inertia.z * v.z * w.z;
+  return m.mass * dot(a.linear, b.linear) + m.added_across * a.linear.z * b.linear.z + m.inertia.x * v.x * w.x +
+         m.inertia.y * v.y * w.y + m.inertia.z * v.z * w.z;
 }
 
 }  // namespace

@@ -24,6 +24,14 @@ struct KeptDrag {
     visit("drag_squares_", "kg m2 s-1", "their second moments xx, yy, zz", form.squares);
     visit("drag_products_", "kg m2 s-1", "their second moments yz, zx, xy", form.products);
     visit("drag_rotation", "kg m2 s-1", "damper of its rotation", form.rotation);
+    visit("drag_normal_squares_", "kg s-1", "its dampers along normals, moments xx, yy, zz of the normals",
+          form.normal.squares);
+    visit("drag_normal_products_", "kg s-1", "their moments yz, zx, xy of the normals", form.normal.products);
+    visit("drag_with_x_", "kg m s-1", "their moments of normal x and arm", form.normal.with_x);
+    visit("drag_with_y_", "kg m s-1", "their moments of normal y and arm", form.normal.with_y);
+    visit("drag_with_z_", "kg m s-1", "their moments of normal z and arm", form.normal.with_z);
+    visit("drag_turning_squares_", "kg m2 s-1", "their moments xx, yy, zz of the arms", form.normal.turning_squares);
+    visit("drag_turning_products_", "kg m2 s-1", "their moments yz, zx, xy of the arms", form.normal.turning_products);
     visit("drag_skin_force_", "N", "skin friction, body frame", skin.force);
     visit("drag_skin_moment_", "N m", "its moment", skin.moment);
     visit("drag_skin_power", "W", "its power", skin_power);

@@ -15,6 +15,7 @@ using namespace brash::test;
 using hydrodynamics::Displacement;
 using hydrodynamics::Drag;
 using hydrodynamics::DragLaw;
+using hydrodynamics::FormDragAlong;
 using hydrodynamics::StepInertia;
 using hydrodynamics::Water;
 using hydrodynamics::water_load;
@@ -66,6 +67,23 @@ BOOST_AUTO_TEST_CASE(form_drag_of_a_box_is_equation_13_with_the_leading_faces_on
     BOOST_CHECK_SMALL(norm(load.drag.force - expected), 1e-12 * norm(expected));  // rounding
     if (law == DragLaw::kPaper) BOOST_CHECK_SMALL(norm(load.drag.moment), 1e-12 * norm(expected));
   }
+}
+
+BOOST_AUTO_TEST_CASE(pressure_on_the_faces_of_a_box_acts_along_their_normals_with_the_normal_velocity) {
+  Water water = without_skin_friction();
+  water.form_drag = 0.8;
+  water.form_drag_along = FormDragAlong::kNormal;
+  const double scale = 0.5 * 0.8 * water.density;
+  // Fully submerged, moving askew: the faces +x, -y and +z lead.
+  const WaterLoad load = water_load(box(3.0, 2.0, 0.5), kDeep, {{1.5, -0.7, 0.2}, {}}, water);
+  const Vec3 expected = scale * Vec3{-1.0 * 1.5 * 1.5, 1.5 * 0.7 * 0.7, -6.0 * 0.2 * 0.2};
+  BOOST_CHECK_SMALL(norm(load.drag.force - expected), 1e-12 * norm(expected));  // rounding
+  BOOST_CHECK_SMALL(norm(load.drag.moment), 1e-12 * norm(expected));
+
+  // A plate that turns about its middle, 3 m long: each half leads with one face, on L^4 / 32 in all.
+  const double spin = 0.7;
+  const WaterLoad turning = water_load(box(3.0, 2.0, 1e-5), kDeep, {{}, {0.0, spin, 0.0}}, water);
+  BOOST_CHECK_CLOSE_FRACTION(turning.drag.moment.y, -scale * spin * spin * 2.0 * 81.0 / 32.0, 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(the_drag_of_a_floating_box_counts_its_draft_and_acts_at_the_centre_of_buoyancy) {

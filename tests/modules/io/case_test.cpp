@@ -74,9 +74,18 @@ BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
   BOOST_TEST((brash_.failure.pieces == model::Pieces::kBreak));
   BOOST_TEST(brash_.failure.second_order);
   BOOST_TEST(!read_case(kValidation, {"algorithm.preset=brash", "failure.second_order=false"}).failure.second_order);
-  const std::vector<std::string> left{"failure.order",       "failure.second_order", "failure.under_floes",
-                                      "failure.joint_loads", "failure.edge",         "failure.judged",
-                                      "failure.pattern",     "failure.pieces"};
+  const std::vector<std::string> left{"failure.order",
+                                      "failure.second_order",
+                                      "failure.under_floes",
+                                      "failure.joint_loads",
+                                      "failure.edge",
+                                      "failure.judged",
+                                      "failure.pattern",
+                                      "failure.pieces",
+                                      "hydrodynamics.form_drag_along",
+                                      "hydrodynamics.added_mass_law",
+                                      "hydrodynamics.ventilation",
+                                      "hydrodynamics.structure_flow"};
   BOOST_TEST(keys_set_by_preset(kValidation, {"failure.model=plate"}) == left);
 }
 
@@ -88,6 +97,25 @@ BOOST_AUTO_TEST_CASE(a_default_that_the_failure_model_does_not_take_is_left_out)
   BOOST_TEST((wedge.failure.pattern == model::CrackPattern::kDisc));
   BOOST_TEST((wedge.failure.order == CrackOrder::kCircumferentialFirst));
   BOOST_CHECK_THROW(read_case(kValidation, {"failure.model=wedge", "failure.second_order=true"}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(the_preset_brash_takes_the_laws_of_the_water_that_the_other_keys_take) {
+  const auto water_of = [](std::vector<std::string> keys) {
+    keys.emplace_back("algorithm.preset=brash");
+    return read_case(kValidation, keys).hydrodynamics;
+  };
+  const HydrodynamicsSection all = water_of({});
+  BOOST_TEST((all.added_mass_law == AddedMassLaw::kPlate && all.form_drag_along == FormDragAlong::kNormal));
+  BOOST_TEST((all.ventilation && all.structure_flow));
+  const HydrodynamicsSection paper = read_case(kValidation).hydrodynamics;
+  BOOST_TEST((paper.added_mass_law == AddedMassLaw::kIsotropic && paper.form_drag_along == FormDragAlong::kVelocity));
+  BOOST_TEST((!paper.ventilation && !paper.structure_flow));
+
+  BOOST_TEST((water_of({"hydrodynamics.drag=paper"}).form_drag_along == FormDragAlong::kVelocity));
+  BOOST_TEST((water_of({"hydrodynamics.added_mass=0.7"}).added_mass_law == AddedMassLaw::kIsotropic));
+  BOOST_TEST((water_of({"contact.engine=bullet"}).added_mass_law == AddedMassLaw::kIsotropic));
+  BOOST_CHECK_THROW(water_of({"hydrodynamics.drag=paper", "hydrodynamics.form_drag_along=normal"}), InputError);
+  BOOST_CHECK_THROW(water_of({"contact.engine=bullet", "hydrodynamics.added_mass_law=plate"}), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(the_resolved_text_reads_back_to_the_same_case) {
@@ -117,6 +145,7 @@ BOOST_AUTO_TEST_CASE(the_template_is_a_case_with_every_key) {
   // The paper's preset there, the default here.
   validation.algorithm = c.algorithm;
   validation.failure = c.failure;
+  validation.hydrodynamics = c.hydrodynamics;
   BOOST_TEST((c == validation));
   // Every key of the resolved text is in the template too.
   const std::string text = case_template();
@@ -265,6 +294,8 @@ BOOST_AUTO_TEST_CASE(the_schema_and_the_model_name_the_same_choices) {
   BOOST_TEST(names_in_schema("contact", "area") == names_in_model<ContactArea>());
   BOOST_TEST(names_in_schema("contact", "engine") == names_in_model<ContactEngine>());
   BOOST_TEST(names_in_schema("hydrodynamics", "drag") == names_in_model<DragLaw>());
+  BOOST_TEST(names_in_schema("hydrodynamics", "form_drag_along") == names_in_model<FormDragAlong>());
+  BOOST_TEST(names_in_schema("hydrodynamics", "added_mass_law") == names_in_model<AddedMassLaw>());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

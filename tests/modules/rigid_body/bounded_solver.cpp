@@ -176,6 +176,34 @@ BOOST_AUTO_TEST_CASE(impulses_change_turned_bodies_of_three_moments_as_newton_an
   }
 }
 
+BOOST_AUTO_TEST_CASE(impulses_change_a_body_with_more_mass_along_an_axis_as_newton_says) {
+  constexpr double kMass = 3.0, kAcross = 12.0;
+  const Vec3 axis = normalized(Vec3{0.3, -0.5, 0.9});
+  SolverBody plate = ball({0, 0, 0}, {{1.0, 0.2, 0.1}, {0.3, -0.2, 0.5}}, kMass);
+  plate.normal = axis;
+  plate.stretch = std::sqrt(kMass / kAcross) - 1.0;
+  const SolverBody other = ball({2, 0, 0}, {{-0.5, 0.0, -0.3}, {-0.4, 0.1, 0.2}}, 2.0);
+  const Vec3 normal = normalized(Vec3{-1.0, 0.2, 0.1});
+  const std::vector<PatchPoint> points{{{1.0, 0.3, 0.2}, 1.0}, {{1.1, -0.4, 0.3}, 1.0}, {{0.9, 0.1, -0.5}, 1.0}};
+  BoundedSolver solver;
+  const std::uint32_t number[] = {solver.add(plate), solver.add(other)};
+  solver.add({.first = number[0], .second = number[1], .normal = normal, .friction = 0.3, .crushing_impulse = kAny},
+             points);
+  solver.solve(200, 0.0);
+  Vec3 impulse{};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const PointImpulse p = solver.impulse(k);
+    impulse += p.normal * normal + p.friction;
+    const Twist &a = solver.twist(number[0]), &b = solver.twist(number[1]);
+    const Vec3 apart = velocity_at(a, points[k].position) - velocity_at(b, points[k].position - other.position);
+    if (p.normal > 0.0) BOOST_TEST(std::abs(dot(normal, apart)) < 1e-9);  // converged
+  }
+  const Vec3 gained = solver.twist(number[0]).linear - plate.twist.linear;
+  BOOST_TEST(norm(impulse) > 0.1);
+  BOOST_TEST(norm(kMass * gained + (kAcross - kMass) * dot(axis, gained) * axis - impulse) < 1e-13);
+  BOOST_TEST(norm(2.0 * (solver.twist(number[1]).linear - other.twist.linear) + impulse) < 1e-13);
+}
+
 BOOST_AUTO_TEST_CASE(a_point_bears_its_area_times_the_crushing_impulse_at_most) {
   BoundedSolver solver;
   const std::uint32_t a = solver.add(ball({0, 0, 0}, {{1.0, 0, 0}, {}}, 3.0));

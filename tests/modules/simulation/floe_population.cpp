@@ -67,7 +67,8 @@ struct Motion {
 Motion motion_of(const Pool& pool) {
   Motion sum{.potential = pool.floes.potential_energy(pool.world)};
   for (const auto& [body, floe] : pool.floes.floes()) {
-    const auto& [mass, inertia] = floe.inertia;
+    const double mass = floe.inertia.mass;
+    const Vec3 inertia = floe.inertia.inertia;
     const Pose pose = pool.world.pose(body);
     const Twist twist = pool.world.twist(body);
     const Vec3 spin = rotate(conjugate(pose.rotation), twist.angular);

@@ -48,6 +48,33 @@ const auto kExact = boost::test_tools::tolerance(1e-12);
 
 BOOST_AUTO_TEST_SUITE(hull)
 
+BOOST_AUTO_TEST_CASE(the_fitted_ellipsoid_has_the_waterline_and_the_volume_of_the_hull) {
+  // A box of 4 m by 2 m: the ellipse has its area, and axes of the same ratio.
+  const structure::HalfEllipsoid fitted = structure::fitted_ellipsoid(box());
+  const auto& [x, y, z] = fitted.semi_axes;
+  BOOST_TEST(kPi * x * y == 8.0, kExact);
+  BOOST_TEST(x / y == 2.0, kExact);
+  BOOST_TEST(2.0 / 3.0 * kPi * x * y * z == 8.0, kExact);
+  BOOST_TEST(fitted.heading == 0.0);
+
+  // Turned by 30 degrees beside its origin.
+  const double c = std::cos(radians(30)), s = std::sin(radians(30));
+  std::vector<Vec3> lower, upper;
+  for (const Vec2 v : {Vec2{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}) {
+    lower.push_back({3.0 + c * v.x - s * v.y, -1.0 + s * v.x + c * v.y, -1.0});
+    upper.push_back({lower.back().x, lower.back().y, 2.0});
+  }
+  const structure::HalfEllipsoid turned = structure::fitted_ellipsoid(structure::Frustum(lower, upper));
+  BOOST_TEST(turned.heading == radians(30), kExact);
+  BOOST_TEST(norm(turned.centre - Vec2{3.0, -1.0}) < 1e-12);
+  BOOST_TEST(turned.semi_axes.x == x, kExact);
+
+  // The cone's is round, with its radius.
+  const auto cone = structure::fitted_ellipsoid(*structure::make_hull(kPaperCone));
+  BOOST_TEST(cone.semi_axes.x == 6.8, kExact);
+  BOOST_TEST(cone.semi_axes.y == 6.8, kExact);
+}
+
 BOOST_AUTO_TEST_CASE(the_papers_cone_has_the_keel_and_top_widths_of_its_slope) {
   // Table 1: 5.68 m below and 3.40 m above the waterplane at 61.4 deg; both widths rounded to the centimetre.
   const auto hull = structure::make_hull(kPaperCone);

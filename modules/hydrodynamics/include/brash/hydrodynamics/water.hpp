@@ -12,6 +12,7 @@
 namespace brash::hydrodynamics {
 
 using model::DragLaw;
+using model::FormDragAlong;
 
 /// The water: free surface at z = 0.
 struct Water {
@@ -23,6 +24,7 @@ struct Water {
   double skin_friction = 0.005;  ///< along wetted faces [-]
   /// Gap to a neighbour at which half of the free stream reaches a face, kSurface only [m]; 0: nothing is shaded.
   double shading_gap = 0.0;
+  FormDragAlong form_drag_along = FormDragAlong::kVelocity;  ///< kNormal: kSurface only
 };
 
 /// Beyond this multiple of Water::shading_gap a neighbour shades nothing.
@@ -66,6 +68,7 @@ struct Drag {
 /// DragLaw::kSurface: on each element dA of the wetted surface, with the velocity u relative to the water there,
 ///   df_drag = -0.5 C_d rho_w (1 - s) max(0, n . u) u dA     Eq. 13 for the element
 ///   df_skin = -0.5 C_f rho_w (1 - s) |u_t| u_t dA           u_t along the element
+/// With FormDragAlong::kNormal the form drag is a pressure, with (n . u) n in place of u.
 /// s is the share of the element's water that neighbours hold: a probe, `shading_gap` out along the normal, that is
 /// deeper in a neighbour than half the gap counts 1, one that is as far out of it 0, linear between.
 ///
@@ -81,7 +84,7 @@ struct Drag {
 ///
 /// @param neighbours  convex bodies near the floe that may shade it, world frame.
 /// @param wet  displacement(prism, pose).
-/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8).
+/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8), (H15).
 Drag drag(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
           std::span<const Solid> neighbours, const Displacement& wet);
 
@@ -97,9 +100,10 @@ struct WaterLoad {
 ///
 /// @param wet  displacement of the floe in `pose`.
 /// @param drag  at the velocity of the start of the step.
+/// @param besides  other loads of the step that the drag's velocity is to heed; not part of the result. World axes.
 /// @see docs/theory/hydrodynamics.md, (H9).
 WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, const StepInertia& step,
-                     const Displacement& wet, const Drag& drag);
+                     const Displacement& wet, const Drag& drag, const Wrench& besides = {});
 
 /// Likewise with the drag of the start of the step.
 inline WaterLoad water_load(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,

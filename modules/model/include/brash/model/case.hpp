@@ -104,10 +104,13 @@ struct HydrodynamicsSection {
   double shading_gap = 0.5;  ///< in ice thicknesses
   double drag_travel = 0.1;  ///< a floe's drag coefficients are kept for that way, in ice thicknesses
   double form_drag = 1.0;
+  FormDragAlong form_drag_along = FormDragAlong::kNormal;
   double rotational_drag = 1.0;
   double skin_friction = 0.005;
-  double added_mass = 0.5;
-  bool structure_flow = false;  ///< the water gives way to the structure
+  AddedMassLaw added_mass_law = AddedMassLaw::kPlate;
+  double added_mass = 0.5;     ///< of kIsotropic, in masses of the floe
+  bool ventilation = true;     ///< the top of a floe stays dry until water has run in over its edge
+  bool structure_flow = true;  ///< the water gives way to the structure
 
   friend bool operator==(const HydrodynamicsSection&, const HydrodynamicsSection&) = default;
 };

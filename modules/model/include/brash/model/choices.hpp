@@ -63,6 +63,16 @@ enum class DragLaw {
   kSurface,  ///< on each element of the wetted surface; the same law brakes rotation
   kPaper     ///< at the centre of buoyancy for the whole floe; Eq. 14 brakes rotation
 };
+/// [hydrodynamics] form_drag_along: the direction of the form drag on a face.
+enum class FormDragAlong {
+  kVelocity,  ///< of the face against the water, as in Eq. 13
+  kNormal     ///< of the face: a pressure, by the normal velocity
+};
+/// [hydrodynamics] added_mass_law: the water that moves with a floe.
+enum class AddedMassLaw {
+  kIsotropic,  ///< a share of the floe's mass in every direction, Eq. 12
+  kPlate       ///< of a plate in potential flow: by direction, on its wet faces
+};
 
 /// One value of a choice and its name.
 template <typename Choice>
@@ -120,6 +130,12 @@ inline constexpr auto kNames<ContactEngine> = std::to_array<Named<ContactEngine>
 template <>
 inline constexpr auto kNames<DragLaw> = std::to_array<Named<DragLaw>>({{DragLaw::kSurface, "surface"},
                                                                        {DragLaw::kPaper, "paper"}});
+template <>
+inline constexpr auto kNames<FormDragAlong> =
+    std::to_array<Named<FormDragAlong>>({{FormDragAlong::kVelocity, "velocity"}, {FormDragAlong::kNormal, "normal"}});
+template <>
+inline constexpr auto kNames<AddedMassLaw> =
+    std::to_array<Named<AddedMassLaw>>({{AddedMassLaw::kIsotropic, "isotropic"}, {AddedMassLaw::kPlate, "plate"}});
 
 template <typename T>
 concept Choice = std::is_enum_v<T> &&(kNames<T>.size() > 0);

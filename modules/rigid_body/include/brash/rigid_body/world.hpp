@@ -50,10 +50,26 @@ struct WorldSettings {
 };
 
 /// Inertia of a floe about its centre of mass in its principal axes.
+/// With MassProperties::added_across the engine is kBrash.
 struct MassProperties {
   double mass = 0.0;  ///< [kg]
   Vec3 inertia{};     ///< principal moments [kg m2]
+  /// Mass along the body's z axis beyond `mass` [kg], >= 0: of water that moves with a plate along its normal.
+  double added_across = 0.0;
 };
+
+/// Momentum of a body in `pose` that moves at `velocity`, world frame [N s] (docs/theory/dynamics.md, (M1)).
+constexpr Vec3 momentum(const MassProperties& mass, const Pose& pose, Vec3 velocity) {
+  const Vec3 n = rotate(pose.rotation, {0.0, 0.0, 1.0});
+  return mass.mass * velocity + mass.added_across * dot(n, velocity) * n;
+}
+
+/// The velocity at which a body has `momentum`, world frame [m/s].
+constexpr Vec3 velocity_of(const MassProperties& mass, const Pose& pose, Vec3 momentum) {
+  const Vec3 n = rotate(pose.rotation, {0.0, 0.0, 1.0});
+  const double across = mass.added_across / (mass.mass + mass.added_across);
+  return (1.0 / mass.mass) * (momentum - across * dot(n, momentum) * n);
+}
 
 /// Mass properties of the prism at uniform density, times (1 + added_mass) as inertia of the floe (Eq. 12).
 MassProperties mass_properties(const Prism& prism, double density, double added_mass);
@@ -205,6 +221,9 @@ class World {
   void move_structure(BodyId id, const Pose& pose, const Twist& twist);
   /// Adds a force and a moment about the centre of mass for the next step only.
   void apply(BodyId id, const Wrench& wrench);
+  /// Sets the velocity of the water around a body [m/s], until the next call: MassProperties::added_across has its
+  /// momentum against it.
+  void set_stream(BodyId id, Vec3 velocity);
   /// Adds a contact for the next step only; reported with the others, by `body` and `other` as given. Between bodies
   /// that nothing moves it bears its bound while they close up. Engine::kBrash only.
   void add_contact(const GivenContact& contact);
@@ -234,11 +253,15 @@ class World {
   Twist twist(BodyId id) const;
   /// Mean of the velocities at the start and the end of the last step; at rest before the first.
   Twist mean_twist(BodyId id) const;
+  /// The velocity at the start of the last step; at rest before the first.
+  Twist start_twist(BodyId id) const;
   void set_state(BodyId id, const Pose& pose, const Twist& twist);
   /// Changes the mass of a body that the step moves, between two steps. Its velocity becomes that of `twist`.
   void set_mass(BodyId id, const MassProperties& mass, const Twist& twist);
   /// A floe's velocity after the loads of the last step alone, before contacts; at rest before the first.
   Twist loaded_twist(BodyId id) const;
+  /// Kinetic energy that the stream gave a body in the last step, because the body turned (M3) [J]; 0 in water at rest.
+  double gained_by_turning(BodyId id) const;
   /// Kinetic energy of all floes, added mass included [J].
   double kinetic_energy() const;
   /// Kinetic energy of one floe, added mass included [J].

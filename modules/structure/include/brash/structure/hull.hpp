@@ -95,6 +95,16 @@ struct Foremost {
 /// @param course  direction in plan, of any length; the hull meets the ice somewhere.
 Foremost foremost(const Hull& hull, const Pose& pose, double bottom, double top, Vec2 course);
 
+/// Half an ellipsoid below the waterplane, in place of a hull under water.
+struct HalfEllipsoid {
+  Vec3 semi_axes{};      ///< along its own x and y, and downwards [m]
+  Vec2 centre{};         ///< hull's frame [m]
+  double heading = 0.0;  ///< of its x axis, hull's frame [rad]
+};
+/// The half ellipsoid with a hull's displaced volume, its waterplane's area and the ratio of that area's principal
+/// second moments. The hull lies as its frame says, in the water.
+HalfEllipsoid fitted_ellipsoid(const Hull& hull);
+
 /// The hull of a shape.
 std::unique_ptr<const Hull> make_hull(const model::Shape& shape);
 
