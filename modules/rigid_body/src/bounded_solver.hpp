@@ -65,8 +65,8 @@ struct PointImpulse {
 /// the order in which they were added, and starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)).
 /// There is no warm start: the result is a function of the added bodies, contacts and joints.
 ///
-/// Contacts obey Moreau's impact law with one coefficient of restitution e (docs/theory/dynamics.md, (C5)). So they never
-/// gain energy, if e is at most 1 (docs/theory/dynamics.md, (C6)).
+/// Contacts obey Moreau's impact law with one coefficient of restitution e (docs/theory/dynamics.md, (C5)). So they
+/// never gain energy, if e is at most 1 (docs/theory/dynamics.md, (C6)).
 class BoundedSolver {
  public:
   /// A body that never moves, known from the start.
