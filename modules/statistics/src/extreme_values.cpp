@@ -13,7 +13,7 @@ namespace brash::statistics {
 namespace {
 
 constexpr double kBlockInMemories = 20.0;  // autocorrelation times in a block
-constexpr double kBlockInCycles = 5.0;     // load cycles in a block
+constexpr double kBlockInCycles = 5.0;     // fewest load cycles in a block
 constexpr std::size_t kMostOver = 40;      // peaks over the threshold of a short record
 constexpr double kShareOver = 0.1;         // of the peaks of a long record
 
@@ -43,6 +43,13 @@ double threshold_of(std::vector<double> peaks) {
   const auto at = peaks.begin() + static_cast<std::ptrdiff_t>(n - over - (over < n ? 1 : 0));
   std::ranges::nth_element(peaks, at);
   return *at;
+}
+
+/// Blocks grow with the record, so that their maxima come nearer to the laws of extremes as their number grows.
+double default_block(const ExtremeValues& values, double memory) {
+  if (!std::isfinite(values.cycle)) return kBlockInMemories * memory;
+  const double growing = 0.25 * std::pow(static_cast<double>(values.n_events), 2.0 / 3.0);
+  return std::max(kBlockInMemories * memory, std::max(kBlockInCycles, growing) * values.cycle);
 }
 
 /// Peaks of events over the threshold; the largest of those that follow each other within `separation`.
@@ -108,9 +115,7 @@ ExtremeValues extreme_values(const std::vector<ExtremeRecord>& records, const Ex
   values.cycle = values.n_events < 2 ? INFINITY : values.duration / static_cast<double>(values.n_events);
   values.separation = 2.0 * memory;
   values.threshold = settings.threshold.value_or(threshold_of(values.peaks));
-  const double known_cycle = std::isfinite(values.cycle) ? values.cycle : 0.0;
-  values.block =
-      settings.block > 0.0 ? settings.block : std::max(kBlockInMemories * memory, kBlockInCycles * known_cycle);
+  values.block = settings.block > 0.0 ? settings.block : default_block(values, memory);
   for (std::size_t i = 0; i < records.size(); ++i) {
     add_over(events[i], values);
     add_maxima(records[i], values);

@@ -13,8 +13,8 @@ namespace brash::statistics {
 
 /// How to look for extremes; 0 and absent take the default.
 struct ExtremeSettings {
-  double return_period = 3600.0;    ///< [s]
-  double block = 0.0;               ///< of block maxima [s]; 0: twenty autocorrelation times and five load cycles
+  double return_period = 3600.0;  ///< [s]
+  double block = 0.0;  ///< of block maxima [s]; 0: twenty autocorrelation times and five load cycles at least
   std::optional<double> threshold;  ///< of Pareto's peaks, unit of the load; absent: of the largest tenth, at least 40
   std::optional<double> dead_band;  ///< of load events, in deviations of the load; absent: from the noise floor
   double confidence = 0.95;

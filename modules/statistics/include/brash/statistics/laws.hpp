@@ -57,6 +57,7 @@ tl::expected<LawFit, FitError> fit_law(Law law, std::span<const double> values, 
 /// number of peaks adds in quadrature to the interval of laws of peaks.
 ///
 /// @param exceedance  in (0, 1).
+/// @see docs/theory/statistics.md, (S10).
 /// @return an upper end of infinity when the likelihood does not bound the level.
 Estimate level_with_interval(const LawFit& fit, double exceedance, double confidence = 0.95);
 

@@ -33,6 +33,7 @@ double damage(std::span<const Cycle> cycles, double exponent);
 ///
 /// @param duration   of the history [s], > 0.
 /// @param frequency  of the sinusoid [Hz], > 0; 1 Hz is usual.
+/// @see docs/theory/statistics.md, (S12).
 double damage_equivalent_load(double damage, double exponent, double duration, double frequency = 1.0);
 
 /// Damage of the stretches of a history, each cycle where its range ends; the last stretch takes the remainder.
