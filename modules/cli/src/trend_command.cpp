@@ -5,95 +5,40 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <sstream>
 
 #include "brash/core/error.hpp"
-#include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "messages.hpp"
 #include "stats_commands.hpp"
+#include "text_table.hpp"
 
 namespace brash::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using Row = std::vector<std::string>;
 /// Values of the replicates at each setting, in rising order of the setting.
 using Groups = std::map<double, std::vector<double>>;
 
-Row cells_of(const std::string& line) {
-  Row cells;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t end = std::min(line.find(',', from), line.size());
-    cells.push_back(line.substr(from, end - from));
-    from = end + 1;
-  }
-  return cells;
-}
-
-std::optional<double> number(const std::string& cell) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-/// The table of a campaign's cases.
-struct CaseTable {
-  std::string path;
-  Row names;
-  std::vector<Row> rows;
-
-  std::size_t column(const std::string& name) const {
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end())
-      throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(name)),
-                                 fmt::format("one of: {}", fmt::join(names, ", ")), "name another column"});
-    return static_cast<std::size_t>(found - names.begin());
-  }
-};
-
-CaseTable read_cases(const std::string& given) {
-  CaseTable table;
-  table.path = std::filesystem::is_directory(given) ? given + "/campaign.csv" : given;
-  std::istringstream file(read_text_file(table.path, "the campaign.csv of a campaign that is done"));
-  for (std::string line; std::getline(file, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    Row cells = cells_of(line);
-    if (table.names.empty()) {
-      table.names = std::move(cells);
-    } else if (cells.size() == table.names.size()) {
-      table.rows.push_back(std::move(cells));
-    } else {
-      throw InputError(Complaint{fmt::format("{}:{}", table.path, table.rows.size() + 2),
-                                 fmt::format("{} values in a table of {} columns", cells.size(), table.names.size()),
-                                 "as many values in each line as in the first",
-                                 "run the campaign with `--resume`, which writes the table again"});
-    }
-  }
-  if (table.names.size() < 2)
-    throw InputError(Complaint{table.path, "is no table", "the campaign.csv of a campaign that is done",
-                               "run the campaign with `--resume`, which writes the table again"});
-  return table;
+TextTable read_cases(const std::string& given) {
+  return read_text_table(std::filesystem::is_directory(given) ? given + "/campaign.csv" : given,
+                         "the campaign.csv of a campaign that is done",
+                         "run the campaign with `--resume`, which writes the table again");
 }
 
 /// Rows without a number in either column, such as failed cases, are left out.
-Groups groups_of(const CaseTable& table, const std::string& along, const std::string& of, const std::string& where) {
+Groups groups_of(const TextTable& table, const std::string& along, const std::string& of, const std::string& where) {
   const std::size_t x = table.column(along), y = table.column(of);
   const std::size_t setting = where.empty() ? 0 : table.column("setting");
   Groups groups;
-  for (const Row& row : table.rows) {
+  for (const TextTable::Row& row : table.rows) {
     if (!where.empty() && fnmatch(where.c_str(), row[setting].c_str(), 0) != 0) continue;
-    const auto at = number(row[x]), value = number(row[y]);
+    const auto at = number_in(row[x]), value = number_in(row[y]);
     if (at && value) groups[*at].push_back(*value);
   }
   const bool repeated = std::ranges::all_of(groups, [](const auto& group) { return group.second.size() >= 2; });
@@ -182,7 +127,7 @@ void add_trend_command(CLI::App& app) {
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash trend results/angle_velocity --along structure.angle --where '*_speed-2.0'");
   command->callback([options] {
-    const CaseTable table = read_cases(options->campaign);
+    const TextTable table = read_cases(options->campaign);
     ordered_json trends = ordered_json::array();
     for (const std::string& of : options->of)
       trends.push_back(trend_of(groups_of(table, options->along, of, options->where), of));

@@ -15,6 +15,7 @@ namespace brash::statistics {
 namespace {
 
 constexpr int kResamples = 1000;
+constexpr double kSmall = 1.0 / 3.0;  // of the largest range
 constexpr std::size_t kFewestInTail = 10;
 constexpr std::size_t kMostInTail = 40;  // of a short record; of a long one a tenth
 
@@ -139,14 +140,15 @@ Interval damage_rate_interval(const StretchDamages& stretches, double confidence
 
 double unseen_damage(std::span<const Cycle> cycles, double exponent) {
   BRASH_EXPECTS(exponent >= 1.0, exponent);
-  std::vector<double> ranges;
+  const double largest = cycles.empty() ? 0.0 : std::ranges::max(cycles, {}, &Cycle::range).range;
+  std::vector<double> ranges;  // without the small ones, such as of noise
   for (const Cycle& c : cycles)
-    if (c.count == 1.0) ranges.push_back(c.range);
+    if (c.range > kSmall * largest) ranges.push_back(c.range);
   const std::size_t n = ranges.size();
   const std::size_t over = std::min(n / 2, std::max(n / 10, kMostInTail));
-  if (over < kFewestInTail) return 0.0;
+  if (over < kFewestInTail) return 1.0;
   std::ranges::sort(ranges);
-  const double threshold = ranges[n - over - 1], largest = ranges.back();
+  const double threshold = ranges[n - over - 1];
   const auto fit = fit_law(Law::kPareto, std::span(ranges).last(over), threshold);
   if (!fit) return 0.0;
   Distribution tail = fit->distribution;

@@ -7,7 +7,9 @@
 // straight to a random peak and drops; cycles have a mean length of 1 s. `periods` is the return period in records.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -15,8 +17,11 @@
 #include <vector>
 
 #include "brash/statistics/extreme_analysis.hpp"
+#include "brash/statistics/hypothesis.hpp"
+#include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/rainflow.hpp"
+#include "brash/statistics/summary.hpp"
 
 namespace {
 
@@ -94,31 +99,51 @@ Truth long_run(const Process& process) {
 
 using Tallies = std::map<std::string, Tally>;
 
-void count_extremes(const Process& process, const ExtremeRecord& of, double periods, GoodnessOfFit& goodness,
+void count_extremes(const Process& process, const ExtremeValues& values, double periods, GoodnessOfFit& goodness,
                     Tallies& tallies) {
   ExtremeSettings settings;
-  settings.return_period = periods * of.even->duration;
-  const ExtremeAnalysis analysis = analyse_extremes(extreme_values({of}, settings), settings, goodness);
+  settings.return_period = periods * values.duration;
+  const ExtremeAnalysis analysis = analyse_extremes(values, settings, goodness);
   const double truth = process.peak(1.0 / settings.return_period);  // one cycle a second
-  for (const ExtremeEstimate& e : analysis.estimates)
-    if (e.level) tallies[name_of(e.law)].add(e.level->interval, truth);
+  for (const ExtremeEstimate& e : analysis.estimates) {
+    const bool limited = e.fit && e.law == Law::kPareto && e.fit->distribution.shape <= -0.5;
+    if (e.level) tallies[std::string(name_of(e.law)) + (limited ? " at its limit" : "")].add(e.level->interval, truth);
+  }
   if (analysis.recommended) tallies["recommended"].add(analysis.of(*analysis.recommended).level->interval, truth);
-  if (analysis.recommended)
-    tallies[fmt::format("recommended {}", name_of(*analysis.recommended))].add(
-        analysis.of(*analysis.recommended).level->interval, truth);
 }
 
-void count_fatigue(const History& history, const Truth& truth, double memory, RandomStream& stream, Tallies& tallies) {
+void count_fatigue(const History& history, const Truth& truth, double stretch_time, RandomStream& stream,
+                   Tallies& tallies) {
   const auto cycles = rainflow(history.values);
-  const auto stretch = static_cast<std::size_t>(std::max(20.0 * memory, 5.0) / kStep);
+  const auto stretch = static_cast<std::size_t>(stretch_time / kStep);
   for (const int m : kExponents) {
     const StretchDamages stretches = damage_by_stretch(cycles, m, history.values.size(), stretch);
-    if (stretches.damages.size() < 5) continue;
+    if (stretches.damages.size() < 10) continue;
     const Interval interval = damage_rate_interval(stretches, 0.95, stream);
     const bool warned = unseen_damage(cycles, m) > kMostUnseen;
-    tallies[fmt::format("equivalent load, m = {}, {}", m, warned ? "with warning" : "without warning")].add(
+    tallies[fmt::format("equivalent load m={}{}", m, warned ? " with warning" : "")].add(
         {interval.lower / kStep, interval.upper / kStep}, truth.damage_rate.at(m));
   }
+}
+
+/// One record with the statistics that comparisons need.
+struct Sample {
+  History history;
+  EvenHistory even;
+  Summary load, squares;
+
+  Sample(const Process& process, int cycles, RandomStream& stream)
+      : history(record(process, cycles, stream)), even(make_even(history)), load(summarise(history, even)) {
+    std::vector<double> squared = history.values;
+    for (double& value : squared) value = (value - load.mean) * (value - load.mean);
+    squares = summarise(squared, kStep);
+  }
+};
+
+/// Two records of one process: their ratios are 1.
+void count_comparisons(const Sample& a, const Sample& b, Tallies& tallies) {
+  tallies["ratio of means"].add(compare_ratio(a.load, b.load).interval, 1.0);
+  tallies["ratio of deviations"].add(compare_deviations(a.squares, b.squares).interval, 1.0);
 }
 
 void study(const Process& process, int cycles, int records) {
@@ -128,13 +153,14 @@ void study(const Process& process, int cycles, int records) {
   Tallies others;
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "record", static_cast<std::uint64_t>(cycles));
-    const History history = record(process, cycles, stream);
-    const EvenHistory even = make_even(history);
-    const Summary summary = summarise(history, even);
-    others["mean"].add(summary.mean_95, truth.mean);
-    const ExtremeRecord of{&history, &even, summary.autocorrelation_time};
-    for (const double periods : {4.0, 30.0}) count_extremes(process, of, periods, goodness, by_period[periods]);
-    count_fatigue(history, truth, summary.autocorrelation_time, stream, others);
+    const Sample sample(process, cycles, stream);
+    count_comparisons(sample, Sample(process, cycles, stream), others);
+    others["mean"].add(sample.load.mean_95, truth.mean);
+    others["mean by 20 batches"].add(batch_means_interval(sample.history.values, 20), truth.mean);
+    const ExtremeValues values =
+        extreme_values({{&sample.history, &sample.even, sample.load.autocorrelation_time}}, {});
+    for (const double periods : {4.0, 30.0}) count_extremes(process, values, periods, goodness, by_period[periods]);
+    count_fatigue(sample.history, truth, values.block, stream, others);
   }
   const auto print = [&](double periods, const Tallies& tallies) {
     for (const auto& [name, tally] : tallies)
@@ -150,7 +176,7 @@ void study(const Process& process, int cycles, int records) {
 
 int main(int argc, char** argv) {
   const int records = argc > 1 ? std::atoi(argv[1]) : 5000;
-  const std::vector<int> lengths = argc > 2 ? std::vector<int>{std::atoi(argv[2])} : std::vector<int>{50, 100, 400};
+  const std::vector<int> lengths = argc > 2 ? std::vector<int>{std::atoi(argv[2])} : std::vector<int>{100, 400};
   fmt::print("process,cycles,periods,interval,share,n\n");
   for (const int cycles : lengths)
     for (const Process& process : processes()) study(process, cycles, records);

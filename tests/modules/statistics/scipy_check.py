@@ -112,6 +112,13 @@ class History(unittest.TestCase):
         self.assertGreater(len(up), 20)
         self.assertEqual(self.ours["peaks_between"], [int(a + np.argmax(X[a:b])) for a, b in zip(up, up[1:])])
 
+    def test_low_pass(self):
+        b, a = signal.butter(2, 3.0, fs=1 / DT)
+        once = signal.lfilter(b, a, X, zi=signal.lfilter_zi(b, a) * X[0])[0]
+        self.close(self.ours["low_pass"]["causal"], once)
+        higher = np.arctan(np.tan(np.pi * 3.0 * DT) / (np.sqrt(2) - 1)**0.25) / (np.pi * DT)
+        self.close(self.ours["low_pass"]["zero"], signal.filtfilt(*signal.butter(2, higher, fs=1 / DT), X))
+
     def test_block_maxima(self):
         self.close(self.ours["block_maxima"], X[: len(X) // 77 * 77].reshape(-1, 77).max(axis=1))
 

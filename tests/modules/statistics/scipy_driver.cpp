@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brash/statistics/extremes.hpp"
+#include "brash/statistics/filter.hpp"
 #include "brash/statistics/history.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
@@ -48,6 +49,8 @@ json one_history(const Samples& x, const json& in) {
   out["degrees_of_freedom"] = even.degrees_of_freedom;
   out["autocorrelation"] = autocorrelation(x, 300);
   out["peaks_above"] = of(peaks_above(x, in["threshold"], in["separation"]));
+  for (const auto& [name, phase] : {std::pair("zero", Phase::kZero), std::pair("causal", Phase::kCausal)})
+    out["low_pass"][name] = low_pass(x, in["dt"], 3.0, phase);
   out["peaks_between"] = of(peaks_between_crossings(x, m.mean));
   out["block_maxima"] = block_maxima(x, 77);
   out["mean_interval"] = of(mean_interval(x, 0.9));

@@ -55,7 +55,7 @@ StretchDamages damage_by_stretch(std::span<const Cycle> cycles, double exponent,
 Interval damage_rate_interval(const StretchDamages& stretches, double confidence, RandomStream& stream);
 
 /// Share of the damage in the long run that is done by ranges above the largest one seen, from Pareto's law of the
-/// largest ranges; 1 when that damage has no bound, 0 when there are too few cycles for the law.
+/// largest ranges; 1 when that damage has no bound or there are too few cycles for the law.
 ///
 /// Above kMostUnseen the interval covers less than it says: the record holds too few of the cycles that do the damage.
 double unseen_damage(std::span<const Cycle> cycles, double exponent);
