@@ -91,13 +91,17 @@ void Chart::line(const std::vector<double>& x, const std::vector<double>& y, con
 
 void Chart::band(const std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper,
                  const std::string& colour) {
+  std::vector<double> around = x, values = upper;
+  around.insert(around.end(), x.rbegin(), x.rend());
+  values.insert(values.end(), lower.rbegin(), lower.rend());
+  area(around, values, colour);
+}
+
+void Chart::area(const std::vector<double>& x, const std::vector<double>& y, const std::string& colour) {
   std::string data;
-  const auto add = [&](double at, double value) {
-    if (drawable(at, value))
-      data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", page_x(at), page_y(value));
-  };
-  for (std::size_t i = 0; i < x.size(); ++i) add(x[i], upper[i]);
-  for (std::size_t i = x.size(); i-- > 0;) add(x[i], lower[i]);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (drawable(x[i], y[i]))
+      data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", page_x(x[i]), page_y(y[i]));
   content_ += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\".25\" stroke=\"none\"/>\n", data, colour);
 }
 

@@ -27,6 +27,8 @@ class Chart {
   /// The area between two curves.
   void band(const std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper,
             const std::string& colour);
+  /// The area within an outline.
+  void area(const std::vector<double>& x, const std::vector<double>& y, const std::string& colour);
   /// A dot; left out where it cannot be drawn.
   void point(double x, double y, const std::string& colour, double radius);
   /// A line through the least and the largest value of each stretch of a history, as many as a picture can show.

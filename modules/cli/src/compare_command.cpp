@@ -10,6 +10,7 @@
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
+#include "campaign_histories.hpp"
 #include "history_comparison.hpp"
 #include "messages.hpp"
 #include "stats_commands.hpp"
@@ -23,15 +24,6 @@ struct CompareOptions {
   HistoryChoice of_run, of_measured;
   bool json = false;
 };
-
-double statistics_from(const std::string& summary) {
-  constexpr const char* kAllowed = "the summary.json of a run, with a number `statistics_from`";
-  try {
-    return nlohmann::json::parse(read_json_text(summary, kAllowed)).at("statistics_from").get<double>();
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(Complaint{summary, error.what(), kAllowed, "copy it again, or give --from"});
-  }
-}
 
 /// The history of a run's folder. Its statistics begin at the same time as the statistics of its summary.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
