@@ -24,11 +24,15 @@ constexpr const char* kResume = "run the campaign with `--resume`, which writes 
 
 ordered_json read_settings(const std::string& folder) {
   const std::string path = folder + "/summary.json";
-  try {
-    return ordered_json::parse(read_json_text(path, kSummary)).at("settings");
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(Complaint{path, error.what(), kSummary, kResume});
-  }
+  const auto json = ordered_json::parse(read_json_text(path, kSummary), nullptr, /*allow_exceptions=*/false);
+  const auto is_setting = [](const ordered_json& s) {
+    return s.is_object() && s.contains("setting") && s["setting"].is_string() && s.contains("values") &&
+           s["values"].is_object();
+  };
+  if (!json.is_object() || !json.contains("settings") || !json["settings"].is_array() || json["settings"].empty() ||
+      !std::ranges::all_of(json["settings"], is_setting))
+    throw InputError(Complaint{path, "is no summary of a campaign", kSummary, kResume});
+  return json["settings"];
 }
 
 /// The folders of a setting's replicates, by their numbers.
@@ -66,11 +70,10 @@ bool is_campaign(const std::string& folder) {
 
 double statistics_from(const std::string& summary) {
   constexpr const char* kAllowed = "the summary.json of a run, with a number `statistics_from`";
-  try {
-    return nlohmann::json::parse(read_json_text(summary, kAllowed)).at("statistics_from").get<double>();
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(Complaint{summary, error.what(), kAllowed, "copy it again, or give --from"});
-  }
+  const auto json = nlohmann::json::parse(read_json_text(summary, kAllowed), nullptr, /*allow_exceptions=*/false);
+  if (json.is_object() && json.contains("statistics_from") && json["statistics_from"].is_number())
+    return json["statistics_from"].get<double>();
+  throw InputError(Complaint{summary, "holds no number `statistics_from`", kAllowed, "copy it again, or give --from"});
 }
 
 std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
@@ -81,7 +84,7 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;
   for (const ordered_json& given : read_settings(folder)) {
-    SettingHistories setting{given.value("setting", ""), given.value("values", ordered_json::object()), {}};
+    SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
     names.push_back(setting.name);
     if (!where.empty() && fnmatch(where.c_str(), setting.name.c_str(), 0) != 0) continue;
     for (const fs::path& run : replicates_of(folder, setting.name))

@@ -62,13 +62,7 @@ std::string design_text(const ordered_json& design) {
   std::string text = fmt::format("{}{}\n", design["column"].get<std::string>(), unit);
   for (const ordered_json& state : design["settings"]) text += state_text(state);
   if (design.contains("annual")) text += years_text(design["annual"]);
-  if (design.contains("fatigue")) {
-    for (ordered_json f : design["fatigue"]) {
-      f["stretches"] = 0;  // the settings have told of their stretches
-      f["unseen_damage"] = 0.0;
-      text += fatigue_text(ordered_json::array({f}));
-    }
-  }
+  if (design.contains("fatigue")) text += fatigue_text(design["fatigue"]);
   return text;
 }
 

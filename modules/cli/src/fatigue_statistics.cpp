@@ -86,10 +86,10 @@ std::string fatigue_text(const ordered_json& fatigue) {
                 : fmt::format("95 % interval [{:.6g}, {:.6g}]", f["equivalent_load_95"][0].get<double>(),
                               f["equivalent_load_95"][1].get<double>());
     text += fmt::format(", exponent {:g}, at {:g} Hz\n", f["exponent"].get<double>(), f["frequency"].get<double>());
-    if (f["equivalent_load_95"][0].is_null())
+    if (f["equivalent_load_95"][0].is_null() && f.contains("stretches"))
       text += fmt::format("    note: {} independent stretches are too few for an interval\n",
                           f["stretches"].get<std::size_t>());
-    if (const double unseen = f["unseen_damage"].get<double>(); unseen > kMostUnseen)
+    if (const double unseen = f.value("unseen_damage", 0.0); unseen > kMostUnseen)
       text += fmt::format(
           "    warning: about {:.0f} % of the damage in the long run is from cycles larger than any seen: the interval "
           "is too short\n",

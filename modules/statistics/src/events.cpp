@@ -13,8 +13,6 @@
 namespace brash::statistics {
 namespace {
 
-constexpr double kBandInNoise = 5.0;  // deviations of the noise from the lower to the upper level; wider misses events
-
 /// Median of |z|/sqrt(6) for second differences z of white noise of deviation 1: 0.6745.
 constexpr double kMedianOfNoise = 0.674489750196082;
 
@@ -77,9 +75,16 @@ double noise_floor(const Pieces& pieces) {
   return *middle / (kMedianOfNoise * std::sqrt(6.0));
 }
 
+double noise_band(const History& history, const EvenHistory& even) {
+  constexpr double kInNoise = 5.0;       // fewer deviations of the noise count noise, more miss events
+  constexpr double kInDeviations = 3.0;  // of the load
+  const double deviation = gsl_stats_sd(history.values.data(), 1, history.values.size());
+  return std::min(kInNoise * noise_floor(even.views()), kInDeviations * deviation);
+}
+
 EventLevels event_levels(const History& history, const EvenHistory& even, double level,
                          std::optional<double> dead_band) {
-  const double band = dead_band ? *dead_band : kBandInNoise * noise_floor(even.views());
+  const double band = dead_band ? *dead_band : noise_band(history, even);
   BRASH_EXPECTS(band >= 0.0 && std::isfinite(level), band, level);
   double low = 0.0, high = 0.0;
   gsl_stats_minmax(&low, &high, history.values.data(), 1, history.values.size());

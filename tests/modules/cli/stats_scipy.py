@@ -73,7 +73,7 @@ class Even(unittest.TestCase):
         """Peaks and their samples between a rise above the dead band and a fall below it."""
         x = self.x
         noise = np.median(np.abs(np.diff(x, 2))) / (0.6744897501960817 * np.sqrt(6))
-        level, half = x.mean(), 2.5 * noise
+        level, half = x.mean(), min(2.5 * noise, 1.5 * x.std(ddof=1))
         upper = min(level + half, max(level, 0.5 * (level + x.max())))
         lower = max(level - half, min(level, 0.5 * (level + x.min())))
         peaks, inside, start, end = [], False, None, None

@@ -37,11 +37,15 @@ struct EventLevels {
 /// @see docs/theory/statistics.md, (S8).
 double noise_floor(const Pieces& pieces);
 
-/// Levels around `level` with a dead band that noise alone seldom crosses: five times the noise floor.
+/// Width of the dead band that noise alone seldom crosses: five times the noise floor, three deviations of the load at
+/// most, so that a load that is all noise has events too; unit of the load.
+double noise_band(const History& history, const EvenHistory& even);
+
+/// Levels around `level` with a dead band that noise alone seldom crosses.
 ///
 /// @param history    its extremes bound the band: it ends half-way to the smallest and to the largest sample.
 /// @param level      usually the mean, unit of the load.
-/// @param dead_band  width, unit of the load, >= 0; absent: from the noise floor.
+/// @param dead_band  width, unit of the load, >= 0; absent: noise_band().
 EventLevels event_levels(const History& history, const EvenHistory& even, double level,
                          std::optional<double> dead_band = std::nullopt);
 
