@@ -91,20 +91,48 @@ void Chart::line(const std::vector<double>& x, const std::vector<double>& y, con
 
 void Chart::band(const std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper,
                  const std::string& colour) {
+  std::vector<double> around = x, values = upper;
+  around.insert(around.end(), x.rbegin(), x.rend());
+  values.insert(values.end(), lower.rbegin(), lower.rend());
+  area(around, values, colour);
+}
+
+void Chart::area(const std::vector<double>& x, const std::vector<double>& y, const std::string& colour) {
   std::string data;
-  const auto add = [&](double at, double value) {
-    if (drawable(at, value))
-      data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", page_x(at), page_y(value));
-  };
-  for (std::size_t i = 0; i < x.size(); ++i) add(x[i], upper[i]);
-  for (std::size_t i = x.size(); i-- > 0;) add(x[i], lower[i]);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (drawable(x[i], y[i]))
+      data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", page_x(x[i]), page_y(y[i]));
   content_ += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\".25\" stroke=\"none\"/>\n", data, colour);
 }
 
 void Chart::interval(double value, double lower, double upper, double y, const std::string& colour) {
   line({lower, upper}, {y, y}, colour, 2.0);
+  point(value, y, colour, 4.0);
+}
+
+void Chart::point(double x, double y, const std::string& colour, double radius) {
+  if (!drawable(x, y)) return;
   content_ +=
-      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", page_x(value), page_y(y), colour);
+      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", page_x(x), page_y(y), radius, colour);
+}
+
+void Chart::history(const std::vector<double>& times, const std::vector<double>& values,
+                    const std::vector<std::size_t>& cuts, const std::string& colour) {
+  constexpr std::size_t kMostPoints = 4000;
+  const std::size_t stretch = std::max<std::size_t>(1, 2 * values.size() / kMostPoints);
+  for (std::size_t p = 0; p + 1 < cuts.size(); ++p) {
+    std::vector<double> x, y;
+    for (std::size_t i = cuts[p]; i < cuts[p + 1]; i += stretch) {
+      const std::size_t end = std::min(i + stretch, cuts[p + 1]);
+      const auto [low, high] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                                   values.begin() + static_cast<std::ptrdiff_t>(end));
+      for (const auto at : {std::min(low, high), std::max(low, high)}) {
+        x.push_back(times[static_cast<std::size_t>(at - values.begin())]);
+        y.push_back(*at);
+      }
+    }
+    line(x, y, colour, 0.7);
+  }
 }
 
 void Chart::words(double x, double y, const std::string& text, const std::string& colour) {

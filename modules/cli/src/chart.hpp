@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,14 @@ class Chart {
   /// The area between two curves.
   void band(const std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper,
             const std::string& colour);
+  /// The area within an outline.
+  void area(const std::vector<double>& x, const std::vector<double>& y, const std::string& colour);
+  /// A dot; left out where it cannot be drawn.
+  void point(double x, double y, const std::string& colour, double radius);
+  /// A line through the least and the largest value of each stretch of a history, as many as a picture can show.
+  /// @param cuts  first sample of each piece, and their number: gaps stay open.
+  void history(const std::vector<double>& times, const std::vector<double>& values,
+               const std::vector<std::size_t>& cuts, const std::string& colour);
   /// A point with a horizontal interval at the height y.
   void interval(double value, double lower, double upper, double y, const std::string& colour);
   /// Words that begin at a point of the axes.

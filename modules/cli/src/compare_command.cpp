@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
+#include "campaign_histories.hpp"
 #include "history_comparison.hpp"
 #include "messages.hpp"
 #include "stats_commands.hpp"
@@ -19,26 +22,15 @@ namespace brash::cli {
 namespace {
 
 struct CompareOptions {
-  std::string run, measured, picture = "comparison.svg";
+  std::string run, where, picture = "comparison.svg";
+  std::vector<std::string> measured;
   HistoryChoice of_run, of_measured;
   bool json = false;
 };
 
-double statistics_from(const std::string& summary) {
-  constexpr const char* kAllowed = "the summary.json of a run, with a number `statistics_from`";
-  try {
-    return nlohmann::json::parse(read_json_text(summary, kAllowed)).at("statistics_from").get<double>();
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(Complaint{summary, error.what(), kAllowed, "copy it again, or give --from"});
-  }
-}
-
 /// The history of a run's folder. Its statistics begin at the same time as the statistics of its summary.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
   if (!std::filesystem::is_directory(given)) return given;
-  if (std::filesystem::is_directory(given + "/cases"))
-    throw InputError(Complaint{given, "is the folder of a campaign", "the folder of a run, or a history",
-                               "give a folder in its cases/; output.keep = \"history\" in the plan keeps histories"});
   if (const std::string summary = given + "/summary.json"; !choice.has_from && std::filesystem::exists(summary)) {
     choice.from = statistics_from(summary);
     choice.has_from = true;
@@ -47,6 +39,24 @@ std::string run_history(const std::string& given, HistoryChoice& choice) {
     if (std::filesystem::exists(given + name)) return given + name;
   throw InputError(Complaint{given, "neither run.nc nor history.csv is in it", "the folder of a run, or a history",
                              "give the folder that `brash run` wrote"});
+}
+
+/// The replicates of the one setting of a campaign that `where` leaves.
+std::vector<LoadHistory> replicates(const std::string& campaign, const HistoryChoice& choice,
+                                    const std::string& where) {
+  auto settings = read_campaign_histories(campaign, choice, where);
+  if (settings.size() == 1) return std::move(settings.front().replicates);
+  std::vector<std::string> names;
+  for (const SettingHistories& setting : settings) names.push_back(setting.name);
+  throw InputError(Complaint{campaign, fmt::format("is the folder of a campaign with {} settings", settings.size()),
+                             "one setting", fmt::format("choose one with --where: {}", fmt::join(names, ", "))});
+}
+
+/// The histories of one side: of a file, of a run's folder, of one setting of a campaign.
+std::vector<LoadHistory> side(const std::string& given, HistoryChoice choice, const std::string& where) {
+  if (is_campaign(given)) return replicates(given, choice, where);
+  const std::string file = run_history(given, choice);
+  return {read_history(file, choice)};
 }
 
 /// Numbers in different units are not compared.
@@ -59,26 +69,34 @@ void check_units(const LoadHistory& run, const LoadHistory& measured, const std:
                              "correct the unit in the file, or name another column with --measured-column"});
 }
 
+std::vector<LoadHistory> measurements(const CompareOptions& options) {
+  std::vector<LoadHistory> measured;
+  for (const std::string& given : options.measured) {
+    HistoryChoice choice = options.of_measured;
+    // Another run has the column that is asked for; a measurement may name it otherwise.
+    if (std::filesystem::is_directory(given) && choice.column.empty()) choice.column = options.of_run.column;
+    for (LoadHistory& load : side(given, choice, options.where)) measured.push_back(std::move(load));
+  }
+  return measured;
+}
+
 void compare(CompareOptions& options) {
-  const std::string file = run_history(options.run, options.of_run);
-  const std::string measured_file = run_history(options.measured, options.of_measured);
-  // Another run has the column that is asked for; a measurement may name it otherwise.
-  if (measured_file != options.measured && options.of_measured.column.empty())
-    options.of_measured.column = options.of_run.column;
-  refuse_overwriting(options.picture, {file, measured_file});
-  const LoadHistory run = read_history(file, options.of_run);
-  const LoadHistory measured = read_history(measured_file, options.of_measured);
-  check_units(run, measured, measured_file);
-  const nlohmann::ordered_json comparison = compare_histories(run, measured);
-  write_file(options.picture, comparison_picture(run, measured, comparison));
+  for (const std::string& given : options.measured) refuse_overwriting(options.picture, {options.run, given});
+  const std::vector<LoadHistory> runs = side(options.run, options.of_run, options.where);
+  const std::vector<LoadHistory> measured = measurements(options);
+  for (const LoadHistory& load : runs) refuse_overwriting(options.picture, {load.file});
+  for (const LoadHistory& load : measured) refuse_overwriting(options.picture, {load.file});
+  check_units(runs.front(), measured.front(), measured.front().file);
+  const nlohmann::ordered_json comparison = compare_histories(runs, measured);
+  write_file(options.picture, comparison_picture(joined(runs), joined(measured), comparison));
   if (options.json) {
     print_data(comparison.dump(2) + "\n");
   } else {
     print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
-  if (measured.unit.empty() && measured_file == options.measured)
-    say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.column),
-        run.unit.empty() ? "that of the run" : run.unit);
+  if (measured.front().unit.empty() && !std::filesystem::is_directory(options.measured.front()))
+    say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.front().column),
+        runs.front().unit.empty() ? "that of the run" : runs.front().unit);
 }
 
 }  // namespace
@@ -87,9 +105,10 @@ void add_compare_command(CLI::App& app) {
   auto options = std::make_shared<CompareOptions>();
   options->of_run.column = "Fx";
   CLI::App* command = app.add_subcommand("compare", "A run against a measured history, with intervals and a picture");
-  command->add_option("run", options->run, "folder of a run, its run.nc, or any history")->required();
-  command->add_option("measured", options->measured, "CSV or netCDF file with times, or the folder of another run")
+  command->add_option("run", options->run, "folder of a run or a campaign, its run.nc, or any history")->required();
+  command->add_option("measured", options->measured, "CSV or netCDF files with times, or folders of other runs")
       ->required();
+  command->add_option("--where", options->where, "setting of a campaign, such as 'angle-50deg_*'");
   command->add_option("--column", options->of_run.column, "of the run")->capture_default_str();
   command->add_option("--measured-column", options->of_measured.column,
                       "[the first that is not the time; of a folder, the run's]");

@@ -28,24 +28,10 @@ double smallest_of(const Samples& a, const Samples& b) {
   return std::min(*std::ranges::min_element(a), *std::ranges::min_element(b));
 }
 
-/// Draws least and largest value of each stretch of a history, as many stretches as the picture can show; gaps stay
-/// open.
 void draw_history(const LoadHistory& load, double origin, const char* colour, Chart& chart) {
-  const auto& [times, values] = load.history;
-  const std::size_t stretch = std::max<std::size_t>(1, 2 * values.size() / kMostPoints);
-  for (std::size_t p = 0; p + 1 < load.even.cuts.size(); ++p) {
-    Samples x, y;
-    for (std::size_t i = load.even.cuts[p]; i < load.even.cuts[p + 1]; i += stretch) {
-      const std::size_t end = std::min(i + stretch, load.even.cuts[p + 1]);
-      const auto [low, high] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(i),
-                                                   values.begin() + static_cast<std::ptrdiff_t>(end));
-      for (const auto at : {std::min(low, high), std::max(low, high)}) {
-        x.push_back(times[static_cast<std::size_t>(at - values.begin())] - origin);
-        y.push_back(*at);
-      }
-    }
-    chart.line(x, y, colour, 0.7);
-  }
+  Samples times = load.history.times;
+  for (double& time : times) time -= origin;
+  chart.history(times, load.history.values, load.even.cuts, colour);
 }
 
 std::string histories(const LoadHistory& run, const LoadHistory& measured) {

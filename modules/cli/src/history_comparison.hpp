@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "load_history.hpp"
 
@@ -10,7 +11,17 @@ namespace brash::cli {
 
 /// A run's history against a measured one: mean, deviation, peaks, distribution and spectrum, each with a 95 % interval
 /// or a test. `differs` names the statistics that differ at 5 %, all tests adjusted together by Holm's method.
+/// `could_hide` has the largest relative difference that each interval still holds.
 nlohmann::ordered_json compare_histories(const LoadHistory& run, const LoadHistory& measured);
+
+/// The same of several histories a side, such as the replicates of a campaign. The histories of a side are independent,
+/// so their spread gives the errors, not the correlation within one of them.
+nlohmann::ordered_json compare_histories(const std::vector<LoadHistory>& runs,
+                                         const std::vector<LoadHistory>& measured);
+
+/// Histories one after another with gaps between them.
+/// @throws InputError when their units differ.
+LoadHistory joined(const std::vector<LoadHistory>& loads);
 
 /// The same as text for a reader.
 std::string comparison_text(const nlohmann::ordered_json& comparison);

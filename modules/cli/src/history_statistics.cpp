@@ -4,16 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "brash/core/text.hpp"
 #include "brash/simulation/warnings.hpp"
-#include "brash/statistics/extremes.hpp"
+#include "brash/statistics/events.hpp"
 #include "brash/statistics/moments.hpp"
-#include "brash/statistics/peaks.hpp"
-#include "brash/statistics/quantile.hpp"
 #include "brash/statistics/summary.hpp"
+#include "extreme_statistics.hpp"
+#include "fatigue_statistics.hpp"
 
 namespace brash::cli {
 namespace {
@@ -23,14 +22,14 @@ using Samples = std::vector<double>;
 
 ordered_json interval(const statistics::Interval& i) { return {i.lower, i.upper}; }
 
-/// Peaks between upward crossings of the mean: how many loading events there are and how high.
-ordered_json crossing_peaks(const LoadHistory& load, double mean) {
-  Samples values;
-  for (const auto piece : statistics::raw_pieces(load.history, load.even))
-    for (const statistics::Peak& peak : statistics::peaks_between_crossings(piece, mean)) values.push_back(peak.value);
-  ordered_json out{{"count", values.size()}, {"per_second", static_cast<double>(values.size()) / load.even.duration}};
-  if (values.size() >= 2) {
-    const statistics::Moments m = statistics::moments(values);
+/// How many load events there are and how high.
+ordered_json peaks_json(const statistics::ExtremeValues& v) {
+  ordered_json out{{"count", v.n_events},
+                   {"per_second", static_cast<double>(v.n_events) / v.duration},
+                   {"level", v.mean},
+                   {"dead_band", v.dead_band}};
+  if (v.peaks.size() >= 2) {
+    const statistics::Moments m = statistics::moments(v.peaks);
     out["mean"] = m.mean;
     out["standard_deviation"] = std::sqrt(m.variance);
     out["maximum"] = m.maximum;
@@ -38,56 +37,11 @@ ordered_json crossing_peaks(const LoadHistory& load, double mean) {
   return out;
 }
 
-/// Level of a return period from peaks over a threshold, declustered by twice the autocorrelation time.
-ordered_json peaks_over_threshold(const LoadHistory& load, double tau, const StatisticsSettings& settings) {
-  const double threshold = settings.threshold.value_or(
-      statistics::quantiles(load.history.values, load.even.weights, std::array{0.9}).front());
-  const auto separation = static_cast<std::size_t>(std::max(1.0, std::ceil(2.0 * tau / load.even.sampling.step)));
-  Samples peaks;
-  for (const auto piece : statistics::raw_pieces(load.history, load.even))
-    for (const statistics::Peak& peak : statistics::peaks_above(piece, threshold, separation))
-      peaks.push_back(peak.value);
-  ordered_json out{{"threshold", threshold},
-                   {"separation", separation},
-                   {"peaks", peaks.size()},
-                   {"return_period", settings.return_period}};
-  const auto fit = statistics::fit_generalised_pareto(peaks, threshold);
-  if (!fit) {
-    out["not_fitted"] = fit.error().reason;
-  } else if (static_cast<double>(peaks.size()) * settings.return_period <= load.even.duration) {
-    out["not_fitted"] = "the return period is shorter than the time between peaks";
-  } else {
-    const statistics::Estimate estimate = statistics::return_level(*fit, load.even.duration, settings.return_period);
-    out["scale"] = fit->scale;
-    out["shape"] = fit->shape;
-    out["level"] = estimate.value;
-    out["level_95"] = interval(estimate.interval);
-  }
-  return out;
-}
-
-/// Level of a return period from the maxima of blocks that lie within pieces.
-ordered_json block_maxima(const LoadHistory& load, double tau, const StatisticsSettings& settings) {
-  const double wanted = settings.block > 0.0 ? settings.block : 20.0 * tau;
-  const auto block = static_cast<std::size_t>(std::max(1.0, std::round(wanted / load.even.sampling.step)));
-  Samples maxima;
-  for (const auto piece : statistics::raw_pieces(load.history, load.even))
-    for (const double maximum : statistics::block_maxima(piece, block)) maxima.push_back(maximum);
-  const double seconds = static_cast<double>(block) * load.even.sampling.step;
-  ordered_json out{{"block", seconds}, {"blocks", maxima.size()}, {"return_period", settings.return_period}};
-  const auto fit = statistics::fit_gumbel(maxima);
-  if (!fit) {
-    out["not_fitted"] = fit.error().reason;
-  } else if (settings.return_period <= seconds) {
-    out["not_fitted"] = "the return period is shorter than a block";
-  } else {
-    const statistics::Estimate estimate = statistics::return_level(*fit, settings.return_period / seconds);
-    out["location"] = fit->location;
-    out["scale"] = fit->scale;
-    out["level"] = estimate.value;
-    out["level_95"] = interval(estimate.interval);
-  }
-  return out;
+statistics::ExtremeAnalysis analysed(const LoadHistory& load, double memory,
+                                     const statistics::ExtremeSettings& settings) {
+  statistics::GoodnessOfFit goodness;
+  return statistics::analyse_extremes(statistics::extreme_values({{&load.history, &load.even, memory}}, settings),
+                                      settings, goodness);
 }
 
 /// Where the spectrum is highest.
@@ -134,23 +88,6 @@ std::string sampling_text(const ordered_json& s) {
   return text;
 }
 
-std::string level_text(const char* name, const ordered_json& e, const std::string& from) {
-  if (!e.contains("level")) return fmt::format("    {:<18} unknown: {}\n", name, e["not_fitted"].get<std::string>());
-  return fmt::format("    {:<18} {:.6g}   95 % interval [{:.6g}, {:.6g}], {}\n", name, e["level"].get<double>(),
-                     e["level_95"][0].get<double>(), e["level_95"][1].get<double>(), from);
-}
-
-std::string extremes_text(const ordered_json& s) {
-  const ordered_json &peaks = s["extremes"], &blocks = s["block_maxima"];
-  return fmt::format("  once in {:.6g} s\n", peaks["return_period"].get<double>()) +
-         level_text("peaks (Pareto)", peaks,
-                    fmt::format("{} peaks above {:.6g}", peaks["peaks"].get<std::size_t>(),
-                                peaks["threshold"].get<double>())) +
-         level_text(
-             "blocks (Gumbel)", blocks,
-             fmt::format("{} blocks of {:.4g} s", blocks["blocks"].get<std::size_t>(), blocks["block"].get<double>()));
-}
-
 /// The largest number up to `n` without a prime factor above 5: a transform of such a length is fast.
 std::size_t fast_length(std::size_t n) {
   for (; n > 1; --n) {
@@ -168,6 +105,18 @@ std::string interval_text(const ordered_json& mean_95) {
 }
 
 }  // namespace
+
+std::vector<statistics::LoadEvent> events_of(const LoadHistory& load, std::optional<double> dead_band) {
+  const statistics::Moments m = statistics::moments(load.history.values, load.even.weights);
+  if (dead_band) *dead_band *= std::sqrt(m.variance);
+  return statistics::load_events(load.history, load.even,
+                                 statistics::event_levels(load.history, load.even, m.mean, dead_band));
+}
+
+statistics::ExtremeAnalysis extremes_of(const LoadHistory& load, const statistics::ExtremeSettings& settings) {
+  const double memory = statistics::autocorrelation_time(load.even.views(), load.even.sampling.step).tau;
+  return analysed(load, memory, settings);
+}
 
 ordered_json interval_of_mean(const statistics::Summary& summary) {
   if (summary.effective_sample_size < simulation::kFewSamples) return {nullptr, nullptr};
@@ -215,10 +164,12 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"autocorrelation_time", s.autocorrelation_time},
                    {"effective_sample_size", s.effective_sample_size},
                    {"long_enough", s.long_enough}};
-  out["peaks"] = crossing_peaks(load, s.mean);
-  out["extremes"] = peaks_over_threshold(load, s.autocorrelation_time, settings);
-  out["block_maxima"] = block_maxima(load, s.autocorrelation_time, settings);
+  const statistics::ExtremeAnalysis extremes = analysed(load, s.autocorrelation_time, settings.extremes);
+  out["noise_floor"] = statistics::noise_floor(load.even.views());
+  out["peaks"] = peaks_json(extremes.values);
+  add_extremes(extremes, out);
   out["spectrum_peak"] = spectral_peak(load, settings.segment);
+  out["fatigue"] = fatigue_json({&load}, settings.exponents, extremes.values.block, settings.frequency);
   return out;
 }
 
@@ -243,11 +194,12 @@ std::string statistics_text(const ordered_json& s) {
   if (peaks.contains("mean"))
     text += fmt::format(", mean {:.6g}, deviation {:.6g}", peaks["mean"].get<double>(),
                         peaks["standard_deviation"].get<double>());
-  text += '\n';
+  text += fmt::format(", dead band {:.4g}\n", peaks["dead_band"].get<double>());
   if (const ordered_json& line = s["spectrum_peak"]; !line.is_null())
     text += fmt::format("  highest spectrum at  {:.4g} Hz (lines every {:.4g} Hz)\n", line["frequency"].get<double>(),
                         line["resolution"].get<double>());
-  text += extremes_text(s);
+  text += extremes_text(s) + fatigue_text(s["fatigue"]);
+  for (const ordered_json& warning : s["warnings"]) text += fmt::format("  warning: {}\n", warning.get<std::string>());
   return text + short_note("the history", s);
 }
 

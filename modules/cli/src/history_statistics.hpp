@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "brash/statistics/extreme_analysis.hpp"
 #include "brash/statistics/spectrum.hpp"
 #include "load_history.hpp"
 
@@ -12,15 +14,22 @@ namespace brash::cli {
 
 /// Choices of the estimates; 0 takes the default.
 struct StatisticsSettings {
-  double return_period = 3600.0;    ///< of extreme levels [s]
-  double block = 0.0;               ///< of block maxima [s]; 0: twenty autocorrelation times
-  double segment = 0.0;             ///< of the spectrum [s]; 0: an eighth of the longest piece
-  std::optional<double> threshold;  ///< of peaks over a threshold; absent: the 90 % quantile
+  statistics::ExtremeSettings extremes;
+  double segment = 0.0;           ///< of the spectrum [s]; 0: an eighth of the longest piece
+  std::vector<double> exponents;  ///< of damage-equivalent loads
+  double frequency = 1.0;         ///< of their sinusoid [Hz]
 };
 
 /// The note of `run`, `stats` and `compare` on a history whose `long_enough` is false.
 inline constexpr const char* kTooShort =
     "shorter than 50 autocorrelation times; the intervals are themselves uncertain";
+
+/// The load events of a history about its mean.
+/// @param dead_band  in deviations of the load; absent: from the noise floor.
+std::vector<statistics::LoadEvent> events_of(const LoadHistory& load, std::optional<double> dead_band = std::nullopt);
+
+/// The extremes of a history.
+statistics::ExtremeAnalysis extremes_of(const LoadHistory& load, const statistics::ExtremeSettings& settings);
 
 /// The interval of the mean; nulls below ten independent samples, as in summary.json.
 nlohmann::ordered_json interval_of_mean(const statistics::Summary& summary);

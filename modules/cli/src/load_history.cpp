@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
@@ -75,11 +76,71 @@ void refuse_other_files(const std::string& path) {
     refuse("is no history", "name a history, such as the history.csv of a run or the table of a logger");
 }
 
+/// Times of the rows: of the file, or counted with the step of `choice`.
+class Times {
+ public:
+  Times(const io::Series& series, const HistoryChoice& choice) : series_(series), dt_(choice.dt) {}
+  double operator[](std::size_t row) const {
+    return series_.time ? series_.columns[*series_.time][row] : dt_ * static_cast<double>(row);
+  }
+
+ private:
+  const io::Series& series_;
+  double dt_;
+};
+
+std::string span_text(const HistoryChoice& choice) {
+  const std::string from = choice.has_from ? fmt::format("--from {}", choice.from) : "";
+  const std::string to = choice.to ? fmt::format("--to {}", *choice.to) : "";
+  return from + (from.empty() || to.empty() ? "" : " and ") + to;
+}
+
+LoadHistory history_of(const io::Series& series, const std::string& path, const std::string& name,
+                       const HistoryChoice& choice) {
+  LoadHistory load;
+  const std::size_t column = load_column(series, name, path);
+  require_ordinary(series, column);
+  load.file = path;
+  load.column = series.names[column];
+  load.unit = series.units[column];
+  const std::vector<double>& values = series.columns[column];
+  const Times times(series, choice);
+  // A thousandth of a step absorbs the rounding of printed times.
+  const double slack = 1e-3 * (times[values.size() - 1] - times[0]) / static_cast<double>(values.size() - 1);
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (choice.has_from && times[row] < choice.from - slack) continue;
+    if (choice.to && times[row] > *choice.to + slack) continue;
+    if (std::isnan(values[row])) {
+      ++load.n_missing;
+      continue;
+    }
+    load.history.times.push_back(times[row]);
+    load.history.values.push_back(values[row]);
+  }
+  if (load.history.values.size() < 2) {
+    const std::string span = span_text(choice);
+    throw InputError(
+        Complaint{path,
+                  span.empty() ? fmt::format("column '{}' has fewer than two values", printable(load.column))
+                               : fmt::format("{} leaves fewer than two values", span),
+                  "two values at least", span.empty() ? "name another column" : "give a longer span of times"});
+  }
+  load.even = statistics::make_even(load.history, choice.longest_interval);
+  return load;
+}
+
 }  // namespace
 
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
+  return std::move(read_histories(path, choice, {choice.column}).front());
+}
+
+std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,
+                                        const std::vector<std::string>& columns) {
   if (std::isnan(choice.from))
     throw InputError(Complaint{path, fmt::format("--from {} is no time", choice.from), "seconds", "give a number"});
+  if (choice.to && std::isnan(*choice.to))
+    throw InputError(Complaint{path, fmt::format("--to {} is no time", *choice.to), "seconds", "give a number"});
   refuse_other_files(path);
   io::Series series = io::read_series(path);
   if (choice.dt > 0.0) series.time.reset();
@@ -88,37 +149,11 @@ LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
         Complaint{path, "has no column of times: none is named time or t, or has a unit of time",
                   "a column `time [s]` or the like, or --dt",
                   "name the column of times and its unit, begin a preamble with #, or give the time step with --dt"});
-  const auto time_of = [&](std::size_t row) {
-    return series.time ? series.columns[*series.time][row] : choice.dt * static_cast<double>(row);
-  };
   if (series.time) require_rising(series, series.columns[*series.time]);
-
-  LoadHistory load;
-  const std::size_t column = load_column(series, choice.column, path);
-  require_ordinary(series, column);
-  load.column = series.names[column];
-  load.unit = series.units[column];
-  const std::vector<double>& values = series.columns[column];
-  // A thousandth of a step absorbs the rounding of printed times.
-  const double step = (time_of(values.size() - 1) - time_of(0)) / static_cast<double>(values.size() - 1);
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    if (choice.has_from && time_of(row) < choice.from - 1e-3 * step) continue;
-    if (std::isnan(values[row])) {
-      ++load.n_missing;
-      continue;
-    }
-    load.history.times.push_back(time_of(row));
-    load.history.values.push_back(values[row]);
-  }
-  if (load.history.values.size() < 2) {
-    throw InputError(
-        Complaint{path,
-                  choice.has_from ? fmt::format("--from {} leaves fewer than two values", choice.from)
-                                  : fmt::format("column '{}' has fewer than two values", printable(load.column)),
-                  "two values at least", choice.has_from ? "give an earlier time" : "name another column"});
-  }
-  load.even = statistics::make_even(load.history, choice.longest_interval);
-  return load;
+  std::vector<LoadHistory> loads;
+  for (const std::string& column : columns.empty() ? std::vector{choice.column} : columns)
+    loads.push_back(history_of(series, path, column, choice));
+  return loads;
 }
 
 }  // namespace brash::cli

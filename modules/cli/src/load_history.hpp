@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "brash/statistics/history.hpp"
 
@@ -14,6 +16,7 @@ struct LoadHistory {
   statistics::EvenHistory even;
   std::size_t n_missing = 0;  ///< rows of the file in which the column has no value
   std::string unit{};         ///< of the values, as io::Series has it; empty: the file states none
+  std::string file{};         ///< as given
 };
 
 /// Which column to read and how.
@@ -22,6 +25,7 @@ struct HistoryChoice {
   double dt = 0.0;     ///< [s], for files without a column of times; 0: the file has one
   double from = 0.0;   ///< leave out samples before this time [s]
   bool has_from = false;
+  std::optional<double> to{};     ///< leave out samples after this time [s]
   double longest_interval = 0.0;  ///< a longer interval is a gap [s]; 0: five times the median
 };
 
@@ -30,5 +34,9 @@ struct HistoryChoice {
 /// @throws InputError naming file, place and fault: no such column, not a number, times that do not rise, fewer
 ///   than two samples.
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice);
+
+/// Reads several columns of one file, in the order of `columns`; without any, the column of `choice`.
+std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,
+                                        const std::vector<std::string>& columns);
 
 }  // namespace brash::cli

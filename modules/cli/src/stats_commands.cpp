@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include "brash/core/error.hpp"
@@ -13,7 +14,10 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "history_statistics.hpp"
+#include "history_tables.hpp"
 #include "messages.hpp"
+#include "prepared_history.hpp"
+#include "stats_picture.hpp"
 #include "time_span.hpp"
 
 namespace brash::cli {
@@ -21,59 +25,146 @@ namespace {
 
 using nlohmann::ordered_json;
 
-void write_spectrum(const std::string& file, const LoadHistory& load, double segment) {
-  const auto spectrum = spectrum_of(load, segment);
-  if (!spectrum) throw InputError("--spectrum: the history or the segment is shorter than 16 samples");
-  const statistics::Interval factors = statistics::spectrum_factors(*spectrum);
-  std::string text = "frequency,density,lower_95,upper_95\n";
-  for (std::size_t k = 0; k < spectrum->frequency.size(); ++k) {
-    const double density = spectrum->density[k];
-    text +=
-        fmt::format("{},{},{},{}\n", spectrum->frequency[k], density, factors.lower * density, factors.upper * density);
+struct StatsOptions {
+  std::vector<std::string> files, columns;
+  std::string spectrum, events, exceedance, cycles, picture, phase = "zero";
+  HistoryChoice choice;
+  Preparation preparation;
+  StatisticsSettings settings;
+  double threshold = 0.0, dead_band = 0.0, to = 0.0;
+  bool json = false;
+};
+
+/// Writes the table of each history into one file; of several, each line begins with file and column.
+void write_table(const std::string& path, const std::vector<LoadHistory>& loads,
+                 const std::function<CsvTable(const LoadHistory&)>& table_of) {
+  if (path.empty()) return;
+  std::string text;
+  for (const LoadHistory& load : loads) {
+    const CsvTable table = table_of(load);
+    const std::string key = loads.size() > 1 ? fmt::format("{},{},", load.file, load.column) : "";
+    if (text.empty()) text = (key.empty() ? "" : "file,column,") + table.names;
+    for (std::size_t at = 0; at < table.lines.size();) {
+      const std::size_t end = table.lines.find('\n', at) + 1;
+      text += key + table.lines.substr(at, end - at);
+      at = end;
+    }
   }
-  write_file(file, text);
+  write_file(path, text);
+}
+
+void write_outputs(const StatsOptions& o, const std::vector<LoadHistory>& loads) {
+  const auto& dead_band = o.settings.extremes.dead_band;
+  write_table(o.spectrum, loads, [&](const auto& load) { return spectrum_table(load, o.settings.segment); });
+  write_table(o.events, loads, [&](const auto& load) { return events_table(load, dead_band); });
+  write_table(o.exceedance, loads, [&](const auto& load) { return exceedance_table(load, dead_band); });
+  write_table(o.cycles, loads, [](const auto& load) { return cycles_table(load); });
+  if (o.picture.empty()) return;
+  if (loads.size() > 1)
+    throw InputError(Complaint{o.picture, fmt::format("--picture of {} histories", loads.size()), "one history",
+                               "name one file and one --column"});
+  write_file(o.picture, stats_picture(loads.front(), o.settings));
+}
+
+std::vector<LoadHistory> histories_of(const StatsOptions& o) {
+  std::vector<LoadHistory> loads;
+  for (const std::string& file : o.files)
+    for (LoadHistory& load : read_histories(file, o.choice, o.columns))
+      loads.push_back(o.preparation.any() ? prepared(load, o.preparation) : std::move(load));
+  return loads;
+}
+
+void run_stats(const StatsOptions& o) {
+  if (!std::isfinite(o.threshold))
+    throw InputError(Complaint{o.files.front(), fmt::format("--threshold {} is no load", o.threshold),
+                               "a finite number in the unit of the column", "give a number"});
+  for (const std::string& out : {o.spectrum, o.events, o.exceedance, o.cycles, o.picture})
+    for (const std::string& file : o.files) refuse_overwriting(out, {file});
+  const std::vector<LoadHistory> loads = histories_of(o);
+  write_outputs(o, loads);
+  ordered_json all = ordered_json::array();
+  std::string text;
+  for (const LoadHistory& load : loads) {
+    ordered_json out = statistics_of(load, o.settings);
+    if (o.preparation.any()) out["preparation"] = preparation_json(o.preparation);
+    if (loads.size() > 1) text += load.file + "\n";
+    text += statistics_text(out);
+    if (loads.size() > 1) out = ordered_json{{"file", load.file}, {"statistics", out}};
+    all.push_back(std::move(out));
+  }
+  if (o.json)
+    print_data((loads.size() > 1 ? all : all.front()).dump(2) + "\n");
+  else
+    print_data(escaped_lines(text));
+}
+
+void add_reading_options(CLI::App& command, StatsOptions& o) {
+  command.add_option("file", o.files, "CSV or netCDF files with times, such as the history.csv or run.nc of a run")
+      ->required();
+  command.add_option("--column", o.columns, "columns [the first that is not the time]")
+      ->take_all()
+      ->allow_extra_args(false);
+  command.add_option("--from", o.choice.from, "leave out what is earlier [s]");
+  command.add_option("--to", o.to, "leave out what is later [s]");
+  command.add_option("--dt", o.choice.dt, "time step of files without times [s]")->check(time_span());
+  command.add_option("--gap", o.choice.longest_interval, "longest step that is no gap [s] [5 x the median step]")
+      ->check(time_span());
+  command.add_option("--resample", o.preparation.step, "new time step [s]")->check(time_span());
+  command.add_option("--low-pass", o.preparation.low_pass, "cut-off of Butterworth's filter [Hz]")
+      ->check(CLI::Range(1e-9, 1e9));
+  command.add_option("--phase", o.phase, "of the filter: zero, or causal as in an instrument")
+      ->check(CLI::IsMember({"zero", "causal"}))
+      ->capture_default_str();
+}
+
+void add_estimate_options(CLI::App& command, StatsOptions& o) {
+  statistics::ExtremeSettings& e = o.settings.extremes;
+  command.add_option("--return-period", e.return_period, "of the extreme levels [s]")
+      ->check(time_span())
+      ->capture_default_str();
+  command.add_flag("--extrapolate", e.extrapolate, "give levels for more than 30 times the record, marked");
+  command.add_option("--block", e.block, "of block maxima [s] [20 autocorrelation times, 5 load cycles at least]")
+      ->check(time_span());
+  command.add_option("--threshold", o.threshold, "of extreme peaks [the largest tenth above it, 40 at least]");
+  command.add_option("--dead-band", o.dead_band, "of load events, in deviations [5 x the noise floor]")
+      ->check(CLI::Range(0.0, 100.0));
+  command.add_option("--segment", o.settings.segment, "of the spectrum [s] [an eighth of the longest piece]")
+      ->check(time_span());
+  command.add_option("--exponent", o.settings.exponents, "of S-N curves, for damage-equivalent loads by rainflow")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1.0, 20.0));
+  command.add_option("--frequency", o.settings.frequency, "of the equivalent sinusoid [Hz]")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->capture_default_str();
+}
+
+void add_output_options(CLI::App& command, StatsOptions& o) {
+  command.add_option("--spectrum", o.spectrum, "also write the spectrum with its 95 % band to this CSV file");
+  command.add_option("--events", o.events, "also write the load events to this CSV file");
+  command.add_option("--exceedance", o.exceedance, "also write time and events above fifty levels to this CSV file");
+  command.add_option("--cycles", o.cycles, "also write the rainflow cycles to this CSV file");
+  command.add_option("--picture", o.picture, "also draw the extremes and their checks to this SVG file");
+  command.add_flag("--json", o.json, "as JSON");
 }
 
 }  // namespace
 
 void add_stats_command(CLI::App& app) {
-  struct Options {
-    std::string file, spectrum;
-    HistoryChoice choice;
-    StatisticsSettings settings;
-    double threshold = 0.0;
-    bool json = false;
-  };
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("stats", "Statistics of a load history, simulated or measured");
-  command
-      ->add_option("file", options->file, "CSV or netCDF file with times, such as the history.csv or run.nc of a run")
-      ->required();
-  command->add_option("--column", options->choice.column, "which column [the first that is not the time]");
-  CLI::Option* from = command->add_option("--from", options->choice.from, "leave out what is earlier [s]");
-  const auto seconds = [&](const char* name, double& target, const char* meaning) {
-    return command->add_option(name, target, meaning)->check(time_span());
-  };
-  seconds("--dt", options->choice.dt, "time step of a file without times [s]");
-  seconds("--gap", options->choice.longest_interval, "longest step that is no gap [s] [5 x the median step]");
-  seconds("--return-period", options->settings.return_period, "of the extreme levels [s]")->capture_default_str();
-  seconds("--block", options->settings.block, "of block maxima [s] [20 autocorrelation times]");
-  seconds("--segment", options->settings.segment, "of the spectrum [s] [an eighth of the longest piece]");
-  CLI::Option* threshold = command->add_option("--threshold", options->threshold, "of extreme peaks [90 % quantile]");
-  command->add_option("--spectrum", options->spectrum, "also write the spectrum with its 95 % band to this CSV file");
-  command->add_flag("--json", options->json, "as JSON");
+  auto options = std::make_shared<StatsOptions>();
+  CLI::App* command = app.add_subcommand("stats", "Statistics of load histories, simulated or measured");
+  add_reading_options(*command, *options);
+  add_estimate_options(*command, *options);
+  add_output_options(*command, *options);
   command->footer("Example: brash stats results/cone/history.csv --column Fx --from 8");
-  command->callback([options, from, threshold] {
-    options->choice.has_from = from->count() > 0;
-    if (!std::isfinite(options->threshold))
-      throw InputError(Complaint{options->file, fmt::format("--threshold {} is no load", options->threshold),
-                                 "a finite number in the unit of the column", "give a number"});
-    if (threshold->count() > 0) options->settings.threshold = options->threshold;
-    refuse_overwriting(options->spectrum, {options->file});
-    const LoadHistory load = read_history(options->file, options->choice);
-    if (!options->spectrum.empty()) write_spectrum(options->spectrum, load, options->settings.segment);
-    const ordered_json out = statistics_of(load, options->settings);
-    print_data(options->json ? out.dump(2) + "\n" : escaped_lines(statistics_text(out)));
+  command->callback([options, command] {
+    StatsOptions& o = *options;
+    o.choice.has_from = command->count("--from") > 0;
+    if (command->count("--to") > 0) o.choice.to = o.to;
+    if (command->count("--threshold") > 0) o.settings.extremes.threshold = o.threshold;
+    if (command->count("--dead-band") > 0) o.settings.extremes.dead_band = o.dead_band;
+    if (o.phase == "causal") o.preparation.phase = statistics::Phase::kCausal;
+    run_stats(o);
   });
 }
 

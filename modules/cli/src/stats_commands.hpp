@@ -13,6 +13,8 @@ void add_stats_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 /// `brash trend CAMPAIGN --along KEY`; callbacks throw InputError.
 void add_trend_command(CLI::App& app);
+/// `brash design CAMPAIGN`; callbacks throw InputError.
+void add_design_command(CLI::App& app);
 /// `brash loads CASE.toml`
 void add_loads_command(CLI::App& app);
 

@@ -5,14 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <sstream>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -21,113 +17,152 @@
 #include "brash/statistics/intervals.hpp"
 #include "messages.hpp"
 #include "stats_commands.hpp"
+#include "text_table.hpp"
 
 namespace brash::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using Row = std::vector<std::string>;
 /// Values of the replicates at each setting, in rising order of the setting.
 using Groups = std::map<double, std::vector<double>>;
+/// The same for each combination of the other axes, by its name; of one axis alone, "".
+using Strata = std::map<std::string, Groups>;
 
-Row cells_of(const std::string& line) {
-  Row cells;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t end = std::min(line.find(',', from), line.size());
-    cells.push_back(line.substr(from, end - from));
-    from = end + 1;
-  }
-  return cells;
+TextTable read_cases(const std::string& given) {
+  return read_text_table(std::filesystem::is_directory(given) ? given + "/campaign.csv" : given,
+                         "the campaign.csv of a campaign that is done",
+                         "run the campaign with `--resume`, which writes the table again");
 }
 
-std::optional<double> number(const std::string& cell) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+/// The varied keys of a campaign, as its summary.json names them; none for a table alone.
+std::vector<std::string> varied_keys(const std::string& given) {
+  std::vector<std::string> keys;
+  const std::string path = given + "/summary.json";
+  if (!std::filesystem::exists(path)) return keys;
+  const auto json = ordered_json::parse(read_json_text(path, "the summary.json of a campaign"), nullptr, false);
+  if (!json.is_object() || !json.contains("settings") || !json["settings"].is_array()) return keys;
+  for (const ordered_json& setting : json["settings"]) {
+    if (!setting.is_object() || !setting.contains("values")) continue;
+    for (const auto& [key, value] : setting["values"].items())
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  }
+  return keys;
 }
 
-/// The table of a campaign's cases.
-struct CaseTable {
-  std::string path;
-  Row names;
-  std::vector<Row> rows;
-
-  std::size_t column(const std::string& name) const {
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end())
-      throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(name)),
-                                 fmt::format("one of: {}", fmt::join(names, ", ")), "name another column"});
-    return static_cast<std::size_t>(found - names.begin());
+/// Columns of the keys of other axes: the ones that vary at one value of `along`.
+std::vector<std::size_t> other_axes(const TextTable& table, const std::string& along,
+                                    const std::vector<std::string>& keys) {
+  const std::size_t x = table.column(along);
+  std::vector<std::size_t> others;
+  for (const std::string& key : keys) {
+    if (key == along || std::ranges::find(table.names, key) == table.names.end()) continue;
+    const std::size_t column = table.column(key);
+    std::map<std::string, std::string> seen;
+    const bool varies = std::ranges::any_of(table.rows, [&](const TextTable::Row& row) {
+      return seen.try_emplace(row[x], row[column]).first->second != row[column];
+    });
+    if (varies) others.push_back(column);
   }
-};
-
-CaseTable read_cases(const std::string& given) {
-  CaseTable table;
-  table.path = std::filesystem::is_directory(given) ? given + "/campaign.csv" : given;
-  std::istringstream file(read_text_file(table.path, "the campaign.csv of a campaign that is done"));
-  for (std::string line; std::getline(file, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    Row cells = cells_of(line);
-    if (table.names.empty()) {
-      table.names = std::move(cells);
-    } else if (cells.size() == table.names.size()) {
-      table.rows.push_back(std::move(cells));
-    } else {
-      throw InputError(Complaint{fmt::format("{}:{}", table.path, table.rows.size() + 2),
-                                 fmt::format("{} values in a table of {} columns", cells.size(), table.names.size()),
-                                 "as many values in each line as in the first",
-                                 "run the campaign with `--resume`, which writes the table again"});
-    }
-  }
-  if (table.names.size() < 2)
-    throw InputError(Complaint{table.path, "is no table", "the campaign.csv of a campaign that is done",
-                               "run the campaign with `--resume`, which writes the table again"});
-  return table;
+  return others;
 }
 
-/// Rows without a number in either column, such as failed cases, are left out.
-Groups groups_of(const CaseTable& table, const std::string& along, const std::string& of, const std::string& where) {
+std::string stratum_of(const TextTable& table, const TextTable::Row& row, const std::vector<std::size_t>& others) {
+  std::string name;
+  for (const std::size_t column : others)
+    name += (name.empty() ? "" : ", ") + table.names[column] + " = " + row[column];
+  return name;
+}
+
+/// Rows without a number in either column, such as failed cases, are left out; so are strata without a trend to see.
+Strata strata_of(const TextTable& table, const std::vector<std::string>& keys, const std::string& along,
+                 const std::string& of, const std::string& where) {
   const std::size_t x = table.column(along), y = table.column(of);
   const std::size_t setting = where.empty() ? 0 : table.column("setting");
-  Groups groups;
-  for (const Row& row : table.rows) {
+  const std::vector<std::size_t> others = other_axes(table, along, keys);
+  Strata strata;
+  for (const TextTable::Row& row : table.rows) {
     if (!where.empty() && fnmatch(where.c_str(), row[setting].c_str(), 0) != 0) continue;
-    const auto at = number(row[x]), value = number(row[y]);
-    if (at && value) groups[*at].push_back(*value);
+    const auto at = number_in(row[x]), value = number_in(row[y]);
+    if (at && value) strata[stratum_of(table, row, others)][*at].push_back(*value);
   }
-  const bool repeated = std::ranges::all_of(groups, [](const auto& group) { return group.second.size() >= 2; });
-  if (groups.size() < 2 || !repeated)
-    throw InputError(Complaint{table.path,
-                               fmt::format("'{}' has {} settings{}", printable(along), groups.size(),
-                                           repeated ? "" : ", some with a single replicate"),
-                               "2 settings at least with 2 numbers of '" + of + "' each",
-                               "run more settings and replicates, or choose another --along, --of or --where"});
-  return groups;
+  std::size_t most = 0;
+  bool repeated = true;
+  for (const auto& [name, groups] : strata) {
+    most = std::max(most, groups.size());
+    if (groups.size() >= 2)
+      repeated = repeated && std::ranges::all_of(groups, [](const auto& group) { return group.second.size() >= 2; });
+  }
+  std::erase_if(strata, [](const auto& stratum) { return stratum.second.size() < 2; });
+  if (strata.empty() || !repeated)
+    throw InputError(Complaint{
+        table.path,
+        fmt::format("'{}' has {} settings{}", printable(along), most, repeated ? "" : ", some with a single replicate"),
+        "2 settings at least with 2 numbers of '" + of + "' each",
+        "run more settings and replicates, or choose another --along, --of or --where"});
+  return strata;
 }
 
-ordered_json trend_of(const Groups& groups, const std::string& of) {
+ordered_json settings_json(const Groups& groups) {
   ordered_json settings = ordered_json::array();
-  std::vector<std::vector<double>> values;
-  std::vector<double> x, y;
   for (const auto& [at, group] : groups) {
     const statistics::Interval interval = statistics::mean_interval(group);
     settings.push_back({{"at", at},
                         {"n", group.size()},
                         {"mean", 0.5 * (interval.lower + interval.upper)},
                         {"mean_95", {interval.lower, interval.upper}}});
-    values.push_back(group);
-    x.insert(x.end(), group.size(), at);
-    y.insert(y.end(), group.begin(), group.end());
   }
-  const statistics::TestResult trend = statistics::jonckheere_terpstra(values), tau = statistics::kendall(x, y);
-  const statistics::MeanComparison ends = statistics::compare_means(values.back(), values.front());
-  return {{"of", of},
-          {"settings", settings},
-          {"jonckheere_terpstra", {{"z", trend.statistic}, {"p", trend.p_value}}},
-          {"kendall", {{"tau", tau.statistic}, {"p", tau.p_value}}},
-          {"last_less_first",
-           {{"difference", ends.difference}, {"interval_95", {ends.interval.lower, ends.interval.upper}}}}};
+  return settings;
+}
+
+/// Kendall's tau of all values, each less the mean of its stratum.
+statistics::TestResult kendall_of(const Strata& strata) {
+  std::vector<double> x, y;
+  for (const auto& [name, groups] : strata) {
+    double sum = 0.0, n = 0.0;
+    for (const auto& [at, group] : groups)
+      for (const double value : group) sum += value, n += 1.0;
+    const double shift = strata.size() > 1 ? sum / n : 0.0;
+    for (const auto& [at, group] : groups)
+      for (const double value : group) {
+        x.push_back(at);
+        y.push_back(value - shift);
+      }
+  }
+  return statistics::kendall(x, y);
+}
+
+/// @param confidence  of the interval of the last less the first.
+ordered_json trend_of(const Strata& strata, const std::string& of, double confidence) {
+  std::vector<std::vector<std::vector<double>>> values;
+  std::vector<statistics::PairOfGroups> ends;
+  ordered_json settings = ordered_json::array(), by_stratum = ordered_json::array();
+  for (const auto& [name, groups] : strata) {
+    settings = settings_json(groups);
+    by_stratum.push_back({{"stratum", name}, {"settings", settings}});
+    values.emplace_back();
+    for (const auto& [at, group] : groups) values.back().push_back(group);
+    ends.push_back({values.back().back(), values.back().front()});
+  }
+  const statistics::TestResult trend = statistics::jonckheere_terpstra(values), tau = kendall_of(strata);
+  const statistics::MeanComparison difference = statistics::compare_means(ends, confidence);
+  ordered_json out{{"of", of}};
+  if (strata.size() == 1)
+    out["settings"] = settings;
+  else
+    out["strata"] = by_stratum;
+  out["jonckheere_terpstra"] = {{"z", trend.statistic}, {"p", trend.p_value}};
+  out["kendall"] = {{"tau", tau.statistic}, {"p", tau.p_value}};
+  out["last_less_first"] = {{"difference", difference.difference},
+                            {"interval_95", {difference.interval.lower, difference.interval.upper}}};
+  return out;
+}
+
+/// The verdict at 5 %: the test of the trend, else the interval of the ends where it excludes zero.
+std::string verdict(double p_adjusted, double z, const ordered_json& ends) {
+  if (p_adjusted < 0.05) return z > 0.0 ? "rises" : "falls";
+  if (ends["interval_95"][0].get<double>() > 0.0) return "last above first";
+  if (ends["interval_95"][1].get<double>() < 0.0) return "last below first";
+  return "undecided";
 }
 
 /// Adds Holm's adjustment of all trends and their verdicts at 5 %.
@@ -137,27 +172,46 @@ void adjust(ordered_json& trends) {
   const std::vector<double> adjusted = statistics::holm(p);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     ordered_json& trend = trends[i];
-    const double z = trend["jonckheere_terpstra"]["z"].get<double>();
     trend["p_adjusted"] = adjusted[i];
-    trend["trend"] = adjusted[i] >= 0.05 ? "undecided" : z > 0.0 ? "rises" : "falls";
+    trend["trend"] = verdict(adjusted[i], trend["jonckheere_terpstra"]["z"].get<double>(), trend["last_less_first"]);
   }
+}
+
+std::string settings_text(const ordered_json& settings) {
+  std::string text;
+  for (const ordered_json& s : settings)
+    text += fmt::format("  {:<12.6g} {:>3} replicates  {:.6g}  [{:.6g}, {:.6g}]\n", s["at"].get<double>(),
+                        s["n"].get<std::size_t>(), s["mean"].get<double>(), s["mean_95"][0].get<double>(),
+                        s["mean_95"][1].get<double>());
+  return text;
+}
+
+std::string ends_text(const ordered_json& trend) {
+  const ordered_json& ends = trend["last_less_first"];
+  const double lower = ends["interval_95"][0].get<double>(), upper = ends["interval_95"][1].get<double>();
+  std::string text =
+      fmt::format("  last less first: {:.6g}  [{:.6g}, {:.6g}]\n", ends["difference"].get<double>(), lower, upper);
+  const auto verdict = trend["trend"].get<std::string>();
+  if (verdict.starts_with("last"))
+    text += "  the ends differ at 5 %, but the values between them do not rise or fall steadily\n";
+  if (verdict == "undecided") text += fmt::format("  a change of up to {:.6g} could hide\n", std::max(-lower, upper));
+  return text;
 }
 
 std::string trend_text(const ordered_json& out) {
   std::string text;
   for (const ordered_json& trend : out["trends"]) {
     text += fmt::format("{} along {}\n", trend["of"].get<std::string>(), out["along"].get<std::string>());
-    for (const ordered_json& s : trend["settings"])
-      text += fmt::format("  {:<12.6g} {:>3} replicates  {:.6g}  [{:.6g}, {:.6g}]\n", s["at"].get<double>(),
-                          s["n"].get<std::size_t>(), s["mean"].get<double>(), s["mean_95"][0].get<double>(),
-                          s["mean_95"][1].get<double>());
-    const ordered_json &test = trend["jonckheere_terpstra"], &ends = trend["last_less_first"];
+    if (trend.contains("settings")) text += settings_text(trend["settings"]);
+    if (trend.contains("strata"))
+      for (const ordered_json& stratum : trend["strata"])
+        text += fmt::format(" {}\n", stratum["stratum"].get<std::string>()) + settings_text(stratum["settings"]);
+    const ordered_json& test = trend["jonckheere_terpstra"];
     text +=
         fmt::format("  {}: Jonckheere-Terpstra z = {:.3f}, p = {:.3g} ({:.3g} after Holm), Kendall's tau = {:.3f}\n",
                     trend["trend"].get<std::string>(), test["z"].get<double>(), test["p"].get<double>(),
                     trend["p_adjusted"].get<double>(), trend["kendall"]["tau"].get<double>());
-    text += fmt::format("  last less first: {:.6g}  [{:.6g}, {:.6g}]\n", ends["difference"].get<double>(),
-                        ends["interval_95"][0].get<double>(), ends["interval_95"][1].get<double>());
+    text += ends_text(trend);
   }
   return text;
 }
@@ -182,10 +236,13 @@ void add_trend_command(CLI::App& app) {
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash trend results/angle_velocity --along structure.angle --where '*_speed-2.0'");
   command->callback([options] {
-    const CaseTable table = read_cases(options->campaign);
+    const TextTable table = read_cases(options->campaign);
+    const std::vector<std::string> keys = varied_keys(options->campaign);
+    // The intervals of all columns together hold with 95 %.
+    const double confidence = 1.0 - 0.05 / static_cast<double>(options->of.size());
     ordered_json trends = ordered_json::array();
     for (const std::string& of : options->of)
-      trends.push_back(trend_of(groups_of(table, options->along, of, options->where), of));
+      trends.push_back(trend_of(strata_of(table, keys, options->along, of, options->where), of, confidence));
     adjust(trends);
     const ordered_json out{{"along", options->along}, {"where", options->where}, {"trends", trends}};
     print_data(options->json ? out.dump(2) + "\n" : escaped_lines(trend_text(out)));

@@ -195,10 +195,14 @@ Series read_text_series(const std::string& path) {
   bool named = false;
   bool units_may_follow = false;
   std::size_t line_number = 0;
+  // The text output of OpenFAST has a preamble without a mark before the names, of which Time is the first.
+  bool preamble = path.ends_with(".out");
   for (std::string line; std::getline(file, line);) {
     ++line_number;
     const std::string_view content = without_blanks(line);
     if (content.empty() || content.starts_with('#')) continue;
+    preamble = preamble && !content.starts_with("Time");
+    if (preamble) continue;
     if (!layout) layout = Layout{separator_of(content)};
     const std::vector<std::string_view> cells = cells_of(content, layout->separator);
     if (cells.size() > kMostColumns)

@@ -45,6 +45,7 @@ PYBIND11_MODULE(_brash, m) {
   add_geometry(m);
   add_failure(m);
   add_statistics(m);
+  add_load_histories(m);
   add_standards(m);
   refuse_half_made_objects(m);
   py::module_::import("atexit").attr("register")(py::cpp_function(&Released::wait_for_calls));

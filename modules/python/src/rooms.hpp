@@ -23,6 +23,7 @@ void add_campaign(pybind11::module_& m);
 void add_geometry(pybind11::module_& m);
 void add_failure(pybind11::module_& m);
 void add_statistics(pybind11::module_& m);
+void add_load_histories(pybind11::module_& m);
 void add_standards(pybind11::module_& m);
 
 /// Lets Python see Ctrl-C, with the GIL held. @throws pybind11::error_already_set the exception of its handler.

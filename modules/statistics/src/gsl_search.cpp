@@ -15,7 +15,7 @@ constexpr int kIterations = 200;  // bisection alone would need 50 to rounding
 
 }  // namespace
 
-std::optional<double> find_root(gsl_function& function, double lower, double upper) {
+std::optional<double> find_root(gsl_function& function, double lower, double upper, double tolerance) {
   quiet_gsl();
   const GslOwner<gsl_root_fsolver, gsl_root_fsolver_free> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   if (!solver) throw RunError("root search: out of memory");
@@ -23,7 +23,7 @@ std::optional<double> find_root(gsl_function& function, double lower, double upp
   for (int i = 0; i < kIterations; ++i) {
     if (gsl_root_fsolver_iterate(solver.get()) != GSL_SUCCESS) return std::nullopt;
     const double low = gsl_root_fsolver_x_lower(solver.get()), high = gsl_root_fsolver_x_upper(solver.get());
-    if (gsl_root_test_interval(low, high, 0.0, 1e-14) == GSL_SUCCESS) break;
+    if (gsl_root_test_interval(low, high, 0.0, tolerance) == GSL_SUCCESS) break;
   }
   return gsl_root_fsolver_root(solver.get());
 }

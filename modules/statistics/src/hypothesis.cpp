@@ -5,6 +5,7 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -128,26 +129,51 @@ double exact_jonckheere(const std::vector<std::vector<double>>& groups, double s
   return std::min(1.0, 2.0 * std::accumulate(of_j.begin(), end, 0.0));
 }
 
+/// J is Kendall's S between a value's group and the value: S = 2 J - (pairs of different groups).
+Concordance rise(const std::vector<std::vector<double>>& groups) {
+  BRASH_EXPECTS(groups.size() >= 2, groups.size());
+  std::vector<double> order, values;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    BRASH_EXPECTS(!groups[g].empty(), g);
+    order.insert(order.end(), groups[g].size(), static_cast<double>(g));
+    values.insert(values.end(), groups[g].begin(), groups[g].end());
+  }
+  return concordance(order, values);
+}
+
 double freedom_of(const Summary& s) { return std::max(1.0, s.effective_sample_size - 1.0); }
 
-/// Difference of two means from their variances (of the means) and degrees of freedom, after Welch and Satterthwaite.
-MeanComparison compare(double difference, double variance_a, double freedom_a, double variance_b, double freedom_b,
-                       double confidence) {
+/// The variance of a mean and its degrees of freedom.
+struct ErrorOfMean {
+  double variance = 0.0, freedom = 1.0;
+};
+
+/// A difference of means from the errors of its parts, after Welch and Satterthwaite.
+MeanComparison compare(double difference, std::span<const ErrorOfMean> parts, double confidence) {
   BRASH_EXPECTS(confidence > 0.0 && confidence < 1.0, confidence);
   quiet_gsl();
-  const double variance = variance_a + variance_b;
+  double variance = 0.0, weighted = 0.0;
+  for (const ErrorOfMean& part : parts) {
+    variance += part.variance;
+    weighted += part.variance * part.variance / part.freedom;
+  }
   MeanComparison result;
   result.difference = difference;
   result.interval = {difference, difference};
   result.test.p_value = difference == 0.0 ? 1.0 : 0.0;
   if (variance == 0.0) return result;
-  const double freedom =
-      variance * variance / (variance_a * variance_a / freedom_a + variance_b * variance_b / freedom_b);
+  const double freedom = variance * variance / weighted;
   const double half_width = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, freedom) * std::sqrt(variance);
   result.interval = {difference - half_width, difference + half_width};
   result.test.statistic = difference / std::sqrt(variance);
   result.test.p_value = std::min(1.0, 2.0 * gsl_cdf_tdist_Q(std::abs(result.test.statistic), freedom));
   return result;
+}
+
+/// Of independent values.
+ErrorOfMean error_of_mean(std::span<const double> values) {
+  const auto n = static_cast<double>(values.size());
+  return {gsl_stats_variance(values.data(), 1, values.size()) / n, n - 1.0};
 }
 
 }  // namespace
@@ -166,22 +192,25 @@ TestResult kendall(std::span<const double> x, std::span<const double> y) {
 }
 
 TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups) {
-  BRASH_EXPECTS(groups.size() >= 2, groups.size());
+  return jonckheere_terpstra(std::vector<std::vector<std::vector<double>>>{groups});
+}
+
+TestResult jonckheere_terpstra(const std::vector<std::vector<std::vector<double>>>& strata) {
+  BRASH_EXPECTS(!strata.empty());
   quiet_gsl();
-  // J is Kendall's S between a value's group and the value: S = 2 J - (pairs of different groups).
-  std::vector<double> order, values;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    BRASH_EXPECTS(!groups[g].empty(), g);
-    order.insert(order.end(), groups[g].size(), static_cast<double>(g));
-    values.insert(values.end(), groups[g].begin(), groups[g].end());
+  double score = 0.0, variance = 0.0;
+  bool exact = strata.size() == 1;
+  for (const auto& groups : strata) {
+    const Concordance c = rise(groups);
+    const auto pairs = static_cast<std::size_t>(0.5 * (c.n * (c.n - 1.0) - c.x.pairs));
+    exact = exact && c.y.pairs == 0.0 && pairs <= kExactJonckheere;
+    if (!(c.variance() > 0.0) || c.y.pairs == c.n * (c.n - 1.0)) continue;
+    score += c.score;
+    variance += c.variance();
   }
-  const Concordance c = concordance(order, values);
-  const double variance = c.variance();
-  if (!(variance > 0.0) || c.y.pairs == c.n * (c.n - 1.0)) return {0.0, 1.0};
-  const double z = c.score / std::sqrt(variance);
-  const auto pairs = static_cast<std::size_t>(0.5 * (c.n * (c.n - 1.0) - c.x.pairs));
-  const bool exact = c.y.pairs == 0.0 && pairs <= kExactJonckheere;
-  return {z, exact ? exact_jonckheere(groups, c.score) : two_sided_normal(z)};
+  if (!(variance > 0.0)) return {0.0, 1.0};
+  const double z = score / std::sqrt(variance);
+  return {z, exact ? exact_jonckheere(strata.front(), score) : two_sided_normal(z)};
 }
 
 std::vector<double> holm(std::span<const double> p_values) {
@@ -202,17 +231,32 @@ std::vector<double> holm(std::span<const double> p_values) {
 MeanComparison compare_means(std::span<const double> a, std::span<const double> b, double confidence) {
   BRASH_EXPECTS(a.size() >= 2 && b.size() >= 2, a.size(), b.size());
   BRASH_EXPECTS(all_finite(a) && all_finite(b));
-  const auto n_a = static_cast<double>(a.size()), n_b = static_cast<double>(b.size());
   const double difference = gsl_stats_mean(a.data(), 1, a.size()) - gsl_stats_mean(b.data(), 1, b.size());
-  return compare(difference, gsl_stats_variance(a.data(), 1, a.size()) / n_a, n_a - 1.0,
-                 gsl_stats_variance(b.data(), 1, b.size()) / n_b, n_b - 1.0, confidence);
+  return compare(difference, std::array{error_of_mean(a), error_of_mean(b)}, confidence);
+}
+
+MeanComparison compare_means(const std::vector<PairOfGroups>& strata, double confidence) {
+  BRASH_EXPECTS(!strata.empty());
+  const auto n = static_cast<double>(strata.size());
+  double difference = 0.0;
+  std::vector<ErrorOfMean> parts;
+  for (const auto& [a, b] : strata) {
+    difference += compare_means(a, b, confidence).difference / n;
+    for (const auto* group : {&a, &b}) {
+      parts.push_back(error_of_mean(*group));
+      parts.back().variance /= n * n;
+    }
+  }
+  return compare(difference, parts, confidence);
 }
 
 MeanComparison compare_means(const Summary& a, const Summary& b, double confidence) {
   const auto variance = [](const Summary& s) {
     return s.standard_deviation * s.standard_deviation / s.effective_sample_size;
   };
-  return compare(a.mean - b.mean, variance(a), freedom_of(a), variance(b), freedom_of(b), confidence);
+  return compare(a.mean - b.mean,
+                 std::array{ErrorOfMean{variance(a), freedom_of(a)}, ErrorOfMean{variance(b), freedom_of(b)}},
+                 confidence);
 }
 
 RatioComparison compare_ratio(const Summary& a, const Summary& b, double confidence) {
@@ -222,7 +266,8 @@ RatioComparison compare_ratio(const Summary& a, const Summary& b, double confide
     return relative * relative / s.effective_sample_size;
   };
   const MeanComparison logarithm =
-      compare(std::log(a.mean / b.mean), variance(a), freedom_of(a), variance(b), freedom_of(b), confidence);
+      compare(std::log(a.mean / b.mean),
+              std::array{ErrorOfMean{variance(a), freedom_of(a)}, ErrorOfMean{variance(b), freedom_of(b)}}, confidence);
   return {std::exp(logarithm.difference),
           {std::exp(logarithm.interval.lower), std::exp(logarithm.interval.upper)},
           logarithm.test};

@@ -41,13 +41,46 @@ class Folders(unittest.TestCase):
         self.assertAlmostEqual(found["measured"]["mean"], 20.0, delta=0.2)
         self.assertAlmostEqual(found["measured"]["duration"], 70.0, delta=0.2)
 
-    def test_the_folder_of_a_campaign_is_named(self):
+    def campaign(self, means):
+        """A campaign of two settings with four replicates each, whose loads have these means."""
         (self.folder / "cases").mkdir()
-        (self.folder / "summary.json").write_text("{}")
-        done = self.compare(self.folder, self.run_of("measured", 1.0, 0.0))
+        for setting, mean in means.items():
+            for replicate in range(4):
+                self.run_of(f"cases/{setting}-r{replicate:04d}", mean + 0.3 * replicate, 5.0)
+        settings = [{"setting": setting, "values": {"ice.thickness": i}} for i, setting in enumerate(means)]
+        (self.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+
+    def test_the_replicates_of_a_setting_are_compared_with_several_measurements(self):
+        self.campaign({"thin": 20.0, "thick": 40.0})
+        measured = [self.run_of(f"measured-{i}", 20.2 + 0.3 * i, 0.0) for i in range(3)]
+        done = self.compare(self.folder, *measured, "--where", "thin", "--column", "Fy", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = json.loads(done.stdout)
+        self.assertEqual((found["run"]["histories"], found["measured"]["histories"]), (4, 3))
+        self.assertAlmostEqual(found["run"]["mean"], 20.45, delta=0.1)
+        # The spread of four means 0, 0.3, 0.6 and 0.9 apart: an error of 0.19, and Student's 3.18.
+        self.assertAlmostEqual(found["run"]["mean_95"][1] - found["run"]["mean"], 3.18 * 0.194, delta=0.1)
+        self.assertNotIn("mean", found["differs"])
+        self.assertGreater(found["could_hide"]["mean"], 0.01)
+        other = self.compare(self.folder, *measured, "--where", "thick", "--column", "Fy", "--json")
+        self.assertIn("mean", json.loads(other.stdout)["differs"])
+
+    def test_no_difference_says_what_could_hide(self):
+        runs = self.run_of("first", 40.0, 0.0), self.run_of("second", 40.0, 0.0)
+        done = self.compare(*runs, "--column", "Fy")
+        self.assertRegex(done.stdout, r"no difference at 5 %; differences of this size could hide: mean [\d.]+ %, deviation")
+
+    def test_a_campaign_needs_one_setting_and_its_files(self):
+        self.campaign({"thin": 20.0, "thick": 40.0})
+        measured = self.run_of("measured", 1.0, 0.0)
+        done = self.compare(self.folder, measured)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("is the folder of a campaign", done.stderr)
-        self.assertIn("give a folder in its cases/", done.stderr)
+        self.assertIn("is the folder of a campaign with 2 settings", done.stderr)
+        self.assertIn("choose one with --where: thin, thick", done.stderr)
+        (self.folder / "summary.json").write_text("{}")
+        done = self.compare(self.folder, measured)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("is no summary of a campaign\n  allowed: the summary.json of a campaign that is done", done.stderr)
 
 
 if __name__ == "__main__":

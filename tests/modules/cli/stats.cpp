@@ -15,7 +15,9 @@
 #include "brash/statistics/random.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
+#include "history_tables.hpp"
 #include "load_history.hpp"
+#include "prepared_history.hpp"
 #include "stats_commands.hpp"
 
 namespace {
@@ -241,9 +243,113 @@ BOOST_AUTO_TEST_CASE(a_short_history_says_what_it_cannot_tell) {
   BOOST_TEST(s["spectrum_peak"].is_null());
   BOOST_TEST(s["extremes"].contains("not_fitted"));
   BOOST_TEST(!s["long_enough"].get<bool>());
-  BOOST_TEST(contains(statistics_text(s), "unknown: a generalised Pareto fit needs at least 10 peaks"));
+  BOOST_TEST(contains(statistics_text(s), "no level recommended: the record has 0 load events, and 20 are needed"));
   BOOST_TEST(s["mean_95"][0].is_null());
   BOOST_TEST(contains(statistics_text(s), "too few for an interval: give one of 2 s or more"));
+}
+
+/// A sawtooth of cycles of 1 s whose peaks are exponential above 100.
+std::vector<double> sawtooth(int cycles) {
+  std::vector<double> samples;
+  statistics::RandomStream stream(1, "stats", 0, "peaks");
+  for (int c = 0; c < cycles; ++c) {
+    const double peak = 100.0 - 40.0 * std::log(1.0 - stream.uniform());
+    for (int i = 1; i <= 20; ++i) samples.push_back(20.0 + (peak - 20.0) * i / 20);
+  }
+  return samples;
+}
+
+BOOST_AUTO_TEST_CASE(a_minute_gets_no_level_for_an_hour_and_says_so) {
+  const auto s = statistics_of(every(0.05, sawtooth(60)));
+  BOOST_TEST(s["recommended"]["law"].is_null());
+  BOOST_TEST(s["extremes"].contains("not_fitted"));
+  BOOST_TEST(contains(statistics_text(s), "no level recommended: the return period is 60"));
+  StatisticsSettings century;
+  century.extremes.return_period = 3.2e9;
+  const auto long_asked = statistics_text(statistics_of(every(0.05, sawtooth(300)), century));
+  BOOST_TEST(contains(long_asked, "times the record, and 30 times is the most"));
+}
+
+BOOST_AUTO_TEST_CASE(a_long_record_gets_one_recommended_level_with_its_reason) {
+  const auto s = statistics_of(every(0.05, sawtooth(1000)));
+  BOOST_TEST(s["recommended"]["law"].get<std::string>() == "GEV");
+  BOOST_TEST(s["laws"].size() == 5U);
+  const std::string text = statistics_text(s);
+  BOOST_TEST(contains(text, "by GEV: "));
+  BOOST_TEST(contains(text, "block maxima fit"));
+}
+
+BOOST_AUTO_TEST_CASE(equivalent_loads_tell_when_the_record_is_too_short_for_them) {
+  StatisticsSettings settings;
+  settings.exponents = {3.0, 10.0};
+  const auto s = statistics_of(every(0.05, sawtooth(1000)), settings);
+  BOOST_TEST_REQUIRE(s["fatigue"].size() == 2U);
+  BOOST_TEST(s["fatigue"][1]["equivalent_load"].get<double>() > s["fatigue"][0]["equivalent_load"].get<double>());
+  BOOST_TEST(contains(statistics_text(s), "% of the damage in the long run is from cycles larger than any seen"));
+  const auto few = statistics_of(every(0.05, sawtooth(20)), settings);
+  BOOST_TEST(few["fatigue"][0]["equivalent_load_95"][0].is_null());
+  BOOST_TEST(contains(statistics_text(few), "independent stretches are too few for an interval"));
+}
+
+BOOST_AUTO_TEST_CASE(a_history_is_filtered_and_resampled_with_its_gaps) {
+  std::vector<double> samples;
+  for (int i = 0; i < 2000; ++i)
+    samples.push_back(std::sin(2.0 * kPi * 0.5 * 0.01 * i) + 0.5 * std::sin(2.0 * kPi * 20.0 * 0.01 * i));
+  LoadHistory load = every(0.01, samples);
+  for (std::size_t i = 1000; i < 2000; ++i) load.history.times[i] += 7.0;
+  load.even = statistics::make_even(load.history);
+  const LoadHistory slow = prepared(load, {.low_pass = 2.0, .step = 0.05, .phase = statistics::Phase::kZero});
+  BOOST_TEST(slow.even.sampling.step == 0.05, tolerance(1e-12));
+  BOOST_TEST(slow.even.sampling.gaps.size() == 1U);
+  BOOST_TEST_REQUIRE(slow.history.values.size() == 400U);
+  // The slow wave passes but for (0.5/2)^4/2, the fast one is a ten-thousandth.
+  for (std::size_t i = 40; i < 160; ++i)
+    BOOST_CHECK_SMALL(slow.history.values[i] - std::sin(2.0 * kPi * 0.5 * slow.history.times[i]), 5e-3);
+  BOOST_CHECK_EXCEPTION(prepared(load, {.low_pass = 50.0, .step = 0.0, .phase = statistics::Phase::kZero}), InputError,
+                        [](const InputError& e) { return contains(e.what(), "below half of the sampling frequency"); });
+}
+
+BOOST_AUTO_TEST_CASE(several_histories_and_tables_are_written_at_once) {
+  std::string text = "time [s],Fx,Fz\n";
+  const auto load = sawtooth(100);
+  for (std::size_t i = 0; i < load.size(); ++i)
+    text += std::to_string(0.05 * static_cast<double>(i)) + "," + std::to_string(load[i]) + "," +
+            std::to_string(-load[i]) + "\n";
+  const TemporaryFile file(text);
+  const auto lines_of = [&](const std::string& arguments, const char* table) {
+    const std::string out = file.path() + ".table.csv";
+    CLI::App app;
+    add_stats_command(app);
+    app.parse("stats " + file.path() + " --json " + arguments + " " + table + " " + out);
+    std::ifstream stream(out);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+  };
+  const auto events = lines_of("--column Fx", "--events");
+  BOOST_TEST(events.front() == "start,end,peak_time,peak,impulse,rise,fall,cause,crack_time,crack_x,crack_y");
+  BOOST_TEST(std::abs(static_cast<int>(events.size()) - 100) <= 2);
+  const auto both = lines_of("--column Fx --column Fz --to 50", "--exceedance");
+  BOOST_TEST(both.size() == 101U);
+  BOOST_TEST(both.front() == "file,column,level,time_above,share,events_above");
+  BOOST_TEST(lines_of("--column Fx", "--cycles").size() > 99U);
+  BOOST_CHECK_THROW(lines_of("--column Fx --column Fz", "--picture"), InputError);
+  BOOST_TEST(contains(lines_of("--column Fx", "--picture").front(), "<svg"));
+}
+
+BOOST_AUTO_TEST_CASE(an_event_of_a_run_has_its_cause_and_its_crack) {
+  std::string text = "time,Fx,crushing_Fx,floe_normal_Fx\n";
+  for (int i = 0; i < 200; ++i) {
+    const double load = i % 20 < 10 ? 0.0 : 100.0 * (i % 20 - 9);
+    text += std::to_string(0.1 * i) + "," + std::to_string(load) + "," + std::to_string(0.8 * load) + "," +
+            std::to_string(0.2 * load) + "\n";
+  }
+  const TemporaryFile file(text);
+  const auto folder = std::filesystem::path(file.path()).parent_path();
+  std::ofstream(folder / "events.csv") << "time,x,y,event\n1.9,4,5,break\n1.0,0,0,break\n1.95,0,0,deleted\n";
+  const CsvTable table = events_table(read_history(file.path(), {}), std::nullopt);
+  const std::string first = table.lines.substr(0, table.lines.find('\n'));
+  BOOST_TEST(first.ends_with(",crushing,1.9,4,5"), first);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_number_is_no_limit) {

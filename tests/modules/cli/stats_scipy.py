@@ -69,9 +69,28 @@ class Even(unittest.TestCase):
         window = np.flatnonzero(np.arange(1, len(rho)) >= 5.0 * tau)[0] + 1
         self.close(self.ours["autocorrelation_time"], DT * tau[window - 1] * (1 + (2 * window + 1) / N), rtol=1e-9)
 
-    def test_peaks_between_crossings(self):
-        up = np.flatnonzero((self.x[:-1] <= self.x.mean()) & (self.x[1:] > self.x.mean())) + 1
-        peaks = np.maximum.reduceat(self.x, up)[:-1]
+    def events(self):
+        """Peaks and their samples between a rise above the dead band and a fall below it."""
+        x = self.x
+        noise = np.median(np.abs(np.diff(x, 2))) / (0.6744897501960817 * np.sqrt(6))
+        level, half = x.mean(), min(2.5 * noise, 1.5 * x.std(ddof=1))
+        upper = min(level + half, max(level, 0.5 * (level + x.max())))
+        lower = max(level - half, min(level, 0.5 * (level + x.min())))
+        peaks, inside, start, end = [], False, None, None
+        for i in range(1, len(x)):
+            if x[i - 1] <= level < x[i] and not inside:
+                start = i
+            if x[i - 1] > level >= x[i]:
+                end = i
+            if start is not None and x[i] > upper:
+                inside = True
+            if inside and x[i] < lower:
+                peaks.append(start + int(np.argmax(x[start:end])))
+                inside, start = False, None
+        return np.array(peaks)
+
+    def test_load_events(self):
+        peaks = self.x[self.events()]
         self.assertEqual(self.ours["peaks"]["count"], len(peaks))
         self.close(self.ours["peaks"]["mean"], peaks.mean())
 
@@ -86,8 +105,9 @@ class Even(unittest.TestCase):
 
     def test_generalised_pareto_fit_of_peaks(self):
         ours = self.ours["extremes"]
-        above = np.flatnonzero(self.x > self.threshold)
-        clusters = np.split(above, np.flatnonzero(np.diff(above) > ours["separation"]) + 1)
+        peaks = self.events()
+        peaks = peaks[self.x[peaks] > self.threshold]
+        clusters = np.split(peaks, np.flatnonzero(DT * np.diff(peaks) >= ours["separation"] - 1e-9) + 1)
         excesses = np.array([self.x[c].max() for c in clusters]) - self.threshold
         self.assertEqual(ours["peaks"], len(excesses))
 

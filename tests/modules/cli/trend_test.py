@@ -61,6 +61,44 @@ class Trend(unittest.TestCase):
         self.assertEqual(other["trend"], "undecided")
         self.assertLess(load["last_less_first"]["interval_95"][1], 0)
 
+    def name_the_axes(self):
+        settings = [{"setting": "s", "values": {"structure.angle": a, "structure.speed": v}} for a, v in LOADS]
+        (self.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+
+    def test_other_axes_of_the_grid_are_kept_apart(self):
+        self.name_the_axes()
+        (trend,) = json.loads(self.trend("--along", "structure.angle", "--json").stdout)["trends"]
+        self.assertEqual([s["stratum"] for s in trend["strata"]], ["structure.speed = 0.5", "structure.speed = 2.0"])
+        # Loads rise at one speed and fall at the other: pooled, the scores of both strata add.
+        scores, variances = [], []
+        for speed in (0.5, 2.0):
+            groups = [LOADS[angle, speed] for angle in (50, 60, 70)]
+            n = [len(group) for group in groups]
+            pairs = itertools.combinations([(g, x) for g, group in enumerate(groups) for x in group], 2)
+            scores.append(sum((y > x) - (y < x) for (i, x), (j, y) in pairs if i != j))
+            total = sum(n)
+            variances.append((total * (total - 1) * (2 * total + 5) - sum(k * (k - 1) * (2 * k + 5) for k in n)) / 18)
+        self.assertAlmostEqual(trend["jonckheere_terpstra"]["z"], sum(scores) / sum(variances)**0.5, places=9)
+        ends = [sum(LOADS[70, v]) / len(LOADS[70, v]) - sum(LOADS[50, v]) / len(LOADS[50, v]) for v in (0.5, 2.0)]
+        self.assertAlmostEqual(trend["last_less_first"]["difference"], sum(ends) / 2, places=9)
+
+    def test_a_difference_of_the_ends_is_no_undecided_trend(self):
+        lines = [",".join(COLUMNS)]
+        for angle, values in ((50, (10.0, 10.1)), (60, (8.0, 8.1)), (70, (10.5, 10.6))):
+            lines += [f"a{angle}-r{i},a{angle},{i},done,{angle},1,{x},{x}" for i, x in enumerate(values)]
+        (self.folder / "campaign.csv").write_text("\n".join(lines) + "\n")
+        found = json.loads(self.trend("--along", "structure.angle", "--json").stdout)["trends"][0]
+        self.assertGreater(found["last_less_first"]["interval_95"][0], 0.0)
+        self.assertEqual(found["trend"], "last above first")
+        self.assertIn("the ends differ at 5 %", self.trend("--along", "structure.angle").stdout)
+
+    def test_an_undecided_trend_says_how_large_a_change_could_hide(self):
+        lines = [",".join(COLUMNS)]
+        for angle, values in ((50, (10.0, 12.0)), (60, (11.0, 10.5))):
+            lines += [f"a{angle}-r{i},a{angle},{i},done,{angle},1,{x},{x}" for i, x in enumerate(values)]
+        (self.folder / "campaign.csv").write_text("\n".join(lines) + "\n")
+        self.assertRegex(self.trend("--along", "structure.angle").stdout, r"a change of up to [\d.]+ could hide")
+
     def test_what_cannot_be_tested_is_refused(self):
         self.assertIn("no column 'structure.width'\n  allowed: one of: case, setting",
                       self.trend("--along", "structure.width", code=2).stderr)

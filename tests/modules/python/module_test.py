@@ -38,7 +38,7 @@ def documented(function):
 
 class Stub(unittest.TestCase):
     def test_it_names_what_the_module_has(self):
-        helpers = {"Floats", "Bools", "Table", "Path", "PolygonLike"}
+        helpers = {"Floats", "Bools", "Table", "Path", "PolygonLike", "HistoryLike"}
         self.assertEqual(set(stubbed(STUB.body)) - helpers - {"__version__"}, set(PUBLIC))
 
     def test_its_arguments_are_the_module_s(self):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the statistics room with NumPy and SciPy on the same samples: scipy_check.py DRIVER."""
+import itertools
 import json
 import subprocess
 import sys
@@ -30,6 +31,8 @@ EXACT = np.arange(20.0), np.arange(20.0) + 8 * GENERATOR.standard_normal(20)
 LONG = np.arange(80.0), 0.02 * np.arange(80.0) + GENERATOR.standard_normal(80)
 TIED = np.round(3 * GENERATOR.standard_normal(40)), np.round(3 * GENERATOR.standard_normal(40))
 PAIRS = {"exact": EXACT, "falling": (EXACT[0], -EXACT[0]), "long": LONG, "tied": TIED}
+ORIGIN, LAW_AT = 1.0e5, 2.4e5
+LAW_PEAKS = ORIGIN + stats.weibull_min.rvs(1.7, scale=6e4, size=80, random_state=GENERATOR)
 SAMPLES = {
     "plain": (GENERATOR.standard_normal(12) + 1.0, 3.0 * GENERATOR.standard_normal(25)),
     "tied": (np.round(2 * GENERATOR.standard_normal(30)), np.round(2 * GENERATOR.standard_normal(20) + 1)),
@@ -52,6 +55,7 @@ def run_driver(path):
         "uneven": {"times": TIMES.tolist(), "values": VALUES.tolist(), "segment": SEGMENT, "levels": LEVELS}, "levels": LEVELS, "histogram": HISTOGRAM,
         "threshold": PEAK_LEVEL, "separation": SEPARATION,
         "maxima": MAXIMA.tolist(), "peaks": {k: v.tolist() for k, v in PEAKS.items()}, "pareto_threshold": THRESHOLD,
+        "law_peaks": LAW_PEAKS.tolist(), "law_origin": ORIGIN, "law_at": LAW_AT,
         "pairs": {k: [list(a), list(b)] for k, (a, b) in PAIRS.items()},
         "samples": {k: [list(a), list(b)] for k, (a, b) in SAMPLES.items()}, "groups": GROUPS,
     }
@@ -107,6 +111,13 @@ class History(unittest.TestCase):
         up = np.flatnonzero((X[:-1] <= level) & (X[1:] > level)) + 1
         self.assertGreater(len(up), 20)
         self.assertEqual(self.ours["peaks_between"], [int(a + np.argmax(X[a:b])) for a, b in zip(up, up[1:])])
+
+    def test_low_pass(self):
+        b, a = signal.butter(2, 3.0, fs=1 / DT)
+        once = signal.lfilter(b, a, X, zi=signal.lfilter_zi(b, a) * X[0])[0]
+        self.close(self.ours["low_pass"]["causal"], once)
+        higher = np.arctan(np.tan(np.pi * 3.0 * DT) / (np.sqrt(2) - 1)**0.25) / (np.pi * DT)
+        self.close(self.ours["low_pass"]["zero"], signal.filtfilt(*signal.butter(2, higher, fs=1 / DT), X))
 
     def test_block_maxima(self):
         self.close(self.ours["block_maxima"], X[: len(X) // 77 * 77].reshape(-1, 77).max(axis=1))
@@ -259,6 +270,105 @@ class Extremes(unittest.TestCase):
             expected = [level - np.hypot(level - lower, rate), level + np.hypot(upper - level, rate)]
             # The ends follow from a flat maximum, found to 1e-7 in the shape.
             np.testing.assert_allclose(np.array(ours["level"]["interval"]) - THRESHOLD, expected, rtol=1e-6)
+
+
+class Laws(unittest.TestCase):
+    """Fits by SciPy's likelihoods, and intervals by a profile that is computed another way."""
+    Q = 1e-3
+    FROZEN = {
+        "Gumbel": lambda p: stats.gumbel_r(p[0], p[1]),
+        "GEV": lambda p: stats.genextreme(-p[2], p[0], p[1]),
+        "Pareto": lambda p: stats.genpareto(p[2], ORIGIN, p[1]),
+        "Weibull": lambda p: stats.weibull_min(p[2], ORIGIN, p[1]),
+        "Rayleigh": lambda p: stats.rayleigh(ORIGIN, p[1]),
+    }
+    # Which of location, scale, shape are fitted.
+    FREE = {"Gumbel": (0, 1), "GEV": (0, 1, 2), "Pareto": (1, 2), "Weibull": (1, 2), "Rayleigh": (1,)}
+
+    def sample(self, law):
+        return MAXIMA if law in ("Gumbel", "GEV") else LAW_PEAKS
+
+    def cost(self, law, parameters):
+        if parameters[1] <= 0 or parameters[2] < -0.98:
+            return 1e9
+        with np.errstate(all="ignore"):
+            total = -np.sum(self.FROZEN[law](parameters).logpdf(self.sample(law)))
+        return total if np.isfinite(total) else 1e9
+
+    def fitted(self, law):
+        ours = OURS["laws"][law]
+        return [ours["location"], ours["scale"], ours["shape"]]
+
+    def test_the_likelihood_is_greatest(self):
+        for law, free in self.FREE.items():
+            start = self.fitted(law)
+
+            def cost(steps):
+                p = list(start)
+                for i, step in zip(free, steps):
+                    p[i] += step * (start[1] if i < 2 else 1.0)
+                return self.cost(law, p)
+
+            best = optimize.minimize(cost, np.full(len(free), 0.05), method="Nelder-Mead",
+                                     options={"xatol": 1e-9, "fatol": 1e-10, "maxiter": 5000})
+            # A maximum is flat: its place is known to about the root of the rounding.
+            np.testing.assert_allclose(best.x, 0.0, atol=2e-5, err_msg=law)
+
+    def test_level_and_exceedance(self):
+        for law in self.FREE:
+            ours, frozen = OURS["laws"][law], self.FROZEN[law](self.fitted(law))
+            np.testing.assert_allclose(ours["level"]["value"], frozen.isf(self.Q), rtol=1e-10, err_msg=law)
+            np.testing.assert_allclose(ours["exceedance"], frozen.sf(LAW_AT), rtol=1e-9, err_msg=law)
+
+    def test_anderson_darling(self):
+        for law in self.FREE:
+            x = np.sort(self.sample(law))
+            frozen, n = self.FROZEN[law](self.fitted(law)), len(x)
+            i = np.arange(1, n + 1)
+            squared = -n - np.mean((2 * i - 1) * (frozen.logcdf(x) + frozen.logsf(x[::-1])))
+            np.testing.assert_allclose(OURS["laws"][law]["anderson_darling"], squared, rtol=1e-9, err_msg=law)
+
+    def test_the_ends_of_the_interval_have_the_limit_of_the_likelihood_ratio(self):
+        for law, free in self.FREE.items():
+            start, sample = self.fitted(law), self.sample(law)
+            found = OURS["laws"][law]["level"]
+            level, (lower, upper) = found["value"], found["interval"]
+            n, freedom = len(sample), len(sample) - len(free)
+            allowed = 0.5 * n * np.log1p(stats.t.ppf(0.975, freedom)**2 / freedom)
+
+            def profile(x):
+                """Cost of level x at the best other parameters: the one that makes the level follows from them."""
+                def cost(others):
+                    p = list(start)
+                    if law in ("Gumbel", "GEV"):
+                        p[1] = start[1] * np.exp(others[0])
+                        p[2] = others[1] if law == "GEV" else 0.0
+                        p[0] = 0.0
+                        p[0] = x - self.FROZEN[law](p).isf(self.Q)
+                    else:
+                        p[2], p[1] = (others[0] if law != "Rayleigh" else 0.0), 1.0
+                        if law == "Weibull" and p[2] <= 0:
+                            return 1e9
+                        p[1] = (x - ORIGIN) / (self.FROZEN[law](p).isf(self.Q) - ORIGIN)
+                    return self.cost(law, p)
+
+                first = {"Gumbel": [0.0], "Rayleigh": [0.0]}.get(law, [start[2]])
+                if law == "GEV":  # far levels want heavier tails than the fit has
+                    first = min(itertools.product((-0.6, -0.3, 0.0), np.linspace(-0.4, 0.9, 14)), key=cost)
+                return optimize.minimize(cost, first, method="Nelder-Mead",
+                                         options={"xatol": 1e-7, "fatol": 1e-9, "maxiter": 2000}).fun
+
+            least = self.cost(law, start)
+            frozen = self.FROZEN[law](start)
+            by_number = 0.0
+            if law not in ("Gumbel", "GEV"):
+                share = 0.1
+                slope = (frozen.isf(self.Q / (1 + share)) - frozen.isf(self.Q)) / np.log1p(share)
+                by_number = stats.norm.ppf(0.975) * slope / np.sqrt(n)
+            for end in (lower, upper):
+                reach = np.sqrt((end - level)**2 - by_number**2) * np.sign(end - level)
+                # The search ends at a ten-thousandth of the level.
+                np.testing.assert_allclose(profile(level + reach) - least, allowed, rtol=0.02, err_msg=f"{law} {end}")
 
 
 class Tests(unittest.TestCase):

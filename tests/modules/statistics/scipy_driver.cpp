@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "brash/statistics/extremes.hpp"
+#include "brash/statistics/filter.hpp"
 #include "brash/statistics/history.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
+#include "brash/statistics/laws.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/peaks.hpp"
 #include "brash/statistics/quantile.hpp"
@@ -47,6 +49,8 @@ json one_history(const Samples& x, const json& in) {
   out["degrees_of_freedom"] = even.degrees_of_freedom;
   out["autocorrelation"] = autocorrelation(x, 300);
   out["peaks_above"] = of(peaks_above(x, in["threshold"], in["separation"]));
+  for (const auto& [name, phase] : {std::pair("zero", Phase::kZero), std::pair("causal", Phase::kCausal)})
+    out["low_pass"][name] = low_pass(x, in["dt"], 3.0, phase);
   out["peaks_between"] = of(peaks_between_crossings(x, m.mean));
   out["block_maxima"] = block_maxima(x, 77);
   out["mean_interval"] = of(mean_interval(x, 0.9));
@@ -99,6 +103,25 @@ json extremes(const json& in) {
   return out;
 }
 
+/// Fits of all laws to one sample of maxima and one of peaks, with levels and Anderson and Darling's statistic.
+json laws(const json& in) {
+  const auto maxima = in["maxima"].get<Samples>(), peaks = in["law_peaks"].get<Samples>();
+  const double origin = in["law_origin"];
+  json out;
+  GoodnessOfFit goodness;
+  for (const Law law : {Law::kGumbel, Law::kGev, Law::kPareto, Law::kWeibull, Law::kRayleigh}) {
+    const LawFit fit = fit_law(law, is_of_blocks(law) ? maxima : peaks, origin).value();
+    const Distribution& d = fit.distribution;
+    out[name_of(law)] = {{"location", d.location},
+                         {"scale", d.scale},
+                         {"shape", d.shape},
+                         {"level", of(level_with_interval(fit, 1e-3))},
+                         {"exceedance", d.exceedance(in["law_at"])},
+                         {"anderson_darling", goodness.test(fit).statistic}};
+  }
+  return out;
+}
+
 json tests(const json& in) {
   json out;
   for (const auto& [name, pair] : in["pairs"].items())
@@ -122,6 +145,7 @@ int main() {
                     {"uneven", uneven_history(in["uneven"])},
                     {"spectra", spectra(history, in["other"].get<Samples>(), in["dt"])},
                     {"extremes", extremes(in)},
+                    {"laws", laws(in)},
                     {"tests", tests(in)}}
             << '\n';
 }

@@ -33,6 +33,8 @@ struct Series {
 /// `t` or the like, capitals or not; else the first of several, when it has a unit of time or the table has no names.
 /// Dates such as 2024-02-01T12:00:00 count in seconds from the first row on.
 ///
+/// OpenFAST's text output (.out): as text, from the line on that begins with Time.
+///
 /// netCDF: the dimension of the variable `time` or `t` (or, without those, of the first variable along one dimension
 /// whose unit is "... since ..."), and all numeric variables along it alone. Fill values are missing, packed values are
 /// unpacked.

@@ -27,6 +27,10 @@ TestResult kendall(std::span<const double> x, std::span<const double> y);
 /// @param groups  at least two, not empty, in the order that is tested.
 TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups);
 
+/// The same within strata, such as the speeds of a grid of angles and speeds: the scores of the strata add, and their
+/// variances. Exact for one stratum, else normal.
+TestResult jonckheere_terpstra(const std::vector<std::vector<std::vector<double>>>& strata);
+
 /// Holm's adjustment of p-values for testing several hypotheses; a result below alpha keeps the chance of any false
 /// rejection below alpha. Order kept.
 std::vector<double> holm(std::span<const double> p_values);
@@ -40,6 +44,14 @@ struct MeanComparison {
 
 /// Independent values, such as the means of replicates; at least 2 in each.
 MeanComparison compare_means(std::span<const double> a, std::span<const double> b, double confidence = 0.95);
+
+/// A stratum of two groups of independent values.
+struct PairOfGroups {
+  std::vector<double> a, b;  ///< at least 2 in each
+};
+
+/// Mean over the strata of the difference of two means; each stratum counts the same.
+MeanComparison compare_means(const std::vector<PairOfGroups>& strata, double confidence = 0.95);
 
 /// Two correlated histories: their effective sample sizes take the place of the counts.
 MeanComparison compare_means(const Summary& a, const Summary& b, double confidence = 0.95);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "campaign_histories.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr const char* kSummary = "the summary.json of a campaign that is done";
+constexpr const char* kResume = "run the campaign with `--resume`, which writes it again";
+
+ordered_json read_settings(const std::string& folder) {
+  const std::string path = folder + "/summary.json";
+  const auto json = ordered_json::parse(read_json_text(path, kSummary), nullptr, /*allow_exceptions=*/false);
+  const auto is_setting = [](const ordered_json& s) {
+    return s.is_object() && s.contains("setting") && s["setting"].is_string() && s.contains("values") &&
+           s["values"].is_object();
+  };
+  if (!json.is_object() || !json.contains("settings") || !json["settings"].is_array() || json["settings"].empty() ||
+      !std::ranges::all_of(json["settings"], is_setting))
+    throw InputError(Complaint{path, "is no summary of a campaign", kSummary, kResume});
+  return json["settings"];
+}
+
+/// The folders of a setting's replicates, by their numbers.
+std::vector<fs::path> replicates_of(const std::string& folder, const std::string& setting) {
+  std::vector<fs::path> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder + "/cases", ignored)) {
+    const std::string name = entry.path().filename().string();
+    const std::size_t digits = setting.size() + 2;
+    if (entry.is_directory() && name.starts_with(setting + "-r") && name.size() > digits &&
+        name.find_first_not_of("0123456789", digits) == std::string::npos)
+      found.push_back(entry.path());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+LoadHistory replicate(const fs::path& run, HistoryChoice choice) {
+  if (!choice.has_from) {
+    choice.from = statistics_from((run / "summary.json").string());
+    choice.has_from = true;
+  }
+  for (const char* name : {"history.csv", "run.nc"})
+    if (fs::exists(run / name)) return read_history((run / name).string(), choice);
+  throw InputError(Complaint{run.string(), "holds no history", "a history.csv or run.nc",
+                             "run the campaign with output.keep = \"history\" in its plan"});
+}
+
+}  // namespace
+
+bool is_campaign(const std::string& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder + "/cases", ignored);
+}
+
+double statistics_from(const std::string& summary) {
+  constexpr const char* kAllowed = "the summary.json of a run, with a number `statistics_from`";
+  const auto json = nlohmann::json::parse(read_json_text(summary, kAllowed), nullptr, /*allow_exceptions=*/false);
+  if (json.is_object() && json.contains("statistics_from") && json["statistics_from"].is_number())
+    return json["statistics_from"].get<double>();
+  throw InputError(Complaint{summary, "holds no number `statistics_from`", kAllowed, "copy it again, or give --from"});
+}
+
+std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
+                                                      const std::string& where) {
+  if (!is_campaign(folder))
+    throw InputError(Complaint{folder, "is no campaign: it has no folder cases/", "the folder of a campaign",
+                               "give the folder that `brash campaign` wrote"});
+  std::vector<SettingHistories> settings;
+  std::vector<std::string> names;
+  for (const ordered_json& given : read_settings(folder)) {
+    SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
+    names.push_back(setting.name);
+    if (!where.empty() && fnmatch(where.c_str(), setting.name.c_str(), 0) != 0) continue;
+    for (const fs::path& run : replicates_of(folder, setting.name))
+      setting.replicates.push_back(replicate(run, choice));
+    if (setting.replicates.empty())
+      throw InputError(Complaint{folder, fmt::format("setting '{}' has no case that is done", printable(setting.name)),
+                                 "one case of each setting at least", kResume});
+    settings.push_back(std::move(setting));
+  }
+  if (settings.empty())
+    throw InputError(Complaint{folder, fmt::format("no setting matches '{}'", printable(where)),
+                               fmt::format("one of: {}", fmt::join(names, ", ")), "choose another --where"});
+  return settings;
+}
+
+}  // namespace brash::cli

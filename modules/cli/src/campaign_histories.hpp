@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "load_history.hpp"
+
+namespace brash::cli {
+
+/// The load histories of one setting of a campaign.
+struct SettingHistories {
+  std::string name;               ///< "thickness-0.33m"
+  nlohmann::ordered_json values;  ///< of the varied keys: numbers in SI, or text
+  std::vector<LoadHistory> replicates;
+};
+
+/// Whether a folder is a campaign's.
+bool is_campaign(const std::string& folder);
+
+/// Where the statistics of a run begin [s], as its summary.json says.
+/// @throws InputError when the file says nothing.
+double statistics_from(const std::string& summary);
+
+/// Reads one column of all replicates of a campaign that is done, from the start of their statistics on.
+///
+/// @param choice  its `from`, where given, takes the place of `statistics_from` in the summary of each run.
+/// @param where   only settings whose name matches, such as "angle-50deg_*"; empty: all.
+/// @throws InputError when the folder is no campaign, keeps no histories, or no setting matches.
+std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
+                                                      const std::string& where);
+
+}  // namespace brash::cli

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/core/error.hpp"
+#include "brash/core/text.hpp"
+#include "brash/statistics/summary.hpp"
+#include "extreme_statistics.hpp"
+#include "fatigue_statistics.hpp"
+
+namespace brash::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using namespace statistics;
+
+constexpr double kHour = 3600.0;  // [s]
+
+/// Extremes of the pooled replicates, for a return period.
+ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings, GoodnessOfFit& goodness) {
+  std::vector<ExtremeRecord> records;
+  for (const LoadHistory& load : setting.replicates) {
+    const double memory = autocorrelation_time(load.even.views(), load.even.sampling.step).tau;
+    records.push_back({&load.history, &load.even, memory});
+  }
+  // Whether the record can bear a period is judged for each period.
+  settings.extrapolate = true;
+  return analyse_extremes(extreme_values(records, settings), settings, goodness);
+}
+
+/// Why a record gets no level for a period; "" when it does.
+std::string too_long(const ExtremeAnalysis& extremes, double period, bool extrapolate) {
+  const double records = period / extremes.values.duration;
+  if (extrapolate || records <= kLongestPeriod) return "";
+  return fmt::format("{:.4g} times the {:.4g} s of all replicates, and {:g} times is the most: {:.3g} s of them",
+                     records, extremes.values.duration, kLongestPeriod, period / kLongestPeriod);
+}
+
+ordered_json level_json(const ExtremeAnalysis& extremes, double hours, bool extrapolate) {
+  const double period = kHour * hours;
+  ordered_json out{{"hours", hours}, {"records", period / extremes.values.duration}};
+  const std::string refusal = extremes.recommended ? too_long(extremes, period, extrapolate) : extremes.reason;
+  const auto level = refusal.empty() ? level_of(extremes.of(*extremes.recommended), period) : std::nullopt;
+  if (level) {
+    out["level"] = level->value;
+    out["level_95"] = {level->interval.lower, level->interval.upper};
+  } else {
+    out["refused"] = refusal.empty() ? "the exposure is shorter than a block" : refusal;
+  }
+  return out;
+}
+
+ordered_json state_json(const DesignState& state, const DesignSettings& asked) {
+  const ExtremeAnalysis& e = state.extremes;
+  ordered_json out{{"setting", state.setting->name},
+                   {"values", state.setting->values},
+                   {"replicates", state.setting->replicates.size()},
+                   {"duration", e.values.duration},
+                   {"load_events", e.values.n_events}};
+  if (!asked.scatter.empty()) out["hours_a_year"] = state.hours;
+  ordered_json levels = ordered_json::array();
+  for (const double hours : asked.hours) levels.push_back(level_json(e, hours, asked.extremes.extrapolate));
+  out["levels"] = std::move(levels);
+  out["law"] = e.recommended ? ordered_json(name_of(*e.recommended)) : ordered_json();
+  out["reason"] = e.reason;
+  std::vector<const LoadHistory*> loads;
+  for (const LoadHistory& load : state.setting->replicates) loads.push_back(&load);
+  out["fatigue"] = fatigue_json(loads, asked.exponents, e.values.block, asked.frequency);
+  out["warnings"] = ordered_json::array();
+  if (e.values.clipping) out["warnings"].push_back("a sensor seems to clip: larger loads are lost");
+  return out;
+}
+
+/// Why there are no annual levels; "" when there are.
+std::string refusal_of_years(const std::vector<DesignState>& states, const DesignSettings& asked) {
+  const double rarest = *std::ranges::min_element(asked.annual);
+  bool any = false;
+  for (const DesignState& state : states) {
+    if (state.hours == 0.0) continue;
+    any = true;
+    const std::string& name = state.setting->name;
+    if (!state.extremes.recommended) return fmt::format("setting '{}': {}", name, state.extremes.reason);
+    const std::string refusal = too_long(state.extremes, kHour * state.hours / rarest, asked.extremes.extrapolate);
+    if (!refusal.empty()) return fmt::format("setting '{}': {:g} hours a year ask for {}", name, state.hours, refusal);
+  }
+  return any ? "" : "no state of the scatter table lasts";
+}
+
+void add_years(const DesignSettings& asked, Design& design) {
+  ordered_json& out = design.json["annual"];
+  if (const std::string refusal = refusal_of_years(design.states, asked); !refusal.empty()) {
+    out = {{"refused", refusal}};
+    return;
+  }
+  std::vector<IceState> states;
+  for (const DesignState& state : design.states) {
+    if (state.hours == 0.0) continue;
+    const ExtremeEstimate& e = state.extremes.of(*state.extremes.recommended);
+    states.push_back({*e.fit, e.rate, state.hours});
+  }
+  design.long_term.emplace(states, *std::ranges::min_element(asked.annual));
+  out = ordered_json::array();
+  for (const double probability : asked.annual) {
+    const Estimate level = design.long_term->level(probability);
+    const std::vector<double> parts = design.long_term->shares(level.value);
+    double sum = 0.0;
+    for (const double part : parts) sum += part;
+    ordered_json shares = ordered_json::object();
+    std::size_t next = 0;
+    for (const DesignState& state : design.states)
+      if (state.hours > 0.0) shares[state.setting->name] = parts[next++] / sum;
+    out.push_back({{"probability", probability},
+                   {"return_period_years", -1.0 / std::log1p(-probability)},
+                   {"level", level.value},
+                   {"level_95", {level.interval.lower, level.interval.upper}},
+                   {"shares", shares}});
+  }
+}
+
+/// Equivalent loads over the hours of all states; their bounds add those of the states, which is wide.
+ordered_json fatigue_of_years(const ordered_json& settings, const DesignSettings& asked) {
+  ordered_json out = ordered_json::array();
+  for (std::size_t i = 0; i < asked.exponents.size(); ++i) {
+    const double m = asked.exponents[i];
+    double hours = 0.0, sum = 0.0, lower = 0.0, upper = 0.0;
+    bool bounded = true;
+    for (const ordered_json& state : settings) {
+      const double h = state["hours_a_year"].get<double>();
+      const ordered_json& f = state["fatigue"][i];
+      hours += h;
+      sum += h * std::pow(f["equivalent_load"].get<double>(), m);
+      bounded = bounded && !(h > 0.0 && f["equivalent_load_95"][0].is_null());
+      if (!bounded) continue;
+      lower += h > 0.0 ? h * std::pow(f["equivalent_load_95"][0].get<double>(), m) : 0.0;
+      upper += h > 0.0 ? h * std::pow(f["equivalent_load_95"][1].get<double>(), m) : 0.0;
+    }
+    if (hours == 0.0) continue;
+    const auto range = [&](double damage) { return std::pow(damage / hours, 1.0 / m); };
+    ordered_json entry{{"exponent", m}, {"frequency", asked.frequency}, {"equivalent_load", range(sum)}};
+    entry["equivalent_load_95"] = bounded ? ordered_json{range(lower), range(upper)} : ordered_json{nullptr, nullptr};
+    out.push_back(entry);
+  }
+  return out;
+}
+
+double longest_period(const DesignSettings& asked, double hours_a_year) {
+  double longest = kHour * *std::ranges::max_element(asked.hours);
+  if (hours_a_year > 0.0) longest = std::max(longest, kHour * hours_a_year / *std::ranges::min_element(asked.annual));
+  return longest;
+}
+
+}  // namespace
+
+Design design_of(const std::vector<SettingHistories>& settings, const DesignSettings& asked) {
+  Design design;
+  design.unit = settings.front().replicates.front().unit;
+  const std::vector<double> hours =
+      asked.scatter.empty() ? std::vector<double>(settings.size(), 0.0) : read_scatter(asked.scatter, settings);
+  design.json = {{"column", settings.front().replicates.front().column},
+                 {"unit", design.unit.empty() ? ordered_json() : ordered_json(design.unit)},
+                 {"settings", ordered_json::array()}};
+  GoodnessOfFit goodness;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    ExtremeSettings extremes = asked.extremes;
+    extremes.return_period = longest_period(asked, hours[i]);
+    design.states.push_back({&settings[i], pooled(settings[i], extremes, goodness), hours[i]});
+    design.json["settings"].push_back(state_json(design.states.back(), asked));
+  }
+  if (asked.scatter.empty()) return design;
+  add_years(asked, design);
+  design.json["fatigue"] = fatigue_of_years(design.json["settings"], asked);
+  return design;
+}
+
+}  // namespace brash::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
+#include "brash/core/write_file.hpp"
+#include "brash/io/results.hpp"
+#include "design.hpp"
+#include "messages.hpp"
+#include "stats_commands.hpp"
+#include "time_span.hpp"
+
+namespace brash::cli {
+namespace {
+
+struct DesignOptions {
+  std::string campaign, where, picture;
+  HistoryChoice choice;
+  DesignSettings asked;
+  double dead_band = 0.0;
+  bool json = false;
+};
+
+void add_questions(CLI::App& command, DesignOptions& o) {
+  command.add_option("--hours", o.asked.hours, "of exposure: loads that are exceeded once in them on average")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1e-3, 1e9))
+      ->capture_default_str();
+  command.add_option("--scatter", o.asked.scatter, "CSV of varied keys in SI and `hours` a year, one line a state");
+  command.add_option("--annual", o.asked.annual, "annual probabilities of exceedance, with --scatter")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1e-9, 0.5))
+      ->capture_default_str();
+  command.add_option("--exponent", o.asked.exponents, "of S-N curves, for damage-equivalent loads by rainflow")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1.0, 20.0));
+  command.add_option("--frequency", o.asked.frequency, "of the equivalent sinusoid [Hz]")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->capture_default_str();
+}
+
+void add_ways(CLI::App& command, DesignOptions& o) {
+  command.add_flag("--extrapolate", o.asked.extremes.extrapolate,
+                   "give levels for more than 30 times the record, marked");
+  command
+      .add_option("--block", o.asked.extremes.block,
+                  "of block maxima [s] [20 autocorrelation times, 5 load cycles at least]")
+      ->check(time_span());
+  command.add_option("--dead-band", o.dead_band, "of load events, in deviations [5 x the noise floor]")
+      ->check(CLI::Range(0.0, 100.0));
+}
+
+}  // namespace
+
+void add_design_command(CLI::App& app) {
+  auto options = std::make_shared<DesignOptions>();
+  options->choice.column = "Fx";
+  CLI::App* command = app.add_subcommand("design", "From a campaign's replicates to design loads, with intervals");
+  command->add_option("campaign", options->campaign, "folder of a campaign that keeps histories")->required();
+  command->add_option("--column", options->choice.column, "of the histories")->capture_default_str();
+  command->add_option("--from", options->choice.from, "leave out what is earlier [s] [as each run's summary]");
+  command->add_option("--where", options->where, "only settings whose name matches, such as 'angle-50deg_*'");
+  add_questions(*command, *options);
+  add_ways(*command, *options);
+  command->add_option("-o,--output", options->picture, "also draw the levels to this SVG file");
+  command->add_flag("--json", options->json, "as JSON");
+  command->footer("Example: brash design results/thickness --hours 3 --scatter states.csv --exponent 5");
+  command->callback([options, command] {
+    DesignOptions& o = *options;
+    o.choice.has_from = command->count("--from") > 0;
+    if (command->count("--dead-band") > 0) o.asked.extremes.dead_band = o.dead_band;
+    if (!o.asked.scatter.empty()) refuse_overwriting(o.picture, {o.asked.scatter});
+    const auto settings = read_campaign_histories(o.campaign, o.choice, o.where);
+    const Design design = design_of(settings, o.asked);
+    if (!o.picture.empty()) write_file(o.picture, design_picture(design, o.asked));
+    print_data(o.json ? design.json.dump(2) + "\n" : escaped_lines(design_text(design.json)));
+  });
+}
+
+}  // namespace brash::cli

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Load histories as the command has them: `brash stats`, `compare` and `design` on arrays, pandas and xarray.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "brash/statistics/rainflow.hpp"
+#include "convert.hpp"
+#include "design.hpp"
+#include "extreme_statistics.hpp"
+#include "history_comparison.hpp"
+#include "history_statistics.hpp"
+#include "load_history.hpp"
+#include "rooms.hpp"
+
+namespace brash::python {
+namespace {
+
+using cli::LoadHistory;
+using nlohmann::ordered_json;
+using namespace py::literals;
+
+constexpr double kLongest = 1e12;  // [s]
+
+std::string path_of(const py::object& path) {
+  return py::module_::import("os").attr("fspath")(path).cast<std::string>();
+}
+
+void require(bool allowed, const char* name, double value, const char* range) {
+  if (!allowed) throw InputError(fmt::format("{}: {} is not allowed; {}", name, value, range));
+}
+
+/// Seconds: numbers as they are, dates and differences of times from the first one on.
+py::object seconds(const py::object& times) {
+  const py::object array = py::module_::import("numpy").attr("asarray")(times);
+  const auto kind = array.attr("dtype").attr("kind").cast<std::string>();
+  if (kind != "M" && kind != "m") return array;
+  return (array - array[py::int_(0)]).attr("astype")("timedelta64[ns]").attr("astype")("float64") * py::float_(1e-9);
+}
+
+/// Times and values of a pandas.Series, an xarray.DataArray or a pair of arrays.
+std::pair<py::object, py::object> times_and_values(const py::object& history) {
+  if (py::hasattr(history, "coords") && py::hasattr(history, "dims")) {
+    const py::object dimension = history.attr("dims")[py::int_(0)];
+    return {seconds(history.attr("coords")[dimension].attr("values")), history.attr("values")};
+  }
+  if (py::hasattr(history, "to_numpy") && py::hasattr(history, "index"))
+    return {seconds(history.attr("index")), history.attr("to_numpy")()};
+  if (py::isinstance<py::tuple>(history) && py::len(history) == 2)
+    return {seconds(history[py::int_(0)]), history[py::int_(1)]};
+  throw InputError(
+      "history: a pandas.Series whose index is time [s], an xarray.DataArray along time, or a pair (times, values) is "
+      "expected");
+}
+
+LoadHistory load_of(const py::object& history) {
+  const auto [times, values] = times_and_values(history);
+  const Array t = samples(times, "times"), x = samples(values, "values");
+  if (t.size() != x.size()) throw InputError(fmt::format("history: {} times and {} values", t.size(), x.size()));
+  LoadHistory load;
+  load.column = py::hasattr(history, "name") && !history.attr("name").is_none()
+                    ? py::str(history.attr("name")).cast<std::string>()
+                    : "load";
+  for (py::ssize_t i = 0; i < t.size(); ++i) {
+    if (std::isnan(x.data()[i])) {
+      ++load.n_missing;
+      continue;
+    }
+    load.history.times.push_back(t.data()[i]);
+    load.history.values.push_back(x.data()[i]);
+  }
+  load.even = statistics::make_even(load.history);
+  return load;
+}
+
+/// One history, or a list of them.
+std::vector<LoadHistory> loads_of(const py::object& histories) {
+  std::vector<LoadHistory> loads;
+  if (!py::isinstance<py::list>(histories)) return {load_of(histories)};
+  for (const py::handle one : histories) loads.push_back(load_of(py::reinterpret_borrow<py::object>(one)));
+  if (loads.empty()) throw InputError("histories: the list is empty");
+  return loads;
+}
+
+py::object read(const py::object& path, const std::string& column, std::optional<double> start,
+                std::optional<double> end, double dt, const std::string& as) {
+  cli::HistoryChoice choice;
+  choice.column = column;
+  choice.has_from = start.has_value();
+  choice.from = start.value_or(0.0);
+  choice.to = end;
+  choice.dt = dt;
+  const LoadHistory load = cli::read_history(path_of(path), choice);
+  const py::array times = to_array(load.history.times), values = to_array(load.history.values);
+  if (as == "numpy") return py::make_tuple(times, values);
+  if (as == "pandas") {
+    const py::object index = py::module_::import("pandas").attr("Index")(times, "name"_a = "time");
+    return py::module_::import("pandas").attr("Series")(values, "index"_a = index, "name"_a = load.column);
+  }
+  if (as == "xarray")
+    return py::module_::import("xarray").attr("DataArray")(values, "coords"_a = py::dict("time"_a = times),
+                                                           "dims"_a = py::make_tuple("time"), "name"_a = load.column,
+                                                           "attrs"_a = py::dict("units"_a = load.unit));
+  throw InputError(fmt::format("as_: '{}' is not allowed; numpy, pandas or xarray", as));
+}
+
+statistics::ExtremeSettings extreme_settings(double return_period, double block, std::optional<double> threshold,
+                                             std::optional<double> dead_band, bool extrapolate) {
+  require(return_period > 0.0 && return_period < kLongest, "return_period", return_period, "in (0, 1e12) s");
+  require(block >= 0.0 && block < kLongest, "block", block, "in (0, 1e12) s, or 0 for the default");
+  if (threshold) require(std::isfinite(*threshold), "threshold", *threshold, "a finite load");
+  if (dead_band) require(*dead_band >= 0.0 && *dead_band < 1e6, "dead_band", *dead_band, "in [0, 1e6) deviations");
+  statistics::ExtremeSettings settings;
+  settings.return_period = return_period;
+  settings.block = block;
+  settings.threshold = threshold;
+  settings.dead_band = dead_band;
+  settings.extrapolate = extrapolate;
+  return settings;
+}
+
+py::object extremes(const py::object& histories, double return_period, double block, std::optional<double> threshold,
+                    std::optional<double> dead_band, bool extrapolate) {
+  return with_arguments_of("extremes", [&] {
+    const auto settings = extreme_settings(return_period, block, threshold, dead_band, extrapolate);
+    const std::vector<LoadHistory> loads = loads_of(histories);
+    std::vector<statistics::ExtremeRecord> records;
+    for (const LoadHistory& load : loads)
+      records.push_back({&load.history, &load.even,
+                         statistics::autocorrelation_time(load.even.views(), load.even.sampling.step).tau});
+    statistics::GoodnessOfFit goodness;
+    ordered_json out;
+    cli::add_extremes(statistics::analyse_extremes(statistics::extreme_values(records, settings), settings, goodness),
+                      out);
+    return from_json(out.dump());
+  });
+}
+
+py::object stats(const py::object& history, double return_period, const std::vector<double>& exponents,
+                 double frequency, bool extrapolate) {
+  return with_arguments_of("stats", [&] {
+    cli::StatisticsSettings settings;
+    settings.extremes = extreme_settings(return_period, 0.0, std::nullopt, std::nullopt, extrapolate);
+    for (const double m : exponents) require(m >= 1.0 && m <= 20.0, "exponents", m, "from 1 to 20");
+    require(frequency > 0.0 && frequency < 1e9, "frequency", frequency, "in (0, 1e9) Hz");
+    settings.exponents = exponents;
+    settings.frequency = frequency;
+    return from_json(cli::statistics_of(load_of(history), settings).dump());
+  });
+}
+
+py::dict events(const py::object& history, std::optional<double> dead_band) {
+  return with_arguments_of("load_events", [&] {
+    if (dead_band) require(*dead_band >= 0.0 && *dead_band < 1e6, "dead_band", *dead_band, "in [0, 1e6) deviations");
+    const auto found = cli::events_of(load_of(history), dead_band);
+    py::dict out;
+    const auto add = [&](const char* name, auto member) {
+      std::vector<double> column;
+      for (const statistics::LoadEvent& event : found) column.push_back(member(event));
+      out[name] = to_array(std::span<const double>(column));
+    };
+    using Event = statistics::LoadEvent;
+    add("start", [](const Event& e) { return e.start; });
+    add("end", [](const Event& e) { return e.end; });
+    add("peak_time", [](const Event& e) { return e.peak_time; });
+    add("peak", [](const Event& e) { return e.peak; });
+    add("impulse", [](const Event& e) { return e.impulse; });
+    add("rise", [](const Event& e) { return e.rise(); });
+    add("fall", [](const Event& e) { return e.fall(); });
+    return out;
+  });
+}
+
+py::tuple cycles(const py::object& values) {
+  return with_arguments_of("rainflow", [&] {
+    const Array array = samples(values, "samples");
+    std::vector<double> ranges, means, counts;
+    for (const statistics::Cycle& cycle : statistics::rainflow(span_of(array))) {
+      ranges.push_back(cycle.range);
+      means.push_back(cycle.mean);
+      counts.push_back(cycle.count);
+    }
+    return py::make_tuple(to_array(std::span<const double>(ranges)), to_array(std::span<const double>(means)),
+                          to_array(std::span<const double>(counts)));
+  });
+}
+
+py::object compare(const py::object& run, const py::object& measured) {
+  return with_arguments_of("compare",
+                           [&] { return from_json(cli::compare_histories(loads_of(run), loads_of(measured)).dump()); });
+}
+
+py::object design(const py::object& campaign, const std::string& column, const std::vector<double>& hours,
+                  const py::object& scatter, const std::vector<double>& annual, const std::vector<double>& exponents,
+                  double frequency, const std::string& where, bool extrapolate) {
+  return with_arguments_of("design", [&] {
+    cli::DesignSettings asked;
+    if (hours.empty() || annual.empty()) throw InputError("design: hours and annual need a number each at least");
+    for (const double h : hours) require(h >= 1e-3 && h <= 1e9, "hours", h, "from 1e-3 to 1e9");
+    for (const double p : annual) require(p >= 1e-9 && p <= 0.5, "annual", p, "from 1e-9 to 0.5");
+    for (const double m : exponents) require(m >= 1.0 && m <= 20.0, "exponents", m, "from 1 to 20");
+    require(frequency > 0.0 && frequency < 1e9, "frequency", frequency, "in (0, 1e9) Hz");
+    asked.hours = hours;
+    asked.annual = annual;
+    asked.exponents = exponents;
+    asked.frequency = frequency;
+    asked.extremes.extrapolate = extrapolate;
+    if (!scatter.is_none()) asked.scatter = path_of(scatter);
+    cli::HistoryChoice choice;
+    choice.column = column;
+    const auto settings = cli::read_campaign_histories(path_of(campaign), choice, where);
+    return from_json(cli::design_of(settings, asked).json.dump());
+  });
+}
+
+}  // namespace
+
+void add_load_histories(py::module_& m) {
+  m.def("read_history", &read, "path"_a, "column"_a = "", "start"_a = py::none(), "end"_a = py::none(), "dt"_a = 0.0,
+        "as_"_a = "numpy",
+        "One column of a CSV, netCDF or OpenFAST file (.out) against time [s], in SI: (times, values), a pandas.Series "
+        "or an xarray.DataArray. dt: step of a file without times.");
+  m.def(
+      "load_events", &events, "history"_a, "dead_band"_a = py::none(),
+      "Load events about the mean: a dict of arrays, shape (n,), that pandas.DataFrame takes. dead_band in deviations, "
+      "left out from the noise floor.");
+  m.def(
+      "extremes", &extremes, "histories"_a, "return_period"_a, "block"_a = 0.0, "threshold"_a = py::none(),
+      "dead_band"_a = py::none(), "extrapolate"_a = false,
+      "Five laws of extremes with levels of `return_period` [s], and one recommended with its reason, as `brash stats "
+      "--json`. A list of histories is pooled as replicates.");
+  m.def("stats", &stats, "history"_a, "return_period"_a = 3600.0, "exponents"_a = std::vector<double>(),
+        "frequency"_a = 1.0, "extrapolate"_a = false, "All that `brash stats --json` tells of a history.");
+  m.def("rainflow", &cycles, "samples"_a,
+        "(ranges, means, counts) of the cycles by ASTM E1049, shape (n,) each; counts are 1 and 0.5.");
+  m.def("compare", &compare, "run"_a, "measured"_a,
+        "All that `brash compare --json` tells; a list of histories on a side are replicates.");
+  m.def("design", &design, "campaign"_a, "column"_a = "Fx", "hours"_a = std::vector<double>{1.0},
+        "scatter"_a = py::none(), "annual"_a = std::vector<double>{1e-2, 1e-4}, "exponents"_a = std::vector<double>(),
+        "frequency"_a = 1.0, "where"_a = "", "extrapolate"_a = false,
+        "Design loads of a campaign's folder, as `brash design --json`.");
+}
+
+}  // namespace brash::python

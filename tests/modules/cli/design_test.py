@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`brash design` on campaigns whose peaks have a known law: pooled levels, a scatter table, refusals."""
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import tempfile
+import unittest
+
+BRASH = os.environ["BRASH"]
+CYCLES = 400  # of a replicate, one second each
+SETTINGS = {"thin": (0.3, 40.0), "thick": (0.6, 80.0)}  # thickness, mean excess of the peaks above 100
+
+
+def sawtooth(excess, generator):
+    """Rows of a load that rises straight to an exponential peak in each second."""
+    lines, time = ["time [s],Fx [N]"], 0.0
+    for _ in range(CYCLES):
+        peak = 100.0 + generator.expovariate(1.0 / excess)
+        for i in range(1, 11):
+            time += 0.1
+            lines.append(f"{time:.1f},{20.0 + (peak - 20.0) * i / 10:.6f}")
+    return "\n".join(lines) + "\n"
+
+
+class Design(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.place.name)
+        generator = random.Random(7)
+        for name, (_, excess) in SETTINGS.items():
+            for replicate in range(3):
+                run = cls.folder / "cases" / f"{name}-r{replicate:04d}"
+                run.mkdir(parents=True)
+                (run / "history.csv").write_text(sawtooth(excess, generator))
+                (run / "summary.json").write_text('{"statistics_from": 0.0}')
+        settings = [{"setting": name, "values": {"ice.thickness": thickness}} for name, (thickness, _) in SETTINGS.items()]
+        (cls.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.place.cleanup()
+
+    def design(self, *arguments, code=0):
+        done = subprocess.run([BRASH, "design", str(self.folder), *map(str, arguments)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stderr if code else done.stdout
+
+    def scatter(self, text):
+        file = self.folder / "states.csv"
+        file.write_text(text)
+        return file
+
+    def test_replicates_are_pooled_and_levels_hold_the_truth(self):
+        found = json.loads(self.design("--hours", 1, "--hours", 5, "--json"))
+        for state, (_, excess) in zip(found["settings"], SETTINGS.values()):
+            self.assertEqual(state["replicates"], 3)
+            self.assertAlmostEqual(state["duration"], 3 * CYCLES, delta=1)
+            self.assertGreater(state["load_events"], 0.9 * 3 * CYCLES)  # small peaks are below the mean
+            for level in state["levels"]:
+                truth = 100.0 + excess * math.log(3600 * level["hours"])
+                self.assertLess(level["level_95"][0], truth)
+                self.assertGreater(level["level_95"][1], truth)
+
+    def test_a_scatter_table_weighs_the_states(self):
+        table = self.scatter("ice.thickness,hours\n0.3,100\n0.6,2\n")
+        found = json.loads(self.design("--scatter", table, "--annual", 0.5, "--annual", 0.01, "--extrapolate", "--json",
+                                       "--exponent", 4))
+
+        def rate(x):
+            return sum(3600 * h * math.exp(-(x - 100.0) / e) for h, e in ((100, 40.0), (2, 80.0)))
+
+        for level in found["annual"]:
+            low, high = 100.0, 1e4
+            for _ in range(80):
+                middle = 0.5 * (low + high)
+                low, high = (middle, high) if rate(middle) > -math.log1p(-level["probability"]) else (low, middle)
+            self.assertLess(level["level_95"][0], low)
+            self.assertGreater(level["level_95"][1], low)
+            self.assertGreater(level["shares"]["thick"], 0.5)  # thicker ice decides, though it is rare
+            self.assertAlmostEqual(sum(level["shares"].values()), 1.0)
+        loads = [state["fatigue"][0]["equivalent_load"] for state in found["settings"]]
+        pooled = ((100 * loads[0]**4 + 2 * loads[1]**4) / 102)**0.25
+        self.assertAlmostEqual(found["fatigue"][0]["equivalent_load"], pooled, places=6)
+
+    def test_one_state_alone_has_the_level_of_its_hours(self):
+        table = self.scatter("ice.thickness,hours\n0.6,1\n")
+        probability = 1.0 - math.exp(-0.25)  # once in four hours of the state
+        found = json.loads(self.design("--scatter", table, "--annual", probability, "--hours", 4, "--json"))
+        level = found["settings"][1]["levels"][0]
+        # The curve of the levels is straight between points.
+        self.assertAlmostEqual(found["annual"][0]["level"] / level["level"], 1.0, delta=0.01)
+        for end in (0, 1):
+            self.assertAlmostEqual(found["annual"][0]["level_95"][end] / level["level_95"][end], 1.0, delta=0.03)
+
+    def test_a_century_is_refused_or_marked(self):
+        table = self.scatter("ice.thickness,hours\n0.3,500\n0.6,50\n")
+        self.assertIn("all states: no annual level: setting 'thin': 500 hours a year ask for", self.design("--scatter", table))
+        self.assertIn("once in 100 h: no level: 300 times the 1200 s of all replicates, and 30 times is the most",
+                      self.design("--hours", 100))
+        marked = self.design("--hours", 100, "--extrapolate")
+        self.assertIn("warning: 300 times the record: the level rests on the law more than on data", marked)
+
+    def test_a_picture_is_drawn(self):
+        picture = self.folder / "design.svg"
+        self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "--extrapolate", "-o", picture)
+        self.assertIn("level of an annual probability", picture.read_text())
+
+    def test_what_cannot_be_pooled_is_refused(self):
+        refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.5,10\n"), code=2)
+        self.assertIn("states.csv:2: the campaign has no setting of the state '0.5,10'", refused)
+        refused = self.design("--scatter", self.scatter("ice.strength,hours\n0.5,10\n"), code=2)
+        self.assertIn("column 'ice.strength' is no varied key\n  allowed: `hours` and: ice.thickness", refused)
+        refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,9000\n"), code=2)
+        self.assertIn("hours '9000'\n  allowed: hours of a year, 0 to 8784", refused)
+        self.assertIn("no setting matches 'x*'\n  allowed: one of: thin, thick", self.design("--where", "x*", code=2))
+        done = subprocess.run([BRASH, "design", str(self.folder / "cases")], capture_output=True, text=True)
+        self.assertIn("is no campaign: it has no folder cases/", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

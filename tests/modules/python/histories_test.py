@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Load histories in Python: the reader, events, extremes, comparison, design; pandas and xarray in and out."""
+import json
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import brash
+
+try:
+    import pandas as pd
+    import xarray as xr
+except ImportError:
+    pd = xr = None
+
+GENERATOR = np.random.default_rng(11)
+
+
+def sawtooth(cycles, excess=40.0):
+    """(times, load): a straight rise to an exponential peak above 100 in each second."""
+    peaks = 100.0 + GENERATOR.exponential(excess, cycles)
+    load = (20.0 + (peaks[:, None] - 20.0) * np.arange(1, 21) / 20).ravel()
+    return 0.05 * np.arange(load.size), load
+
+
+class Histories(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name)
+
+    def test_a_column_is_read_in_si_and_between_two_times(self):
+        file = self.folder / "load.csv"
+        file.write_text("time [ms],Fx [kN]\n0,1\n500,2\n1000,3\n1500,4\n")
+        times, values = brash.read_history(file, start=0.5, end=1.0)
+        self.assertEqual((times.tolist(), values.tolist()), ([0.5, 1.0], [2000.0, 3000.0]))
+
+    def test_the_output_of_openfast_is_read(self):
+        file = self.folder / "tower.out"
+        file.write_text("\nPredictions were generated on 01-Jan-2026\n\nDescription from the input file, line 2\n\n"
+                        "Time\tTwrBsFxt\tTwrBsMyt\n(s)\t(kN)\t(kN-m)\n0.0\t1.5E+02\t3\n0.1\t-2.5E+02\t4\n")
+        times, values = brash.read_history(file, "TwrBsFxt")
+        self.assertEqual(times.tolist(), [0.0, 0.1])
+        np.testing.assert_allclose(values, [150e3, -250e3])
+
+    @unittest.skipIf(pd is None, "pandas and xarray are not installed")
+    def test_pandas_and_xarray_go_in_and_come_out(self):
+        times, load = sawtooth(100)
+        series, array = pd.Series(load, index=times), xr.DataArray(load, coords={"time": times}, dims=("time",))
+        dated = pd.Series(load, index=pd.Timestamp("2026-01-01") + pd.to_timedelta(times, unit="s"))
+        expected = brash.load_events((times, load))
+        for history in (series, array, dated):
+            np.testing.assert_allclose(brash.load_events(history)["peak"], expected["peak"])
+        file = self.folder / "load.csv"
+        file.write_text("time,Fx [kN]\n0,1\n1,2\n2,4\n")
+        series = brash.read_history(file, as_="pandas")
+        self.assertEqual((series.name, series.index.name, series.iloc[-1]), ("Fx", "time", 4000.0))
+        self.assertEqual(brash.read_history(file, as_="xarray").attrs["units"], "N")
+
+    def test_events_extremes_and_fatigue_are_those_of_the_command(self):
+        times, load = sawtooth(1000)
+        events = brash.load_events((times, load))
+        self.assertGreater(len(events["peak"]), 900)
+        np.testing.assert_allclose(events["rise"] + events["fall"], events["end"] - events["start"])
+        found = brash.extremes((times, load), 3000.0)
+        self.assertEqual(found["recommended"]["law"], "GEV")
+        truth = 100.0 + 40.0 * np.log(3000.0)
+        self.assertTrue(found["recommended"]["level_95"][0] < truth < found["recommended"]["level_95"][1])
+        self.assertIsNone(brash.extremes((times[:1200], load[:1200]), 3600.0)["recommended"]["law"])
+        self.assertEqual(brash.stats((times, load), exponents=[4.0])["fatigue"][0]["exponent"], 4.0)
+        halves = [(times[:10000], load[:10000]), (times[10000:], load[10000:])]
+        self.assertIsNotNone(brash.extremes(halves, 3000.0)["recommended"]["law"])
+
+    def test_rainflow_counts_the_example_of_the_standard(self):
+        ranges, _, counts = brash.rainflow([-2, 1, -3, 5, -1, 3, -4, 4, -2])
+        found = {r: counts[ranges == r].sum() for r in ranges}
+        self.assertEqual(found, {3: 0.5, 4: 1.5, 6: 0.5, 8: 1.0, 9: 0.5})
+
+    def test_replicates_are_compared(self):
+        run, measured = [sawtooth(100) for _ in range(4)], [sawtooth(100, 80.0) for _ in range(3)]
+        found = brash.compare(run, measured)
+        self.assertEqual(found["run"]["histories"], 4)
+        self.assertIn("mean", found["differs"])
+
+    def test_a_campaign_becomes_design_loads(self):
+        for replicate in range(3):
+            run = self.folder / "cases" / f"thin-r{replicate:04d}"
+            run.mkdir(parents=True)
+            (run / "summary.json").write_text('{"statistics_from": 0}')
+            rows = "\n".join(f"{t:.2f},{x}" for t, x in zip(*sawtooth(200)))
+            (run / "history.csv").write_text(f"time,Fx\n{rows}\n")
+        settings = [{"setting": "thin", "values": {"ice.thickness": 0.3}}]
+        (self.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+        state = brash.design(self.folder, hours=[0.5, 1.0])["settings"][0]
+        self.assertEqual([level["hours"] for level in state["levels"]], [0.5, 1.0])
+        self.assertLess(state["levels"][0]["level"], state["levels"][1]["level"])
+        with self.assertRaises(brash.InputError):
+            brash.design(self.folder / "cases")
+
+    def test_what_is_no_history_is_refused(self):
+        for bad in (3, "text", ([0, 1], [1]), ([1, 0, 2], [1, 2, 3])):
+            with self.assertRaises(brash.InputError):
+                brash.stats(bad)
+
+
+if __name__ == "__main__":
+    unittest.main()
