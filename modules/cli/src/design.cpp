@@ -111,10 +111,15 @@ void add_years(const DesignSettings& asked, Design& design) {
     for (const double part : parts) sum += part;
     ordered_json shares = ordered_json::object();
     std::size_t next = 0;
-    for (const DesignState& state : design.states)
-      if (state.hours > 0.0) shares[state.setting->name] = parts[next++] / sum;
+    double records = 0.0;  // of the state that is asked for most
+    for (const DesignState& state : design.states) {
+      if (state.hours == 0.0) continue;
+      shares[state.setting->name] = parts[next++] / sum;
+      records = std::max(records, kHour * state.hours / probability / state.extremes.values.duration);
+    }
     out.push_back({{"probability", probability},
                    {"return_period_years", -1.0 / std::log1p(-probability)},
+                   {"records", records},
                    {"level", level.value},
                    {"level_95", {level.interval.lower, level.interval.upper}},
                    {"shares", shares}});

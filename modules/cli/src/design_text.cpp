@@ -11,6 +11,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// The warning of a level that is far beyond the record; "" where it is not.
+std::string mark(const ordered_json& level) {
+  const double records = level["records"].get<double>();
+  if (records <= statistics::kMarkedPeriod) return "";
+  return fmt::format("    warning: {:.3g} times the record: the level rests on the law more than on data\n", records);
+}
+
 std::string level_text(const ordered_json& level) {
   const double hours = level["hours"].get<double>();
   if (level.contains("refused"))
@@ -18,10 +25,7 @@ std::string level_text(const ordered_json& level) {
   std::string text =
       fmt::format("  once in {:g} h: {:.6g}   95 % interval [{:.6g}, {:.6g}]\n", hours, level["level"].get<double>(),
                   level["level_95"][0].get<double>(), level["level_95"][1].get<double>());
-  if (const double records = level["records"].get<double>(); records > statistics::kMarkedPeriod)
-    text +=
-        fmt::format("    warning: {:.3g} times the record: the level rests on the law more than on data\n", records);
-  return text;
+  return text + mark(level);
 }
 
 std::string state_text(const ordered_json& s) {
@@ -49,7 +53,7 @@ std::string years_text(const ordered_json& annual) {
     double share = 0.0;
     for (const auto& [name, value] : a["shares"].items())
       if (value.get<double>() > share) largest = name, share = value.get<double>();
-    text += fmt::format("    {:.0f} % of it from {}\n", 100.0 * share, largest);
+    text += fmt::format("    {:.0f} % of it from {}\n", 100.0 * share, largest) + mark(a);
   }
   return text;
 }

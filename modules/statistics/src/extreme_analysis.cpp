@@ -65,6 +65,9 @@ ExtremeEstimate estimate(Law law, const ExtremeValues& v, const ExtremeSettings&
   out.rate = is_of_blocks(law) ? 1.0 / v.block : static_cast<double>(out.fit->values.size()) / v.duration;
   out.goodness = goodness.test(*out.fit);
   out.refusal = refusal_of_period(v, settings);
+  // There Pareto's interval holds the true level in half of the cases or fewer, if the tail is not that light.
+  if (law == Law::kPareto && out.fit->distribution.shape <= kLightestShape)
+    out.refusal = "the shape is at its limit of -0.5: the load seems bounded";
   if (out.refusal.empty()) out.level = level_of(out, settings.return_period, settings.confidence);
   return out;
 }

@@ -101,6 +101,8 @@ class Design(unittest.TestCase):
         self.assertIn("all states: no annual level: setting 'thin': 500 hours a year ask for", self.design("--scatter", table))
         self.assertIn("once in 100 h: no level: 300 times the 1200 s of all replicates, and 30 times is the most",
                       self.design("--hours", 100))
+        marked = self.design("--scatter", table, "--extrapolate").partition("all states")[2]
+        self.assertIn("warning: 1.5e+05 times the record", marked)
         marked = self.design("--hours", 100, "--extrapolate")
         self.assertIn("warning: 300 times the record: the level rests on the law more than on data", marked)
 

@@ -103,6 +103,20 @@ BOOST_AUTO_TEST_CASE(a_clipped_sensor_gets_no_recommendation) {
   BOOST_TEST(contains(analysis.warnings.back(), "the largest value, 130: the sensor seems to clip"));
 }
 
+BOOST_AUTO_TEST_CASE(a_bounded_load_gets_no_level_from_pareto) {
+  Sawtooth load(200);
+  RandomStream stream(1, "extremes", 0, "uniform");
+  for (int c = 0; c < 200; ++c) {
+    const double peak = 100.0 + 200.0 * stream.uniform();
+    for (int i = 0; i < 20; ++i)
+      load.history.values[static_cast<std::size_t>(20 * c + i)] = 20.0 + (peak - 20.0) * (i + 1) / 20.0;
+  }
+  load.even = make_even(load.history);
+  const ExtremeAnalysis analysis = analyse(load, for_period(800.0));
+  BOOST_TEST(!analysis.of(Law::kPareto).level.has_value());
+  BOOST_TEST(contains(analysis.of(Law::kPareto).refusal, "the load seems bounded"));
+}
+
 BOOST_AUTO_TEST_CASE(replicates_are_pooled_without_blocks_across_them) {
   const Sawtooth first(101, 1e9, 1), second(101, 1e9, 2);
   const ExtremeSettings settings = for_period(400.0, 10.0);
