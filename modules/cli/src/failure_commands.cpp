@@ -268,8 +268,9 @@ void add_predict_command(CLI::App& failure) {
       "--model", options->rows.model,
       "model file; network, deep-network or superposition: the one that comes with the program; fem: solve "
       "the plate; with --case a model of a moving edge [the one that comes with the program], or fem");
-  command->add_option("--in", options->rows.rows,
-                      "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h], a bay with b_lc below 0; standard input if left out");
+  command->add_option(
+      "--in", options->rows.rows,
+      "CSV with b_lc,c_lc,theta_deg,mu1,mu2[,lc_over_h], a bay with b_lc below 0; standard input if left out");
   CLI::Option* const speeds =
       command->add_option("--speed", options->edges.speeds, "speeds in m/s, such as 0.2,1.2; 0: the static plate")
           ->delimiter(',')

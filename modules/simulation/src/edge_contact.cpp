@@ -54,8 +54,8 @@ struct Crushing {
   }
 };
 
-/// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip. The surface is
-/// as high as the case's ice is thick; where the ice is thicker, its area is larger.
+/// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip. The surface
+/// is as high as the case's ice is thick; where the ice is thicker, its area is larger.
 Crushing crushing(const EdgeModel& model, const structure::State& state, std::span<const structure::SidePiece> sides,
                   const geometry::Polygon& overlap) {
   const model::Case& c = model.resolved;

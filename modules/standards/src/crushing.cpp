@@ -14,8 +14,7 @@ tl::expected<CrushingLoad, NotApplicable> global_crushing(const CrushingInput& i
   const double aspect = in.width / in.thickness;
   if (aspect < kLeastAspect) return tl::unexpected(NotApplicable{"the face is narrower than two thicknesses"});
   const double exponent = in.thickness < 1.0 ? -0.5 + in.thickness / 5.0 : -0.3;
-  const double pressure =
-      in.strength_coefficient * std::pow(in.thickness, exponent) * std::pow(aspect, kWidthExponent);
+  const double pressure = in.strength_coefficient * std::pow(in.thickness, exponent) * std::pow(aspect, kWidthExponent);
   return CrushingLoad{pressure * in.width * in.thickness, pressure};
 }
 

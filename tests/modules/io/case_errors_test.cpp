@@ -59,9 +59,10 @@ BOOST_AUTO_TEST_CASE(a_key_in_the_wrong_section_names_the_right_one) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_section_names_the_nearest_one) {
-  check_has(message_of(with_more("[hidrodynamics]\nform_drag = 1\n")),
-            {"bad.toml:17:1: [hidrodynamics]: is not a known section", "allowed: sections algorithm, ice, ice.variation, water",
-             "nearest: [hydrodynamics]", "remedy:  rename it"});
+  check_has(
+      message_of(with_more("[hidrodynamics]\nform_drag = 1\n")),
+      {"bad.toml:17:1: [hidrodynamics]: is not a known section",
+       "allowed: sections algorithm, ice, ice.variation, water", "nearest: [hydrodynamics]", "remedy:  rename it"});
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_section_lists_its_required_keys) {

@@ -117,10 +117,10 @@ BOOST_AUTO_TEST_CASE(the_load_history_has_a_line_a_step) {
       "loss_structure_friction,loss_sheet_contact,loss_sheet_friction,loss_floe_contact,loss_floe_friction,"
       "loss_drag,loss_skin_friction,energy_error,area_sheet,area_floes,area_crushed,area_deleted,"
       "area_brash,area_snap,n_floes,n_contacts,structure_x,structure_y,structure_vx,structure_vy");
-  BOOST_TEST(
-      lines[1] ==
-      "0.01,0.3333333333333333,-2.5,100000,0.1,0.2,-0,0.1,0.2,0.3,1,2,3,1.1,1.2,1.3,4,5,6,2.1,2.2,2.3,7,8,9,"
-      "12.5,0.25,1000,0.125,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,-8.5,9.5,10.5,-0.001,2499,1,1e-09,0.5,0.03,-1e-18,1,2,-6.5,0.25,1.5,-0.125");
+  BOOST_TEST(lines[1] ==
+             "0.01,0.3333333333333333,-2.5,100000,0.1,0.2,-0,0.1,0.2,0.3,1,2,3,1.1,1.2,1.3,4,5,6,2.1,2.2,2.3,7,8,9,"
+             "12.5,0.25,1000,0.125,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,-8.5,9.5,10.5,-0.001,2499,1,1e-09,0.5,0.03,-1e-18,1,"
+             "2,-6.5,0.25,1.5,-0.125");
 }
 
 BOOST_AUTO_TEST_CASE(events_have_breaks_and_the_ends_of_floes_in_the_order_of_time) {

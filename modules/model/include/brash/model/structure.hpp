@@ -74,8 +74,8 @@ struct Towed {
   friend bool operator==(const Towed&, const Towed&) = default;
 };
 
-/// `kind = "compliant"`: a mass on a spring and a dashpot in plan. Their foot goes along x through the ice at a constant
-/// speed. It does not turn, heave or pitch.
+/// `kind = "compliant"`: a mass on a spring and a dashpot in plan. Their foot goes along x through the ice at a
+/// constant speed. It does not turn, heave or pitch.
 struct Compliant {
   double speed = 0.0;
   double mass = 0.0;       ///< with the water's added mass [kg]
