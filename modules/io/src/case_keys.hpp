@@ -32,38 +32,29 @@ template <typename Any, typename Value>
 concept Is = std::is_same_v<std::remove_const_t<Any>, Value>;
 
 /// Keys of each shape and each motion of [structure].
+void visit_sloping_keys(auto& shape, auto&& visit) {
+  visit("structure", "angle", shape.angle);
+  visit("structure", "waterline_width", shape.waterline_width);
+  visit("structure", "height", shape.height);
+  visit("structure", "height_under_water", shape.height_under_water);
+  visit("structure", "breaking", shape.breaking);
+}
 void visit_keys_of(Is<model::Cone> auto& cone, auto&& visit) {
-  visit("structure", "angle", cone.angle);
-  visit("structure", "waterline_width", cone.waterline_width);
-  visit("structure", "height", cone.height);
-  visit("structure", "height_under_water", cone.height_under_water);
-  visit("structure", "breaking", cone.breaking);
+  visit_sloping_keys(cone, visit);
   visit("structure", "facets", cone.facets);
 }
 void visit_keys_of(Is<model::FacetedCone> auto& cone, auto&& visit) {
-  visit("structure", "angle", cone.angle);
-  visit("structure", "waterline_width", cone.waterline_width);
-  visit("structure", "height", cone.height);
-  visit("structure", "height_under_water", cone.height_under_water);
-  visit("structure", "breaking", cone.breaking);
+  visit_sloping_keys(cone, visit);
   visit("structure", "sides", cone.sides);
 }
 void visit_keys_of(Is<model::Plane> auto& plane, auto&& visit) {
-  visit("structure", "angle", plane.angle);
-  visit("structure", "waterline_width", plane.waterline_width);
+  visit_sloping_keys(plane, visit);
   visit("structure", "length", plane.length);
-  visit("structure", "height", plane.height);
-  visit("structure", "height_under_water", plane.height_under_water);
-  visit("structure", "breaking", plane.breaking);
 }
 void visit_keys_of(Is<model::WedgeBow> auto& bow, auto&& visit) {
-  visit("structure", "angle", bow.angle);
-  visit("structure", "entrance", bow.entrance);
-  visit("structure", "waterline_width", bow.waterline_width);
+  visit_sloping_keys(bow, visit);
   visit("structure", "length", bow.length);
-  visit("structure", "height", bow.height);
-  visit("structure", "height_under_water", bow.height_under_water);
-  visit("structure", "breaking", bow.breaking);
+  visit("structure", "entrance", bow.entrance);
 }
 void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
 void visit_keys_of(Is<model::Compliant> auto& compliant, auto&& visit) {

@@ -57,11 +57,16 @@ void check_ice(const model::Case& c, Checks& checks) {
 /// Whether the keys of a shape give a hull. Where their ranges in the schema say it all, they do.
 bool check_shape(const auto&, Checks&) { return true; }
 
+/// How far a sloping side draws back from the waterline to the narrow end: the keel when it breaks ice downward, the
+/// top when upward [m].
+double retreat(const auto& shape) {
+  const bool downward = shape.breaking == model::Breaking::kDownward;
+  return (downward ? shape.height_under_water : shape.height - shape.height_under_water) / std::tan(shape.angle);
+}
+
 bool check_shape(const model::Cone& cone, Checks& checks) {
-  // The narrow end: the keel when downward-breaking, the top when upward-breaking.
   const bool downward = cone.breaking == model::Breaking::kDownward;
-  const double to_narrow_end = downward ? cone.height_under_water : cone.height - cone.height_under_water;
-  const double lost = 2.0 * to_narrow_end / std::tan(cone.angle);
+  const double lost = 2.0 * retreat(cone);
   checks.require(cone.waterline_width > lost, {"structure", "waterline_width"}, {"structure", "angle"},
                  fmt::format("the cone's {} would have the width {:.4g} m", downward ? "keel" : "top",
                              cone.waterline_width - lost),
@@ -77,11 +82,6 @@ bool check_end(double waterline, double lost, const char* key, bool downward, Ch
                  fmt::format("more than {:.6g} m at this angle and height", lost),
                  "enlarge it, steepen the angle, or shorten that end");
   return waterline > lost;
-}
-
-double retreat(const auto& shape) {
-  const bool downward = shape.breaking == model::Breaking::kDownward;
-  return (downward ? shape.height_under_water : shape.height - shape.height_under_water) / std::tan(shape.angle);
 }
 
 bool check_shape(const model::FacetedCone& cone, Checks& checks) {
