@@ -21,7 +21,7 @@ struct Room {
 };
 
 const std::map<std::string, Room> kRooms{
-    {"core", {"modules/core", {}, {"openssl"}}},
+    {"core", {"modules/core", {}, {"nettle"}}},
     {"netcdf", {"modules/netcdf", {"core"}, {"netcdf", "hdf5"}}},
     {"geometry", {"geometry", {"core"}, {"CGAL", "json"}}},
     {"plate", {"failure/plate", {"core"}, {"CGAL", "Eigen"}}},
@@ -58,7 +58,7 @@ const std::map<std::string, std::regex> kLibraries{
     {"netcdf", std::regex("^netcdf")},    {"hdf5", std::regex("^hdf5")},
     {"toml", std::regex("^toml")},        {"udunits", std::regex("^udunits2")},
     {"json", std::regex("^nlohmann/")},   {"valijson", std::regex("^valijson")},
-    {"openssl", std::regex("^openssl/")}, {"zlib", std::regex("^zlib\\.h")},
+    {"nettle", std::regex("^nettle/")}, {"zlib", std::regex("^zlib\\.h")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

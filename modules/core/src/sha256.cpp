@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/core/sha256.hpp"
 
-#include <openssl/evp.h>
+#include <nettle/sha2.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <system_error>
 #include <vector>
@@ -13,37 +14,27 @@
 namespace brash {
 namespace {
 
-void check(bool worked) {
-  if (!worked) throw RunError("OpenSSL cannot compute SHA-256\n  remedy:  check the configuration of OpenSSL");
-}
-
 [[noreturn]] void fail_to_hash(const std::string& path, const std::string& reason) {
   throw RunError(path + ": cannot be hashed: " + reason + "\n  remedy:  check that the file is there and may be read");
 }
 
-struct Free {
-  void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-};
-
 }  // namespace
 
 struct Sha256::State {
-  std::unique_ptr<EVP_MD_CTX, Free> context{EVP_MD_CTX_new()};
+  sha256_ctx context;
 };
 
-Sha256::Sha256() : state_(std::make_unique<State>()) {
-  check(state_->context != nullptr && EVP_DigestInit_ex(state_->context.get(), EVP_sha256(), nullptr) == 1);
-}
+Sha256::Sha256() : state_(std::make_unique<State>()) { sha256_init(&state_->context); }
 
 Sha256::~Sha256() = default;
 
 void Sha256::add(std::string_view bytes) {
-  check(EVP_DigestUpdate(state_->context.get(), bytes.data(), bytes.size()) == 1);
+  sha256_update(&state_->context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
 }
 
 Sha256::Digest Sha256::digest() {
   Digest digest{};
-  check(EVP_DigestFinal_ex(state_->context.get(), digest.data(), nullptr) == 1);
+  sha256_digest(&state_->context, digest.size(), digest.data());
   return digest;
 }
 

@@ -13,14 +13,13 @@ class Sha256 {
  public:
   using Digest = std::array<unsigned char, 32>;
 
-  /// @throws RunError here and from every member when the library fails.
   Sha256();
   ~Sha256();
   Sha256(const Sha256&) = delete;
   Sha256& operator=(const Sha256&) = delete;
 
   void add(std::string_view bytes);
-  /// The digest of all bytes added; nothing can be added afterwards.
+  /// The digest of all bytes added. The next bytes begin another digest.
   Digest digest();
 
  private:
