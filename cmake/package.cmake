@@ -2,7 +2,7 @@
 # Debian packages by CPack, made by `./dev package`: brash (command, Python module, models, documents) and libbrash-dev.
 
 # All that is installed, and no test or benchmark: what a package needs to have built.
-add_custom_target(installed DEPENDS brash brash_python brash_core brash_geometry brash_plate brash_meta_model brash_failure)
+add_custom_target(installed DEPENDS brash brash_fmu_library brash_python brash_core brash_geometry brash_plate brash_meta_model brash_failure)
 
 find_package(Python REQUIRED COMPONENTS Interpreter)
 # A manual page of the program's own help, and the changelogs; Debian wants all three compressed.

@@ -44,6 +44,7 @@ const std::map<std::string, Room> kRooms{
      {"modules/simulation",
       {"core", "geometry", "failure", "ice", "rigid_body", "hydrodynamics", "structure", "model", "statistics"},
       {"Eigen", "json"}}},
+    {"fmu", {"modules/fmu", {"core", "failure", "model", "simulation", "structure"}, {"json"}}},
     {"recording", {"modules/recording", {"core", "model", "io", "simulation", "failure"}, {}}},
     {"campaign", {"modules/campaign", {"core", "model", "io", "recording", "simulation", "statistics"}, {"json"}}},
 };

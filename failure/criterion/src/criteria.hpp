@@ -8,6 +8,9 @@
 
 namespace brash::failure {
 
+/// The path of the model `name` that comes with the program.
+std::string shipped(const std::string& name);
+
 // One function per model; each file holds one.
 std::unique_ptr<BendingCriterion> make_network_criterion(const std::string& file, const IceProperties& ice);
 /// @param split_file  the model of the sheet that a radial crack has split; read where the options ask for it.

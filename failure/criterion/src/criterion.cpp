@@ -4,16 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
-#include "brash/core/own_path.hpp"
-#include "brash/failure/edge_responses.hpp"
 #include "criteria.hpp"
 
 namespace brash::failure {
@@ -22,9 +18,6 @@ using model::FailureModel;
 
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* kModelPathVariable = "BRASH_MODEL_PATH";
 /// A plate is solved where the superposition says more than the strength over this. Where ice bends before it is
 /// crushed (sigma/p >= 0.25) it is wrong by less than 5 % on geometries that it has not seen:
 /// docs/theory/meta-model.md.
@@ -36,26 +29,6 @@ void expect_valid(const IceProperties& ice) {
   BRASH_EXPECTS(ice.thickness > 0.0 && ice.youngs_modulus > 0.0, ice.thickness, ice.youngs_modulus);
   BRASH_EXPECTS(ice.poisson_ratio >= 0.0 && ice.poisson_ratio < 0.5, ice.poisson_ratio);
   BRASH_EXPECTS(ice.water_density > 0.0, ice.water_density);
-}
-
-/// Where the models that come with the program are: with the sources for a program in the build tree, else in
-/// share/brash/models of the installation.
-fs::path shipped_models() {
-  const fs::path program = own_path();
-  const bool in_build_tree = program.lexically_relative(BRASH_BUILD_DIR).string().rfind("..", 0) != 0;
-  for (fs::path folder = program.parent_path(); !in_build_tree && folder.has_relative_path();
-       folder = folder.parent_path()) {
-    if (std::error_code ignored; fs::is_directory(folder / "share/brash/models", ignored))
-      return folder / "share/brash/models";
-  }
-  return BRASH_MODEL_DIR;
-}
-
-/// The model `name` that comes with the program.
-std::string shipped(const std::string& name) {
-  const char* folder = std::getenv(kModelPathVariable);
-  const fs::path models = folder != nullptr && *folder != '\0' ? folder : shipped_models();
-  return (models / ("cone_" + name + ".json")).string();
 }
 
 std::unique_ptr<BendingCriterion> superposition(const std::string& file, const IceProperties& ice,
@@ -120,14 +93,6 @@ LoadRatios load_ratios(double slope, double friction, double heading) {
   const double N = sin_a + mu * along * cos_a * cos_a;
   const double P = cos_a - mu * along * sin_a * cos_a;
   return {.horizontal = N, .mu1 = P / N, .mu2 = mu * across / N};
-}
-
-std::string edge_model_path() { return shipped("edge"); }
-
-std::string model_path(FailureModel model, const std::string& file) {
-  if (!model::options_of(model, !file.empty()).file) return "";
-  if (!file.empty()) return file;
-  return shipped(std::string(name_of(model)));
 }
 
 std::unique_ptr<BendingCriterion> make_criterion(FailureModel model, const std::string& file, const IceProperties& ice,

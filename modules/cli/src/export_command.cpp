@@ -16,6 +16,7 @@
 #include "brash/io/results.hpp"
 #include "brash/structure/hull.hpp"
 #include "commands.hpp"
+#include "fmu.hpp"
 #include "messages.hpp"
 #include "openfast.hpp"
 #include "vtk_meshes.hpp"
@@ -150,6 +151,28 @@ void export_openfast(const std::string& run_file, const std::string& directory, 
   print("structural control in {}\n", (fs::path(directory) / control).string());
 }
 
+void add_fmu_command(CLI::App& command) {
+  struct Options {
+    std::string case_file, file;
+    std::vector<std::string> overrides;
+    int standard = 2;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* fmu = command.add_subcommand("fmu", "A case as a co-simulation unit (FMI) for other programs to step");
+  fmu->add_option("case", options->case_file, "case file (TOML)")->required();
+  fmu->add_option("-o,--output", options->file, "file of the unit [<name of the case>.fmu]");
+  fmu->add_option("--fmi", options->standard, "version of the standard, 2 or 3 [2]")->check(CLI::IsMember({2, 3}));
+  fmu->add_option("--set", options->overrides, "section.key=value, in place of the case file's")
+      ->take_all()
+      ->allow_extra_args(false);
+  fmu->footer("Example: brash export fmu cone.toml -o cone.fmu --fmi 3");
+  fmu->callback([options] {
+    const std::string beside = fs::path(options->case_file).stem().string() + ".fmu";
+    export_fmu(options->case_file, options->overrides, options->file.empty() ? beside : options->file,
+               static_cast<fmu::Standard>(options->standard));
+  });
+}
+
 }  // namespace
 
 void add_export_command(CLI::App& app) {
@@ -188,6 +211,7 @@ void add_export_command(CLI::App& app) {
     const std::string beside = (fs::path(options->run).parent_path() / "openfast").string();
     export_openfast(options->run, options->directory.empty() ? beside : options->directory, options->openfast);
   });
+  add_fmu_command(*command);
 }
 
 }  // namespace brash::cli

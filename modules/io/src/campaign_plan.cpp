@@ -10,7 +10,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
-#include "case_keys.hpp"
+#include "brash/model/case_keys.hpp"
 #include "plan_settings.hpp"
 #include "resolve.hpp"
 #include "schema.hpp"
@@ -39,7 +39,7 @@ SettingValue value_of(const std::optional<double>& value) { return value ? value
 
 SettingValue value_in(const model::Case& resolved, const std::string& name) {
   SettingValue found;
-  visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
+  model::visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
     if (section + "." + key == name) found = value_of(value);
   });
   return found;

@@ -9,7 +9,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/io/case.hpp"
-#include "case_keys.hpp"
+#include "brash/model/case_keys.hpp"
 #include "schema.hpp"
 
 namespace brash::io {
@@ -62,7 +62,7 @@ std::string commented(const std::string& text) {
 
 std::string to_toml(const model::Case& resolved) {
   std::map<std::pair<std::string, std::string>, std::string> lines;
-  visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
+  model::visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
     lines[{section, key}] = key_line(key, value, schema_of_cases().keys(section).at(key).value("x-unit", "1"));
   });
   // structure.speed is the short form of this subsection.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
-#include <set>
 #include <utility>
 
-#include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
-#include "case_keys.hpp"
+#include "brash/model/case_keys.hpp"
 #include "cross_checks.hpp"
 #include "resolve.hpp"
 #include "schema.hpp"
@@ -14,38 +12,6 @@
 
 namespace brash::io {
 namespace {
-
-using Json = nlohmann::json;
-
-template <typename Value>
-void assign(Value& value, const Json& section, const char* key) {
-  section.at(key).get_to(value);
-}
-template <model::Choice Choice>
-void assign(Choice& value, const Json& section, const char* key) {
-  const auto text = section.at(key).get<std::string>();
-  const auto known = model::named<Choice>(text);
-  BRASH_EXPECTS(known.has_value(), key, text);  // the schema has the same names
-  value = *known;
-}
-void assign(Vec2& value, const Json& section, const char* key) {
-  value = {section.at(key).at(0).get<double>(), section.at(key).at(1).get<double>()};
-}
-void assign(std::optional<double>& value, const Json& section, const char* key) {
-  if (section.contains(key)) value = section.at(key).get<double>();
-}
-
-model::Case case_from(const Json& document) {
-  model::Case result;
-  std::set<std::pair<std::string, std::string>> read;
-  visit_keys(result, [&](const char* section, const char* key, auto& value) {
-    assign(value, document.at(section), key);
-    read.emplace(section, key);
-  });
-  for (const auto& [section, keys] : document.items())
-    for (const auto& [key, value] : keys.items()) BRASH_EXPECTS(read.contains({section, key}), section, key);
-  return result;
-}
 
 /// A model file is named relative to the file that names it, or to the working folder where the command line does.
 std::string resolve_file(const std::string& file, const CaseSource& source) {
@@ -93,7 +59,7 @@ std::vector<Problem> leads_out(const std::string& file, const CaseSource& source
 }  // namespace
 
 model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
-  model::Case result = case_from(validated(source, schema_of_cases()));
+  model::Case result = model::from_tree(validated(source, schema_of_cases()));
   result.name = name;
   result.failure.file = resolve_file(result.failure.file, source);
   drop_options_not_taken(result, source);

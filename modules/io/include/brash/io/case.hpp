@@ -36,6 +36,17 @@ model::Case parse_case(const std::string& text, const std::string& path, const s
 /// The resolved case as TOML in SI, every key that has a value written; reading it gives the same case.
 std::string to_toml(const model::Case& resolved);
 
+/// A number of a case, as the schema describes its key; SI.
+struct NumberKey {
+  std::string section, key;
+  std::string unit;  ///< UDUNITS; "1" where there is none
+  std::string meaning;
+  double least = 0.0, most = 0.0;  ///< both allowed
+};
+
+/// The keys of a case whose value is one number: its kind of structure and motion decide which these are.
+std::vector<NumberKey> number_keys(const model::Case& resolved);
+
 /// The JSON Schema of a case file, with unit, default, range and meaning of every key.
 std::string case_schema();
 

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
-#include "brash/io/case.hpp"
+#include "brash/core/contract.hpp"
+#include "brash/model/case.hpp"
 
-namespace brash::io {
+namespace brash::model {
 
 template <typename Variant, std::size_t... I>
 Variant alternative(std::size_t index, std::index_sequence<I...>) {
@@ -21,7 +27,7 @@ Variant alternative(std::size_t index, std::index_sequence<I...>) {
 /// alternative then has its default.
 template <typename AnyVariant, typename Visitor>
 void visit_kind(const char* section, AnyVariant& variant, Visitor&& visit) {
-  auto kind = model::kind_of(variant);
+  auto kind = kind_of(variant);
   visit(section, "kind", kind);
   if constexpr (!std::is_const_v<AnyVariant>)
     variant = alternative<AnyVariant>(static_cast<std::size_t>(kind),
@@ -39,25 +45,25 @@ void visit_sloping_keys(auto& shape, auto&& visit) {
   visit("structure", "height_under_water", shape.height_under_water);
   visit("structure", "breaking", shape.breaking);
 }
-void visit_keys_of(Is<model::Cone> auto& cone, auto&& visit) {
+void visit_keys_of(Is<Cone> auto& cone, auto&& visit) {
   visit_sloping_keys(cone, visit);
   visit("structure", "facets", cone.facets);
 }
-void visit_keys_of(Is<model::FacetedCone> auto& cone, auto&& visit) {
+void visit_keys_of(Is<FacetedCone> auto& cone, auto&& visit) {
   visit_sloping_keys(cone, visit);
   visit("structure", "sides", cone.sides);
 }
-void visit_keys_of(Is<model::Plane> auto& plane, auto&& visit) {
+void visit_keys_of(Is<Plane> auto& plane, auto&& visit) {
   visit_sloping_keys(plane, visit);
   visit("structure", "length", plane.length);
 }
-void visit_keys_of(Is<model::WedgeBow> auto& bow, auto&& visit) {
+void visit_keys_of(Is<WedgeBow> auto& bow, auto&& visit) {
   visit_sloping_keys(bow, visit);
   visit("structure", "length", bow.length);
   visit("structure", "entrance", bow.entrance);
 }
-void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
-void visit_keys_of(Is<model::Compliant> auto& compliant, auto&& visit) {
+void visit_keys_of(Is<Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
+void visit_keys_of(Is<Compliant> auto& compliant, auto&& visit) {
   visit("structure", "speed", compliant.speed);
   visit("structure.motion", "mass", compliant.mass);
   visit("structure.motion", "stiffness", compliant.stiffness);
@@ -149,4 +155,62 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hull", "waterline_angle", c.hull.waterline_angle);
 }
 
-}  // namespace brash::io
+/// A case as a tree of sections and keys, and back: `tree["ice"]["thickness"]`, "ice.variation" a section of its own.
+/// `Tree` is a JSON value of nlohmann's, or acts as one. Absent optional numbers have no key.
+template <typename Tree>
+Tree to_tree(const Case& c) {
+  Tree tree;
+  const auto add = [&](const char* section, const char* key, const auto& value) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    auto& keys = tree[section];
+    if constexpr (Choice<Value>)
+      keys[key] = std::string(name_of(value));
+    else if constexpr (std::is_same_v<Value, Vec2>)
+      keys[key] = std::array{value.x, value.y};
+    else if constexpr (!std::is_same_v<Value, std::optional<double>>)
+      keys[key] = value;
+    else if (value)
+      keys[key] = *value;
+  };
+  visit_keys(c, add);
+  return tree;
+}
+
+namespace detail {
+
+template <typename Value>
+void take(Value& value, const auto& section, const char* key) {
+  section.at(key).get_to(value);
+}
+template <Choice Value>
+void take(Value& value, const auto& section, const char* key) {
+  const auto text = section.at(key).template get<std::string>();
+  const auto known = named<Value>(text);
+  BRASH_EXPECTS(known.has_value(), key, text);  // whoever checked the tree knows the same names
+  value = *known;
+}
+inline void take(Vec2& value, const auto& section, const char* key) {
+  value = {section.at(key).at(0).template get<double>(), section.at(key).at(1).template get<double>()};
+}
+inline void take(std::optional<double>& value, const auto& section, const char* key) {
+  if (section.contains(key)) value = section.at(key).template get<double>();
+}
+
+}  // namespace detail
+
+/// @throws ContractViolation when the tree has a key that no case has, or a choice without its name; what `Tree` throws
+///         when a key is missing or its value has another type.
+template <typename Tree>
+Case from_tree(const Tree& tree) {
+  Case c;
+  std::set<std::pair<std::string, std::string>> known;
+  visit_keys(c, [&](const char* section, const char* key, auto& value) {
+    detail::take(value, tree.at(section), key);
+    known.emplace(section, key);
+  });
+  for (const auto& [section, keys] : tree.items())
+    for (const auto& [key, value] : keys.items()) BRASH_EXPECTS(known.contains({section, key}), section, key);
+  return c;
+}
+
+}  // namespace brash::model

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fmu.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/own_path.hpp"
+#include "brash/core/sha256.hpp"
+#include "brash/core/version.hpp"
+#include "brash/failure/model_files.hpp"
+#include "brash/fmu/unit.hpp"
+#include "brash/recording/inputs.hpp"
+#include "brash/simulation/scales.hpp"
+#include "messages.hpp"
+#include "table.hpp"
+#include "zip_file.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The library of all units, where the program was built or installed.
+std::string unit_library() {
+  for (fs::path folder = own_path().parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    if (std::error_code ignored; fs::is_regular_file(folder / "lib/brash/fmu.so", ignored))
+      return folder / "lib/brash/fmu.so";
+  throw InputError(Complaint{"lib/brash/fmu.so", "is not beside the program", "the library of the same installation",
+                             "install the program again"});
+}
+
+/// Keys that depend on no other key: a host may set any of them within its range.
+bool stands_alone(const io::NumberKey& key) {
+  const std::string name = key.section + "." + key.key;
+  constexpr std::array kNames{"ice.youngs_modulus",       "ice.poisson_ratio",     "ice.flexural_strength",
+                              "ice.compressive_strength", "ice.crushing_factor",   "ice.friction_ice",
+                              "structure.speed",          "structure.motion.mass", "structure.motion.stiffness",
+                              "structure.motion.damping", "random.seed",           "random.replicate"};
+  return std::ranges::find(kNames, name) != kNames.end();
+}
+
+std::vector<fmu::Parameter> parameters_of(const model::Case& resolved) {
+  std::vector<fmu::Parameter> parameters;
+  for (const io::NumberKey& key : io::number_keys(resolved))
+    if (stands_alone(key)) parameters.push_back({key.section, key.key, key.unit, key.meaning, key.least, key.most});
+  return parameters;
+}
+
+/// The models that the case reads, in the resources.
+std::vector<ZipEntry> model_entries(const recording::Inputs& inputs) {
+  constexpr std::size_t kMostMebibytes = 64;
+  const std::string& own = inputs.resolved.failure.file;
+  std::vector<ZipEntry> entries;
+  for (const std::string& file : failure::model_files(inputs.resolved.failure)) {
+    const std::string name = file == own ? inputs.recorded().failure.file
+                                         : std::string(fmu::kModelFolder) + "/" + fs::path(file).filename().string();
+    entries.push_back({"resources/" + name, read_text_file(file, "the file of a failure model", kMostMebibytes)});
+  }
+  return entries;
+}
+
+/// FMI 3.0.2, Sec. 2.5: a unit that needs other libraries says which.
+constexpr const char* kNeeds =
+    "The library of this unit is for Linux on x86-64. Of Debian 12 it needs these packages:\n\n"
+    "    apt-get install libbullet3.24 libfmt9 libgsl27 libgmp10 libnettle8 libstdc++6\n\n"
+    "The last three are in every Debian.\n";
+
+/// Says which case, models and version a unit is made of.
+std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& models) {
+  Sha256 hash;
+  hash.add(kVersion);
+  hash.add(fmu::to_json(unit));
+  for (const ZipEntry& model : models) hash.add(sha256(model.bytes));
+  return hexadecimal(hash.digest());
+}
+
+}  // namespace
+
+void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
+                fmu::Standard standard) {
+  const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
+  print_warnings(simulation::derived_scales(inputs.resolved).warnings);
+  fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), ""};
+  std::vector<ZipEntry> entries = model_entries(inputs);
+  unit.token = token_of(unit, entries);
+  entries.insert(entries.begin(), {"modelDescription.xml", fmu::model_description(unit, standard)});
+  entries.push_back({std::string("resources/") + fmu::kUnitFile, fmu::to_json(unit)});
+  entries.push_back({"documentation/externalDependencies.txt", kNeeds});
+  entries.push_back({fmu::library_path(standard), read_text_file(unit_library(), "the library of units")});
+  write_zip(file, entries);
+  print("co-simulation unit of {} in {}\n", inputs.resolved.name, file);
+}
+
+}  // namespace brash::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "brash/core/vec.hpp"
+#include "brash/fmu/unit.hpp"
+
+namespace brash::fmu {
+
+/// The values that a step gives. Loads have the axes and signs of model::LoadRow and are means over the step of the
+/// host, so they keep its impulse.
+struct Outputs {
+  Wrench total, crushing, floe_normal, floe_friction;
+  Vec2 place{};     ///< of the structure's origin, at the end of the step [m]
+  Vec2 velocity{};  ///< mean over the step [m/s]
+
+  /// Calls `visit(name, unit, meaning, number)` for each. The names are those of history.csv.
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit_wrench("", "total load on the structure", self.total, visit);
+    visit_wrench("crushing_", "crushing at the sheet's edge", self.crushing, visit);
+    visit_wrench("floe_normal_", "normal contact forces of floes", self.floe_normal, visit);
+    visit_wrench("floe_friction_", "friction of floes", self.floe_friction, visit);
+    visit("structure_x", "m", "place of the structure's origin along its course", self.place.x);
+    visit("structure_y", "m", "place of the structure's origin to port", self.place.y);
+    visit("structure_vx", "m s-1", "mean velocity of the structure's origin along its course", self.velocity.x);
+    visit("structure_vy", "m s-1", "mean velocity of the structure's origin to port", self.velocity.y);
+  }
+
+ private:
+  template <typename AnyWrench, typename Visit>
+  static void visit_wrench(const std::string& cause, const std::string& meaning, AnyWrench& load, Visit&& visit) {
+    visit(cause + "Fx", "N", meaning + ", force as the ice drifts", load.force.x);
+    visit(cause + "Fy", "N", meaning + ", force to starboard", load.force.y);
+    visit(cause + "Fz", "N", meaning + ", force upwards", load.force.z);
+    visit(cause + "Mx", "N m", meaning + ", moment about x", load.moment.x);
+    visit(cause + "My", "N m", meaning + ", moment about y", load.moment.y);
+    visit(cause + "Mz", "N m", meaning + ", moment about z", load.moment.z);
+  }
+};
+
+enum class Causality { kIndependent, kOutput, kParameter };
+
+using Number = std::variant<double, std::int64_t>;
+
+/// A variable of a unit as its description lists it.
+struct Variable {
+  std::string name;
+  std::string unit;  ///< UDUNITS; "1" where there is none
+  std::string meaning;
+  Causality causality = Causality::kOutput;
+  Number start;  ///< its type is the variable's
+  std::optional<double> least, most;
+};
+
+/// The variables of a unit. The place of one in the list is its value reference.
+std::vector<Variable> variables_of(const Unit& unit);
+
+/// The number of a case that a parameter names.
+/// @throws ContractViolation when the case has none.
+Number value_of(const model::Case& c, const Parameter& parameter);
+/// @param value  of the type that value_of() gives.
+void set_value(model::Case& c, const Parameter& parameter, Number value);
+
+}  // namespace brash::fmu

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "instance.hpp"
+
+namespace brash::fmu {
+
+/// Results of a call: the numbers that both versions of the standard give them.
+enum class Status { kOk = 0, kDiscard = 2, kError = 3 };
+
+/// The categories of messages, as a description lists them.
+inline constexpr const char* kDiscardCategory = "logStatusDiscard";
+inline constexpr const char* kErrorCategory = "logStatusError";
+
+/// Messages of an instance to its host. A host cannot turn errors off.
+class Log {
+ public:
+  using Write = std::function<void(Status, const char* category, const char* message)>;
+
+  /// @param on  of all categories.
+  Log(Write write, bool on) : write_(std::move(write)), discards_(on) {}
+
+  /// @param categories  empty: all.
+  /// @throws std::runtime_error for a category that is not there.
+  void select(bool on, const std::vector<std::string>& categories);
+  void discard(const char* message) const;
+  void error(const char* message) const;
+
+ private:
+  Write write_;
+  bool discards_;
+};
+
+/// The thing behind a host's pointer.
+struct Component {
+  Instance instance;
+  Log log;
+};
+
+/// Makes an instance. @return null when that fails, once the reason is logged.
+Component* make_component(const std::string& resources, const std::string& token, const Log& log) noexcept;
+
+/// Does `action(component)`. No exception leaves.
+Status attempt(void* pointer, const std::function<void(Component&)>& action) noexcept;
+
+/// @throws std::runtime_error when a host passes no array where it announces values.
+void expect_array(const void* array, std::size_t size);
+
+// The calls of states, the same in both versions.
+Status keep_state(void* component, void** kept) noexcept;
+Status restore_state(void* component, void* kept) noexcept;
+Status free_state(void* component, void** kept) noexcept;
+Status size_of_state(void* component, void* kept, std::size_t* size) noexcept;
+Status serialise_state(void* component, void* kept, void* bytes, std::size_t size) noexcept;
+Status deserialise_state(void* component, const void* bytes, std::size_t size, void** kept) noexcept;
+
+}  // namespace brash::fmu

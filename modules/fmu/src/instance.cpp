@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "instance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/failure/model_files.hpp"
+#include "brash/structure/motion.hpp"
+
+namespace brash::fmu {
+namespace {
+
+/// A host adds up its times, and may be off by this part of a time step [-].
+constexpr double kTimeTolerance = 1e-3;
+
+const char* name_of(Phase phase) {
+  switch (phase) {
+    case Phase::kInstantiated:
+      return "instantiated";
+    case Phase::kInitialization:
+      return "in initialization mode";
+    case Phase::kStepping:
+      return "between steps";
+    case Phase::kTerminated:
+      return "terminated";
+  }
+  return "";
+}
+
+Outputs outputs_of(const model::LoadRow& row) {
+  return {row.total, row.crushing, row.floe_normal, row.floe_friction, row.structure, row.velocity};
+}
+
+/// Loads and velocities added; the place of the later one.
+Outputs joined(Outputs sum, const Outputs& next) {
+  sum.total += next.total;
+  sum.crushing += next.crushing;
+  sum.floe_normal += next.floe_normal;
+  sum.floe_friction += next.floe_friction;
+  sum.velocity += next.velocity;
+  sum.place = next.place;
+  return sum;
+}
+
+Outputs mean_of(const Outputs& sum, double n) {
+  const auto over_n = [n](const Wrench& load) { return Wrench{load.force / n, load.moment / n}; };
+  return {over_n(sum.total), over_n(sum.crushing), over_n(sum.floe_normal), over_n(sum.floe_friction),
+          sum.place,         sum.velocity / n};
+}
+
+Unit read_unit(const std::string& resources) {
+  const std::string path = resources + "/" + kUnitFile;
+  Unit unit = unit_from(read_json_text(path, "the case of the unit (JSON)"), path);
+  std::string& file = unit.resolved.failure.file;
+  if (!file.empty()) file = resources + "/" + file;
+  return unit;
+}
+
+}  // namespace
+
+Instance::Instance(const std::string& resources, const std::string& token)
+    : resources_(resources), unit_(read_unit(resources)), variables_(variables_of(unit_)) {
+  if (token != unit_.token)
+    throw InputError(Complaint{"the token of the host", "is " + token, unit_.token + ", as in modelDescription.xml",
+                               "take description and library from the same unit"});
+  failure::use_models_in(resources + "/" + kModelFolder);
+  reset();
+}
+
+void Instance::expect(const char* call, std::initializer_list<Phase> phases) const {
+  if (std::ranges::find(phases, state_.phase) == phases.end())
+    throw std::runtime_error(fmt::format("{} is not allowed: the instance is {}", call, name_of(state_.phase)));
+}
+
+void Instance::reset() {
+  simulation_.reset();
+  state_ = State{};
+  state_.resolved = unit_.resolved;
+  place_structure();
+}
+
+void Instance::place_structure() {
+  const structure::State start = structure::make_motion(state_.resolved.structure, state_.resolved.time.step)->now();
+  state_.outputs.place = plan(start.pose.position);
+  state_.outputs.velocity = plan(start.twist.linear);
+}
+
+void Instance::set_up(double start_time, std::optional<double> stop_time) {
+  expect("setting up the experiment", {Phase::kInstantiated});
+  if (!std::isfinite(start_time) || (stop_time && !(*stop_time >= start_time)))
+    throw std::runtime_error("start and stop time are not in order");
+  state_.start_time = start_time;
+  state_.stop_time = stop_time;
+}
+
+void Instance::enter_initialization() {
+  expect("entering initialization mode", {Phase::kInstantiated});
+  state_.phase = Phase::kInitialization;
+}
+
+void Instance::exit_initialization() {
+  expect("leaving initialization mode", {Phase::kInitialization});
+  simulation_.emplace(state_.resolved);
+  state_.phase = Phase::kStepping;
+}
+
+void Instance::terminate() {
+  expect("terminating", {Phase::kStepping});
+  state_.phase = Phase::kTerminated;
+}
+
+const Variable& Instance::variable(unsigned reference) const {
+  if (reference < variables_.size()) return variables_[reference];
+  throw std::runtime_error(fmt::format("no variable has the value reference {}", reference));
+}
+
+Number Instance::value(unsigned reference) const {
+  switch (variable(reference).causality) {
+    case Causality::kIndependent:
+      return time();
+    case Causality::kOutput: {
+      double found = 0.0;
+      std::size_t next = 1;  // behind the independent variable
+      Outputs::visit(state_.outputs, [&](const std::string&, const char*, const std::string&, double number) {
+        if (next++ == reference) found = number;
+      });
+      return found;
+    }
+    case Causality::kParameter:
+      break;
+  }
+  const std::size_t first = variables_.size() - unit_.parameters.size();
+  return value_of(state_.resolved, unit_.parameters[reference - first]);
+}
+
+double Instance::number(unsigned reference) const {
+  const Number found = value(reference);
+  if (const double* const number = std::get_if<double>(&found)) return *number;
+  throw std::runtime_error(variable(reference).name + " is a whole number");
+}
+
+std::int64_t Instance::whole_number(unsigned reference) const {
+  const Number found = value(reference);
+  if (const std::int64_t* const number = std::get_if<std::int64_t>(&found)) return *number;
+  throw std::runtime_error(variable(reference).name + " is no whole number");
+}
+
+void Instance::set(unsigned reference, Number value) {
+  const Variable& v = variable(reference);
+  if (v.causality != Causality::kParameter) throw std::runtime_error(v.name + " cannot be set");
+  expect("setting a parameter", {Phase::kInstantiated, Phase::kInitialization});
+  if (value.index() != v.start.index()) throw std::runtime_error(v.name + " has another type");
+  const double number = std::visit([](auto given) { return static_cast<double>(given); }, value);
+  if (!(number >= v.least && number <= v.most))
+    throw Discarded(fmt::format("{} = {}: allowed is {} to {}", v.name, number, *v.least, *v.most));
+  const std::size_t first = variables_.size() - unit_.parameters.size();
+  set_value(state_.resolved, unit_.parameters[reference - first], value);
+  place_structure();
+}
+
+void Instance::step(double from, double size) {
+  const std::int64_t n = n_steps_of(from, size);
+  Outputs sum;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const Outputs one = outputs_of(simulation_->step().loads);
+    ++state_.n_steps;
+    sum = i == 0 ? one : joined(sum, one);
+  }
+  state_.outputs = n == 1 ? sum : mean_of(sum, static_cast<double>(n));
+}
+
+std::int64_t Instance::n_steps_of(double from, double size) const {
+  expect("stepping", {Phase::kStepping});
+  const double dt = state_.resolved.time.step, tolerance = kTimeTolerance * dt;
+  const double n = std::round(size / dt);
+  if (!(n >= 1.0) || !(std::abs(size - n * dt) <= tolerance))
+    throw Discarded(fmt::format("a step of {} s: allowed is a multiple of {} s, the time step of the case", size, dt));
+  if (!(std::abs(from - time()) <= tolerance))
+    throw Discarded(fmt::format("a step from {} s, but the unit is at {} s", from, time()));
+  if (state_.stop_time && !(from + size <= *state_.stop_time + tolerance))
+    throw Discarded(fmt::format("a step to {} s, beyond the stop time {} s", from + size, *state_.stop_time));
+  return std::llround(n);
+}
+
+State Instance::state() const {
+  State copy = state_;
+  if (simulation_) copy.checkpoint = simulation_->checkpoint();
+  return copy;
+}
+
+void Instance::restore(State state) {
+  state.resolved.failure.file = unit_.resolved.failure.file;
+  simulation_.reset();
+  if (state.checkpoint) {
+    state.checkpoint->resolved = state.resolved;
+    simulation_.emplace(state.resolved, *state.checkpoint);
+    state.checkpoint.reset();
+  }
+  state_ = std::move(state);
+}
+
+}  // namespace brash::fmu

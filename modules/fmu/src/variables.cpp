@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/fmu/variables.hpp"
+
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "brash/core/contract.hpp"
+#include "brash/model/case_keys.hpp"
+
+namespace brash::fmu {
+Number value_of(const model::Case& c, const Parameter& parameter) {
+  std::optional<Number> number;
+  model::visit_keys(c, [&](const char* section, const char* key, const auto& value) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if (parameter.section != section || parameter.key != key) return;
+    if constexpr (std::is_same_v<Value, double>)
+      number = value;
+    else if constexpr (std::is_same_v<Value, std::uint64_t>)
+      number = static_cast<std::int64_t>(value);
+  });
+  BRASH_EXPECTS(number.has_value(), parameter.section, parameter.key);
+  return *number;
+}
+
+void set_value(model::Case& c, const Parameter& parameter, Number value) {
+  auto tree = model::to_tree<nlohmann::json>(c);
+  std::visit([&](auto number) { tree.at(parameter.section).at(parameter.key) = number; }, value);
+  model::Case changed = model::from_tree(tree);
+  changed.name = c.name;
+  c = changed;
+}
+
+std::vector<Variable> variables_of(const Unit& unit) {
+  std::vector<Variable> variables{{"time", "s", "simulated time", Causality::kIndependent, 0.0, {}, {}}};
+  Outputs outputs;
+  Outputs::visit(outputs, [&](std::string name, const char* unit_of, std::string meaning, double) {
+    variables.push_back({std::move(name), unit_of, std::move(meaning), Causality::kOutput, 0.0, {}, {}});
+  });
+  for (const Parameter& p : unit.parameters)
+    variables.push_back({p.section + "." + p.key, p.unit, p.meaning, Causality::kParameter, value_of(unit.resolved, p),
+                         p.least, p.most});
+  return variables;
+}
+
+}  // namespace brash::fmu
