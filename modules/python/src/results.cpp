@@ -62,6 +62,9 @@ void add_floes(py::module_& m) {
       .def_property_readonly(
           "structure", [](const FrameView& f) { return to_array(f.structure.position); },
           "The structure's origin, shape (3,) [m].")
+      .def_property_readonly(
+          "structure_rotation", [](const FrameView& f) { return to_array(f.structure.rotation); },
+          "Unit quaternion (w, x, y, z) from the structure's frame to the world, shape (4,).")
       .def_readonly("floes", &FrameView::floes, "A list of Floe.");
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -39,14 +40,23 @@ struct Steps {
   }
 };
 
+/// The two arrays of a pose or a twist. @throws InputError naming the argument `name`.
+std::array<Array, 2> pair_of_arrays(const py::object& pair, const char* name) {
+  if (!py::isinstance<py::sequence>(pair) || py::len(pair) != 2)
+    throw InputError(fmt::format("{}: a pair of arrays is expected", name));
+  const auto items = pair.cast<py::sequence>();
+  return {numbers(items[0], name), numbers(items[1], name)};
+}
+
 /// A simulation, the records of its floes, and the flag that keeps a second thread out while it steps.
 class LiveSimulation {
  public:
   explicit LiveSimulation(const Case& c) : simulation_(c.resolved), records_(by_id(simulation_.initial_births())) {}
 
-  Steps step(py::ssize_t n) {
+  Steps step(py::ssize_t n, const py::object& pose, const py::object& twist) {
     if (n < 0) throw InputError(fmt::format("n = {}: a number of steps is expected", n));
     const Busy busy(busy_, "this simulation");
+    drive(n, pose, twist);
     Steps steps;
     without_gil(static_cast<std::size_t>(n), [&](std::size_t) {
       simulation::StepReport report = simulation_.step();
@@ -64,6 +74,33 @@ class LiveSimulation {
   FrameView frame() const { return view_of(look().frame(), records_); }
 
  private:
+  /// Takes the pose and the twist of the next step, of which either may be None.
+  void drive(py::ssize_t n, const py::object& pose, const py::object& twist) {
+    if (!pose.is_none() && n != 1) throw InputError(fmt::format("n = {}: a pose is reached in one step", n));
+    const auto half = [](const py::object& pair, py::ssize_t i, const char* name, py::ssize_t size) {
+      const Array values = pair_of_arrays(pair, name)[static_cast<std::size_t>(i)];
+      if (values.ndim() != 1 || values.shape(0) != size)
+        throw InputError(fmt::format("{}[{}]: has shape {}, must have shape ({},)", name, i, shape_text(values), size));
+      return values;
+    };
+    Pose goal;
+    Twist velocity;
+    if (!pose.is_none()) {
+      const Array p = half(pose, 0, "pose", 3), q = half(pose, 1, "pose", 4);
+      goal = {{p.at(0), p.at(1), p.at(2)}, {q.at(0), q.at(1), q.at(2), q.at(3)}};
+    }
+    if (!twist.is_none()) {
+      const Array v = half(twist, 0, "twist", 3), w = half(twist, 1, "twist", 3);
+      velocity = {{v.at(0), v.at(1), v.at(2)}, {w.at(0), w.at(1), w.at(2)}};
+    }
+    if (!pose.is_none() && !twist.is_none())
+      simulation_.drive(structure::State{goal, velocity});
+    else if (!pose.is_none())
+      simulation_.drive(goal);
+    else if (!twist.is_none())
+      simulation_.drive(velocity);
+  }
+
   simulation::Simulation simulation_;
   std::map<std::int64_t, model::FloeRecord> records_;
   bool busy_ = false;
@@ -179,7 +216,13 @@ void add_simulation(py::module_& m) {
 >>> steps.loads["Fx"].max()                                     # [N]
 >>> [floe.rings[0] for floe in simulation.frame().floes]        # outlines, shape (n, 3) [m])")
       .def(py::init<const Case&>(), py::arg("case"), "Lays the sheet, cuts the initial crack, places the structure.")
-      .def("step", &LiveSimulation::step, py::arg("n") = 1, "Advances by n time steps; Ctrl-C stops between two steps.")
+      .def(
+          "step", &LiveSimulation::step, py::arg("n") = 1, py::kw_only(), py::arg("pose") = py::none(),
+          py::arg("twist") = py::none(),
+          "Advances by n time steps; Ctrl-C stops between two steps.\n\n"
+          "With structure.motion.kind = \"driven\", pose = (position, rotation) is reached at the end of one step [m], "
+          "and twist = (velocity, angular velocity) is the motion on the way [m/s], [rad/s], each in the sheet frame. "
+          "One of them gives the other. Without both, the structure goes on at its last twist.")
       .def_property_readonly(
           "time", [](const LiveSimulation& s) { return s.look().time(); }, "[s]")
       .def_property_readonly(

@@ -235,6 +235,14 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
+void Simulation::drive(const structure::State& goal) { impl_->motion->drive(goal); }
+void Simulation::drive(const Pose& goal) {
+  impl_->motion->drive(structure::way_to(goal, impl_->motion->now().pose, impl_->resolved.time.step));
+}
+void Simulation::drive(const Twist& twist) {
+  impl_->motion->drive(structure::way_at(twist, impl_->motion->now().pose, impl_->resolved.time.step));
+}
+const structure::State& Simulation::structure() const { return impl_->motion->now(); }
 StepReport Simulation::step() { return impl_->step(); }
 model::Checkpoint Simulation::checkpoint() const { return impl_->checkpoint(); }
 double Simulation::time() const { return impl_->time(); }

@@ -2,7 +2,11 @@
 #include "brash/structure/motion.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include "brash/core/error.hpp"
+#include "rotation.hpp"
 
 namespace brash::structure {
 namespace {
@@ -94,7 +98,76 @@ std::unique_ptr<Motion> motion_of(const model::Compliant& compliant, const State
   return std::make_unique<Compliant>(compliant, start, time_step);
 }
 
+/// As another program says, step by step; without a word of it, on at the last twist.
+class Driven final : public Motion {
+ public:
+  Driven(const model::Driven& driven, const State& start, double time_step)
+      : Motion({start.pose, {{driven.speed, 0.0, 0.0}, {}}}), time_step_(time_step) {
+    go_on();
+  }
+
+  State after(double share) const override {
+    return {{now_.pose.position + share * way_.linear, turned(now_.pose.rotation, share * way_.angular)}, now_.twist};
+  }
+  void drive(const State& goal) override {
+    const Quaternion& q = goal.pose.rotation;
+    const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    if (!is_finite(goal.pose.position) || !is_finite(goal.twist.linear) || !is_finite(goal.twist.angular))
+      throw InputError("a pose or a twist that drives the structure is not finite");
+    if (!(std::abs(size - 1.0) < kUnit))
+      throw InputError("a rotation that drives the structure is no unit quaternion: its norm is " +
+                       std::to_string(size));
+    way_ = {goal.pose.position - now_.pose.position, turn_between(now_.pose.rotation, q)};
+    now_.twist = goal.twist;
+  }
+  void bear(const Wrench& /*load*/) override { go_on(); }
+  Vec2 course() const override {
+    const Vec2 velocity = plan(now_.twist.linear);
+    return velocity == Vec2{} ? plan(rotate(now_.pose.rotation, {1.0, 0.0, 0.0})) : velocity;
+  }
+  void save(model::Checkpoint& checkpoint) const override {
+    Motion::save(checkpoint);
+    model::save(checkpoint, "drive", *this);
+  }
+  void restore(const model::Checkpoint& checkpoint) override {
+    Motion::restore(checkpoint);
+    model::restore(checkpoint, "drive", *this);
+  }
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("way_", "m", "way of the origin in the coming step", self.way_.linear);
+    visit("turn_", "rad", "turn in the coming step", self.way_.angular);
+  }
+
+ private:
+  void go_on() { way_ = {time_step_ * now_.twist.linear, time_step_ * now_.twist.angular}; }
+
+  /// A quaternion that is farther than this from a unit one is a mistake; nearer ones are rounded [-].
+  static constexpr double kUnit = 1e-6;
+
+  double time_step_;  ///< [s]
+  Twist way_{};       ///< of the coming step [m], [rad]
+};
+
+std::unique_ptr<Motion> motion_of(const model::Driven& driven, const State& start, double time_step) {
+  return std::make_unique<Driven>(driven, start, time_step);
+}
+
 }  // namespace
+
+State way_to(const Pose& goal, const Pose& start, double time) {
+  return {goal, {(goal.position - start.position) / time, turn_between(start.rotation, goal.rotation) / time}};
+}
+
+State way_at(const Twist& twist, const Pose& start, double time) {
+  return {{start.position + time * twist.linear, turned(start.rotation, time * twist.angular)}, twist};
+}
+
+void Motion::drive(const State& /*goal*/) {
+  throw InputError(Complaint{"structure.motion.kind", "does not let another program drive the structure", "driven",
+                             "write structure.motion.kind = \"driven\""});
+}
 
 void Motion::save(model::Checkpoint& checkpoint) const { model::save(checkpoint, "structure", now_); }
 

@@ -39,6 +39,23 @@ class Steps(unittest.TestCase):
         self.assertEqual(ledger.pop("initial"), sum(ledger.values()))
         self.assertEqual(ledger["sheet"], sum(part.exact_area for part in simulation.sheet))
 
+    def test_a_driven_structure_goes_where_it_is_told(self):
+        simulation = brash.Simulation(brash.Case.from_file(CONE, {"structure.motion.kind": "driven"}))
+        still = ([0, 0, 0], [0, 0, 0])
+        place = lambda: np.append(simulation.frame().structure, simulation.frame().structure_rotation)
+        simulation.step(pose=([-6.99, 0.01, 0], [np.cos(0.1), 0, 0, np.sin(0.1)]))
+        np.testing.assert_allclose(place(), [-6.99, 0.01, 0, np.cos(0.1), 0, 0, np.sin(0.1)], atol=1e-14)
+        simulation.step(10, twist=still)
+        np.testing.assert_allclose(place()[:3], [-6.99, 0.01, 0], atol=1e-14)
+        simulation.step(pose=([-6.98, 0, 0], [1, 0, 0, 0]), twist=still)
+        np.testing.assert_allclose(place(), [-6.98, 0, 0, 1, 0, 0, 0], atol=1e-14)
+        for wrong in ({"n": 2, "pose": ([0, 0, 0], [1, 0, 0, 0])}, {"pose": [0, 0, 0]}, {"twist": ([0, 0], [0, 0, 0])},
+                      {"pose": ([0, 0, 0], [0, 0, 0, 0])}, {"twist": ([np.nan, 0, 0], [0, 0, 0])}):
+            with self.assertRaises(brash.InputError):
+                simulation.step(**wrong)
+        with self.assertRaises(brash.InputError):
+            brash.Simulation(brash.Case.from_file(CONE)).step(twist=still)
+
     def test_steps_are_those_of_a_run(self):
         case = brash.Case.from_file(CONE, SHORT)
         simulation = brash.Simulation(case)

@@ -64,6 +64,34 @@ BOOST_AUTO_TEST_CASE(only_the_water_tells_a_structure_that_moves_from_ice_that_d
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_structure_that_is_driven_along_a_tow_has_its_loads_and_one_that_is_turned_has_others) {
+  const auto start = [](const std::string& kind) {
+    return simulation::Simulation(short_case({"structure.motion.kind=" + kind, "field.initial_crack=false"}));
+  };
+  simulation::Simulation towed = start("towed"), left_alone = start("driven"), told = start("driven"),
+                         turned = start("driven");
+  double most = 0.0, apart = 0.0;
+  bool has_broken = false;
+  for (int i = 1; i <= 120; ++i) {
+    const simulation::StepReport report = towed.step();
+    BOOST_TEST((left_alone.step().loads == report.loads));
+    told.drive(Pose{{-7.0 + 1.202 * 0.01 * i, 0.0, 0.0}, {}});
+    turned.drive(Twist{{1.202, 0.0, 0.0}, {0.0, 0.0, 0.2}});
+    const Vec3 force = report.loads.total.force;
+    most = std::max(most, norm(force));
+    apart = std::max(apart, norm(turned.step().loads.total.force - force));
+    has_broken = has_broken || !report.events.empty();
+    const Vec3 same = told.step().loads.total.force;
+    // The poses differ by a rounding, so the outlines by a unit of the grid, 2^-30 m: by some 0.01 N of crushing.
+    if (!has_broken) BOOST_TEST(norm(same - force) <= 0.1 + 1e-6 * norm(force));
+  }
+  BOOST_TEST(has_broken);
+  BOOST_TEST(most > 1e4);
+  BOOST_TEST(apart > 0.01 * most);  // the skin of the cone slides sideways
+  BOOST_TEST(turned.structure().pose.rotation.z == std::sin(0.5 * 0.2 * 1.2), boost::test_tools::tolerance(1e-12));
+  BOOST_CHECK_THROW(towed.drive(Twist{}), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_that_moves_gives_way_and_its_run_goes_on_from_a_checkpoint) {
   const auto moving = [](double duration, const std::string& edge) {
     return short_case({"algorithm.preset=brash", "failure.edge=" + edge}, duration);

@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "brash/core/error.hpp"
+
 namespace {
 
 using namespace brash;
@@ -92,6 +94,62 @@ BOOST_AUTO_TEST_CASE(a_compliant_structure_sways_on_its_own_and_goes_on_from_a_c
     one->bear({{1e5, -4e5, 0.0}, {}});
     one->advance(0.5);
     one->advance(0.5);
+  }
+  BOOST_TEST((again->now().pose == motion->now().pose));
+  BOOST_TEST((again->now().twist == motion->now().twist));
+}
+
+std::unique_ptr<structure::Motion> driven() {
+  return structure::make_motion({.shape = {}, .motion = model::Driven{1.5}, .start_distance = 7.0}, 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(a_driven_structure_goes_straight_and_turns_evenly_to_its_goal_and_on_at_its_twist) {
+  const auto motion = driven();
+  const Pose goal{{-6.98, 0.01, 0.002}, {std::cos(0.1), 0.0, 0.0, std::sin(0.1)}};  // turned by 0.2 rad
+  const structure::State way = structure::way_to(goal, motion->now().pose, 0.01);
+  BOOST_TEST(way.twist.linear.x == 2.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(way.twist.angular.z == 20.0, boost::test_tools::tolerance(1e-12));
+  motion->drive(way);
+  motion->advance(0.25);
+  BOOST_TEST(motion->now().pose.position.x == -6.995, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.025), boost::test_tools::tolerance(1e-14));
+  motion->advance(0.75);
+  BOOST_TEST(norm(motion->now().pose.position - goal.position) < 1e-15);
+  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.1), boost::test_tools::tolerance(1e-14));
+  motion->bear({{-1e9, 0.0, 0.0}, {}});
+  motion->advance(1.0);
+  BOOST_TEST(motion->now().pose.position.x == -6.96, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.2), boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(a_driven_structure_that_is_told_a_twist_goes_where_it_leads) {
+  const auto motion = driven();
+  const Twist twist{{1.0, -2.0, 0.5}, {0.0, 0.3, 0.0}};
+  const structure::State way = structure::way_at(twist, motion->now().pose, 0.01);
+  const structure::State back = structure::way_to(way.pose, motion->now().pose, 0.01);
+  BOOST_TEST(norm(back.twist.linear - twist.linear) < 1e-12);
+  BOOST_TEST(norm(back.twist.angular - twist.angular) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(a_drive_that_is_no_motion_and_a_drive_of_a_tow_are_refused) {
+  const auto motion = driven();
+  BOOST_CHECK_THROW(motion->drive({{{std::nan(""), 0.0, 0.0}, {}}, {}}), InputError);
+  BOOST_CHECK_THROW(motion->drive({{{}, {0.5, 0.0, 0.0, 0.0}}, {}}), InputError);
+  BOOST_CHECK_THROW(motion->drive({{{}, {}}, {{}, {0.0, INFINITY, 0.0}}}), InputError);
+  BOOST_CHECK_THROW(towed()->drive({}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_drive_goes_on_from_a_checkpoint_that_lies_before_its_step) {
+  const auto motion = driven(), again = driven();
+  motion->drive({{{-6.9, 0.2, 0.0}, {std::cos(0.1), std::sin(0.1), 0.0, 0.0}}, {{9.0, 20.0, 0.0}, {20.0, 0.0, 0.0}}});
+  model::Checkpoint saved;
+  motion->save(saved);
+  again->restore(saved);
+  for (structure::Motion* const one : {motion.get(), again.get()}) {
+    one->advance(0.5);
+    one->advance(0.5);
+    one->bear({});
+    one->advance(1.0);
   }
   BOOST_TEST((again->now().pose == motion->now().pose));
   BOOST_TEST((again->now().twist == motion->now().twist));

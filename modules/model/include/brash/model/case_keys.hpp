@@ -69,6 +69,7 @@ void visit_keys_of(Is<Compliant> auto& compliant, auto&& visit) {
   visit("structure.motion", "stiffness", compliant.stiffness);
   visit("structure.motion", "damping", compliant.damping);
 }
+void visit_keys_of(Is<model::Driven> auto& driven, auto&& visit) { visit("structure", "speed", driven.speed); }
 
 /// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members. The
 /// keys of an alternative come after its name.

@@ -85,12 +85,20 @@ struct Compliant {
   friend bool operator==(const Compliant&, const Compliant&) = default;
 };
 
+/// `kind = "driven"`: as another program says, step by step; until it does, along x at a constant speed.
+struct Driven {
+  double speed = 0.0;
+
+  friend bool operator==(const Driven&, const Driven&) = default;
+};
+
 /// How a structure moves; [structure.motion] kind names them in this order.
-using Motion = std::variant<Towed, Compliant>;
-enum class MotionKind { kTowed, kCompliant };
+using Motion = std::variant<Towed, Compliant, Driven>;
+enum class MotionKind { kTowed, kCompliant, kDriven };
 template <>
 inline constexpr auto kNames<MotionKind> = std::to_array<Named<MotionKind>>({{MotionKind::kTowed, "towed"},
-                                                                             {MotionKind::kCompliant, "compliant"}});
+                                                                             {MotionKind::kCompliant, "compliant"},
+                                                                             {MotionKind::kDriven, "driven"}});
 inline MotionKind kind_of(const Motion& motion) { return static_cast<MotionKind>(motion.index()); }
 
 /// Speed of a structure through the ice where nothing resists it [m/s].

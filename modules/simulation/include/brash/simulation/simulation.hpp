@@ -12,6 +12,7 @@
 #include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
 #include "brash/model/warning.hpp"
+#include "brash/structure/motion.hpp"
 
 namespace brash::simulation {
 
@@ -92,6 +93,18 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
+
+  /// Says where the structure goes in the next step, with structure.motion.kind = "driven": to `goal.pose`, straight
+  /// and with an even turn. Contacts see it move at `goal.twist`, which should be the mean velocity of that way.
+  /// Without a call the structure goes on at its last twist. A second call before the step replaces the first.
+  /// @param goal  pose of the hull's frame, and the twist of its origin, sheet frame [m], [m/s], [rad/s].
+  /// @throws InputError when the case has another motion, or a value is not finite or no rotation.
+  void drive(const structure::State& goal);
+  /// The same to a pose, at the mean velocity of the way there; and on at a twist, to where it leads in a step.
+  void drive(const Pose& goal);
+  void drive(const Twist& twist);
+  /// Where the structure is, and how it moved in the last step.
+  const structure::State& structure() const;
 
   /// Advances by one time step.
   /// @throws RunError when the result can be no physics; the simulation is then of no further use.

@@ -21,6 +21,11 @@ struct State {
   }
 };
 
+/// At `goal`, after `time` [s] of an even motion from `start`.
+State way_to(const Pose& goal, const Pose& start, double time);
+/// At the end of `time` [s] of the motion `twist` from `start`.
+State way_at(const Twist& twist, const Pose& start, double time);
+
 /// How a structure moves: a load goes in, a pose and a twist come out. Time passes in steps of one length, which may
 /// be taken in parts.
 class Motion {
@@ -40,8 +45,13 @@ class Motion {
   /// prescribed motion does not heed it.
   virtual void bear(const Wrench& /*load*/) {}
 
-  /// Velocity through the ice where nothing resists, in plan [m/s]: of the tow, or of the ice's drift against the
-  /// structure.
+  /// Where the structure goes in the coming step, if it is driven from outside: to `pose`, straight and with an even
+  /// turn, while contacts see it move at `twist`. Without a call it goes on at its last twist.
+  /// @throws InputError when the case has another motion, or a value is not finite or no rotation.
+  virtual void drive(const State& goal);
+
+  /// The way ahead in plan, of any length: along the velocity through the ice where nothing resists. A structure that
+  /// has none looks along its x axis.
   virtual Vec2 course() const = 0;
 
   /// Saves in a table of its own all that the motion from now on depends on.
