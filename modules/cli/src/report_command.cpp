@@ -4,19 +4,58 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
+#include "report_source.hpp"
 #include "run_folder.hpp"
+#include "time_span.hpp"
 
 namespace brash::cli {
+namespace {
+
+struct ReportOptions {
+  std::string directory, other, measured, output = "comparison.html";
+  HistoryChoice of_measured;
+};
+
+report::RunSource run_in(const std::string& directory) {
+  expect_manifest(directory);
+  if (report::is_campaign(directory))
+    throw InputError(Complaint{directory, "holds a campaign", "the folder of a run",
+                               "give a folder under its cases/, or the campaign alone"});
+  return report_source(directory);
+}
+
+void write(const ReportOptions& options) {
+  if (options.other.empty() && options.measured.empty()) return print("{}\n", write_report(options.directory));
+  report::RunSource run = run_in(options.directory);
+  if (!options.measured.empty()) run.measured = measured_history(options.measured, options.of_measured);
+  if (options.other.empty()) return print("{}\n", report::write_run_report(run));
+  refuse_overwriting(options.output, {options.directory + "/run.nc", options.other + "/run.nc", options.measured});
+  report::write_comparison(run, run_in(options.other), options.output);
+  print("{}\n", options.output);
+}
+
+}  // namespace
 
 void add_report_command(CLI::App& app) {
-  auto directory = std::make_shared<std::string>();
+  auto options = std::make_shared<ReportOptions>();
   CLI::App* command =
       app.add_subcommand("report", "Write report.html of a run or a campaign: one file for any browser");
-  command->add_option("directory", *directory, "folder of a run or a campaign")->required();
-  command->footer("Example: brash report results/validation");
-  command->callback([directory] { print("{}\n", write_report(*directory)); });
+  command->add_option("directory", options->directory, "folder of a run or a campaign")->required();
+  CLI::Option* other = command->add_option("other", options->other, "folder of another run, to be shown beside it");
+  command->add_option("-o,--output", options->output, "page of two runs [comparison.html]")->needs(other);
+  CLI::Option* measured =
+      command->add_option("--measured", options->measured, "CSV or netCDF file with times, drawn over the loads");
+  command->add_option("--measured-column", options->of_measured.column, "[the first that is not the time]")
+      ->needs(measured);
+  command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
+      ->check(time_span())
+      ->needs(measured);
+  command->footer("Example: brash report results/validation --measured measured.csv");
+  command->callback([options] { write(*options); });
 }
 
 }  // namespace brash::cli

@@ -15,7 +15,7 @@
 #include "brash/recording/recording.hpp"
 #include "brash/report/plan_view.hpp"
 #include "brash/report/report.hpp"
-#include "closed_forms.hpp"
+#include "report_source.hpp"
 
 namespace brash::cli {
 namespace {
@@ -103,18 +103,20 @@ void write_run_folder(const std::string& directory, const recording::Inputs& inp
   if (report::has_page()) write_report(directory);
 }
 
-std::string write_report(const std::string& directory) {
+void expect_manifest(const std::string& directory) {
   if (!fs::exists(fs::path(directory) / "manifest.json"))
     throw InputError(Complaint{directory, fs::is_directory(directory) ? "holds no manifest.json" : "is no folder",
                                "the folder of a run or a campaign",
                                "give the folder that `brash run` or `brash campaign` wrote"});
-  const auto report_run = [](const std::string& folder) {
-    return report::write_run_report(folder, closed_form_loads(report::case_of_run(folder)).dump());
-  };
-  if (!report::is_campaign(directory)) return report_run(directory);
+}
+
+std::string write_report(const std::string& directory) {
+  expect_manifest(directory);
+  if (!report::is_campaign(directory)) return report::write_run_report(report_source(directory));
   std::error_code no_cases;
   for (const auto& entry : fs::directory_iterator(directory + "/cases", no_cases))
-    if (!entry.is_symlink() && fs::exists(entry.path() / "run.nc")) report_run(entry.path().string());
+    if (!entry.is_symlink() && fs::exists(entry.path() / "run.nc"))
+      report::write_run_report(report_source(entry.path().string()));
   return report::write_campaign_report(directory);
 }
 

@@ -26,6 +26,9 @@ void remove_run(const std::string& directory);
 /// Writes everything that a finished run leaves into `directory`: pictures, results, summary, manifest.
 void write_run_folder(const std::string& directory, const recording::Inputs& inputs, const simulation::Run& run);
 
+/// @throws InputError when `directory` is no folder of a run or a campaign.
+void expect_manifest(const std::string& directory);
+
 /// Writes report.html of the run in `directory`, or of the campaign and of every run that it kept whole.
 /// @return its path. @throws InputError naming a file that is missing. @throws RunError in a build without the page.
 std::string write_report(const std::string& directory);

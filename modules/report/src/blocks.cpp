@@ -32,7 +32,7 @@ std::string base64(const std::string& bytes) {
 
 template <typename T>
 void Blocks::append(const std::string& name, const char* kind, const std::vector<T>& values, double unit) {
-  directory_.push_back({{"name", name}, {"kind", kind}, {"count", values.size()}, {"unit", unit}});
+  directory_.push_back({{"name", prefix_ + name}, {"kind", kind}, {"count", values.size()}, {"unit", unit}});
   const std::size_t start = bytes_.size();
   bytes_.resize(start + values.size() * sizeof(T));
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -12,6 +12,8 @@ namespace brash::report {
 /// to the one before (zigzag: 0, -1, 1, -2, ... become 0, 1, 2, 3, ...), everything deflated together.
 class Blocks {
  public:
+  /// Names that are added from here on begin with `prefix`.
+  void begin(const std::string& prefix) { prefix_ = prefix; }
   void add(const std::string& name, const std::vector<double>& values);
   /// Rounded to whole multiples of `unit`; the page multiplies them again.
   void add_rounded(const std::string& name, const std::vector<double>& values, double unit);
@@ -28,6 +30,7 @@ class Blocks {
   template <typename T>
   void append(const std::string& name, const char* kind, const std::vector<T>& values, double unit);
 
+  std::string prefix_;
   nlohmann::ordered_json directory_ = nlohmann::ordered_json::array();
   std::string bytes_;
 };

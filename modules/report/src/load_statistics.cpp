@@ -45,13 +45,17 @@ ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double fr
   if (loads.end() - first < 2) return nullptr;
   const double dt = (loads.back().time - first->time) / static_cast<double>(loads.end() - first - 1);
   ordered_json out;
-  const auto add = [&](const char* name, double Vec3::*axis) {
+  const auto add = [&](const char* name, Vec3 Wrench::*part, double Vec3::*axis) {
     std::vector<double> samples;
-    for (auto row = first; row != loads.end(); ++row) samples.push_back(row->total.force.*axis);
+    for (auto row = first; row != loads.end(); ++row) samples.push_back(row->total.*part.*axis);
     out[name] = {{"spectrum", spectrum_of(samples, dt)}, {"peaks", peaks_of(samples, first->time, dt)}};
   };
-  add("horizontal", &Vec3::x);
-  add("vertical", &Vec3::z);
+  add("Fx", &Wrench::force, &Vec3::x);
+  add("Fy", &Wrench::force, &Vec3::y);
+  add("Fz", &Wrench::force, &Vec3::z);
+  add("Mx", &Wrench::moment, &Vec3::x);
+  add("My", &Wrench::moment, &Vec3::y);
+  add("Mz", &Wrench::moment, &Vec3::z);
   return out;
 }
 

@@ -156,8 +156,7 @@ void add_structure(Blocks& blocks, const structure::Hull& hull, const Pose& end)
   blocks.add("structure.end", std::vector<double>{p.x, p.y, p.z, q.w, q.x, q.y, q.z});
 }
 
-Blocks blocks_of(const model::Case& resolved, const model::RunResults& results) {
-  Blocks blocks;
+void add_run(Blocks& blocks, const model::Case& resolved, const model::RunResults& results) {
   add_structure(blocks, *structure::make_hull(resolved.structure.shape), pose_at_end(resolved, results));
   add_columns(blocks, "load", results.loads);
   add_columns(blocks, "event", results.events);
@@ -168,7 +167,38 @@ Blocks blocks_of(const model::Case& resolved, const model::RunResults& results) 
   add_polygons(blocks, "outline", outlines, kOutlineUnit);
   add_tracks(blocks, tracks_of(results));
   add_sheets(blocks, results);
-  return blocks;
+}
+
+/// The run's files as JSON, its arrays in `blocks` under names that begin with `prefix`.
+ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& blocks) {
+  const model::RunResults results = io::read_results(run.directory + "/run.nc");
+  const ordered_json summary = read_json(run.directory + "/summary.json");
+  if (!summary.is_object() || !summary.value("statistics_from", ordered_json(0.0)).is_number())
+    throw InputError(Complaint{run.directory + "/summary.json", "has no number `statistics_from`",
+                               "the summary.json of a run", "copy it again, or run the case again"});
+  blocks.begin(prefix);
+  add_run(blocks, case_of_run(run.directory), results);
+  return {{"kind", "run"},
+          {"manifest", read_json(run.directory + "/manifest.json")},
+          {"summary", summary},
+          {"closed_forms", ordered_json::parse(run.closed_forms)},
+          {"loads", ordered_json::parse(run.loads)},
+          {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0))}};
+}
+
+/// The measured history: its name and statistics as JSON, its samples as blocks.
+ordered_json measured_json(const std::optional<MeasuredHistory>& measured, Blocks& blocks) {
+  if (!measured) return nullptr;
+  blocks.add("measured.time", measured->times);
+  blocks.add_single("measured.value", measured->values);
+  return {{"name", measured->name}, {"statistics", ordered_json::parse(measured->statistics)}};
+}
+
+void write_page(ordered_json data, const Blocks& blocks, const std::string& path) {
+  data["format"] = "brash-report-1";
+  data["schema"] = ordered_json::parse(io::case_schema());
+  data["blocks"] = blocks.directory();
+  write_file(path, page_with(data, blocks.packed()));
 }
 
 }  // namespace
@@ -189,24 +219,21 @@ model::Case case_of_run(const std::string& directory) {
   }
 }
 
-std::string write_run_report(const std::string& directory, const std::string& closed_forms) {
-  const model::RunResults results = io::read_results(directory + "/run.nc");
-  const ordered_json summary = read_json(directory + "/summary.json");
-  if (!summary.is_object() || !summary.value("statistics_from", ordered_json(0.0)).is_number())
-    throw InputError(Complaint{directory + "/summary.json", "has no number `statistics_from`",
-                               "the summary.json of a run", "copy it again, or run the case again"});
-  const Blocks blocks = blocks_of(case_of_run(directory), results);
-  const ordered_json data{{"format", "brash-report-1"},
-                          {"kind", "run"},
-                          {"manifest", read_json(directory + "/manifest.json")},
-                          {"summary", summary},
-                          {"schema", ordered_json::parse(io::case_schema())},
-                          {"closed_forms", ordered_json::parse(closed_forms)},
-                          {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0))},
-                          {"blocks", blocks.directory()}};
-  const std::string path = directory + "/report.html";
-  write_file(path, page_with(data, blocks.packed()));
+std::string write_run_report(const RunSource& run) {
+  Blocks blocks;
+  ordered_json data = run_json(run, "", blocks);
+  data["measured"] = measured_json(run.measured, blocks);
+  const std::string path = run.directory + "/report.html";
+  write_page(std::move(data), blocks, path);
   return path;
+}
+
+void write_comparison(const RunSource& run, const RunSource& other, const std::string& path) {
+  Blocks blocks;
+  ordered_json data = run_json(run, "", blocks);
+  data["measured"] = measured_json(run.measured, blocks);
+  data["other"] = run_json(other, "other.", blocks);
+  write_page(std::move(data), blocks, path);
 }
 
 }  // namespace brash::report

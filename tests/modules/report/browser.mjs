@@ -40,13 +40,38 @@ export async function until(page, holds) {
   throw new Error(`still waiting for ${holds}`);
 }
 
+/** Pixels [r, g, b] of a PNG, every `every`th, as the browser decodes it. */
+export async function pixelsOf(page, png, every = 31) {
+  return page.evaluate(async ([data, step]) => {
+    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]));
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    const { data: pixels } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    return Array.from({ length: Math.floor(pixels.length / (4 * step)) }, (_, i) => [...pixels.slice(4 * step * i, 4 * step * i + 3)]);
+  }, [png.toString("base64"), every]);
+}
+
+/** The page as `chromium --screenshot` sees it, without a script that waits. */
+export function plainScreenshot(file, picture, width, height) {
+  execFileSync(BRASH_CHROMIUM, ["--headless", ...kFlags, "--hide-scrollbars", `--window-size=${width},${height}`, `--screenshot=${picture}`, pathToFileURL(file).href],
+    { stdio: "ignore", timeout: kPatience });
+  return readFileSync(picture);
+}
+
+/** What a click on an element saves: its name and bytes. */
+export async function saved(page, element) {
+  const [download] = await Promise.all([page.waitForEvent("download"), element.click()]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
 /** Opens pages in one browser. Everything that goes wrong in them, and every request, is written down. */
 export async function browse({ width = 1366, height = 768, dark = false } = {}) {
   const { chromium } = createRequire(join(BRASH_PACKAGES, "package.json"))("playwright-core");
   const profile = mkdtempSync(join(tmpdir(), "brash-chromium-"));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: BRASH_CHROMIUM, headless: true, args: kFlags, viewport: { width, height },
-    colorScheme: dark ? "dark" : "light", offline: true,
+    colorScheme: dark ? "dark" : "light", offline: true, acceptDownloads: true,
   });
   context.setDefaultTimeout(kPatience);
   const complaints = [];

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { copyFileSync, readFileSync, rmSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { brash, browse, readCsv, scratch, until } from "./browser.mjs";
+import { brash, browse, pixelsOf, readCsv, scratch, until } from "./browser.mjs";
 
 const kHostile = "</script><script>window.pwned = 1</script><img src=x onerror='window.pwned = 2'>";
 const folder = scratch();
@@ -33,17 +33,17 @@ const ask = (look, argument) =>
   page.evaluate(`(${look})(window.brashReport.report, window.brashReport.run, ${JSON.stringify(argument ?? null)})`);
 
 /** Colours of the replay on a coarse grid, as the reader sees them. */
-async function replayColours() {
-  const picture = (await page.locator(".stage canvas").screenshot()).toString("base64");
-  return page.evaluate(async (data) => {
-    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]));
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    const context = canvas.getContext("2d");
-    context.drawImage(bitmap, 0, 0);
-    const { data: pixels } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    return Array.from({ length: Math.floor(pixels.length / 124) }, (_, i) => [...pixels.slice(124 * i, 124 * i + 3)]);
-  }, picture);
-}
+const replayColours = async (every = 31) => pixelsOf(page, await page.locator(".stage canvas").screenshot(), every);
+
+/** Colours of the style, as [r, g, b]. */
+const styleColours = (names) => page.evaluate((all) => all.map((name) => {
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  context.fillRect(0, 0, 1, 1);
+  return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+}), names);
+
+const isNear = (a, b, tolerance) => a.every((value, i) => Math.abs(value - b[i]) <= tolerance);
 
 test("the arrays in the page are those of the run's files", async () => {
   const columns = await ask((_, r) => ({
@@ -106,7 +106,12 @@ test("the sheet of the replay is that of the ledger", async () => {
 
 test("the means shown are those of summary.json", async () => {
   const cells = await page.locator("#moments tbody tr").first().locator("td").allTextContents();
-  assert.deepEqual(cells.slice(1), [summary.horizontal.mean, summary.vertical.mean].map((n) => (n / 1e3).toFixed(1).replace("-", "−")));
+  const names = await page.locator("#moments thead tr > *").allTextContents();
+  const shown = (name) => cells[names.indexOf(name)];
+  assert.deepEqual([shown("Fx [kN]"), shown("Fz [kN]")], [summary.horizontal.mean, summary.vertical.mean].map((n) => (n / 1e3).toFixed(1).replace("-", "−")));
+  const steady = history.filter((row) => Number(row.time) > summary.statistics_from + 1e-9);
+  const mean = steady.reduce((sum, row) => sum + Number(row.My), 0) / steady.length / 1e3;
+  assert.equal(shown("My [kN m]"), mean.toFixed(1).replace("-", "−"));
 });
 
 test("the load history's cursor stands at the replay's time and stays in view", async () => {
@@ -205,13 +210,55 @@ test("floes can be coloured by contact force and age", async () => {
   }
 });
 
+test("the legends' colours are those of the pictures, in light and dark", async () => {
+  // Without the structure and its shadow, when the floes of the initial crack are no longer tinted as newborn.
+  await ask((report) => (report.player.seek(0.45), report.replay.look("Above"), (report.replay.scene.hull.visible = false)));
+  for (const theme of ["light", "dark"]) {
+    await page.getByLabel("Colours").selectOption(theme);
+    await ask((report) => report.replay.scene.drawNow());
+    const colours = await replayColours(7);
+    const [ice, initial, young, old] = await styleColours(["--scene-ice", "--scene-initial", "--plan-young", "--plan-old"]);
+    const share = (colour) => colours.filter((pixel) => isNear(pixel, colour, 3)).length / colours.length;
+    // Level ice in the sun; an eighth of the picture is far less than it fills. The floes of the initial crack are small.
+    assert.ok(share(ice) > 0.125, `${theme}: level ice is not drawn in its colour`);
+    assert.ok(share(initial) > 5e-4, `${theme}: the initial crack is not drawn in its colour`);
+    // In the plan the first floe has the legend's first colour, and the last one goes towards its second.
+    const [first, last] = await page.locator(".plan .floes path").evaluateAll((all) => [all[0], all.at(-1)].map((path) => {
+      const context = new OffscreenCanvas(1, 1).getContext("2d");
+      context.fillStyle = getComputedStyle(path).fill;
+      context.fillRect(0, 0, 1, 1);
+      return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+    }));
+    const darkness = (colour) => -colour.reduce((sum, n) => sum + n, 0);
+    assert.ok(isNear(first, young, 1), `${theme}: ${first}`);
+    assert.ok(darkness(young) < darkness(last) && darkness(last) <= darkness(old), `${theme}: later floes are not darker`);
+  }
+  await page.getByLabel("Colours").selectOption("light");
+  await ask((report) => ((report.replay.scene.hull.visible = true), report.replay.look("Bow")));
+});
+
+test("the scale is as long as it says", async () => {
+  await ask((report) => (report.replay.look("Above"), report.replay.scene.drawNow()));
+  const [width, text] = await page.locator(".scale").evaluate((bar) => [bar.getBoundingClientRect().width, bar.textContent]);
+  // Two points at the structure, that many metres apart, on the screen.
+  const apart = await ask(({ replay }, _, length) => {
+    const { camera, controls, canvas } = replay.scene;
+    const right = controls.target.clone();
+    right.y += length;
+    const [a, b] = [controls.target.clone().project(camera), right.project(camera)];
+    return 0.5 * Math.hypot((a.x - b.x) * canvas.clientWidth, (a.y - b.y) * canvas.clientHeight);
+  }, Number(text.split(" ")[0]));
+  assert.ok(Math.abs(width - apart) < 0.02 * apart, `${width} and ${apart}`);
+  await ask((report) => report.replay.look("Bow"));
+});
+
 test("light and dark differ in page, replay and charts", async () => {
   const sky = async () => (await replayColours())[40];
   const look = async () => [await page.evaluate(() => getComputedStyle(document.body).backgroundColor), ...(await sky())];
-  await ask((report) => report.replay.scene.look("Side"));
+  await ask((report) => (report.replay.scene.look("Side"), report.replay.scene.drawNow()));
   const light = await look();
   await page.getByLabel("Colours").selectOption("dark");
-  await page.waitForTimeout(100);
+  await ask((report) => report.replay.scene.drawNow());
   const dark = await look();
   assert.notEqual(light[0], dark[0]);
   assert.ok(dark[1] + dark[2] + dark[3] < light[1] + light[2] + light[3] - 200);
@@ -222,8 +269,10 @@ test("a run that is over before its statistics begin shows none", async () => {
   const early = join(folder, "early");
   brash("run", join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml"), "-o", early, "--set", "time.duration=1");
   const shown = await browser.open(join(early, "report.html"));
-  const cells = await shown.locator("#moments tbody td").allTextContents();
-  for (let i = 0; i < cells.length; i += 3) assert.deepEqual(cells.slice(i + 1, i + 3).map((text) => text.replace("no interval", "–")), ["–", "–"]);
+  assert.equal(await shown.locator("#moments").count(), 0);
+  assert.equal(await shown.locator(".figure.none").count(), 3);
+  assert.match(await shown.locator(".figures").innerText(), /statistics begin at \d+\.\d+ s, the run ends at 1\.00 s/);
+  assert.match(await shown.locator("#statistics").innerText(), /over before its statistics begin/);
   await shown.close();
 });
 

@@ -67,7 +67,7 @@ function trend(data: CampaignData, runs: Runs, column: string, key: string, othe
   const span = xs[xs.length - 1] - xs[0] || 1;
   const ends = points.flat().flatMap((p) => [p.mean ?? NaN, ...(p.interval ?? []), ...p.runs]).filter(Number.isFinite).map((n) => n * scale);
   const [low, high] = [Math.min(0, ...ends), Math.max(0, ...ends)];
-  return new Chart(260, () => ({
+  return new Chart(`${column} over ${key}`, 260, () => ({
     data: [xs, ...means] as uPlot.AlignedData,
     options: {
       scales: { x: { time: false, range: [xs[0] - 0.06 * span, xs[xs.length - 1] + 0.06 * span] }, y: { range: [low, high * 1.06 || 1] } },
@@ -77,7 +77,7 @@ function trend(data: CampaignData, runs: Runs, column: string, key: string, othe
         points: { show: true, size: 6, fill: css(kLines[i]) },
         value: (_: uPlot, n: number | null) => number(n, 4),
       }))],
-      hooks: { draw: [(plot) => points.forEach((list, i) => mark(plot, css(kLines[i]), list, scale))] },
+      hooks: { draw: [(plot: uPlot) => points.forEach((list, i) => mark(plot, css(kLines[i]), list, scale))] },
     },
   }));
 }

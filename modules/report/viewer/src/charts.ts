@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // uPlot in the page's colours.
 import uPlot from "uplot";
+import { chartSvg } from "./chart_svg";
 import { css, el } from "./dom";
-
-export type Series = uPlot.Series & { stroke: string };
+import { csv, pixels, save, saveButtons, saveText } from "./save";
 
 /** Axes as thin as the page's rules. */
 export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
@@ -26,19 +26,24 @@ export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis 
 export class Chart {
   readonly element: HTMLElement;
   plot: uPlot | null = null;
-  private readonly holder = el("div", { class: "plot" });
+  private readonly holder: HTMLElement;
+  private readonly caption = el("figcaption");
 
+  /** @param name what it shows, for readers who do not see it, and for the names of its files. */
   constructor(
+    readonly name: string,
     private readonly height: number,
     private readonly make: () => { options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData },
-    caption?: string,
+    private readonly tell?: () => string,
   ) {
-    this.element = el("figure", { class: "chart" }, this.holder, caption !== undefined && el("figcaption", {}, caption));
+    this.holder = el("div", { class: "plot", role: "img", "aria-label": name });
+    this.element = el("figure", { class: "chart" }, this.holder, this.caption, this.saves());
     new ResizeObserver(() => this.fit()).observe(this.holder);
     kCharts.push(this);
   }
 
   redraw(): void {
+    this.caption.textContent = this.tell?.() ?? "";
     const width = this.holder.clientWidth;
     if (width === 0) return;
     const x = this.plot?.scales.x;
@@ -51,11 +56,37 @@ export class Chart {
 
   keepsRange = false;
 
+  /** The lines as an editable drawing; null before the chart was drawn. */
+  drawing(): SVGSVGElement | null {
+    return this.plot && chartSvg(this.plot, this.name);
+  }
+
+  private saves(): HTMLElement {
+    const file = this.name.toLowerCase().replace(/[^a-z0-9]+/g, "-");
+    const withPlot = (act: (plot: uPlot) => void | Promise<void>) => () => (this.plot ? act(this.plot) : undefined);
+    return saveButtons(this.name, {
+      SVG: withPlot(() => saveText(`${file}.svg`, new XMLSerializer().serializeToString(this.drawing()!), "image/svg+xml")),
+      PNG: withPlot(async (plot) => save(`${file}.png`, await pixels(onPaper(plot.ctx.canvas)))),
+      CSV: withPlot((plot) => saveText(`${file}.csv`, csv(plot.series.map((series, i) => [String(series.label ?? "x"), plot.data[i]])), "text/csv")),
+    });
+  }
+
   private fit(): void {
     if (!this.plot) this.redraw();
     else if (this.plot.width !== this.holder.clientWidth && this.holder.clientWidth > 0)
       this.plot.setSize({ width: this.holder.clientWidth, height: this.height });
   }
+}
+
+/** A picture on the page's paper; uPlot's own is transparent. */
+function onPaper(picture: HTMLCanvasElement): HTMLCanvasElement {
+  const { width, height } = picture;
+  const canvas = el("canvas", { width, height });
+  const context = canvas.getContext("2d")!;
+  context.fillStyle = css("--paper");
+  context.fillRect(0, 0, width, height);
+  context.drawImage(picture, 0, 0);
+  return canvas;
 }
 
 const kCharts: Chart[] = [];

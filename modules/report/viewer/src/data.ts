@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unpacks what the program put into the page. Loops, since `from` with a function takes ten times as long.
-import type { BlockEntry, CampaignData, Numbers, RunData } from "./types";
+import type { BlockEntry, CampaignData, Numbers, RunData, RunFiles } from "./types";
 
 export type Blocks = Map<string, Numbers>;
 
@@ -63,9 +63,9 @@ export async function readBlocks(directory: BlockEntry[]): Promise<Blocks> {
   return blocks;
 }
 
-/** Whether there are poses to replay: a single frame is the start. */
-export function hasReplay(data: RunData): boolean {
-  return (data.blocks.find(({ name }) => name === "frame.time")?.count ?? 0) >= 2;
+/** The arrays whose names begin with `prefix`, without it. */
+export function part(blocks: Blocks, prefix: string): Blocks {
+  return new Map([...blocks].filter(([name]) => name.startsWith(prefix)).map(([name, values]) => [name.slice(prefix.length), values]));
 }
 
 export type Ring = [number, number][];
@@ -106,7 +106,7 @@ export class Run {
   readonly duration: number;
 
   constructor(
-    readonly data: RunData,
+    readonly data: RunFiles,
     readonly blocks: Blocks,
   ) {
     this.outlines = polygons(blocks, "outline");
@@ -133,6 +133,15 @@ export class Run {
     }
   }
 
+  get name(): string {
+    return this.data.manifest.case?.name ?? "run";
+  }
+
+  /** Whether there are poses to replay: a single frame is the start. */
+  get hasReplay(): boolean {
+    return this.column("frame.time").length >= 2;
+  }
+
   column(name: string): Numbers {
     const found = this.blocks.get(name);
     if (!found) throw new Error(`the report has no column ${name}`);
@@ -155,6 +164,15 @@ export class Run {
     const parents = this.column("floe.parent");
     while (parents[floe] >= 0) floe = parents[floe];
     return this.piecesOf.findIndex((pieces) => pieces.includes(floe));
+  }
+
+  /** The sheet in whose time an event came: before its step, or after it. */
+  sheetOf(event: number, after: boolean): Ring[] {
+    const times = this.column("sheet.time");
+    const time = this.column("event.time")[event];
+    let index = 0;
+    while (index + 2 < times.length && times[index + 1] < time + (after ? 1e-9 : -1e-9)) ++index;
+    return this.sheets[index];
   }
 
   /** Which sheet lies there at a time: the last one that came about until then. */

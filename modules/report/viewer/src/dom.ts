@@ -42,21 +42,32 @@ function breakable(text: string): Child[] {
 
 const kNumeric = /^([−\d.,: ]|to|%|×|[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]|–|[kM]?B)*$/;
 
-/** A table; columns that hold nothing but numbers align right. */
-export function table(head: string[], rows: Child[][], attributes: Attributes = {}): HTMLElement {
-  const numeric = (rows[0] ?? []).map((_, i) => rows.every((row) => typeof row[i] === "string" && kNumeric.test(row[i] as string)));
+interface Group {
+  /** Of the row above the group; none, if it is empty. */
+  title: string;
+  id?: string;
+  rows: Child[][];
+}
+
+/** A table in groups of rows; columns that hold nothing but numbers align right. */
+export function groupedTable(head: Child[], groups: Group[], attributes: Attributes = {}): HTMLElement {
+  const all = groups.flatMap(({ rows }) => rows);
+  const numeric = (all[0] ?? []).map((_, i) => all.every((row) => typeof row[i] === "string" && kNumeric.test(row[i] as string)));
   const cell = (tag: "td" | "th", child: Child, i: number) =>
-    el(tag, { class: numeric[i] ? "number" : undefined }, ...(typeof child === "string" ? breakable(child) : [child]));
-  return el(
-    "div",
-    { class: "table" },
-    el(
-      "table",
-      attributes,
-      head.length > 0 && el("thead", {}, el("tr", {}, ...head.map((text, i) => cell("th", text, i)))),
-      el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((child, i) => cell("td", child, i))))),
-    ),
-  );
+    el(tag, { class: numeric[i] ? "number" : undefined, scope: tag === "th" ? "col" : undefined },
+      ...(typeof child === "string" ? breakable(child) : [child]));
+  const headOf = (text: Child, i: number) => (text === "" ? el("td") : cell("th", text, i));
+  // A wide table scrolls, also by keys.
+  return el("div", { class: "table", tabindex: 0, role: "region", "aria-label": "Table" },
+    el("table", attributes,
+      head.length > 0 && el("thead", {}, el("tr", {}, ...head.map(headOf))),
+      ...groups.map(({ title, id, rows }) => el("tbody", { id },
+        title !== "" && el("tr", { class: "group" }, el("th", { colspan: Math.max(1, head.length), scope: "rowgroup" }, ...breakable(title))),
+        ...rows.map((row) => el("tr", {}, ...row.map((child, i) => cell("td", child, i))))))));
+}
+
+export function table(head: Child[], rows: Child[][], attributes: Attributes = {}): HTMLElement {
+  return groupedTable(head, [{ title: "", rows }], attributes);
 }
 
 export function css(variable: string): string {

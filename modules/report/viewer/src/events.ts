@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The crack event that was chosen, with all its numbers.
+import { type Crack, crackOf } from "./crack";
 import type { Run } from "./data";
 import { el } from "./dom";
 import { degrees, kN, kPa, number, seconds } from "./format";
 import { describePeak, type Peak } from "./loads";
 import { eventFigure } from "./plan";
+
+/** How the crack went, and what its numbers then mean. */
+function courseOf(crack: Crack): string {
+  if (crack.circumferential.length === 0) return "The pieces of this crack touch no ice that stayed.";
+  return crack.isCircle
+    ? "The crack is the circle of the breaking length."
+    : "The crack followed the stress in the ice, not a circle. The trapezoid is a fit to the edge that describes the event: " +
+      "b, c, θ and μ belong to it.";
+}
 
 export class EventCard {
   readonly element = el("div", { class: "event-card", "aria-live": "polite" });
@@ -25,10 +35,12 @@ export class EventCard {
       this.element.replaceChildren(el("p", { class: "hint" }, text), this.steps());
       return;
     }
+    const crack = crackOf(this.run, event);
     this.element.replaceChildren(
       el("div", { class: "bar" }, el("strong", {}, `Crack ${event + 1} of ${this.run.nEvents}`),
         el("span", {}, `at ${seconds(this.run.column("event.time")[event])} s`), this.steps()),
-      el("div", { class: "event-body" }, eventFigure(this.run, event), this.numbers(event)),
+      el("div", { class: "event-body" }, eventFigure(this.run, event, crack), this.numbers(event, crack)),
+      el("p", { class: "hint course" }, courseOf(crack)),
       ...(peak ? [el("p", { class: "hint peak" }, this.behind(peak))] : []),
     );
   }
@@ -47,7 +59,7 @@ export class EventCard {
       el("button", { type: "button", disabled: none, click: to(this.event + 1), title: "Next crack" }, "›"));
   }
 
-  private numbers(event: number): HTMLElement {
+  private numbers(event: number, crack: Crack): HTMLElement {
     const at = (name: string) => this.run.column(`event.${name}`)[event];
     const force = at("p") * at("c") * at("thickness");
     const rows: [string, string, string, string][] = [
@@ -59,7 +71,7 @@ export class EventCard {
       ["p", kPa(at("p")), "kPa", "pressure on the contact"],
       ["p c h", kN(force), "kN", "in-plane normal force"],
       ["σ", kPa(at("sigma_max")), "kPa", "largest principal stress on the centre line"],
-      ["l_break", number(at("l_break"), 4), "m", "breaking length"],
+      ["l_break", number(at("l_break"), 4), "m", crack.isCircle ? "breaking length: radius of the crack" : "breaking length: from the tip to the crack, along the trapezoid's axis"],
       ["wedges", String(at("wedges")), "", "number of wedges drawn"],
       ["pieces", String(at("pieces")), "", "floes that came of it"],
       ["fit error", number(at("fit_error"), 3), "", "area between trapezoid and edge over the window's"],

@@ -24,7 +24,8 @@ export class FloeMesh {
   private readonly colour: BufferAttribute;
   private readonly firstVertex: Int32Array;
   private readonly cause: Int8Array;
-  private largestForce = 1e4;
+  /** Of the run [N], for the colours; no less than 10 kN. */
+  largestForce = 1e4;
 
   /** @param palette colours by name; may change afterwards. */
   constructor(

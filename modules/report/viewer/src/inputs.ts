@@ -5,9 +5,9 @@ import { axis, Chart } from "./charts";
 import type { InputValue, Run } from "./data";
 import { css, el, section, table } from "./dom";
 import { bytes, degrees, kJ, kN, number, percent, seconds } from "./format";
-import type { Manifest, RunData, Schema } from "./types";
+import type { Manifest, RunFiles, Schema } from "./types";
 
-export function closedFormsSection(data: RunData): HTMLElement {
+export function closedFormsSection(data: RunFiles): HTMLElement {
   const rows = data.closed_forms.loads.map((load) => {
     const components = Object.entries(load.components ?? {}).map(([name, value]) => `${name} ${kN(value)}`);
     const note = load.not_applicable ?? components.join(", ") + (load.in_range === false ? "; outside the formula's range" : "");
@@ -23,19 +23,21 @@ export function closedFormsSection(data: RunData): HTMLElement {
 
 const kAccounts = ["sheet", "floes", "crushed", "deleted", "brash"] as const;
 
+const shown = (_: uPlot, n: number | null): string => (n === null ? "" : number(n, 4));
+
 function ledgerChart(run: Run): Chart {
   const times = Array.from(run.column("load.time"));
   const colours: Record<string, string> = { floes: "--teal", crushed: "--red", deleted: "--ochre", brash: "--muted" };
   const names = Object.keys(colours);
   const data = [times, ...names.map((name) => Array.from(run.column(`load.area_${name}`)))] as uPlot.AlignedData;
-  return new Chart(200, () => ({
+  return new Chart("Ledger of the area", 200, () => ({
     data,
     options: {
       scales: { x: { time: false } },
       axes: [axis("time [s]"), axis("area [m²]", { size: 50 })],
-      series: [{ label: "time" }, ...names.map((name) => ({ label: name, stroke: css(colours[name]), width: 1.3, points: { show: false } }))],
+      series: [{ label: "time", value: shown }, ...names.map((name) => ({ label: name, stroke: css(colours[name]), width: 1.3, points: { show: false }, value: shown }))],
     },
-  }), "Where the ice of the sheet has gone.");
+  }), () => "Where the ice of the sheet has gone.");
 }
 
 /** Loss name, what it is, in the order of the summary. */
@@ -52,7 +54,7 @@ const kLosses: Record<string, string> = {
   skin_friction: "skin friction of the water",
 };
 
-function energyTable(data: RunData): HTMLElement {
+function energyTable(data: RunFiles): HTMLElement {
   const { losses, ...energy } = data.summary.energy;
   const work = energy.work as number;
   const row = (name: string, value: number) => [name, kJ(value), work !== 0 ? percent(value / work) : "–"];
@@ -85,7 +87,7 @@ export function ledgerSection(run: Run): HTMLElement {
 }
 
 /** A value as text: numbers rounded for the eye, angles in degrees as well; the exact text is its tooltip. */
-function shown({ value, text, unit }: InputValue): HTMLElement {
+function valueOf({ value, text, unit }: InputValue): HTMLElement {
   const rounded = typeof value === "number" ? number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : text;
   const angle = unit === "rad" && typeof value === "number" ? ` = ${degrees(value)}°` : "";
   return el("span", { class: "value", title: text }, rounded, unit && el("small", {}, ` ${unit}${angle}`));
@@ -97,7 +99,7 @@ function inputRows(inputs: Record<string, Record<string, InputValue>>, schema: S
     return el("details", { open: true },
       el("summary", {}, el("code", {}, `[${name}]`), ` ${described?.description ?? ""}`),
       table([], Object.entries(keys).map(([key, input]) => [
-        el("code", {}, key), shown(input),
+        el("code", {}, key), valueOf(input),
         el("span", { class: "meaning" }, described?.properties?.[key]?.description ?? ""),
       ])));
   });
@@ -122,10 +124,10 @@ export function manifestTables(manifest: Manifest): HTMLElement {
     files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs));
 }
 
-export function inputsSection(run: Run): HTMLElement {
+export function inputsSection(run: Run, schema: Schema): HTMLElement {
   return section("inputs", "Inputs and manifest",
     el("p", {}, "Every input of the run, defaults included, in SI; the resolved case as a file is in the manifest, and repeats the run to the bit."),
     el("div", { class: "columns even" },
-      el("div", { class: "inputs" }, ...inputRows(run.inputs, run.data.schema)),
+      el("div", { class: "inputs" }, ...inputRows(run.inputs, schema)),
       manifestTables(run.data.manifest)));
 }

@@ -2,10 +2,13 @@
 // The load history: every sample, its causes, the cracks, and the replay's time.
 import uPlot from "uplot";
 import { axis, Chart } from "./charts";
+import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el } from "./dom";
 import { kN, seconds } from "./format";
 import type { Player } from "./player";
+import { csv, saveButtons, saveText } from "./save";
+import type { LoadName } from "./types";
 
 const kCauses: [string, string, string][] = [
   ["", "total", "--accent"],
@@ -21,42 +24,57 @@ export interface Peak {
   loads: number[];
   /** The crack event nearest in time, or -1. */
   event: number;
+  unit: string;
 }
+
+/** A history that is drawn over that of the run [s], [N or N m]. */
+export interface Overlay {
+  label: string;
+  colour: string;
+  times: ArrayLike<number>;
+  values: (load: LoadName) => ArrayLike<number> | null;
+}
+
+/** What the causes of a load mean, for the legend. */
+const kMeaning = "Total: what the structure feels · crushing: at the sheet's edge · floes: their normal forces · friction: of the floes";
 
 export class LoadHistory {
   readonly element: HTMLElement;
   readonly chart: Chart;
-  private axisName: "Fx" | "Fz" = "Fx";
+  private readonly notes = el("p", { class: "hint" });
 
   constructor(
     private readonly run: Run,
     private readonly player: Player,
+    private readonly choice: LoadChoice,
+    private readonly overlays: Overlay[],
     private readonly onPeak: (peak: Peak) => void,
   ) {
-    this.chart = new Chart(250, () => this.make());
+    this.chart = new Chart("Load history", 250, () => this.make());
     this.chart.keepsRange = true;
     const choose = el(
       "select",
-      { "aria-label": "Direction of the load", change: () => this.setAxis(choose.value as "Fx" | "Fz") },
-      el("option", { value: "Fx" }, "horizontal, Fx"),
-      el("option", { value: "Fz" }, "vertical, Fz"),
+      { "aria-label": "Load", change: () => choice.set(choose.value as LoadName) },
+      ...kLoadNames.map((name) => el("option", { value: name }, kLoads[name].title)),
     );
+    choice.onChange(() => {
+      choose.value = choice.name;
+      this.chart.redraw();
+      this.tell();
+    });
     this.element = el(
       "div",
       { class: "loads" },
       el("div", { class: "bar" }, el("strong", {}, "Load on the structure"), choose,
         el("button", { type: "button", click: () => this.zoom(0.5), title: "Zoom in on the upright line" }, "+"),
         el("button", { type: "button", click: () => this.zoom(2), title: "Zoom out" }, "−"),
-        el("button", { type: "button", click: () => this.showAll(), title: "The whole history" }, "all")),
+        el("button", { type: "button", click: () => this.showAll(), title: "The whole history" }, "all"),
+        saveButtons("every load by cause", { "all CSV": () => this.saveAll() })),
       this.chart.element,
-      el("p", { class: "hint" }, "Click a peak for the crack behind it; drag to zoom. Ticks: cracks. Dashes: mean."),
+      this.notes,
     );
+    this.tell();
     player.onChange(() => this.keepInView());
-  }
-
-  setAxis(name: "Fx" | "Fz"): void {
-    this.axisName = name;
-    this.chart.redraw();
   }
 
   zoom(factor: number): void {
@@ -75,17 +93,23 @@ export class LoadHistory {
   /** The highest sample near a time, and the crack event that belongs to it. */
   peakNear(time: number, reach: number): Peak {
     const times = this.run.column("load.time");
-    const total = this.run.column(`load.${this.axisName}`);
+    const total = this.run.column(`load.${this.choice.name}`);
     let index = -1;
     for (let i = 0; i < times.length; ++i)
-      if (Math.abs(times[i] - time) <= reach && (index < 0 || total[i] > total[index])) index = i;
+      if (Math.abs(times[i] - time) <= reach && (index < 0 || this.size(total[i]) > this.size(total[index]))) index = i;
     if (index < 0) index = nearest(times, time);
     return {
       time: times[index],
       index,
-      loads: kCauses.map(([cause]) => this.run.column(`load.${cause}${this.axisName}`)[index]),
+      loads: kCauses.map(([cause]) => this.run.column(`load.${cause}${this.choice.name}`)[index]),
       event: this.eventNear(times[index]),
+      unit: this.choice.unit,
     };
+  }
+
+  /** Loads that act both ways peak both ways. */
+  private size(load: number): number {
+    return this.choice.name === "Fx" || this.choice.name === "Fz" ? load : Math.abs(load);
   }
 
   /** The event nearest in time; of several in one step the one with the largest contact force p c h. */
@@ -101,55 +125,93 @@ export class LoadHistory {
   }
 
   private make(): { options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData } {
-    const column = (name: string) => this.run.column(`load.${name}${this.axisName}`);
-    const data = [Array.from(this.run.column("load.time")), ...kCauses.map(([cause]) => Array.from(column(cause), (n) => n / 1e3))];
+    const kilo = (values: ArrayLike<number>) => Array.from(values, (n) => n / 1e3);
+    const column = (cause: string) => kilo(this.run.column(`load.${cause}${this.choice.name}`));
+    const own = [Array.from(this.run.column("load.time")), ...kCauses.map(([cause]) => column(cause))] as uPlot.AlignedData;
+    const overlays = this.shown();
+    const data = overlays.length === 0 ? own
+      : uPlot.join([own, ...overlays.map(({ times, values }) => [Array.from(times), kilo(values)] as uPlot.AlignedData)]);
+    const series = (label: string, colour: string, width: number, show = true): uPlot.Series => ({
+      label, width, show, stroke: css(colour), spanGaps: true, points: { show: false }, value: (plot, value, i) => this.valueAt(plot, value, i),
+    });
     const options: Omit<uPlot.Options, "width" | "height"> = {
       cursor: { drag: { x: true, y: false }, points: { size: 5 } },
       legend: { live: true },
       scales: { x: { time: false } },
-      axes: [axis("time [s]"), axis("load [kN]", { size: 50 })],
+      axes: [axis("time [s]"), axis(`${this.choice.name} [${this.choice.unit}]`, { size: 56 })],
       series: [
-        { label: "time", value: (_: uPlot, t: number | null) => (t === null ? "–" : `${seconds(t)} s`) },
-        ...kCauses.map(([, label, colour], i) => ({
-          label,
-          stroke: css(colour),
-          width: i === 0 ? 1.4 : 1,
-          show: i < 3,
-          points: { show: false },
-          value: (_: uPlot, n: number | null) => (n === null ? "–" : `${n.toFixed(1).replace("-", "−")}`),
-        })),
+        { label: "time", value: (_: uPlot, t: number | null) => `${seconds(t ?? this.player.time)} s` },
+        ...kCauses.map(([, label, colour], i) => series(label, colour, i === 0 ? 1.4 : 1, i < 3)),
+        ...overlays.map(({ label, colour }) => series(label, colour, 1.3)),
       ],
       hooks: { draw: [(plot) => this.mark(plot)], ready: [(plot) => this.listen(plot)] },
     };
-    return { options, data: data as unknown as uPlot.AlignedData };
+    return { options, data };
   }
 
-  /** Mean with its interval, cracks, and the time of the replay. */
+  private shown(): { label: string; colour: string; times: ArrayLike<number>; values: ArrayLike<number> }[] {
+    return this.overlays.flatMap(({ label, colour, times, values }) => {
+      const of = values(this.choice.name);
+      return of ? [{ label, colour, times, values: of }] : [];
+    });
+  }
+
+  /** The value under the cursor; away from the chart, the one at the replay's time. */
+  private valueAt(plot: uPlot, value: number | null, series: number): string {
+    const shown = value ?? plot.data[series]?.[nearest(plot.data[0], this.player.time)];
+    return shown === null || shown === undefined ? "" : kN(1e3 * shown);
+  }
+
+  private saveAll(): void {
+    const names = kCauses.flatMap(([cause]) => kLoadNames.map((name) => cause + name));
+    saveText("loads.csv", csv([["time", this.run.column("load.time")], ...names.map((name): [string, ArrayLike<number>] => [name, this.run.column(`load.${name}`)])]), "text/csv");
+  }
+
+  /** The mean with its interval, and the reference where there is one [N]. */
+  private levels(): { mean: number; interval: [number, number] | null; reference: number } | null {
+    const own = this.run.data.loads?.[this.choice.name];
+    const reference = this.choice.name === "Fx" ? this.run.input("reference", "mean_horizontal") : NaN;
+    if (!own) return Number.isFinite(reference) ? { mean: NaN, interval: null, reference } : null;
+    const [low, high] = own.mean_95;
+    return { mean: own.mean, interval: low === null || high === null ? null : [low, high], reference };
+  }
+
+  private tell(): void {
+    const levels = this.levels();
+    const marks = ["Red ticks: cracks", levels && Number.isFinite(levels.mean) && "dashes: mean, with its 95 % interval",
+      levels && Number.isFinite(levels.reference) && "dots: reference mean"].filter(Boolean).join(" · ");
+    this.notes.replaceChildren("Click a peak for the crack behind it; drag to zoom. ", marks, ".", el("br"), kMeaning, ".");
+  }
+
+  /** Mean with its interval, the reference, cracks, and the time of the replay. */
   private mark(plot: uPlot): void {
     const { ctx, bbox } = plot;
     const ratio = devicePixelRatio || 1;
-    const summary = this.axisName === "Fx" ? this.run.data.summary.horizontal : this.run.data.summary.vertical;
     const x = (t: number) => plot.valToPos(t, "x", true);
     const y = (n: number) => plot.valToPos(n / 1e3, "y", true);
+    const [right, bottom] = [bbox.left + bbox.width, bbox.top + bbox.height];
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
     ctx.lineWidth = ratio;
-    const { mean, mean_95: [low, high] } = summary;
-    if (mean !== null && low !== null) {
+    const levels = this.levels();
+    if (levels) {
       const from = x(this.run.data.summary.statistics_from);
-      ctx.fillStyle = css("--band");
-      ctx.fillRect(from, y(high), bbox.left + bbox.width - from, y(low) - y(high));
-      this.line(ctx, css("--accent"), [from, y(mean)], [bbox.left + bbox.width, y(mean)], [5 * ratio, 4 * ratio]);
+      if (levels.interval) {
+        ctx.fillStyle = css("--band");
+        ctx.fillRect(from, y(levels.interval[1]), right - from, y(levels.interval[0]) - y(levels.interval[1]));
+      }
+      this.line(ctx, css("--accent"), [from, y(levels.mean)], [right, y(levels.mean)], [5 * ratio, 4 * ratio]);
+      this.line(ctx, css("--ink"), [bbox.left, y(levels.reference)], [right, y(levels.reference)], [2 * ratio, 3 * ratio]);
     }
-    for (const t of this.run.column("event.time"))
-      this.line(ctx, css("--red"), [x(t), bbox.top + bbox.height], [x(t), bbox.top + bbox.height - 7 * ratio]);
-    this.line(ctx, css("--ink"), [x(this.player.time), bbox.top], [x(this.player.time), bbox.top + bbox.height]);
+    for (const t of this.run.column("event.time")) this.line(ctx, css("--red"), [x(t), bottom], [x(t), bottom - 7 * ratio]);
+    this.line(ctx, css("--ink"), [x(this.player.time), bbox.top], [x(this.player.time), bottom]);
     ctx.restore();
   }
 
   private line(ctx: CanvasRenderingContext2D, colour: string, a: number[], b: number[], dash: number[] = []): void {
+    if (![...a, ...b].every(Number.isFinite)) return;
     ctx.strokeStyle = colour;
     ctx.setLineDash(dash);
     ctx.beginPath();
@@ -190,6 +252,7 @@ export class LoadHistory {
     } else {
       plot.redraw(false, false);
     }
+    plot.setLegend({ idx: null } as unknown as { idx: number });
   }
 }
 
@@ -202,5 +265,5 @@ function nearest(times: ArrayLike<number>, time: number): number {
 /** A peak in words: how much of it came from where. */
 export function describePeak(peak: Peak): string {
   const [total, crushing, normal, friction] = peak.loads.map(kN);
-  return `${total} kN at ${seconds(peak.time)} s: ${crushing} kN crushing at the edge, ${normal} kN floes, ${friction} kN their friction.`;
+  return `${total} ${peak.unit} at ${seconds(peak.time)} s: ${crushing} ${peak.unit} crushing at the edge, ${normal} ${peak.unit} floes, ${friction} ${peak.unit} their friction.`;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { showCampaign } from "./campaign";
 import { redrawCharts } from "./charts";
-import { hasReplay, readBlocks, readData, Run } from "./data";
+import { part, readBlocks, readData, Run } from "./data";
 import { el } from "./dom";
 import { type RunReport, showRun } from "./run";
-import type { CampaignData, RunData } from "./types";
+import type { CampaignData, RunData, RunFiles } from "./types";
 
 declare global {
   interface Window {
@@ -33,7 +33,7 @@ function header(data: RunData | CampaignData, title: string, onTheme: () => void
       onTheme();
     },
   }, ...kThemes.map((name) => el("option", { value: name }, name)));
-  const keys = data.kind === "run" && hasReplay(data) && el("details", { class: "keys" }, el("summary", {}, "keys"),
+  const keys = data.kind === "run" && el("details", { class: "keys" }, el("summary", {}, "keys"),
     el("p", {}, "space: play · ← →: one frame, with shift one second · [ ]: slower, faster · , .: start, end · 1 to 5: views · mouse: orbit, wheel, right button"));
   return el("header", {},
     el("div", { class: "title" }, el("h1", {}, title), el("p", {}, subtitle(data))),
@@ -60,16 +60,21 @@ function fillContents(head: HTMLElement): void {
     el("a", { href: `#${part.id}` }, part.querySelector("h2")!.textContent)));
 }
 
+function titleOf(data: RunData): string {
+  const name = ({ manifest }: RunFiles) => manifest.case?.name ?? "run";
+  return data.other ? `${name(data)} and ${name(data.other)}` : name(data);
+}
+
 async function main(): Promise<void> {
   const data = readData();
   const parent = document.getElementById("report")!;
-  const title = data.kind === "run" ? (data.manifest.case?.name ?? "run") : `${data.summary.settings[0]?.case.replace(`_${data.summary.settings[0].setting}`, "") ?? ""} campaign`;
+  const title = data.kind === "run" ? titleOf(data) : `${data.summary.settings[0]?.case.replace(`_${data.summary.settings[0].setting}`, "") ?? ""} campaign`;
   document.title = `${title} – brash report`;
   const handle: NonNullable<Window["brashReport"]> = {};
   window.brashReport = handle;
   const retheme = () => {
     redrawCharts();
-    handle.report?.replay?.scene?.setTheme();
+    handle.report?.replay?.scenes.forEach((scene) => scene.setTheme());
     handle.report?.player.seek(handle.report.player.time);
   };
   const head = header(data, title, retheme);
@@ -79,8 +84,11 @@ async function main(): Promise<void> {
   if (data.kind === "campaign") {
     showCampaign(data, parent);
   } else {
-    handle.run = new Run(data, await readBlocks(data.blocks));
-    handle.report = showRun(handle.run, parent);
+    const blocks = await readBlocks(data.blocks);
+    handle.run = new Run(data, blocks);
+    const other = data.other ? new Run(data.other, part(blocks, "other.")) : null;
+    handle.report = showRun(handle.run, other, data, parent);
+    if (!handle.report.replay) head.querySelector(".keys")?.remove();
   }
   fillContents(head);
   requestAnimationFrame(() => setTimeout(() => (handle.readyAfter = performance.now())));

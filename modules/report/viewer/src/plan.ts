@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The channel from above with every crack, and one crack event close by.
+import { type Crack, crackOf, type Segment } from "./crack";
 import type { Ring, Run } from "./data";
-import { svg } from "./dom";
+import { el, svg } from "./dom";
+import { legend, type Swatch } from "./legend";
+import { drawingButtons } from "./save";
 
 interface Box {
   x0: number;
@@ -49,7 +52,7 @@ function ruler(box: Box, lettering: number): SVGGElement {
   }
   for (let y = Math.ceil(box.y0 / step) * step; y <= box.y1; y += step) {
     group.append(svg("path", { d: `M${box.x0} ${-y}h${0.6 * size}` }));
-    if (y > box.y0 + 2 * size && y < box.y1 - size) group.append(text(box.x0 + 0.9 * size, -y + 0.35 * size, y, "start"));
+    if (y > box.y0 + 2 * size && y < box.y1 - 2.2 * size) group.append(text(box.x0 + 0.9 * size, -y + 0.35 * size, y, "start"));
   }
   group.append(svg("text", { x: box.x1 - 0.5 * size, y: -box.y0 - 0.8 * size, "text-anchor": "end" }, "x [m]"));
   group.append(svg("text", { x: box.x0 + 0.9 * size, y: -box.y1 + 1.2 * size, "text-anchor": "start" }, "y [m]"));
@@ -57,7 +60,7 @@ function ruler(box: Box, lettering: number): SVGGElement {
 }
 
 /** The fitted trapezoid of an event: from the tip edge's ends to the base line. */
-export function trapezoidOf(run: Run, event: number): Ring {
+function trapezoidOf(run: Run, event: number): Ring {
   const at = (name: string) => run.column(`event.${name}`)[event];
   const [ux, uy] = [at("towards_x"), at("towards_y")];
   const tip = 0.5 * at("c");
@@ -69,91 +72,123 @@ export function trapezoidOf(run: Run, event: number): Ring {
   return [place(0, -tip), place(at("b"), -base), place(at("b"), base), place(0, tip)];
 }
 
+const kAtCrack: Swatch = { colour: "--red", text: "the ice failed here", kind: "dot" };
+const kTrapezoid: Swatch = { colour: "--ochre", text: "trapezoid fitted to the edge" };
+const kCrackLine: Swatch = { colour: "--red", text: "crack", kind: "line" };
+const kCircle: Swatch = { colour: "--red", text: "breaking length", kind: "dashes" };
+
 export class PlanView {
-  readonly element: SVGSVGElement;
+  readonly element: HTMLElement;
+  private readonly drawing: SVGSVGElement;
   private readonly overlay = svg("g");
+  private readonly chosen = el("span", { class: "chosen-crack" });
   private readonly points: SVGCircleElement[] = [];
 
   constructor(
     private readonly run: Run,
-    onChoose: (event: number) => void,
+    private readonly onChoose: (event: number) => void,
   ) {
-    const pieces = run.offSheet.map((floe) => run.bornAt(floe));
-    const last = run.sheets.at(-1)!;
     const structure = run.waterlineAtEnd();
-    const nodes = [...pieces.flat(2), ...structure.flat()];
-    const box = around(nodes, 2.5);
-    const latest = Math.max(1e-9, run.duration);
-    const floes = svg("g", { class: "floes" });
-    pieces.forEach((rings, n) => {
-      const i = run.offSheet[n];
-      const share = (run.column("floe.birth")[i] as number) / latest;
-      floes.append(svg("path", { d: path(rings), "fill-rule": "evenodd", style: `--age: ${share.toFixed(3)}` },
-        svg("title", {}, `floe ${run.column("floe.id")[i]}, ${run.column("floe.area")[i].toFixed(2)} m², born at ${run.column("floe.birth")[i].toFixed(2)} s`)));
-    });
-    const marks = svg("g", { class: "breaks" });
-    for (let i = 0; i < run.nEvents; ++i) {
-      const point = svg(
-        "circle",
-        {
-          cx: run.column("event.x")[i], cy: -run.column("event.y")[i], r: (box.x1 - box.x0) / 210, tabindex: 0, role: "button",
-          "aria-label": `crack event ${i + 1} at ${run.column("event.time")[i].toFixed(2)} s`,
-          click: () => onChoose(i),
-          keydown: (event: KeyboardEvent) => {
-            if (event.key === "Enter") onChoose(i);
-          },
-        },
-      );
-      this.points.push(point);
-      marks.append(point);
-    }
-    this.element = drawing(
+    const box = around([...run.offSheet.flatMap((floe) => run.bornAt(floe)), ...structure].flat(), 2.5);
+    this.drawing = drawing(
       box,
       "Plan of the channel with all cracks",
-      svg("path", { class: "sheet", d: path(last), "fill-rule": "evenodd" }),
-      floes,
+      svg("path", { class: "sheet", d: path(run.sheets.at(-1)!), "fill-rule": "evenodd" }),
+      this.floes(),
       svg("path", { class: "structure", d: path(structure) }),
       this.overlay,
-      marks,
+      this.breaks((box.x1 - box.x0) / 210),
       ruler(box, 62),
     );
+    // A picture has no buttons for its reader; this one is a group of them.
+    this.drawing.setAttribute("role", "group");
+    this.element = el("figure", { class: "plan-view" }, this.drawing,
+      el("div", { class: "under" },
+        legend([
+          { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" },
+          { colour: "--plan-sheet", text: "sheet at the end" }, { colour: "--plan-open", text: "open water, or crushed" },
+          { colour: "--scene-structure", text: "structure's waterline at the end" }, kAtCrack,
+        ]),
+        drawingButtons("the plan", "channel", () => this.drawing)),
+      this.chosen);
   }
 
   select(event: number): void {
     this.points.forEach((point, i) => point.classList.toggle("chosen", i === event));
-    this.overlay.replaceChildren(...(event < 0 ? [] : eventMarks(this.run, event)));
+    if (event < 0) return;
+    const crack = crackOf(this.run, event);
+    this.overlay.replaceChildren(...eventMarks(this.run, event, crack));
+    this.chosen.replaceChildren(`Crack ${event + 1}: `, legend(marksOf(crack)));
+  }
+
+  private floes(): SVGGElement {
+    const { run } = this;
+    const latest = Math.max(1e-9, run.duration);
+    return svg("g", { class: "floes" }, ...run.offSheet.map((i) => {
+      const [id, area, birth] = ["id", "area", "birth"].map((name) => run.column(`floe.${name}`)[i]);
+      return svg("path", { d: path(run.bornAt(i)), "fill-rule": "evenodd", style: `--age: ${(birth / latest).toFixed(3)}` },
+        svg("title", {}, `floe ${id}, ${area.toFixed(2)} m², born at ${birth.toFixed(2)} s`));
+    }));
+  }
+
+  private breaks(radius: number): SVGGElement {
+    const marks = svg("g", { class: "breaks" });
+    for (let i = 0; i < this.run.nEvents; ++i) {
+      const at = (name: string) => this.run.column(`event.${name}`)[i];
+      const choose = () => this.onChoose(i);
+      const point = svg("circle", {
+        cx: at("x"), cy: -at("y"), r: radius, tabindex: 0, role: "button",
+        "aria-label": `Crack ${i + 1} at ${at("time").toFixed(2)} s`,
+        click: choose,
+        keydown: (event: KeyboardEvent) => {
+          if (event.key !== "Enter" && event.key !== " ") return;
+          event.preventDefault();
+          event.stopPropagation();
+          choose();
+        },
+      });
+      this.points.push(point);
+      marks.append(point);
+    }
+    return marks;
   }
 }
 
-/** The trapezoid, the circle of the breaking length and the collision point. */
-function eventMarks(run: Run, event: number): SVGElement[] {
+const strokes = (segments: Segment[]): string =>
+  segments.map(([[a, b], [c, d]]) => `M${a.toFixed(3)} ${(-b).toFixed(3)}L${c.toFixed(3)} ${(-d).toFixed(3)}`).join("");
+
+/** The crack as it went, and what describes it: the trapezoid, and the circle only where the crack follows it. */
+function eventMarks(run: Run, event: number, crack: Crack): SVGElement[] {
   const at = (name: string) => run.column(`event.${name}`)[event];
   return [
-    svg("circle", { class: "reach", cx: at("x"), cy: -at("y"), r: at("l_break") }),
     svg("path", { class: "trapezoid", d: path([trapezoidOf(run, event)]) }),
+    ...(crack.isCircle ? [svg("circle", { class: "reach", cx: at("tip_x"), cy: -at("tip_y"), r: at("l_break") })] : []),
+    svg("path", { class: "crack", d: strokes([...crack.circumferential, ...crack.radial]) }),
     svg("circle", { class: "at", cx: at("x"), cy: -at("y"), r: 0.03 * at("l_break") }),
   ];
 }
 
-/** One crack event: the edge as it was, the pieces it made, trapezoid and breaking length. */
-export function eventFigure(run: Run, event: number): SVGSVGElement {
+const marksOf = (crack: Crack): Swatch[] =>
+  [kCrackLine, ...(crack.isCircle ? [kCircle] : []), kTrapezoid, kAtCrack];
+
+/** One crack event: the edge as it was, the pieces it made, its crack, and the trapezoid. */
+export function eventFigure(run: Run, event: number, crack: Crack): HTMLElement {
   const at = (name: string) => run.column(`event.${name}`)[event];
-  const reach = 1.35 * Math.max(at("l_break"), 1.2);
+  const nodes = crack.circumferential.flat();
+  const reach = 1.35 * Math.max(at("l_break"), 1e-3, ...nodes.map(([x, y]) => Math.hypot(x - at("x"), y - at("y"))));
   const box = around([[at("x"), at("y")]], reach);
   box.y0 = at("y") - 0.8 * reach;
   box.y1 = at("y") + 0.8 * reach;
-  const times = run.column("sheet.time");
-  let before = 0;
-  while (before + 2 < times.length && times[before + 1] < at("time") - 1e-9) ++before;
   const pieces = svg("g", { class: "pieces" });
   for (const floe of run.piecesOf[event])
     pieces.append(svg("path", { d: path(run.bornAt(floe)), "fill-rule": "evenodd" }));
-  return drawing(
+  const picture = drawing(
     box,
-    `Crack event ${event + 1} from above`,
-    svg("path", { class: "sheet", d: path(run.sheets[before]), "fill-rule": "evenodd" }),
+    `Crack ${event + 1} from above`,
+    svg("path", { class: "sheet", d: path(run.sheetOf(event, false)), "fill-rule": "evenodd" }),
     pieces,
-    ...eventMarks(run, event),
+    ...eventMarks(run, event, crack),
     ruler(box, 24),
   );
+  return el("figure", {}, picture, legend(marksOf(crack)), drawingButtons("the crack", `crack-${event + 1}`, () => picture));
 }

@@ -1,77 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The replay with its controls.
+// The replay with its controls; several runs go by one clock.
 import type { Run } from "./data";
 import { el } from "./dom";
+import { canFilm, Film, saveFilm } from "./film";
 import type { Colouring } from "./floe_mesh";
 import { seconds } from "./format";
 import type { Player } from "./player";
-import { kViews, ReplayScene } from "./scene";
+import { pixels, save } from "./save";
+import type { ReplayScene } from "./scene";
+import { Stage } from "./stage";
+import { kViews } from "./views";
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
-const kLegends: Record<Colouring, [string, string][]> = {
-  cause: [["floe", "broken off"], ["initial", "initial crack"], ["newborn", "just born"], ["crushed", "crushed later, or just now"]],
-  age: [["young", "just born"], ["old", "old"]],
-  force: [["calm", "no contact force"], ["loaded", "largest of the run, logarithmic"]],
-};
+const kColourings: [Colouring, string][] = [["cause", "how it came about"], ["age", "age"], ["force", "contact force"]];
 
 export class Replay {
   readonly element: HTMLElement;
-  readonly scene: ReplayScene | null;
+  readonly stages: Stage[];
   private readonly play = el("button", { type: "button", class: "primary", title: "Play or pause (space)" }, "▶");
   private readonly slider: HTMLInputElement;
   private readonly clock = el("output", { class: "clock" });
-  private readonly legend = el("div", { class: "legend" });
-  private readonly canvas = el("canvas", { tabindex: 0, role: "img", "aria-label": "Replay of the run in three dimensions" });
+  private film: Film | null = null;
 
+  /** @param titles of the runs, if there are several. */
   constructor(
-    private readonly run: Run,
+    runs: Run[],
     private readonly player: Player,
+    titles: string[] = [],
   ) {
-    this.scene = this.makeScene();
+    this.stages = runs.map((run, i) => new Stage(run, titles[i]));
     this.slider = el("input", {
-      type: "range", min: 0, max: run.duration, step: "any", value: 0, "aria-label": "Time of the replay",
+      type: "range", min: 0, max: player.duration, step: "any", value: 0, "aria-label": "Time of the replay",
       input: () => player.seek(Number(this.slider.value)),
     });
     this.play.addEventListener("click", () => player.toggle());
-    this.element = el("figure", { class: "replay" }, this.stage(), this.transport(), this.options());
+    this.element = el("figure", { class: "replay" }, el("div", { class: "stages" }, ...this.stages.map((stage) => stage.element)),
+      this.transport(), this.options());
     player.onChange(() => this.update());
     this.setColouring("cause");
     this.update();
   }
 
+  /** Of the first run; null without WebGL. */
+  get scene(): ReplayScene | null {
+    return this.stages[0].scene;
+  }
+
+  get scenes(): ReplayScene[] {
+    return this.stages.flatMap(({ scene }) => (scene ? [scene] : []));
+  }
+
   setColouring(colouring: Colouring): void {
-    if (!this.scene) return;
-    this.scene.floes.colouring = colouring;
-    this.legend.replaceChildren(
-      ...kLegends[colouring].map(([name, text]) =>
-        el("span", {}, el("i", { style: `background: var(--scene-${name})` }), text)),
-    );
-    this.scene.show(this.player.time);
+    for (const stage of this.stages) stage.setColouring(colouring);
+    for (const scene of this.scenes) scene.show(this.player.time);
+  }
+
+  look(name: string): void {
+    for (const scene of this.scenes) scene.look(name);
   }
 
   /** Draws into an image, for print. */
-  still(): string {
-    this.scene?.drawNow();
-    return this.canvas.toDataURL("image/png");
+  still(stage = this.stages[0]): string {
+    stage.scene?.drawNow();
+    return stage.canvas.toDataURL("image/png");
   }
 
-  private makeScene(): ReplayScene | null {
-    try {
-      return new ReplayScene(this.canvas, this.run);
-    } catch {
-      return null;
-    }
-  }
-
-  private stage(): HTMLElement {
-    const stage = el("div", { class: "stage" });
-    if (!this.scene) {
-      stage.append(el("p", { class: "note" }, "This browser offers no WebGL, which the replay in three dimensions needs. Everything else is here."));
-      return stage;
-    }
-    stage.append(this.canvas, this.legend);
-    new ResizeObserver(() => this.scene?.resize(stage.clientWidth, stage.clientHeight)).observe(stage);
-    return stage;
+  /** Makes a film of the run from its start, or ends the one that is being made. */
+  async record(onEnd = saveFilm(this.stages[0].run.name)): Promise<void> {
+    if (this.film) return this.film.stop();
+    this.film = new Film(this.player, this.stages.map(({ canvas }) => canvas), () => this.scenes.forEach((scene) => scene.drawNow()));
+    onEnd(await this.film.record().finally(() => (this.film = null)));
+    this.update();
   }
 
   private transport(): HTMLElement {
@@ -85,16 +84,11 @@ export class Replay {
   }
 
   private options(): HTMLElement {
-    const scene = this.scene;
-    if (!scene) return el("div");
-    const colour = el(
-      "select",
-      { id: "colouring", change: () => this.setColouring(colour.value as Colouring) },
-      ...[["cause", "how it came about"], ["age", "age"], ["force", "contact force"]].map(([value, text]) =>
-        el("option", { value }, text)),
-    );
-    const tick = (text: string, on: boolean, change: (on: boolean) => void) => {
-      const box = el("input", { type: "checkbox", checked: on, change: () => change(box.checked) });
+    if (this.scenes.length === 0) return el("div");
+    const colour = el("select", { id: "colouring", change: () => this.setColouring(colour.value as Colouring) },
+      ...kColourings.map(([value, text]) => el("option", { value }, text)));
+    const tick = (text: string, change: (scene: ReplayScene, on: boolean) => void) => {
+      const box = el("input", { type: "checkbox", checked: true, change: () => this.scenes.forEach((scene) => change(scene, box.checked)) });
       return el("label", {}, box, text);
     };
     return el(
@@ -102,25 +96,43 @@ export class Replay {
       { class: "options" },
       el("span", { class: "views", role: "group", "aria-label": "Views" },
         ...Object.keys(kViews).map((name, i) =>
-          el("button", { type: "button", title: `View (${i + 1})`, click: () => scene.look(name) }, name))),
+          el("button", { type: "button", title: `View (${i + 1})`, click: () => this.look(name) }, name))),
       el("label", {}, "floes by ", colour),
-      tick("follow", true, (on) => (scene.follow = on)),
-      tick("see through", true, (on) => scene.setSeeThrough(on)),
+      tick("follow", (scene, on) => (scene.follow = on)),
+      tick("see through", (scene, on) => scene.setSeeThrough(on)),
+      this.saves(),
     );
   }
 
+  private saves(): HTMLElement {
+    const picture = async () => {
+      for (const { scene, canvas, run } of this.stages) {
+        scene?.drawNow();
+        save(`${run.name}-${seconds(this.player.time)}s.png`, await pixels(canvas));
+      }
+    };
+    return el("span", { class: "saves", role: "group", "aria-label": "Save the replay" },
+      el("button", { type: "button", title: "Save the picture as PNG", click: () => void picture() }, "PNG"),
+      el("button", {
+        type: "button", disabled: !canFilm(), click: () => void this.record(),
+        title: canFilm() ? "Play the run once and save it as a film (WebM); again: end the film here" : "This browser makes no films",
+      }, "film"));
+  }
+
   private update(): void {
-    this.play.textContent = this.player.playing ? "❚❚" : "▶";
-    this.slider.value = String(this.player.time);
-    this.scene?.show(this.player.time);
-    const n = this.scene ? ` · ${this.scene.floes.nVisible} floes` : "";
-    this.clock.textContent = `${seconds(this.player.time)} s${n}`;
+    const { time, playing } = this.player;
+    this.play.textContent = playing ? "❚❚" : "▶";
+    this.play.setAttribute("aria-label", playing ? "Pause" : "Play");
+    this.slider.value = String(time);
+    this.slider.setAttribute("aria-valuetext", `${seconds(time)} s`);
+    for (const scene of this.scenes) scene.show(time);
+    const n = this.scenes.map((scene) => scene.floes.nVisible).join(" and ");
+    this.clock.textContent = `${this.film ? "● " : ""}${seconds(time)} s${n && ` · ${n} floes`}`;
   }
 }
 
 /** Keys that work wherever the focus is, but in fields. */
 export function bindKeys(player: Player, replay: Replay, frames: ArrayLike<number>): void {
-  const names = Object.keys(kViews);
   const frame = (direction: 1 | -1) => {
     const times = Array.from(frames).filter((time) => direction * (time - player.time) > 1e-9);
     return times.length > 0 ? (direction > 0 ? times[0] : times[times.length - 1]) : player.time + direction * player.duration;
@@ -137,7 +149,7 @@ export function bindKeys(player: Player, replay: Replay, frames: ArrayLike<numbe
       ",": () => player.seek(0),
       ".": () => player.seek(player.duration),
     };
-    names.forEach((name, i) => (actions[String(i + 1)] = () => replay.scene?.look(name)));
+    Object.keys(kViews).forEach((name, i) => (actions[String(i + 1)] = () => replay.look(name)));
     if (!onButton) actions[" "] = () => player.toggle();
     const action = actions[event.key];
     if (!action) return;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report of one run.
+// The report of one run, perhaps with another beside it.
+import { LoadChoice } from "./choice";
 import { citeSection } from "./cite";
-import { hasReplay, type Run } from "./data";
+import { Run } from "./data";
 import { el, section } from "./dom";
 import { EventCard } from "./events";
-import { deviation, kN, number, seconds } from "./format";
+import { extremesSection } from "./extremes";
+import { comparedFigures, differencesSection, keyFigures } from "./figures";
+import { number } from "./format";
 import { closedFormsSection, inputsSection, ledgerSection } from "./inputs";
-import { LoadHistory, type Peak } from "./loads";
+import { LoadHistory, type Overlay, type Peak } from "./loads";
 import { PlanView } from "./plan";
 import { Player } from "./player";
 import { bindKeys, Replay } from "./replay";
 import { statisticsSection } from "./statistics";
-
-function figure(value: string, unit: string, name: string, note = ""): HTMLElement {
-  return el("div", { class: "figure" }, el("b", {}, value, unit && el("small", {}, ` ${unit}`)), el("span", {}, name), note && el("em", {}, note));
-}
+import type { RunData } from "./types";
 
 /** What is to be known before the numbers are used; nothing where there is nothing. */
 function warnings(run: Run): HTMLElement | null {
@@ -22,25 +22,6 @@ function warnings(run: Run): HTMLElement | null {
   if (all.length === 0) return null;
   return el("div", { class: "warnings", role: "note" }, el("b", {}, "Warnings"),
     el("ul", {}, ...all.map(({ id, text }) => el("li", {}, el("code", {}, id), ` ${text}`))));
-}
-
-/** An interval of a mean, or why there is none. */
-function interval([lower, upper]: [number | null, number | null]): string {
-  return lower === null || upper === null ? "no interval: see the warnings" : `95 %: ${kN(lower)} to ${kN(upper)}`;
-}
-
-function keyFigures(run: Run): HTMLElement {
-  const s = run.data.summary;
-  const measured = run.input("reference", "mean_horizontal");
-  return el("div", { class: "figures" },
-    figure(kN(s.horizontal.mean), "kN", "mean horizontal", interval(s.horizontal.mean_95)),
-    figure(kN(s.vertical.mean), "kN", "mean vertical", interval(s.vertical.mean_95)),
-    figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${seconds(s.statistics_from)} s on; deviation ${kN(s.horizontal.standard_deviation)}`),
-    Number.isFinite(measured)
-      ? figure(kN(measured), "kN", "reference mean", `this run: ${deviation(s.horizontal.mean, measured)}`)
-      : figure(number(s.fastest_floe, 3), "m/s", "fastest floe"),
-    figure(String(s.n_breaks), "", "breaks", `${number(s.breaking_frequency, 3)} a second`),
-    figure(String(s.n_floes_born), "", "floes born", `${s.n_floes_present} present, ${s.n_floes_crushed} crushed, ${s.n_floes_broken} broken again`));
 }
 
 export interface RunReport {
@@ -51,12 +32,17 @@ export interface RunReport {
   choose: (event: number) => void;
 }
 
-function makeReplay(run: Run, player: Player): Replay {
-  const replay = new Replay(run, player);
-  bindKeys(player, replay, run.column("frame.time"));
-  const still = el("img", { class: "still", alt: "Replay at the time of printing" });
-  replay.element.prepend(still);
-  addEventListener("beforeprint", () => (still.src = replay.still()));
+function makeReplay(runs: Run[], player: Player, names: string[]): Replay {
+  const replay = new Replay(runs, player, names);
+  bindKeys(player, replay, runs[0].column("frame.time"));
+  for (const stage of replay.stages) {
+    const still = el("img", { class: "still", alt: "Replay at the time of printing", hidden: true });
+    stage.element.prepend(still);
+    addEventListener("beforeprint", () => {
+      still.src = replay.still(stage);
+      still.hidden = false;
+    });
+  }
   return replay;
 }
 
@@ -67,8 +53,26 @@ function noReplay(run: Run): HTMLElement {
     "Loads, cracks and the places where floes broke off are complete.");
 }
 
-export function showRun(run: Run, parent: HTMLElement): RunReport {
-  const player = new Player(run.duration);
+/** Names of two runs that tell them apart. */
+function namesOf(runs: Run[]): string[] {
+  if (runs.length < 2) return [];
+  const names = runs.map(({ name }) => name);
+  return names[0] === names[1] ? names.map((name, i) => `${name} (${["first", "second"][i]})`) : names;
+}
+
+function overlaysOf(run: Run, other: Run | null, names: string[], measured: RunData["measured"]): Overlay[] {
+  const overlays: Overlay[] = [];
+  if (measured)
+    overlays.push({ label: measured.name, colour: "--ink", times: run.column("measured.time"), values: (load) => (load === "Fx" ? run.column("measured.value") : null) });
+  if (other) overlays.push({ label: names[1], colour: "--violet", times: other.column("load.time"), values: (load) => other.column(`load.${load}`) });
+  return overlays;
+}
+
+export function showRun(run: Run, other: Run | null, data: RunData, parent: HTMLElement): RunReport {
+  const runs = other ? [run, other] : [run];
+  const names = namesOf(runs);
+  const player = new Player(Math.max(...runs.map(({ duration }) => duration)));
+  const choice = new LoadChoice();
   const choose = (event: number, peak?: Peak) => {
     card.show(event, peak);
     plan.select(event);
@@ -76,24 +80,26 @@ export function showRun(run: Run, parent: HTMLElement): RunReport {
   };
   const card = new EventCard(run, choose);
   const plan = new PlanView(run, choose);
-  const replay = hasReplay(run.data) ? makeReplay(run, player) : null;
-  const loads = new LoadHistory(run, player, (peak) => choose(peak.event, peak));
+  const replay = runs.every(({ hasReplay }) => hasReplay) ? makeReplay(runs, player, names) : null;
+  const loads = new LoadHistory(run, player, choice, overlaysOf(run, other, names, data.measured), (peak) => choose(peak.event, peak));
 
   const flagged = warnings(run);
   if (flagged) parent.append(flagged);
+  const side = el("div", { class: "side" }, loads.element, card.element);
+  const beside = replay !== null && !other;
   parent.append(
-    keyFigures(run),
-    ...(replay
-      ? [el("div", { class: "stage-row" }, replay.element, el("div", { class: "side" }, loads.element, card.element))]
-      : [noReplay(run), el("div", { class: "stage-row" }, loads.element, card.element)]),
+    other ? comparedFigures(runs, names) : keyFigures(run),
+    replay ? el("div", { class: beside ? "stage-row" : "stage-column" }, replay.element, side) : noReplay(run),
+    ...(replay ? [] : [el("div", { class: "stage-row" }, loads.element, card.element)]),
+    ...(other ? [differencesSection(runs, names), el("p", { class: "note" }, `From here on: ${names[0]}.`)] : []),
     section("channel", "Channel and cracks",
       plan.element,
-      el("p", { class: "note" }, "Every floe where it broke off (darker: later), the sheet at the end, the structure's waterline at the end, " +
-        "and the points where the ice broke. What lies open between floes and sheet was crushed. Click a point for its crack.")),
-    statisticsSection(run),
+      el("p", { class: "note" }, "The channel from above. Click a point, or press Enter on it, for its crack.")),
+    statisticsSection(run, choice, data.measured),
+    extremesSection(run, choice, (time) => player.seek(time)),
     closedFormsSection(run.data),
     ledgerSection(run),
-    inputsSection(run),
+    inputsSection(run, data.schema),
     citeSection(run),
   );
   if (run.column("load.time").length > 0) loads.chooseLargest();

@@ -2,9 +2,9 @@
 // The run in space: water, sheet, structure and floes at any time. Axes are those of the sheet: x along the track, y to
 // port, z upwards from the waterplane.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Fog, Group,
-  HemisphereLight, LineBasicMaterial, LineLoop, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial,
-  PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, Vector3, WebGLRenderer,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, EdgesGeometry, Fog, Group, HemisphereLight,
+  LineBasicMaterial, LineLoop, LineSegments, Mesh, MeshLambertMaterial, PCFShadowMap, PerspectiveCamera, Quaternion, Scene,
+  Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Run } from "./data";
@@ -13,27 +13,18 @@ import { FloeMesh } from "./floe_mesh";
 import { hullOf, partOf } from "./hull";
 import { polygonsOf, Prisms } from "./prisms";
 import { frameAt } from "./tracks";
-
-export interface View {
-  /** Where the camera stands, from the structure's centre at the waterline, in radii of the waterline. */
-  from: [number, number, number];
-  at: [number, number, number];
-}
-
-export const kViews: Record<string, View> = {
-  Bow: { from: [4.1, -3.0, 2.5], at: [0.45, 0, -0.1] },
-  Wake: { from: [-3.7, -2.7, 2.9], at: [-0.15, 0.05, -0.2] },
-  Above: { from: [0.35, -0.01, 6.2], at: [0.35, 0, 0] },
-  Side: { from: [0.5, -4.6, 0.42], at: [0.5, 0, -0.1] },
-  Below: { from: [3.1, -2.7, -1.9], at: [0.1, 0, -0.3] },
-};
+import { furtherIn, kViews, sizeOf } from "./views";
+import { Water } from "./water";
 
 export class ReplayScene {
   readonly renderer: WebGLRenderer;
-  readonly camera = new PerspectiveCamera(36, 1, 0.1, 900);
+  readonly camera: PerspectiveCamera;
   readonly controls: OrbitControls;
   readonly floes: FloeMesh;
+  readonly water: Water;
   follow = true;
+  /** Called after each picture. */
+  onDraw: () => void = () => {};
   private readonly scene = new Scene();
   private readonly structure = new Group();
   private readonly hull = new Group();
@@ -44,10 +35,11 @@ export class ReplayScene {
   private readonly sheets = new Map<number, { solid: BufferGeometry; lines: BufferGeometry }>();
   private sheetShown = -1;
   private readonly palette: Record<string, Color> = {};
-  private readonly materials: Record<string, MeshLambertMaterial | MeshBasicMaterial | LineBasicMaterial> = {};
-  private readonly radius: number;
+  private readonly materials: Record<string, MeshLambertMaterial | LineBasicMaterial> = {};
+  private readonly size: number;
   private readonly top: number;
   private readonly bottom: number;
+  private view = "Wake";
   private structureX = 0;
   private pending = false;
 
@@ -60,29 +52,31 @@ export class ReplayScene {
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
+    this.size = sizeOf(run);
+    this.camera = new PerspectiveCamera(36, 1, 0.015 * this.size, 140 * this.size);
     this.camera.up.set(0, 0, 1);
     const h = run.input("ice", "thickness");
     this.bottom = (-h * run.input("ice", "density")) / run.input("water", "density");
     this.top = h + this.bottom;
-    this.radius = run.radius;
+    this.water = new Water(this.size);
 
     const floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true });
     const edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
     this.materials.edges = edges;
     this.floes = new FloeMesh(run, this.palette, { floes, edges });
     this.materials.sheet = new MeshLambertMaterial({ flatShading: true });
+    for (const material of [floes, this.materials.sheet]) this.water.fades(material);
     this.sheetMesh = new Mesh(new BufferGeometry(), this.materials.sheet);
     this.sheetLines = new LineSegments(new BufferGeometry(), edges);
     this.sheetMesh.frustumCulled = this.sheetLines.frustumCulled = false;
     this.sheetMesh.castShadow = this.sheetMesh.receiveShadow = true;
-    this.scene.add(this.floes.solid, this.floes.lines, this.sheetMesh, this.sheetLines);
+    this.scene.add(this.floes.solid, this.floes.lines, this.sheetMesh, this.sheetLines, this.water.group);
 
-    this.addWater();
     this.addStructure();
     this.addLights();
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.maxDistance = 160;
-    this.controls.minDistance = 2;
+    this.controls.maxDistance = 30 * this.size;
+    this.controls.minDistance = Math.min(0.3 * this.size, 10 * h);
     this.controls.zoomSpeed = 0.8;
     this.controls.addEventListener("change", () => this.draw());
     this.structureX = this.structurePlace(0).x;
@@ -95,13 +89,13 @@ export class ReplayScene {
   setTheme(): void {
     for (const name of [
       "sky", "water", "deep", "ice", "floe", "initial", "crushed", "newborn", "structure", "line", "young", "old", "calm", "loaded",
+      "ripple",
     ])
       this.palette[name] = new Color(css(`--scene-${name}`));
     this.scene.background = this.palette.sky;
-    this.scene.fog = new Fog(this.palette.sky, 70, 260);
+    this.scene.fog = new Fog(this.palette.sky, 11 * this.size, 40 * this.size);
     this.materials.sheet.color = this.palette.ice;
-    this.materials.water.color = this.palette.water;
-    this.materials.deep.color = this.palette.deep;
+    this.water.setTheme(this.palette);
     this.materials.structure.color = this.palette.structure;
     this.materials.edges.color = this.palette.line;
     this.materials.waterline.color = this.palette.line;
@@ -118,20 +112,30 @@ export class ReplayScene {
   }
 
   look(name: string): void {
-    const view = kViews[name];
-    const centre = new Vector3(this.structureX, 0, 0);
-    this.camera.position.set(...view.from).multiplyScalar(this.radius).add(centre);
-    this.controls.target.set(...view.at).multiplyScalar(this.radius).add(centre);
+    this.view = name;
+    const { from, at } = kViews[name];
+    this.controls.target.set(...at).multiplyScalar(this.run.radius).add(new Vector3(this.structureX, 0, 0));
+    this.camera.position.set(...from).multiplyScalar(this.size * furtherIn(this.camera.aspect)).add(this.controls.target);
     this.controls.update();
     this.draw();
   }
 
+  /** Draws at once: a canvas of a new size is empty until then. */
   resize(width: number, height: number): void {
+    if (width === 0 || height === 0) return;
+    const before = furtherIn(this.camera.aspect);
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.draw();
+    if (before !== furtherIn(this.camera.aspect)) this.look(this.view);
+    this.drawNow();
+  }
+
+  /** Pixels of a metre at the point that the camera looks at. */
+  get pixelsPerMetre(): number {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    return this.canvas.clientHeight / (2 * distance * Math.tan((0.5 * this.camera.fov * Math.PI) / 180));
   }
 
   /** Moves everything to where it is at `time` [s]. */
@@ -144,6 +148,7 @@ export class ReplayScene {
     }
     this.structureX = at.x;
     this.structure.position.copy(at);
+    this.water.follow(at.x, at.y);
     this.hull.quaternion.copy(this.structureTurn(time));
     this.floes.show(time);
     this.draw();
@@ -154,18 +159,19 @@ export class ReplayScene {
     if (this.pending) return;
     this.pending = true;
     requestAnimationFrame(() => {
-      this.pending = false;
-      this.drawNow();
+      if (this.pending) this.drawNow();
     });
   }
 
   drawNow(): void {
+    this.pending = false;
     this.controls.update();
     // What is transparent is drawn from the far side of the water to the near one.
     const over = this.camera.position.z > 0;
     for (const mesh of this.aboveWater.children) mesh.renderOrder = over ? 3 : 1;
     for (const mesh of this.belowWater.children) mesh.renderOrder = over ? 1 : 3;
     this.renderer.render(this.scene, this.camera);
+    this.onDraw();
   }
 
   /** A number of the structure's pose, between the frames around a time. */
@@ -211,17 +217,6 @@ export class ReplayScene {
     this.sheets.clear();
   }
 
-  /** A tinted surface over the dark of the deep, which is seen from above only. */
-  private addWater(): void {
-    this.materials.water = new MeshBasicMaterial({ transparent: true, opacity: 0.5, side: DoubleSide, depthWrite: false });
-    this.materials.deep = new MeshBasicMaterial({});
-    const deep = new Mesh(new PlaneGeometry(1200, 1200), this.materials.deep);
-    deep.position.z = -30;
-    const surface = new Mesh(new PlaneGeometry(1200, 1200), this.materials.water);
-    surface.renderOrder = 2;
-    this.scene.add(deep, surface);
-  }
-
   private addStructure(): void {
     const whole = hullOf(this.run);
     this.materials.structure = new MeshLambertMaterial({});
@@ -243,17 +238,21 @@ export class ReplayScene {
     this.scene.add(this.structure);
   }
 
+  /** A level surface in the sun has its own colour, as the legend shows it: sun, sky and the rest add up to pi there. */
   private addLights(): void {
-    const sun = new DirectionalLight(0xffffff, 1.85);
-    sun.position.set(-14, -26, 34);
+    const sun = new DirectionalLight(0xffffff, 1.75);
+    sun.position.set(-2.1, -3.8, 5).multiplyScalar(this.size);
     sun.castShadow = true;
-    const reach = 3.4 * this.radius;
-    Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 1, far: 130 });
+    const height = sun.position.z / sun.position.length();
+    const reach = 3.4 * Math.max(this.size, this.run.radius);
+    Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * this.size, far: 20 * this.size });
     sun.shadow.mapSize.set(2048, 2048);
     sun.shadow.bias = -0.0006;
-    sun.shadow.normalBias = 0.02;
+    sun.shadow.normalBias = 0.003 * this.size;
     // The sun goes with the structure: its shadow covers what happens.
     this.structure.add(sun, sun.target);
-    this.scene.add(new HemisphereLight(0xffffff, 0x9db4c3, 1.3), new AmbientLight(0xffffff, 0.55));
+    const sky = new HemisphereLight(0xffffff, 0x9db4c3, 1.25);
+    sky.position.set(0, 0, 1);
+    this.scene.add(sky, new AmbientLight(0xffffff, Math.PI - sky.intensity - sun.intensity * height));
   }
 }

@@ -2,28 +2,32 @@
 // Moments, spectrum, exceedance and sizes.
 import uPlot from "uplot";
 import { axis, Chart } from "./charts";
+import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el, section, table } from "./dom";
+import { kTooEarly } from "./extremes";
 import { deviation, kN, number, seconds } from "./format";
-import type { AxisStatistics, LoadSummary, RunData } from "./types";
+import type { AxisStatistics, LoadStatistics, RunData } from "./types";
 
-function moments(data: RunData): HTMLElement {
-  const { horizontal: h, vertical: v } = data.summary;
-  const row = (name: string, value: (s: LoadSummary) => string) => [name, value(h), value(v)];
+/** Statistics of each load, and of a measured history beside Fx. */
+function moments(run: Run, measured: RunData["measured"]): HTMLElement {
+  const loads = run.data.loads;
+  if (!loads) return el("p", {}, kTooEarly);
+  const [first, ...rest] = kLoadNames.map((name): [string, LoadStatistics] => [`${name} [${kLoads[name].unit}]`, loads[name]]);
+  const columns = measured ? [first, ["Fx measured [kN]", measured.statistics] as [string, LoadStatistics], ...rest] : [first, ...rest];
+  const row = (name: string, value: (s: LoadStatistics) => string) => [name, ...columns.map(([, s]) => value(s))];
+  const interval = ({ mean_95: [low, high] }: LoadStatistics) => (low === null || high === null ? kNoInterval : `${kN(low)} to ${kN(high)}`);
   return table(
-    ["", "horizontal [kN]", "vertical [kN]"],
+    ["", ...columns.map(([name]) => name)],
     [
       row("mean", (s) => kN(s.mean)),
-      row("95 % interval of the mean", (s) => s.mean_95[0] === null || s.mean_95[1] === null ? "no interval" : `${kN(s.mean_95[0])} to ${kN(s.mean_95[1])}`),
+      row("95 % interval of it", interval),
       row("standard deviation", (s) => kN(s.standard_deviation)),
       row("median", (s) => kN(s.quantile_50)),
       row("95 % quantile", (s) => kN(s.quantile_95)),
       row("99 % quantile", (s) => kN(s.quantile_99)),
       row("largest", (s) => kN(s.maximum)),
       row("smallest", (s) => kN(s.minimum)),
-      row("from crushing at the edge", (s) => kN(s.mean_by_cause.crushing)),
-      row("from floes, normal", (s) => kN(s.mean_by_cause.floe_normal)),
-      row("from floes, friction", (s) => kN(s.mean_by_cause.floe_friction)),
       row("skewness", (s) => number(s.skewness, 3)),
       row("autocorrelation time [s]", (s) => number(s.autocorrelation_time, 3)),
       row("independent samples", (s) => number(s.effective_sample_size, 3)),
@@ -32,25 +36,44 @@ function moments(data: RunData): HTMLElement {
   );
 }
 
-function spectrumChart(horizontal: AxisStatistics, vertical: AxisStatistics): Chart | null {
-  const [h, v] = [horizontal.spectrum, vertical.spectrum];
-  if (!h || !v) return null;
-  const kilo = (values: number[]) => values.slice(1).map((n) => n / 1e6);
-  const data = [h.frequency.slice(1), kilo(h.density), kilo(v.density)] as uPlot.AlignedData;
-  const [low, high] = h.factors_95;
+/** Below ten independent samples there is none. */
+const kNoInterval = "too few samples";
+
+function causes(run: Run): HTMLElement | false {
+  const { horizontal: h, vertical: v } = run.data.summary;
+  if (h.mean === null) return false;
+  const row = (name: string, cause: string) => [name, kN(h.mean_by_cause[cause]), kN(v.mean_by_cause[cause])];
+  return table(["mean by cause", "Fx [kN]", "Fz [kN]"],
+    [row("crushing at the edge", "crushing"), row("floes, normal", "floe_normal"), row("floes, friction", "floe_friction")], { id: "causes" });
+}
+
+/** Said in place of a chart that there is nothing to draw for. */
+const kTooShort = "The history is too short for a spectrum.";
+
+function spectrumChart(run: Run, choice: LoadChoice): Chart {
+  const of = (): AxisStatistics["spectrum"] => run.data.statistics![choice.name].spectrum;
   return new Chart(
+    "Spectrum of the load",
     240,
-    () => ({
-      data,
-      options: {
-        scales: { x: { time: false, distr: 3 }, y: { distr: 3 } },
-        axes: [axis("frequency [Hz]"), axis("density [kN² / Hz]", { size: 60, values: powers })],
-        series: [{ label: "f [Hz]" }, line("horizontal", "--accent"), line("vertical", "--ochre")],
-      },
-    }),
-    `Power spectral density (Welch, ${h.n_segments} segments, Hann). 95 % interval: ${number(low, 2)} to ${number(high, 2)} times each value.`,
+    () => {
+      const { frequency, density } = of()!;
+      return {
+        data: [frequency.slice(1), density.slice(1).map((n) => n / 1e6)] as uPlot.AlignedData,
+        options: {
+          scales: { x: { time: false, distr: 3 }, y: { distr: 3 } },
+          axes: [axis("frequency [Hz]"), axis(`density of ${choice.name} [(${choice.unit})² / Hz]`, { size: 60, values: powers })],
+          series: [{ label: "f [Hz]", value: shownOrNothing }, line(`density of ${choice.name}`, "--accent")],
+        },
+      };
+    },
+    () => {
+      const { n_segments: n, factors_95: [low, high] } = of()!;
+      return `Power spectral density (Welch, ${n} segments, Hann). 95 % interval: ${number(low, 2)} to ${number(high, 2)} times each value.`;
+    },
   );
 }
+
+const shownOrNothing = (_: uPlot, n: number | null): string => (n === null ? "" : number(n, 3));
 
 const powers = (_: uPlot, splits: number[]) =>
   splits.map((n) => (n > 0 && Math.abs(Math.log10(n) % 1) < 1e-9 ? (n >= 0.01 && n < 1e5 ? String(n) : n.toExponential(0)) : ""));
@@ -60,17 +83,37 @@ const line = (label: string, colour: string, width = 1.2): uPlot.Series => ({
   stroke: css(colour),
   width,
   points: { show: false },
-  value: (_, n) => (n === null ? "–" : number(n, 3)),
+  value: shownOrNothing,
 });
 
 /** Share of the time that the load, and share of the peaks that the peak, is above a level. */
-function exceedanceChart(run: Run, statistics: NonNullable<RunData["statistics"]>): Chart {
+function exceedanceChart(run: Run, choice: LoadChoice): Chart {
+  const peaksOf = () => run.data.statistics![choice.name].peaks.value;
+  return new Chart(
+    "Exceedance of the load",
+    240,
+    () => ({
+      data: exceedance(run, choice, peaksOf()),
+      options: {
+        scales: { x: { time: false }, y: { distr: 3 } },
+        axes: [axis(`${choice.name} [${choice.unit}]`), axis("share above", { size: 60, values: powers })],
+        series: [
+          { label: `${choice.name} [${choice.unit}]`, value: shownOrNothing },
+          { ...line("of the time", "--accent"), spanGaps: true },
+          { ...line("of the peaks", "--red"), spanGaps: true, points: { show: true, size: 5, fill: css("--red") } },
+        ],
+      },
+    }),
+    () => `Exceedance of ${kLoads[choice.name].short} from ${seconds(run.data.summary.statistics_from)} s on; ${peaksOf().length} peaks between upward crossings of the mean.`,
+  );
+}
+
+function exceedance(run: Run, choice: LoadChoice, peaks: number[]): uPlot.AlignedData {
   const times = run.column("load.time");
+  const loads = run.column(`load.${choice.name}`);
   const samples: number[] = [];
-  const fx = run.column("load.Fx");
-  for (let i = 0; i < fx.length; ++i) if (times[i] > run.data.summary.statistics_from) samples.push(fx[i]);
+  for (let i = 0; i < loads.length; ++i) if (times[i] > run.data.summary.statistics_from) samples.push(loads[i]);
   samples.sort((a, b) => b - a);
-  const peaks = statistics.horizontal.peaks.value;
   const points = new Map<number, [number | null, number | null]>();
   samples.forEach((value, i) => points.set(value / 1e3, [(i + 1) / (samples.length + 1), null]));
   peaks.forEach((value, i) => {
@@ -78,23 +121,7 @@ function exceedanceChart(run: Run, statistics: NonNullable<RunData["statistics"]
     points.set(value / 1e3, [points.get(value / 1e3)?.[0] ?? null, share]);
   });
   const sorted = [...points].sort((a, b) => a[0] - b[0]);
-  const data = [sorted.map((p) => p[0]), sorted.map((p) => p[1][0]), sorted.map((p) => p[1][1])] as uPlot.AlignedData;
-  return new Chart(
-    240,
-    () => ({
-      data,
-      options: {
-        scales: { x: { time: false }, y: { distr: 3 } },
-        axes: [axis("horizontal load [kN]"), axis("share above", { size: 60, values: powers })],
-        series: [
-          { label: "load [kN]" },
-          { ...line("of the time", "--accent"), spanGaps: true },
-          { ...line("of the peaks", "--red"), spanGaps: true, points: { show: true, size: 5, fill: css("--red") } },
-        ],
-      },
-    }),
-    `Exceedance of the horizontal load from ${seconds(run.data.summary.statistics_from)} s on; ${peaks.length} peaks between upward crossings of the mean.`,
-  );
+  return [sorted.map((p) => p[0]), sorted.map((p) => p[1][0]), sorted.map((p) => p[1][1])];
 }
 
 function histogram(values: ArrayLike<number>, unit: string, name: string, quantiles: number[]): Chart | null {
@@ -107,6 +134,7 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
   for (const value of list) ++counts[Math.min(n - 1, Math.floor(value / width))];
   const data = [counts.map((_, i) => (i + 0.5) * width), counts] as uPlot.AlignedData;
   return new Chart(
+    `Histogram: ${name}`,
     200,
     () => ({
       data,
@@ -124,30 +152,42 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
         ],
       },
     }),
-    `${list.length} of them. Quantiles 5, 25, 50, 75, 95 %: ${quantiles.map((q) => number(q, 3)).join(", ")} ${unit}.`,
+    () => `${list.length} of them. Quantiles 5, 25, 50, 75, 95 %: ${quantiles.map((q) => number(q, 3)).join(", ")} ${unit}.`,
   );
 }
 
-export function statisticsSection(run: Run): HTMLElement {
+/** The reference of the case beside the mean of the run. */
+function referenceNote(run: Run): string {
+  const measured = run.input("reference", "mean_horizontal");
+  if (!Number.isFinite(measured)) return "";
+  const source = String(run.inputs.reference?.source?.value ?? "");
+  const { mean } = run.data.summary.horizontal;
+  return ` Reference (${source}): ${kN(measured)} kN` + (mean === null ? "." : `; the mean of this run is ${deviation(mean, measured)} away.`);
+}
+
+export function statisticsSection(run: Run, choice: LoadChoice, measured: RunData["measured"]): HTMLElement {
   const { data } = run;
   const s = data.summary;
+  const hasSpectrum = data.statistics?.Fx.spectrum != null;
+  const ofLoads = data.statistics ? [hasSpectrum ? spectrumChart(run, choice) : null, exceedanceChart(run, choice)] : [];
+  choice.onChange(() => ofLoads.forEach((chart) => chart?.redraw()));
   const charts = [
-    data.statistics && spectrumChart(data.statistics.horizontal, data.statistics.vertical),
-    data.statistics && exceedanceChart(run, data.statistics),
+    ...ofLoads,
     histogram(run.column("floe.area"), "m²", "piece area", s.piece_area_quantiles),
     histogram(run.column("event.l_break"), "m", "breaking length", s.breaking_length_quantiles),
   ];
-  const measured = run.input("reference", "mean_horizontal");
+  const short = s.horizontal.mean !== null && !s.horizontal.long_enough;
   return section(
     "statistics",
     "Statistics",
+    moments(run, measured),
+    el("p", { class: "note" },
+      `From ${seconds(s.statistics_from)} s on. ` +
+        (short ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
+        (measured ? ` Measured: ${measured.name}, the whole history.` : "")),
     el("div", { class: "columns" },
-      el("div", {},
-        moments(data),
-        el("p", { class: "note" },
-          `From ${seconds(s.statistics_from)} s on. ` +
-            (s.horizontal.mean === null ? "The run is over before. " : s.horizontal.long_enough ? "" : "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain. ") +
-            (Number.isFinite(measured) ? `Reference (${String(run.inputs.reference?.source?.value ?? "")}): ${kN(measured)} kN; the mean of this run is ${deviation(s.horizontal.mean, measured)} away.` : ""))),
-      el("div", { class: "charts" }, ...charts.map((chart) => chart && chart.element))),
+      causes(run) || el("div"),
+      el("div", { class: "charts" }, data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
+        ...charts.map((chart) => chart && chart.element))),
   );
 }

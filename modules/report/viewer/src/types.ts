@@ -90,23 +90,73 @@ export interface AxisStatistics {
 }
 
 export interface Schema {
-  properties: Record<string, { description?: string; properties?: Record<string, SchemaKey> }>;
+  properties: Record<string, SchemaKey>;
 }
 
 export interface SchemaKey {
   description?: string;
+  properties?: Record<string, SchemaKey>;
   "x-unit"?: string;
   [key: string]: unknown;
 }
 
-export interface RunData {
+export type LoadName = "Fx" | "Fy" | "Fz" | "Mx" | "My" | "Mz";
+
+/** One rise of a load from its mean to a peak and back. */
+export interface LoadEvent {
+  start: number;
+  end: number;
+  peak_time: number;
+  peak: number;
+  impulse: number;
+}
+
+/** A law of extremes with the level that it gives, or why it gives none. */
+export interface ExtremeLaw {
+  law: string | null;
+  reason?: string;
+  not_fitted?: string;
+  level?: number;
+  level_95?: [number, number | null];
+}
+
+/** Statistics of one load, with the keys of `brash stats --json`. */
+export interface LoadStatistics {
+  mean: number;
+  mean_95: [number, number] | [null, null];
+  standard_deviation: number;
+  minimum: number;
+  maximum: number;
+  skewness: number;
+  quantile_50: number;
+  quantile_95: number;
+  quantile_99: number;
+  autocorrelation_time: number;
+  effective_sample_size: number;
+  extremes: { return_period: number };
+  laws: ExtremeLaw[];
+  recommended: ExtremeLaw;
+  warnings: string[];
+  events: LoadEvent[];
+}
+
+/** A run as its files say. Null: it is over before its statistics begin. */
+export interface RunFiles {
   kind: "run";
   manifest: Manifest;
   summary: RunSummary;
-  schema: Schema;
   closed_forms: { kind: string; loads: ClosedForm[] };
-  statistics: { horizontal: AxisStatistics; vertical: AxisStatistics } | null;
+  loads: Record<LoadName, LoadStatistics> | null;
+  statistics: Record<LoadName, AxisStatistics> | null;
+}
+
+export interface RunData extends RunFiles {
+  schema: Schema;
   blocks: BlockEntry[];
+  /** A history that is drawn over Fx: `measured.time`, `measured.value`. */
+  measured?: { name: string; statistics: LoadStatistics } | null;
+  /** A run beside this one, its arrays under names that begin with `other.`. */
+  other?: RunFiles;
 }
 
 export interface CampaignColumn {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "brash/model/case.hpp"
 
@@ -14,17 +16,37 @@ bool has_page();
 /// @throws InputError when there is no manifest or it holds no case.
 model::Case case_of_run(const std::string& directory);
 
-/// Writes `directory`/report.html from the run's run.nc, summary.json and manifest.json: one file that needs no
+/// A measured history that is drawn over a run's loads.
+struct MeasuredHistory {
+  std::string name;            ///< file and column, as the reader knows them
+  std::vector<double> times;   ///< [s], rising; shape=(n,)
+  std::vector<double> values;  ///< [N], as Fx of a run; shape=(n,)
+  std::string statistics;      ///< JSON, as of one load of RunSource::loads
+};
+
+/// A run's folder, and what its page shows besides the run's own files.
+struct RunSource {
+  std::string directory;
+  std::string closed_forms;  ///< of the run's case, as JSON (`brash loads --json`)
+  /// JSON object: for each load (Fx ... Mz) its statistics with the keys of `brash stats --json`, and its load `events`;
+  /// null where the run is over before its statistics begin.
+  std::string loads;
+  std::optional<MeasuredHistory> measured{};
+};
+
+/// Writes report.html into the run's folder, from its run.nc, summary.json and manifest.json: one file that needs no
 /// network.
 ///
-/// @param closed_forms  closed-form loads of the run's case, as JSON (`brash loads --json`).
 /// @return the path of the report.
 /// @throws InputError naming the file that is missing or unreadable. @throws RunError without a page, or when the
 /// report
 ///         cannot be written.
-std::string write_run_report(const std::string& directory, const std::string& closed_forms);
+std::string write_run_report(const RunSource& run);
 
-/// The same of a campaign, from its summary.json, campaign.csv and manifest.json.
+/// Writes the page of a run with another beside it, under one slider, as `path`. Errors as of write_run_report().
+void write_comparison(const RunSource& run, const RunSource& other, const std::string& path);
+
+/// Writes report.html of the campaign in `directory`, from its summary.json, campaign.csv and manifest.json.
 std::string write_campaign_report(const std::string& directory);
 
 /// Whether `directory` holds a campaign, and not a run.

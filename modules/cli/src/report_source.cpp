@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report_source.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
+#include "closed_forms.hpp"
+#include "history_statistics.hpp"
+
+namespace brash::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json with_events(const LoadHistory& load) {
+  ordered_json out = statistics_of(load);
+  out["events"] = ordered_json::array();
+  for (const statistics::LoadEvent& e : events_of(load))
+    out["events"].push_back({{"start", e.start},
+                             {"end", e.end},
+                             {"peak_time", e.peak_time},
+                             {"peak", e.peak},
+                             {"impulse", e.impulse}});
+  return out;
+}
+
+/// Statistics of each load from the time on at which those of the summary begin; null where there are none.
+ordered_json loads_of_run(const std::string& directory) {
+  const std::string path = directory + "/summary.json";
+  const auto summary = nlohmann::json::parse(read_json_text(path, "the summary of a run"), nullptr, false);
+  const nlohmann::json::json_pointer from("/statistics_from"), mean("/horizontal/mean");
+  if (!summary.is_object() || !summary.contains(from) || !summary[from].is_number()) return nullptr;
+  if (!summary.contains(mean) || !summary[mean].is_number()) return nullptr;
+  HistoryChoice choice;
+  // The summary begins with the first step after that time.
+  choice.from = summary[from].get<double>() + 0.5 * report::case_of_run(directory).time.step;
+  choice.has_from = true;
+  const std::vector<std::string> names{"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+  ordered_json loads;
+  for (const LoadHistory& load : read_histories(directory + "/run.nc", choice, names))
+    loads[load.column] = with_events(load);
+  return loads;
+}
+
+}  // namespace
+
+report::RunSource report_source(const std::string& directory) {
+  return {.directory = directory,
+          .closed_forms = closed_form_loads(report::case_of_run(directory)).dump(),
+          .loads = loads_of_run(directory).dump()};
+}
+
+report::MeasuredHistory measured_history(const std::string& file, const HistoryChoice& choice) {
+  LoadHistory load = read_history(file, choice);
+  if (!load.unit.empty() && load.unit != "N")
+    throw InputError(Complaint{file,
+                               fmt::format("column '{}' is in '{}'", printable(load.column), printable(load.unit)),
+                               "a force, to be drawn over the horizontal load",
+                               "correct the unit in the file, or name another column with --measured-column"});
+  return {.name = std::filesystem::path(file).filename().string() + ": " + load.column,
+          .times = load.history.times,
+          .values = load.history.values,
+          .statistics = with_events(load).dump()};
+}
+
+}  // namespace brash::cli

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers on top of the page: of one run, or of two beside each other.
+import type { Run } from "./data";
+import { el, section, table } from "./dom";
+import { deviation, kN, number, seconds } from "./format";
+import type { LoadSummary } from "./types";
+
+function figure(value: string, unit: string, name: string, note = ""): HTMLElement {
+  return el("div", { class: "figure" }, el("b", {}, value, unit && el("small", {}, ` ${unit}`)), el("span", {}, name), note && el("em", {}, note));
+}
+
+/** In place of a number that a run does not have, and why. */
+function none(name: string, why: string): HTMLElement {
+  return el("div", { class: "figure none" }, el("b", {}, "none"), el("span", {}, name), el("em", {}, why));
+}
+
+/** An interval of a mean, or why there is none. */
+function interval([lower, upper]: [number | null, number | null]): string {
+  return lower === null || upper === null ? "no interval: see the warnings" : `95 %: ${kN(lower)} to ${kN(upper)}`;
+}
+
+export function keyFigures(run: Run): HTMLElement {
+  const s = run.data.summary;
+  const from = seconds(s.statistics_from);
+  const tooEarly = `statistics begin at ${from} s, the run ends at ${seconds(run.duration)} s`;
+  const mean = (of: LoadSummary, name: string) => (of.mean === null ? none(name, tooEarly) : figure(kN(of.mean), "kN", name, interval(of.mean_95)));
+  const measured = run.input("reference", "mean_horizontal");
+  return el("div", { class: "figures" },
+    mean(s.horizontal, "mean horizontal"),
+    mean(s.vertical, "mean vertical"),
+    s.horizontal.maximum === null
+      ? none("largest horizontal", tooEarly)
+      : figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${from} s on; deviation ${kN(s.horizontal.standard_deviation)}`),
+    Number.isFinite(measured) && figure(kN(measured), "kN", "reference mean", s.horizontal.mean === null ? "" : `this run: ${deviation(s.horizontal.mean, measured)}`),
+    !Number.isFinite(measured) && (s.fastest_floe === null ? none("fastest floe", "no frames were recorded") : figure(number(s.fastest_floe, 3), "m/s", "fastest floe")),
+    figure(String(s.n_breaks), "", "breaks", s.breaking_frequency === null ? "" : `${number(s.breaking_frequency, 3)} a second`),
+    figure(String(s.n_floes_born), "", "floes born", `${s.n_floes_present} present, ${s.n_floes_crushed} crushed, ${s.n_floes_broken} broken again`));
+}
+
+/** Inputs in which two runs differ. */
+function differences(runs: Run[]): string[][] {
+  const [a, b] = runs.map(({ inputs }) => inputs);
+  const sections = [...new Set([...Object.keys(a), ...Object.keys(b)])];
+  return sections.flatMap((section) => [...new Set([...Object.keys(a[section] ?? {}), ...Object.keys(b[section] ?? {})])].flatMap((key) => {
+    const texts = [a, b].map((inputs) => inputs[section]?.[key]).map((input) => (input ? `${input.text} ${input.unit === "1" ? "" : input.unit}`.trim() : "not given"));
+    return texts[0] === texts[1] ? [] : [[`${section}.${key}`, ...texts]];
+  }));
+}
+
+/** Two runs in numbers. */
+export function comparedFigures(runs: Run[], names: string[]): HTMLElement {
+  const row = (name: string, value: (run: Run) => string) => [name, ...runs.map(value)];
+  const range = ({ mean_95: [low, high] }: LoadSummary) => (low === null || high === null ? "none" : `${kN(low)} to ${kN(high)}`);
+  const load = (value: number | null) => (value === null ? "none" : kN(value));
+  return table(["", ...names], [
+    row("mean horizontal [kN]", ({ data }) => load(data.summary.horizontal.mean)),
+    row("its 95 % interval [kN]", ({ data }) => range(data.summary.horizontal)),
+    row("mean vertical [kN]", ({ data }) => load(data.summary.vertical.mean)),
+    row("largest horizontal [kN]", ({ data }) => load(data.summary.horizontal.maximum)),
+    row("breaks, floes born", ({ data }) => `${data.summary.n_breaks}, ${data.summary.n_floes_born}`),
+  ], { id: "compared" });
+}
+
+export function differencesSection(runs: Run[], names: string[]): HTMLElement {
+  const differing = differences(runs);
+  return section("differences", "Inputs that differ", differing.length === 0
+    ? el("p", {}, "The two runs have the same inputs.")
+    : table(["input", ...names], differing));
+}

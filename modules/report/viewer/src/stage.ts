@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of one run in space, with its legend and scale.
+import type { Run } from "./data";
+import { el } from "./dom";
+import type { Colouring } from "./floe_mesh";
+import { kN } from "./format";
+import { legend, type Swatch } from "./legend";
+import { ReplayScene } from "./scene";
+import { scaleLength } from "./views";
+
+export class Stage {
+  readonly element = el("div", { class: "stage" });
+  readonly scene: ReplayScene | null;
+  readonly canvas: HTMLCanvasElement;
+  private legend = legend([]);
+  private readonly scale = el("div", { class: "scale" });
+
+  /** @param title of the run, if there are several. */
+  constructor(readonly run: Run, title = "") {
+    this.canvas = el("canvas", { tabindex: 0, role: "img", "aria-label": `Replay of the run in three dimensions${title && `: ${title}`}` });
+    this.scene = this.makeScene();
+    if (!this.scene) {
+      this.element.append(el("p", { class: "note" }, "This browser offers no WebGL, which the replay in three dimensions needs. Everything else is here."));
+      return;
+    }
+    this.element.append(this.canvas, this.scale, this.legend);
+    if (title) this.element.append(el("p", { class: "stage-title" }, title));
+    this.scene.onDraw = () => this.showScale(this.scene!);
+    new ResizeObserver(() => this.scene?.resize(this.element.clientWidth, this.element.clientHeight)).observe(this.element);
+  }
+
+  setColouring(colouring: Colouring): void {
+    if (!this.scene) return;
+    this.scene.floes.colouring = colouring;
+    const next = legend([...this.swatches(colouring), { colour: "--scene-ripple", text: `lines on the water: ${this.scene.water.spacing} m apart`, kind: "line" }]);
+    this.legend.replaceWith(next);
+    this.legend = next;
+  }
+
+  private makeScene(): ReplayScene | null {
+    try {
+      return new ReplayScene(this.canvas, this.run);
+    } catch {
+      return null;
+    }
+  }
+
+  private swatches(colouring: Colouring): Swatch[] {
+    if (colouring === "age") return [{ colour: ["--scene-young", "--scene-old"], text: "just born to old" }];
+    if (colouring === "force")
+      return [{ colour: ["--scene-calm", "--scene-loaded"], text: `contact force, 0 to ${kN(this.scene!.floes.largestForce)} kN, logarithmic` }];
+    return [
+      { colour: "--scene-floe", text: "broken off" }, { colour: "--scene-initial", text: "initial crack" },
+      { colour: "--scene-newborn", text: "just born" }, { colour: "--scene-crushed", text: "crushed later, or just now" },
+    ];
+  }
+
+  /** A bar of a round length. In perspective it holds at the point that the camera turns about. */
+  private showScale(scene: ReplayScene): void {
+    const perMetre = scene.pixelsPerMetre;
+    const length = scaleLength(perMetre);
+    this.scale.style.width = `${(length * perMetre).toFixed(1)}px`;
+    const text = `${Number(length.toPrecision(1))} m at the structure`;
+    if (this.scale.textContent !== text) this.scale.textContent = text;
+  }
+}

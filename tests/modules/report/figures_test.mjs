@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the report of a run adds and gives away: the crack's true line, a measured history, a second run, files.
+import assert from "node:assert/strict";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { brash, browse, pixelsOf, plainScreenshot, readCsv, saved, scratch } from "./browser.mjs";
+
+const folder = scratch();
+const [run, other] = [join(folder, "disc"), join(folder, "stress")];
+const kCase = join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml");
+let browser, page, events;
+
+before(async () => {
+  brash("run", kCase, "-o", run, "--set", "time.duration=3", "--set", "output.statistics_from=1");
+  brash("run", kCase, "-o", other, "--set", "algorithm.preset=brash", "--set", "time.duration=2", "--set", "output.statistics_from=1");
+  events = readCsv(join(run, "events.csv")).filter((row) => row.event === "break");
+  browser = await browse();
+  page = await browser.open(join(run, "report.html"));
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+const ask = (at, look, argument) =>
+  at.evaluate(`(${look})(window.brashReport.report, window.brashReport.run, ${JSON.stringify(argument ?? null)})`);
+
+test("a crack that is a circle is drawn as one, with the breaking length about the trapezoid's tip", async () => {
+  for (const [i, row] of events.entries()) {
+    await ask(page, (report, _, event) => report.choose(event), i);
+    assert.equal(await page.locator(".event-body .reach").count(), 1, `crack ${i + 1}`);
+    const { cx, cy, r } = await page.locator(".event-body .reach").evaluate((c) => ({ cx: c.cx.baseVal.value, cy: c.cy.baseVal.value, r: c.r.baseVal.value }));
+    for (const [shown, name] of [[cx, "tip_x"], [-cy, "tip_y"], [r, "l_break"]]) assert.ok(Math.abs(shown - Number(row[name])) < 1e-5, name);
+  }
+});
+
+test("a crack that followed the stress is drawn as it went, and its trapezoid is called a fit", async () => {
+  const shown = await browser.open(join(other, "report.html"));
+  const cracks = await ask(shown, (_, r) => Array.from({ length: r.nEvents }, (__, i) => i));
+  const along = JSON.parse(readFileSync(join(other, "summary.json"), "utf8")).breaks_decided.along_stress;
+  let n = 0;
+  for (const crack of cracks) {
+    await ask(shown, (report, _, event) => report.choose(event), crack);
+    if ((await shown.locator(".event-body .reach").count()) > 0) continue;
+    ++n;
+    assert.match(await shown.locator(".course").innerText(), /followed the stress.*trapezoid is a fit/s);
+    // Its line is made of edges of the pieces.
+    const strokes = (await shown.locator(".event-body .crack").getAttribute("d")).match(/-?[\d.]+ -?[\d.]+/g);
+    const outlines = (await shown.locator(".event-body .pieces path").evaluateAll((all) => all.map((p) => p.getAttribute("d")).join(""))).match(/-?[\d.]+ -?[\d.]+/g);
+    assert.ok(strokes.length > 4);
+    for (const point of strokes) assert.ok(outlines.includes(point), point);
+  }
+  assert.ok(along > 0);
+  assert.equal(n, along);
+  await shown.close();
+});
+
+test("every load can be shown, and the statistics follow", async () => {
+  await page.getByLabel("Load", { exact: true }).selectOption("Mz");
+  assert.match(await page.locator("#extremes h3").first().innerText(), /Load events of Mz/);
+  assert.equal(await page.evaluate(() => window.brashReport.report.loads.chart.plot.axes[1].label), "Mz [kN m]");
+  await page.getByLabel("Load", { exact: true }).selectOption("Fx");
+});
+
+test("load events are those of `brash stats`, and a click goes to the peak", async () => {
+  brash("stats", join(run, "history.csv"), "--column", "Fx", "--from", "1.005", "--events", join(folder, "events.csv"));
+  const peaks = readCsv(join(folder, "events.csv")).sort((a, b) => b.peak - a.peak).slice(0, 10);
+  const rows = page.locator("#load-events tbody tr");
+  assert.equal(await rows.count(), peaks.length);
+  assert.deepEqual(await rows.locator("td:nth-child(2)").allTextContents(), peaks.map((row) => (Number(row.peak) / 1e3).toFixed(1)));
+  await rows.first().locator("button").click();
+  assert.equal(await ask(page, (report) => report.player.time), Number(peaks[0].peak_time));
+});
+
+test("loads, plan and crack are saved as they are", async () => {
+  const loads = await saved(page, page.getByRole("button", { name: "all CSV" }));
+  assert.equal(loads.name, "loads.csv");
+  const [head, first] = loads.bytes.toString().split("\n");
+  const history = readCsv(join(run, "history.csv"));
+  assert.equal(loads.bytes.toString().trim().split("\n").length, history.length + 1);
+  assert.equal(Number(first.split(",")[head.split(",").indexOf("Fx")]), Math.fround(Number(history[0].Fx)));
+  const drawing = (await saved(page, page.locator(".plan-view").getByRole("button", { name: "SVG" }))).bytes.toString();
+  assert.equal((drawing.match(/<circle/g) ?? []).length >= events.length, true);
+  assert.ok(!/var\(|color\(srgb/.test(drawing), "a drawing's colours are its own");
+  const lines = (await saved(page, page.locator(".loads .chart").getByRole("button", { name: "SVG" }))).bytes.toString();
+  assert.ok(lines.includes("Fx [kN]") && lines.includes("crushing"));
+  const picture = await saved(page, page.locator(".plan-view").getByRole("button", { name: "PNG" }));
+  assert.ok(new Set((await pixelsOf(page, picture.bytes, 997)).map(String)).size > 5, "the picture is empty");
+});
+
+test("the film shows the run from start to end", async () => {
+  await page.getByLabel("Speed of the replay").selectOption("4");
+  const film = await saved(page, page.getByRole("button", { name: "film" }));
+  assert.equal(film.name, "cone.webm");
+  const player = await browser.context.newPage();
+  const [width, duration, n] = await player.evaluate(async (data) => {
+    const video = document.createElement("video");
+    video.muted = true;
+    video.src = `data:video/webm;base64,${data}`;
+    await new Promise((done, fail) => Object.assign(video, { onloadeddata: done, onerror: () => fail(new Error(video.error.message)) }));
+    const seen = new Set();
+    for (let time = 0.05; time < video.duration; time += 0.1) {
+      video.currentTime = time;
+      await new Promise((done) => (video.onseeked = done));
+      const canvas = new OffscreenCanvas(40, 24);
+      canvas.getContext("2d").drawImage(video, 0, 0, 40, 24);
+      seen.add(canvas.getContext("2d").getImageData(0, 0, 40, 24).data.join());
+    }
+    return [video.videoWidth, video.duration, seen.size];
+  }, film.bytes.toString("base64"));
+  assert.ok(width > 300);
+  // 3 s at four times their speed, in pictures of a thirtieth of a second.
+  assert.ok(Math.abs(duration - 0.75) < 0.07, `${duration} s`);
+  assert.ok(n >= 5, `${n} different pictures`);
+  await player.close();
+  await page.getByLabel("Speed of the replay").selectOption("1");
+});
+
+test("a measured history lies over the loads, with its statistics", async () => {
+  const file = join(folder, "measured.csv");
+  const rows = Array.from({ length: 120 }, (_, i) => `${(0.025 * i).toFixed(3)},${(50 + 40 * Math.sin(0.2 * i)).toFixed(3)}`);
+  writeFileSync(file, `time [s],force [kN]\n${rows.join("\n")}\n`);
+  brash("report", run, "--measured", file);
+  const shown = await browser.open(join(run, "report.html"));
+  const plot = await shown.evaluate(() => {
+    const { data, series } = window.brashReport.report.loads.chart.plot;
+    const i = series.findIndex(({ label }) => label === "measured.csv: force");
+    return { values: data[i].filter((n) => n !== null && n !== undefined), times: data[0].filter((_, k) => data[i][k] !== null && data[i][k] !== undefined) };
+  });
+  assert.equal(plot.values.length, rows.length);
+  for (const [k, row] of rows.entries()) {
+    assert.ok(Math.abs(plot.times[k] - Number(row.split(",")[0])) < 1e-9);
+    assert.ok(Math.abs(plot.values[k] - Number(row.split(",")[1])) < 1e-4);  // single precision
+  }
+  const mean = rows.reduce((sum, row) => sum + Number(row.split(",")[1]), 0) / rows.length;
+  const names = await shown.locator("#moments thead tr > *").allTextContents();
+  const cells = await shown.locator("#moments tbody tr").first().locator("td").allTextContents();
+  assert.equal(cells[names.indexOf("Fx measured [kN]")], mean.toFixed(1));
+  await shown.close();
+});
+
+test("two runs move under one slider", async () => {
+  const both = join(folder, "both.html");
+  brash("report", run, other, "-o", both);
+  const shown = await browser.open(both);
+  assert.equal(await shown.locator(".stage canvas").count(), 2);
+  assert.equal(await shown.locator("input[type=range]").count(), 1);
+  await ask(shown, (report) => report.player.seek(1.5));
+  const alone = await browser.open(join(other, "report.html"));
+  await ask(alone, (report) => report.player.seek(1.5));
+  const place = (scene) => Array.from(scene.floes.place.array);
+  assert.deepEqual(await ask(shown, `({ replay }) => (${place})(replay.scenes[1])`), await ask(alone, `({ replay }) => (${place})(replay.scene)`));
+  assert.match(await shown.locator("#differences").innerText(), /algorithm\.preset\s+paper\s+brash/);
+  const series = await shown.evaluate(() => window.brashReport.report.loads.chart.plot.series.map(({ label }) => label));
+  assert.equal(series.at(-1), "cone (second)");
+  assert.equal(await shown.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+  await alone.close();
+  await shown.close();
+});
+
+test("the replay is drawn where nothing waits for it, also under a header that wraps", async () => {
+  for (const width of [560, 1000, 1366]) {
+    const picture = plainScreenshot(join(run, "report.html"), join(folder, "plain.png"), width, 900);
+    const colours = await pixelsOf(page, picture);
+    const water = colours.filter(([r, , b]) => b > 1.5 * r && b > 60).length / colours.length;
+    assert.ok(water > 0.03, `${width} px wide: ${water}`);
+  }
+});
+
+test("nothing is complained about, and nothing is asked of a network", () => {
+  assert.deepEqual(browser.complaints, []);
+  assert.deepEqual(browser.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
+});
