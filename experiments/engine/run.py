@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The validation case with stock Bullet, beside the program's own contacts and solver and the paper's mean.
 
-run.py                10 replicates at each time step; a table in kN
+run.py                10 replicates with each engine at each time step; a table in kN
 run.py --corrected    the same with three corrections of the ice's failure (validation/corrected.toml)
 run.py --table        the table again, from the recorded numbers
 run.py --record       also rewrites recorded.csv here, or corrected/recorded.csv
-run.py --quick        two short cases, compared with quick.csv
+run.py --quick        four short cases, compared with quick.csv
 
-The program's own numbers are those that `validation/run.py` has recorded for steps.toml and steps_corrected.toml. Both
-engines draw the same random numbers in a replicate, so their difference is taken replicate by replicate.
+Both engines draw the same random numbers in a replicate, so their difference is taken replicate by replicate.
 """
 import json
 import sys
@@ -32,20 +31,19 @@ def interval(values):
     return f"{mean:7.1f} ({mean - half:6.1f} to {mean + half:6.1f})"
 
 
-def print_table(rows, own):
-    """Both engines at each time step, and their difference over the replicates that both have [kN]."""
+def print_table(rows):
+    """Both engines at each time step, and their difference over the replicates [kN]."""
     for step in sorted({row["time.step"] for row in rows}, reverse=True):
-        of_step = {row["replicate"]: row for row in rows if row["time.step"] == step}
-        own_of_step = {row["replicate"]: row for row in own if row["time.step"] == step}
-        both = sorted(of_step.keys() & own_of_step.keys())
-        print(f"dt = {step:g} s: {len(of_step)} replicates, {len(both)} of them with both engines [kN]")
+        brash, bullet = ({row["replicate"]: row for row in rows
+                          if row["time.step"] == step and row["contact.engine"] == engine}
+                         for engine in ("brash", "bullet"))
+        both = sorted(brash.keys() & bullet.keys())
+        print(f"dt = {step:g} s: {len(both)} replicates [kN]")
         print(f"  {'':22s}{'bullet':28s}{'brash':28s}bullet less brash")
         for name, column in QUANTITIES.items():
-            bullet, brash = ({r: row[column] / 1e3 for r, row in known.items()} for known in (of_step, own_of_step))
-            cells = [interval(list(bullet.values())) if len(bullet) > 1 else "", "", ""]
-            if len(both) > 1:
-                cells[1] = interval([brash[r] for r in both])
-                cells[2] = interval([bullet[r] - brash[r] for r in both])
+            own = [brash[r][column] / 1e3 for r in both]
+            stock = [bullet[r][column] / 1e3 for r in both]
+            cells = [interval(stock), interval(own), interval([b - a for a, b in zip(own, stock)])]
             print(f"  {name:22s}" + "".join(f"{cell:28s}" for cell in cells).rstrip())
     print(f"the paper's model: {PAPER}")
 
@@ -56,9 +54,8 @@ def main():
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
     target = study.recorded(HERE.name, options.corrected)
-    own = study.read_rows(HERE.parent / "validation" / ("steps_corrected.csv" if options.corrected else "steps.csv"))
     if options.table:
-        print_table(study.read_rows(target), own)
+        print_table(study.read_rows(target))
         return 0
     output = options.output or Path("results") / (HERE.name + ("-quick" if options.quick else "") +
                                                   ("-corrected" if options.corrected else ""))
@@ -70,7 +67,7 @@ def main():
     overrides = [f"{key}={json.dumps(value)}" for key, value in study.corrections().items()] if options.corrected else []
     study.campaign(options.brash, HERE / "plan.toml", output, jobs=options.jobs, overrides=overrides)
     rows = study.collect(options.brash, output)
-    print_table(rows, own)
+    print_table(rows)
     if options.record:
         target.parent.mkdir(exist_ok=True)
         study.write_rows(target, rows)
