@@ -7,13 +7,15 @@ import ctypes
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 import zipfile
 
 import netCDF4
 
-from host import DISCARD, ERROR, Refused, Unit
+sys.path.insert(0, os.path.join(os.environ["BRASH_SOURCE_DIR"], "experiments/coupling"))
+from fmu_host import DISCARD, ERROR, Refused, Unit  # noqa: E402
 
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 CASE = SOURCE / "experiments/validation/cone.toml"
