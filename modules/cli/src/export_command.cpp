@@ -5,64 +5,25 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <span>
 #include <vector>
 
-#include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/geometry/ice_sheet.hpp"
-#include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
-#include "brash/structure/hull.hpp"
 #include "commands.hpp"
 #include "fmu.hpp"
+#include "gltf.hpp"
 #include "messages.hpp"
 #include "openfast.hpp"
+#include "replay.hpp"
 #include "vtk_meshes.hpp"
 
 namespace brash::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using geometry::IceSheet;
 
 enum Part { kFloes, kSheet, kStructure };
-
-/// The sheet at the frames of a run, which stores it after each step with cracks: since then the structure's section in
-/// the waterplane has been crushed. Between frames its path is not followed, so the channel's walls differ from the
-/// run's by less than the structure moves in a frame.
-class SheetReplay {
- public:
-  SheetReplay(const structure::Hull& hull, const model::RunResults& results) : hull_(hull), results_(results) {
-    take(results.initial_sheet);
-  }
-
-  /// The sheet at `frame`; frames in the order of time.
-  std::vector<geometry::Polygon> at(const model::Frame& frame) {
-    if (&frame == &results_.frames.back()) return polygons_of(results_.final_sheet);
-    const auto& cracked = results_.cracked_sheets;
-    const std::size_t before = next_;
-    while (next_ < cracked.size() && cracked[next_].time <= frame.time) ++next_;
-    if (next_ > before) take(cracked[next_ - 1].rings);
-    for (const structure::Outline& outline : hull_.footprint(frame.structure, 0.0, 0.0).leading)
-      sheet_->cut(geometry::ring(outline));
-    sheet_->release_detached();
-    return sheet_->polygons();
-  }
-
- private:
-  void take(std::span<const std::vector<Vec2>> rings) {
-    auto sheet = IceSheet::from_polygons(polygons_of(rings));
-    BRASH_EXPECTS(sheet.has_value(), sheet.error().what);
-    sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
-  }
-
-  const structure::Hull& hull_;
-  const model::RunResults& results_;
-  std::unique_ptr<IceSheet> sheet_;
-  std::size_t next_ = 0;  ///< of the cracked sheets
-};
 
 io::PolyData floes_at(const model::Case& resolved, const model::Frame& frame,
                       const std::map<std::int64_t, const model::FloeRecord*>& records) {
@@ -82,60 +43,32 @@ io::PolyData floes_at(const model::Case& resolved, const model::Frame& frame,
   return data;
 }
 
-io::PolyData sheet_of(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons) {
-  io::PolyData data;
-  const double top = resolved.ice.thickness * (1.0 - resolved.ice.density / resolved.water.density);
-  for (const geometry::Polygon& polygon : polygons) add_prism(data, polygon, top - resolved.ice.thickness, top);
-  return data;
-}
-
-io::PolyData structure_at(const structure::TriangleMesh& mesh, const Pose& pose) {
-  io::PolyData data;
-  for (const Vec3& vertex : mesh.vertices) data.points.push_back(to_world(pose, vertex));
-  for (const auto& [a, b, c] : mesh.triangles) data.faces.push_back({a, b, c});
-  return data;
-}
-
-/// Refuses polygons that cannot be drawn, before anything is written.
-void check_polygons(const std::string& run_file, const model::RunResults& results) {
-  const auto check = [&](const std::string& of, std::span<const std::vector<Vec2>> rings) {
-    const auto sheet = IceSheet::from_polygons(polygons_of(rings));
-    if (sheet) return;
-    throw InputError(Complaint{fmt::format("{}, {}", run_file, of), sheet.error().what,
-                               "polygons that neither cross nor overlap",
-                               "copy the run.nc again, or run the case again"});
-  };
-  check("initial_sheet", results.initial_sheet);
-  check("final_sheet", results.final_sheet);
-  for (const model::CrackedSheet& sheet : results.cracked_sheets)
-    check(fmt::format("the sheet cracked at {} s", sheet.time), sheet.rings);
-  for (const model::FloeRecord& floe : results.floes) check(fmt::format("floe {}", floe.id), floe.rings);
-}
-
 void export_vtk(const std::string& run_file, const std::string& directory) {
-  const model::RunResults results = io::read_results(run_file);
-  // The failure model is not needed: its file may be gone.
-  const model::Case resolved = io::parse_case(io::read_case_of(run_file), run_file, {"failure.file=''"});
-  check_polygons(run_file, results);
+  const Replay run = read_replay(run_file);
   std::map<std::int64_t, const model::FloeRecord*> records;
-  for (const model::FloeRecord& floe : results.floes) records[floe.id] = &floe;
-  const auto hull = structure::make_hull(resolved.structure.shape);
+  for (const model::FloeRecord& floe : run.results.floes) records[floe.id] = &floe;
 
-  SheetReplay replay(*hull, results);
+  SheetReplay replay(run);
   std::vector<io::VtkStep> steps;
   const auto write = [&](double time, Part part, const std::string& name, const io::PolyData& data) {
     const std::string file = fmt::format("{}_{:05}.vtp", name, steps.size() / 3);
     write_file((fs::path(directory) / file).string(), io::to_vtp(data));
     steps.push_back({time, part, file});
   };
-  for (const model::Frame& frame : results.frames) {
-    write(frame.time, kFloes, "floes", floes_at(resolved, frame, records));
-    write(frame.time, kSheet, "sheet", sheet_of(resolved, replay.at(frame)));
-    write(frame.time, kStructure, "structure", structure_at(hull->mesh(), frame.structure));
+  for (const model::Frame& frame : run.results.frames) {
+    write(frame.time, kFloes, "floes", floes_at(run.resolved, frame, records));
+    write(frame.time, kSheet, "sheet", sheet_surface(run.resolved, replay.at(frame)));
+    write(frame.time, kStructure, "structure", mesh_surface(run.hull->mesh(), frame.structure));
   }
   const std::string collection = (fs::path(directory) / "run.pvd").string();
   write_file(collection, io::to_pvd(steps));
-  print("{} frames in {}\n", results.frames.size(), collection);
+  print("{} frames in {}\n", run.results.frames.size(), collection);
+}
+
+void export_gltf(const std::string& run_file, const std::string& file) {
+  const Replay run = read_replay(run_file);
+  write_file(file, to_glb(run));
+  print("{} frames in {}\n", run.results.frames.size(), file);
 }
 
 void export_openfast(const std::string& run_file, const std::string& directory, const OpenFastOptions& options) {
@@ -149,6 +82,21 @@ void export_openfast(const std::string& run_file, const std::string& directory, 
   write_file((fs::path(directory) / control).string(), to_openfast_structural_control(forces, options));
   print("{} s of load in {}\n", end - options.from, (fs::path(directory) / forces).string());
   print("structural control in {}\n", (fs::path(directory) / control).string());
+}
+
+void add_gltf_command(CLI::App& command) {
+  struct Options {
+    std::string run, file;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* gltf = command.add_subcommand("gltf", "The replay for any 3-D viewer (glTF 2.0, .glb)");
+  gltf->add_option("run", options->run, "run.nc of a run")->required();
+  gltf->add_option("-o,--output", options->file, "file of the replay [run.glb beside the run.nc]");
+  gltf->footer("Example: brash export gltf results/cone/run.nc -o cone.glb");
+  gltf->callback([options] {
+    const std::string beside = (fs::path(options->run).parent_path() / "run.glb").string();
+    export_gltf(options->run, options->file.empty() ? beside : options->file);
+  });
 }
 
 void add_fmu_command(CLI::App& command) {
@@ -211,6 +159,7 @@ void add_export_command(CLI::App& app) {
     const std::string beside = (fs::path(options->run).parent_path() / "openfast").string();
     export_openfast(options->run, options->directory.empty() ? beside : options->directory, options->openfast);
   });
+  add_gltf_command(*command);
   add_fmu_command(*command);
 }
 

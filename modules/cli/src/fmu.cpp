@@ -12,6 +12,7 @@
 #include "brash/core/version.hpp"
 #include "brash/failure/model_files.hpp"
 #include "brash/fmu/unit.hpp"
+#include "brash/fmu/variables.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/simulation/scales.hpp"
 #include "messages.hpp"
@@ -45,7 +46,7 @@ bool stands_alone(const io::NumberKey& key) {
 std::vector<fmu::Parameter> parameters_of(const model::Case& resolved) {
   std::vector<fmu::Parameter> parameters;
   for (const io::NumberKey& key : io::number_keys(resolved))
-    if (stands_alone(key)) parameters.push_back({key.section, key.key, key.unit, key.meaning, key.least, key.most});
+    if (stands_alone(key) && !(key.key == "speed" && fmu::is_driven(resolved))) parameters.push_back({key.section, key.key, key.unit, key.meaning, key.least, key.most});
   return parameters;
 }
 

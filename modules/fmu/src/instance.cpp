@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
+#include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/failure/model_files.hpp"
@@ -53,6 +55,26 @@ Outputs mean_of(const Outputs& sum, double n) {
           sum.place,         sum.velocity / n};
 }
 
+/// Yaw, then pitch, then roll, each about the structure's own axis.
+Quaternion rotation_of(const Inputs& in) {
+  const double cr = std::cos(0.5 * in.roll), sr = std::sin(0.5 * in.roll);
+  const double cp = std::cos(0.5 * in.pitch), sp = std::sin(0.5 * in.pitch);
+  const double cy = std::cos(0.5 * in.yaw), sy = std::sin(0.5 * in.yaw);
+  return {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
+          cr * cp * sy - sr * sp * cy};
+}
+
+/// The number that a `visit` names at this place.
+template <typename Owner>
+auto& nth_number(Owner& owner, std::size_t place) {
+  std::conditional_t<std::is_const_v<Owner>, const double, double>* found = nullptr;
+  Owner::visit(owner, [&](const auto&, const auto&, const auto&, auto& number) {
+    if (place-- == 0) found = &number;
+  });
+  BRASH_EXPECTS(found != nullptr, place);
+  return *found;
+}
+
 Unit read_unit(const std::string& resources) {
   const std::string path = resources + "/" + kUnitFile;
   Unit unit = unit_from(read_json_text(path, "the case of the unit (JSON)"), path);
@@ -81,6 +103,7 @@ void Instance::reset() {
   simulation_.reset();
   state_ = State{};
   state_.resolved = unit_.resolved;
+  state_.inputs = inputs_at_rest(state_.resolved);
   place_structure();
 }
 
@@ -119,23 +142,25 @@ const Variable& Instance::variable(unsigned reference) const {
   throw std::runtime_error(fmt::format("no variable has the value reference {}", reference));
 }
 
+std::size_t Instance::first_of(Causality causality) const {
+  const auto first = std::ranges::find(variables_, causality, &Variable::causality);
+  return static_cast<std::size_t>(first - variables_.begin());
+}
+
 Number Instance::value(unsigned reference) const {
-  switch (variable(reference).causality) {
+  const Causality causality = variable(reference).causality;
+  const std::size_t place = reference - first_of(causality);
+  switch (causality) {
     case Causality::kIndependent:
       return time();
-    case Causality::kOutput: {
-      double found = 0.0;
-      std::size_t next = 1;  // behind the independent variable
-      Outputs::visit(state_.outputs, [&](const std::string&, const char*, const std::string&, double number) {
-        if (next++ == reference) found = number;
-      });
-      return found;
-    }
+    case Causality::kInput:
+      return nth_number(state_.inputs, place);
+    case Causality::kOutput:
+      return nth_number(state_.outputs, place);
     case Causality::kParameter:
-      break;
+      return value_of(state_.resolved, unit_.parameters[place]);
   }
-  const std::size_t first = variables_.size() - unit_.parameters.size();
-  return value_of(state_.resolved, unit_.parameters[reference - first]);
+  return 0.0;
 }
 
 double Instance::number(unsigned reference) const {
@@ -152,21 +177,41 @@ std::int64_t Instance::whole_number(unsigned reference) const {
 
 void Instance::set(unsigned reference, Number value) {
   const Variable& v = variable(reference);
-  if (v.causality != Causality::kParameter) throw std::runtime_error(v.name + " cannot be set");
-  expect("setting a parameter", {Phase::kInstantiated, Phase::kInitialization});
   if (value.index() != v.start.index()) throw std::runtime_error(v.name + " has another type");
+  if (v.causality == Causality::kInput)
+    set_input(v, reference - first_of(Causality::kInput), std::get<double>(value));
+  else if (v.causality == Causality::kParameter)
+    set_parameter(v, unit_.parameters[reference - first_of(Causality::kParameter)], value);
+  else
+    throw std::runtime_error(v.name + " cannot be set");
+}
+
+void Instance::set_input(const Variable& v, std::size_t place, double value) {
+  expect("setting an input", {Phase::kInstantiated, Phase::kInitialization, Phase::kStepping});
+  if (!std::isfinite(value)) throw Discarded(fmt::format("{} = {}: allowed is a finite number", v.name, value));
+  nth_number(state_.inputs, place) = value;
+}
+
+void Instance::set_parameter(const Variable& v, const Parameter& parameter, Number value) {
+  expect("setting a parameter", {Phase::kInstantiated, Phase::kInitialization});
   const double number = std::visit([](auto given) { return static_cast<double>(given); }, value);
   if (!(number >= v.least && number <= v.most))
     throw Discarded(fmt::format("{} = {}: allowed is {} to {}", v.name, number, *v.least, *v.most));
-  const std::size_t first = variables_.size() - unit_.parameters.size();
-  set_value(state_.resolved, unit_.parameters[reference - first], value);
+  set_value(state_.resolved, parameter, value);
   place_structure();
+}
+
+/// Along the way that the inputs say, to where it leads in `time` from the communication point [s].
+void Instance::drive(double time) {
+  const Inputs& in = state_.inputs;
+  simulation_->drive(structure::way_at(in.twist, {in.place, rotation_of(in)}, time));
 }
 
 void Instance::step(double from, double size) {
   const std::int64_t n = n_steps_of(from, size);
   Outputs sum;
   for (std::int64_t i = 0; i < n; ++i) {
+    if (is_driven(state_.resolved)) drive(static_cast<double>(i + 1) * state_.resolved.time.step);
     const Outputs one = outputs_of(simulation_->step().loads);
     ++state_.n_steps;
     sum = i == 0 ? one : joined(sum, one);

@@ -121,6 +121,8 @@ std::string kind_attributes(const Variable& variable) {
   switch (variable.causality) {
     case Causality::kIndependent:
       return attribute("causality", "independent") + attribute("variability", "continuous");
+    case Causality::kInput:
+      return attribute("causality", "input") + attribute("variability", "continuous");
     case Causality::kOutput:
       return attribute("causality", "output") + attribute("variability", "continuous") +
              attribute("initial", "calculated");
@@ -140,7 +142,8 @@ std::string value_attributes(const Variable& variable) {
   if (variable.least) text += attribute("min", bound(*variable.least));
   const bool has_most = variable.most && (!is_whole(variable) || *variable.most < 0x1p63);
   if (has_most) text += attribute("max", bound(*variable.most));
-  if (variable.causality == Causality::kParameter) text += attribute("start", number_text(variable.start));
+  const bool has_start = variable.causality == Causality::kParameter || variable.causality == Causality::kInput;
+  if (has_start) text += attribute("start", number_text(variable.start));
   return text;
 }
 

@@ -89,18 +89,29 @@ model::Table table_from(const Json& tree) {
   return table;
 }
 
+/// The numbers that a `visit` names, in its order.
+template <typename Owner>
+Json numbers_of(const Owner& owner) {
+  Json numbers = Json::array();
+  Owner::visit(owner, [&](const auto&, const auto&, const auto&, double number) { numbers.push_back(number); });
+  return numbers;
+}
+template <typename Owner>
+void take_numbers(Owner& owner, const Json& tree) {
+  std::size_t next = 0;
+  Owner::visit(owner, [&](const auto&, const auto&, const auto&, double& number) { tree.at(next++).get_to(number); });
+}
+
 Json tree_of(const State& state) {
   Json tree{{"phase", static_cast<int>(state.phase)},
             {"start_time", state.start_time},
             {"n_steps", state.n_steps},
             {"name", state.resolved.name},
             {"case", model::to_tree<Json>(state.resolved)},
-            {"outputs", Json::array()}};
+            {"inputs", numbers_of(state.inputs)},
+            {"outputs", numbers_of(state.outputs)}};
   tree["case"]["failure"]["file"] = "";
   if (state.stop_time) tree["stop_time"] = *state.stop_time;
-  Outputs::visit(state.outputs, [&](const std::string&, const char*, const std::string&, double value) {
-    tree["outputs"].push_back(value);
-  });
   if (state.checkpoint)
     for (const model::Table& table : state.checkpoint->tables) tree["tables"].push_back(tree_of(table));
   return tree;
@@ -112,14 +123,13 @@ State state_from(const Json& tree) {
               .stop_time = {},
               .n_steps = tree.at("n_steps"),
               .resolved = model::from_tree(tree.at("case")),
+              .inputs = {},
               .outputs = {},
               .checkpoint = {}};
   state.resolved.name = tree.at("name");
   if (tree.contains("stop_time")) state.stop_time = tree.at("stop_time").get<double>();
-  std::size_t next = 0;
-  Outputs::visit(state.outputs, [&](const std::string&, const char*, const std::string&, double& value) {
-    tree.at("outputs").at(next++).get_to(value);
-  });
+  take_numbers(state.inputs, tree.at("inputs"));
+  take_numbers(state.outputs, tree.at("outputs"));
   if (!tree.contains("tables")) return state;
   state.checkpoint.emplace().resolved = state.resolved;
   for (const Json& table : tree.at("tables")) state.checkpoint->tables.push_back(table_from(table));

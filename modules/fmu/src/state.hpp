@@ -21,6 +21,7 @@ struct State {
   std::optional<double> stop_time;
   std::int64_t n_steps = 0;  ///< of the simulation
   model::Case resolved;      ///< with the parameters that the host has set
+  Inputs inputs;             ///< of a driven structure
   Outputs outputs;
   std::optional<model::Checkpoint> checkpoint;  ///< of a simulation that has begun
 };

@@ -30,10 +30,21 @@ void set_value(model::Case& c, const Parameter& parameter, Number value) {
   c = changed;
 }
 
+bool is_driven(const model::Case& c) { return std::holds_alternative<model::Driven>(c.structure.motion); }
+
+Inputs inputs_at_rest(const model::Case& c) { return {.place = {-c.structure.start_distance, 0.0, 0.0}}; }
+
 std::vector<Variable> variables_of(const Unit& unit) {
   std::vector<Variable> variables{{"time", "s", "simulated time", Causality::kIndependent, 0.0, {}, {}}};
-  Outputs outputs;
+  const bool driven = is_driven(unit.resolved);
+  const Inputs inputs = inputs_at_rest(unit.resolved);
+  if (driven)
+    Inputs::visit(inputs, [&](const char* name, const char* unit_of, const char* meaning, double start) {
+      variables.push_back({name, unit_of, meaning, Causality::kInput, start, {}, {}});
+    });
+  const Outputs outputs;
   Outputs::visit(outputs, [&](std::string name, const char* unit_of, std::string meaning, double) {
+    if (driven && name.starts_with(kPlacePrefix)) return;
     variables.push_back({std::move(name), unit_of, std::move(meaning), Causality::kOutput, 0.0, {}, {}});
   });
   for (const Parameter& p : unit.parameters)

@@ -4,16 +4,21 @@
 References: FMI 2.0.4 and FMI 3.0.2 (Modelica Association, 2022 and 2024).
 """
 import ctypes
+import math
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 import zipfile
 
 import netCDF4
 
-from host import DISCARD, ERROR, Refused, Unit
+import brash as module
+
+sys.path.insert(0, os.path.join(os.environ["BRASH_SOURCE_DIR"], "experiments/coupling"))
+from fmu_host import DISCARD, ERROR, Refused, Unit  # noqa: E402
 
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 CASE = SOURCE / "experiments/validation/cone.toml"
@@ -28,7 +33,8 @@ def brash(*arguments):
 
 
 def sets(overrides):
-    return [argument for pair in overrides.items() for argument in ("--set", "=".join(map(str, pair)))]
+    return [argument for key, value in overrides.items()
+            for argument in ("--set", f"{key}={str(value).lower() if isinstance(value, bool) else value}")]
 
 
 class Units:
@@ -67,6 +73,25 @@ class Units:
 
 
 UNITS = Units()
+DRIVEN = {"structure.motion.kind": "driven"}
+INPUTS = [f"structure_{name}" for name in ("x", "y", "z", "roll", "pitch", "yaw", "vx", "vy", "vz", "wx", "wy", "wz")]
+
+
+def swaying(time):
+    """A pose and a velocity that a host could have: ahead with a sway, heeled and trimmed."""
+    place = (-7.0 + 1.2 * time, 0.05 * math.sin(3.0 * time), 0.02 * math.sin(2.0 * time))
+    velocity = (1.2, 0.15 * math.cos(3.0 * time), 0.04 * math.cos(2.0 * time))
+    return place, (0.02, -0.03, 0.01), velocity
+
+
+def quaternion(roll, pitch, yaw):
+    """Of three turns, each about an axis of the structure: the product of their quaternions."""
+    def product(a, b):
+        return (a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+                a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0])
+    half = [(math.cos(0.5 * angle), math.sin(0.5 * angle)) for angle in (yaw, pitch, roll)]
+    z, y, x = (half[0][0], 0, 0, half[0][1]), (half[1][0], 0, half[1][1], 0), (half[2][0], half[2][1], 0, 0)
+    return product(product(z, y), x)
 
 
 def tearDownModule():
@@ -325,6 +350,69 @@ class Common:
         self.assertIn("ice.poisson_ratio = 9", instance.messages[-1])
         self.refuses(ERROR, instance.terminate)
         self.assertEqual(instance.categories[-1], "logStatusError")
+
+    def drive(self, instance, first, last, step=STEP):
+        found = []
+        for i in range(first, last):
+            place, angles, velocity = swaying(i * step)
+            instance.set(dict(zip(INPUTS, (*place, *angles, *velocity, 0.0, 0.0, 0.0))))
+            instance.step(i * step, step)
+            found.append(instance.get(LOADS))
+        return found
+
+    def test_a_driven_unit_has_inputs_with_a_start_at_rest(self):
+        variables = {v.get("name"): v for v in self.unit(**DRIVEN).description.find("ModelVariables")}
+        self.assertEqual([n for n, v in variables.items() if v.get("causality") == "input"], INPUTS)
+        self.assertEqual([n for n, v in variables.items() if v.get("causality") == "output"], LOADS)
+        self.assertNotIn("structure.speed", variables)
+        for name in INPUTS:
+            self.assertEqual(variables[name].get("variability"), "continuous")
+            self.assertIsNone(variables[name].get("initial"))
+            start = float(self.value_element(variables[name]).get("start"))
+            self.assertEqual(start, -7.0 if name == "structure_x" else 0.0)
+
+    def test_a_driven_unit_gives_the_loads_of_a_simulation_that_goes_the_same_way(self):
+        seconds, overrides = 0.5, {**DRIVEN, "field.initial_crack": False}
+        case = module.Case.from_file(str(CASE), overrides)
+        simulation, wanted = module.Simulation(case), []
+        for i in range(round(seconds / STEP)):
+            place, angles, velocity = swaying(i * STEP)
+            goal = [p + STEP * v for p, v in zip(place, velocity)]
+            loads = simulation.step(pose=(goal, quaternion(*angles)), twist=(velocity, (0, 0, 0))).loads
+            wanted.append([float(loads[name][0]) for name in LOADS])
+        # Floes let round-off grow: the edge alone is compared, until the first floe bears on the structure.
+        floe = LOADS.index("floe_normal_Fx")
+        wanted = wanted[:next(i for i, row in enumerate(wanted) if row[floe] != 0.0)]
+        found = self.drive(self.keep(started(self.unit(**overrides))), 0, len(wanted))
+        self.assertGreater(max(row[LOADS.index("crushing_Fx")] for row in wanted), 1e4)
+        # The quaternions of both differ by round-off. Turns in another order would change these loads by percents.
+        for column in range(len(LOADS)):
+            largest = max(abs(row[column]) for row in wanted)
+            for a, b in zip(found, wanted):
+                self.assertAlmostEqual(a[column], b[column], delta=1e-9 * largest, msg=LOADS[column])
+
+    def test_a_driven_unit_goes_on_from_a_saved_state_to_the_bit(self):
+        unit = self.unit(**DRIVEN)
+        instance = self.keep(started(unit))
+        self.drive(instance, 0, 60)
+        data = instance.serialize(instance.get_state())
+        on = self.drive(instance, 60, 90)
+        other = self.keep(unit.instantiate())
+        other.set_state(other.deserialize(data))
+        self.assertEqual(other.get(INPUTS), list(swaying(59 * STEP)[0]) + [0.02, -0.03, 0.01]
+                         + list(swaying(59 * STEP)[2]) + [0.0, 0.0, 0.0])
+        self.assertEqual(self.drive(other, 60, 90), on)
+
+    def test_an_input_that_is_not_finite_is_discarded(self):
+        instance = self.keep(started(self.unit(**DRIVEN)))
+        for value in (float("nan"), float("inf")):
+            self.refuses(DISCARD, instance.set, {"structure_x": value})
+        self.assertEqual(instance.get(["structure_x"]), [-7.0])
+
+    def test_a_structure_at_rest_out_of_the_ice_bears_no_load(self):
+        instance = self.keep(started(self.unit(**DRIVEN)))
+        instance.step(0.0, 20 * STEP)
+        self.assertEqual(instance.get(LOADS), [0.0] * len(LOADS))
 
     def test_models_come_from_the_unit_whatever_the_environment_names(self):
         os.environ["BRASH_MODEL_PATH"] = "/nowhere"

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -11,6 +12,31 @@
 #include "brash/fmu/unit.hpp"
 
 namespace brash::fmu {
+
+/// Where a driven structure is at a communication point, and how it moves in the step from there; sheet frame. It turns
+/// from the sheet's axes by the yaw about z, then the pitch about its own y, then the roll about its own x.
+struct Inputs {
+  Vec3 place{};                               ///< of its origin [m]
+  double roll = 0.0, pitch = 0.0, yaw = 0.0;  ///< [rad]
+  Twist twist{};                              ///< of its origin, along and about the sheet's axes
+
+  /// As Outputs::visit().
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("structure_x", "m", "place of the structure's origin along the sheet's x", self.place.x);
+    visit("structure_y", "m", "place of the structure's origin to port", self.place.y);
+    visit("structure_z", "m", "height of the structure's waterplane above the water", self.place.z);
+    visit("structure_roll", "rad", "turn about its own x, third", self.roll);
+    visit("structure_pitch", "rad", "turn about its own y, second, bow down", self.pitch);
+    visit("structure_yaw", "rad", "turn about z, first, to port", self.yaw);
+    visit("structure_vx", "m s-1", "velocity of the origin along the sheet's x", self.twist.linear.x);
+    visit("structure_vy", "m s-1", "velocity of the origin to port", self.twist.linear.y);
+    visit("structure_vz", "m s-1", "velocity of the origin upwards", self.twist.linear.z);
+    visit("structure_wx", "rad s-1", "angular velocity about the sheet's x", self.twist.angular.x);
+    visit("structure_wy", "rad s-1", "angular velocity about the sheet's y", self.twist.angular.y);
+    visit("structure_wz", "rad s-1", "angular velocity about z", self.twist.angular.z);
+  }
+};
 
 /// The values that a step gives. Loads have the axes and signs of model::LoadRow and are means over the step of the
 /// host, so they keep its impulse.
@@ -44,7 +70,10 @@ struct Outputs {
   }
 };
 
-enum class Causality { kIndependent, kOutput, kParameter };
+/// The outputs that only a structure has which moves by itself.
+constexpr std::string_view kPlacePrefix = "structure_";
+
+enum class Causality { kIndependent, kInput, kOutput, kParameter };
 
 using Number = std::variant<double, std::int64_t>;
 
@@ -58,7 +87,13 @@ struct Variable {
   std::optional<double> least, most;
 };
 
-/// The variables of a unit. The place of one in the list is its value reference.
+/// Whether the host says how the structure of a case moves.
+bool is_driven(const model::Case& c);
+
+/// The inputs of a driven structure that rests at its start.
+Inputs inputs_at_rest(const model::Case& c);
+
+/// The variables of a unit: time, inputs, outputs, parameters. The place of one in the list is its value reference.
 std::vector<Variable> variables_of(const Unit& unit);
 
 /// The number of a case that a parameter names.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brash/geometry/ice_sheet.hpp"
+#include "brash/io/vtk.hpp"
+#include "brash/model/case.hpp"
+#include "brash/model/records.hpp"
+#include "brash/structure/hull.hpp"
+
+namespace brash::cli {
+
+/// A run as other programs draw it.
+struct Replay {
+  model::Case resolved;
+  model::RunResults results;
+  std::unique_ptr<const structure::Hull> hull;
+};
+
+/// @throws InputError when the file is no run, or has polygons that cannot be drawn.
+Replay read_replay(const std::string& run_file);
+
+/// The sheet at the frames of a run, which stores it after each step with cracks: since then the structure's section in
+/// the waterplane has been crushed. Between frames its path is not followed, so the channel's walls differ from the
+/// run's by less than the structure moves in a frame.
+class SheetReplay {
+ public:
+  explicit SheetReplay(const Replay& replay);
+
+  /// The sheet at `frame`; frames in the order of time.
+  std::vector<geometry::Polygon> at(const model::Frame& frame);
+
+  /// Whether cracks changed the sheet between the last frame and the one before.
+  bool has_cracked() const { return has_cracked_; }
+
+ private:
+  void take(std::span<const std::vector<Vec2>> rings);
+
+  const Replay& replay_;
+  std::unique_ptr<geometry::IceSheet> sheet_;
+  std::size_t next_ = 0;  ///< of the cracked sheets
+  bool has_cracked_ = false;
+};
+
+/// The surface of level ice with these outlines, afloat.
+io::PolyData sheet_surface(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons);
+
+/// A closed surface of triangles, placed by `pose`.
+io::PolyData mesh_surface(const structure::TriangleMesh& mesh, const Pose& pose = {});
+
+}  // namespace brash::cli
