@@ -24,7 +24,7 @@ constexpr double kHour = 3600.0;  // [s]
 ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings, GoodnessOfFit& goodness) {
   std::vector<ExtremeRecord> records;
   for (const LoadHistory& load : setting.replicates) {
-    const double memory = autocorrelation_time(load.even.views(), load.even.sampling.step).tau;
+    const double memory = autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
     records.push_back({&load.history, &load.even, memory});
   }
   // Whether the record can bear a period is judged for each period.
