@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "brash/campaign/subprocess.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "folder.hpp"
-#include "subprocess.hpp"
 
 namespace brash::campaign {
 namespace {

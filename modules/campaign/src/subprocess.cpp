@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "subprocess.hpp"
+#include "brash/campaign/subprocess.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -10,11 +10,11 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
-#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "campaign_histories.hpp"
 #include "history_comparison.hpp"
 #include "messages.hpp"
+#include "picture_file.hpp"
 #include "stats_commands.hpp"
 #include "time_span.hpp"
 
@@ -88,7 +88,7 @@ void compare(CompareOptions& options) {
   for (const LoadHistory& load : measured) refuse_overwriting(options.picture, {load.file});
   check_units(runs.front(), measured.front(), measured.front().file);
   const nlohmann::ordered_json comparison = compare_histories(runs, measured);
-  write_file(options.picture, comparison_picture(joined(runs), joined(measured), comparison));
+  write_picture(options.picture, comparison_picture(joined(runs), joined(measured), comparison));
   if (options.json) {
     print_data(comparison.dump(2) + "\n");
   } else {
@@ -119,7 +119,7 @@ void add_compare_command(CLI::App& app) {
       ->check(time_span());
   command->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is no gap")
       ->check(time_span());
-  command->add_option("-o,--output", options->picture, "picture, SVG")->capture_default_str();
+  command->add_option("-o,--output", options->picture, "picture, SVG or PNG")->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash compare results/cone measured.csv --measured-column force -o comparison.svg");
   command->callback([options, from, measured_from] {

@@ -80,7 +80,7 @@ std::string ratios(const ordered_json& comparison) {
 void draw_exceedance(const LoadHistory& load, const char* colour, Chart& chart) {
   std::vector<std::pair<double, double>> sorted;
   for (std::size_t i = 0; i < load.history.values.size(); ++i)
-    sorted.emplace_back(load.history.values[i], load.even.weights[i]);
+    sorted.emplace_back(load.history.values[i], load.even.weight(i));
   std::ranges::sort(sorted);
   Samples x, y;
   double above = load.even.duration;

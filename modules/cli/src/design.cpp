@@ -24,7 +24,7 @@ constexpr double kHour = 3600.0;  // [s]
 ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings, GoodnessOfFit& goodness) {
   std::vector<ExtremeRecord> records;
   for (const LoadHistory& load : setting.replicates) {
-    const double memory = autocorrelation_time(load.even.views(), load.even.sampling.step).tau;
+    const double memory = autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
     records.push_back({&load.history, &load.even, memory});
   }
   // Whether the record can bear a period is judged for each period.
@@ -132,21 +132,25 @@ ordered_json fatigue_of_years(const ordered_json& settings, const DesignSettings
   for (std::size_t i = 0; i < asked.exponents.size(); ++i) {
     const double m = asked.exponents[i];
     double hours = 0.0, sum = 0.0, lower = 0.0, upper = 0.0;
-    bool bounded = true;
     for (const ordered_json& state : settings) {
       const double h = state["hours_a_year"].get<double>();
-      const ordered_json& f = state["fatigue"][i];
+      if (h == 0.0) continue;
+      const ordered_json &f = state["fatigue"][i], &ends = f["equivalent_load_95"];
+      const auto part = [&](const ordered_json& load) {
+        return load.is_null() ? INFINITY : h * std::pow(load.get<double>(), m);
+      };
       hours += h;
-      sum += h * std::pow(f["equivalent_load"].get<double>(), m);
-      bounded = bounded && !(h > 0.0 && f["equivalent_load_95"][0].is_null());
-      if (!bounded) continue;
-      lower += h > 0.0 ? h * std::pow(f["equivalent_load_95"][0].get<double>(), m) : 0.0;
-      upper += h > 0.0 ? h * std::pow(f["equivalent_load_95"][1].get<double>(), m) : 0.0;
+      sum += part(f["equivalent_load"]);
+      lower += part(ends[0]);
+      upper += part(ends[1]);
     }
     if (hours == 0.0) continue;
-    const auto range = [&](double damage) { return std::pow(damage / hours, 1.0 / m); };
+    // A state without an end leaves all states without it.
+    const auto range = [&](double damage) -> ordered_json {
+      return std::isfinite(damage) ? ordered_json(std::pow(damage / hours, 1.0 / m)) : nullptr;
+    };
     ordered_json entry{{"exponent", m}, {"frequency", asked.frequency}, {"equivalent_load", range(sum)}};
-    entry["equivalent_load_95"] = bounded ? ordered_json{range(lower), range(upper)} : ordered_json{nullptr, nullptr};
+    entry["equivalent_load_95"] = {range(lower), range(upper)};
     out.push_back(entry);
   }
   return out;

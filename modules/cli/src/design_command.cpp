@@ -6,10 +6,10 @@
 
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
-#include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "design.hpp"
 #include "messages.hpp"
+#include "picture_file.hpp"
 #include "stats_commands.hpp"
 #include "time_span.hpp"
 
@@ -68,7 +68,7 @@ void add_design_command(CLI::App& app) {
   command->add_option("--where", options->where, "only settings whose name matches, such as 'angle-50deg_*'");
   add_questions(*command, *options);
   add_ways(*command, *options);
-  command->add_option("-o,--output", options->picture, "also draw the levels to this SVG file");
+  command->add_option("-o,--output", options->picture, "also draw the levels to this SVG or PNG file");
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash design results/thickness --hours 3 --scatter states.csv --exponent 5");
   command->callback([options, command] {
@@ -78,7 +78,7 @@ void add_design_command(CLI::App& app) {
     if (!o.asked.scatter.empty()) refuse_overwriting(o.picture, {o.asked.scatter});
     const auto settings = read_campaign_histories(o.campaign, o.choice, o.where);
     const Design design = design_of(settings, o.asked);
-    if (!o.picture.empty()) write_file(o.picture, design_picture(design, o.asked));
+    if (!o.picture.empty()) write_picture(o.picture, design_picture(design, o.asked));
     print_data(o.json ? design.json.dump(2) + "\n" : escaped_lines(design_text(design.json)));
   });
 }

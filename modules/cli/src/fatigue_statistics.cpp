@@ -15,6 +15,7 @@ using nlohmann::ordered_json;
 using namespace statistics;
 
 constexpr std::size_t kFewestStretches = 10;  // of an interval
+constexpr double kConfidence = 0.95;
 
 /// The cycles of one piece of a history.
 struct Piece {
@@ -49,19 +50,43 @@ ordered_json equivalent_load(const std::vector<Piece>& pieces, const std::vector
   double damage = 0.0, duration = 0.0;
   for (const double d : stretches.damages) damage += d;
   for (const double length : stretches.lengths) duration += length;
+  const double unseen = unseen_damage(cycles, exponent);
   ordered_json out{{"exponent", exponent},
                    {"frequency", frequency},
                    {"equivalent_load", damage_equivalent_load(damage, exponent, duration, frequency)},
                    {"equivalent_load_95", {nullptr, nullptr}},
                    {"stretches", stretches.damages.size()},
-                   {"unseen_damage", unseen_damage(cycles, exponent)}};
+                   {"unseen_damage", unseen}};
   if (stretches.damages.size() >= kFewestStretches && damage > 0.0) {
     RandomStream stream(1, "fatigue", 0, "bootstrap");
-    const Interval rate = damage_rate_interval(stretches, 0.95, stream);
-    const auto range = [&](double of_rate) { return std::pow(of_rate / frequency, 1.0 / exponent); };
+    Interval rate = damage_rate_interval(stretches, kConfidence, stream);
+    // Resamples hold no cycle larger than any seen.
+    const double ratio = largest_damage_ratio(cycles, exponent, kConfidence);
+    if (std::isfinite(ratio) || unseen > kMostUnseen) rate.upper = std::max(rate.upper, damage / duration * ratio);
+    const auto range = [&](double of_rate) -> ordered_json {
+      return std::isfinite(of_rate) ? ordered_json(std::pow(of_rate / frequency, 1.0 / exponent)) : nullptr;
+    };
     out["equivalent_load_95"] = {range(rate.lower), range(rate.upper)};
   }
   return out;
+}
+
+std::string interval_text(const ordered_json& ends) {
+  if (ends[0].is_null()) return "no interval";
+  return fmt::format("95 % interval [{:.6g}, {}]", ends[0].get<double>(),
+                     ends[1].is_null() ? "no upper end" : fmt::format("{:.6g}", ends[1].get<double>()));
+}
+
+/// The warning of a record that lacks the cycles that do the damage; "" for one that has them.
+std::string unseen_text(const ordered_json& f) {
+  const double unseen = f.value("unseen_damage", 0.0);
+  if (unseen <= kMostUnseen) return "";
+  std::string text = fmt::format(
+      "    warning: about {:.0f} % of the damage in the long run is from cycles larger than any seen", 100.0 * unseen);
+  if (const ordered_json& ends = f["equivalent_load_95"]; !ends[0].is_null())
+    text += ends[1].is_null() ? ": their tail may be heavier than an exponential one, so the interval has no upper end"
+                              : ": the upper end holds if their tail is exponential or lighter";
+  return text + "\n";
 }
 
 }  // namespace
@@ -81,19 +106,12 @@ std::string fatigue_text(const ordered_json& fatigue) {
   std::string text;
   for (const ordered_json& f : fatigue) {
     text += fmt::format("  equivalent load      {:.6g}   ", f["equivalent_load"].get<double>());
-    text += f["equivalent_load_95"][0].is_null()
-                ? std::string("no interval")
-                : fmt::format("95 % interval [{:.6g}, {:.6g}]", f["equivalent_load_95"][0].get<double>(),
-                              f["equivalent_load_95"][1].get<double>());
+    text += interval_text(f["equivalent_load_95"]);
     text += fmt::format(", exponent {:g}, at {:g} Hz\n", f["exponent"].get<double>(), f["frequency"].get<double>());
     if (f["equivalent_load_95"][0].is_null() && f.contains("stretches"))
       text += fmt::format("    note: {} independent stretches are too few for an interval\n",
                           f["stretches"].get<std::size_t>());
-    if (const double unseen = f.value("unseen_damage", 0.0); unseen > kMostUnseen)
-      text += fmt::format(
-          "    warning: about {:.0f} % of the damage in the long run is from cycles larger than any seen: the interval "
-          "is too short\n",
-          100.0 * unseen);
+    text += unseen_text(f);
   }
   return text;
 }

@@ -46,7 +46,7 @@ Summary squares_of(const LoadHistory& load, double mean) {
   LoadHistory squared = load;
   const auto square = [&](double& value) { value = (value - mean) * (value - mean); };
   std::ranges::for_each(squared.history.values, square);
-  for (Samples& piece : squared.even.pieces) std::ranges::for_each(piece, square);
+  for (Samples& piece : squared.even.resampled) std::ranges::for_each(piece, square);
   return statistics::summarise(squared.history, squared.even);
 }
 
@@ -100,7 +100,7 @@ struct Side {
       take_peaks();
     // Four times: at two, neighbours of a first-order process still correlate by 0.13.
     const double apart = std::ceil(4.0 * load.autocorrelation_time / all.even.sampling.step);
-    for (const Samples& piece : all.even.pieces)
+    for (const auto piece : all.even.pieces(all.history))
       for (std::size_t i = 0; i < piece.size(); i += static_cast<std::size_t>(std::max(1.0, apart)))
         independent.push_back(piece[i]);
   }

@@ -114,7 +114,7 @@ std::vector<statistics::LoadEvent> events_of(const LoadHistory& load, std::optio
 }
 
 statistics::ExtremeAnalysis extremes_of(const LoadHistory& load, const statistics::ExtremeSettings& settings) {
-  const double memory = statistics::autocorrelation_time(load.even.views(), load.even.sampling.step).tau;
+  const double memory = statistics::autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
   return analysed(load, memory, settings);
 }
 
@@ -132,13 +132,14 @@ std::string short_note(const char* name, const ordered_json& side) {
 }
 
 std::optional<statistics::Spectrum> spectrum_of(const LoadHistory& load, double segment) {
+  const statistics::Pieces pieces = load.even.pieces(load.history);
   std::size_t longest = 0;
-  for (const auto& piece : load.even.pieces) longest = std::max(longest, piece.size());
+  for (const auto piece : pieces) longest = std::max(longest, piece.size());
   // An eighth of the history gives about 15 segments.
   const std::size_t given = static_cast<std::size_t>(std::round(segment / load.even.sampling.step));
   const std::size_t wanted = fast_length(segment > 0.0 ? given : longest / 8);
   if (wanted < 16 || wanted > longest) return std::nullopt;
-  return statistics::welch_spectrum(load.even.views(), load.even.sampling.step, wanted);
+  return statistics::welch_spectrum(pieces, load.even.sampling.step, wanted);
 }
 
 ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& settings) {
@@ -165,7 +166,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"effective_sample_size", s.effective_sample_size},
                    {"long_enough", s.long_enough}};
   const statistics::ExtremeAnalysis extremes = analysed(load, s.autocorrelation_time, settings.extremes);
-  out["noise_floor"] = statistics::noise_floor(load.even.views());
+  out["noise_floor"] = statistics::noise_floor(load.even.pieces(load.history));
   out["peaks"] = peaks_json(extremes.values);
   add_extremes(extremes, out);
   out["spectrum_peak"] = spectral_peak(load, settings.segment);

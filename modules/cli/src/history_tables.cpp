@@ -93,7 +93,7 @@ CsvTable exceedance_table(const LoadHistory& load, std::optional<double> dead_ba
   for (int i = 0; i < kLevels; ++i) {
     const double level = low + (high - low) * i / (kLevels - 1.0);
     double time = 0.0;
-    for (std::size_t k = 0; k < values.size(); ++k) time += values[k] > level ? load.even.weights[k] : 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) time += values[k] > level ? load.even.weight(k) : 0.0;
     const auto above = std::ranges::count_if(events, [&](const auto& e) { return e.peak > level; });
     table.lines += fmt::format("{},{},{},{}\n", level, time, time / load.even.duration, above);
   }

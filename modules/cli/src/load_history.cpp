@@ -77,36 +77,19 @@ void refuse_other_files(const std::string& path) {
 }
 
 /// Times of the rows: of the file, or counted with the step of `choice`.
-class Times {
- public:
-  Times(const io::Series& series, const HistoryChoice& choice) : series_(series), dt_(choice.dt) {}
-  double operator[](std::size_t row) const {
-    return series_.time ? series_.columns[*series_.time][row] : dt_ * static_cast<double>(row);
-  }
-
- private:
-  const io::Series& series_;
-  double dt_;
-};
-
-std::string span_text(const HistoryChoice& choice) {
-  const std::string from = choice.has_from ? fmt::format("--from {}", choice.from) : "";
-  const std::string to = choice.to ? fmt::format("--to {}", *choice.to) : "";
-  return from + (from.empty() || to.empty() ? "" : " and ") + to;
+std::vector<double> times_of(const io::Series& series, const HistoryChoice& choice) {
+  if (series.time) return series.columns[*series.time];
+  std::vector<double> times(series.rows.size());
+  for (std::size_t row = 0; row < times.size(); ++row) times[row] = choice.dt * static_cast<double>(row);
+  return times;
 }
 
-LoadHistory history_of(const io::Series& series, const std::string& path, const std::string& name,
-                       const HistoryChoice& choice) {
-  LoadHistory load;
-  const std::size_t column = load_column(series, name, path);
-  require_ordinary(series, column);
-  load.file = path;
-  load.column = series.names[column];
-  load.unit = series.units[column];
-  const std::vector<double>& values = series.columns[column];
-  const Times times(series, choice);
+/// Leaves out the rows outside the span of `choice` and the ones without a value.
+void keep_chosen(LoadHistory& load, const HistoryChoice& choice) {
+  std::vector<double>&times = load.history.times, &values = load.history.values;
   // A thousandth of a step absorbs the rounding of printed times.
-  const double slack = 1e-3 * (times[values.size() - 1] - times[0]) / static_cast<double>(values.size() - 1);
+  const double slack = 1e-3 * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  std::size_t kept = 0;
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (choice.has_from && times[row] < choice.from - slack) continue;
     if (choice.to && times[row] > *choice.to + slack) continue;
@@ -114,9 +97,31 @@ LoadHistory history_of(const io::Series& series, const std::string& path, const 
       ++load.n_missing;
       continue;
     }
-    load.history.times.push_back(times[row]);
-    load.history.values.push_back(values[row]);
+    times[kept] = times[row];
+    values[kept++] = values[row];
   }
+  times.resize(kept);
+  values.resize(kept);
+}
+
+std::string span_text(const HistoryChoice& choice) {
+  const std::string from = choice.has_from ? fmt::format("--from {}", choice.from) : "";
+  const std::string to = choice.to ? fmt::format("--to {}", *choice.to) : "";
+  return from + (from.empty() || to.empty() ? "" : " and ") + to;
+}
+
+/// @param last  whether the series is not needed any more.
+LoadHistory history_of(io::Series& series, const std::string& path, const std::string& name,
+                       const HistoryChoice& choice, bool last) {
+  LoadHistory load;
+  const std::size_t column = load_column(series, name, path);
+  require_ordinary(series, column);
+  load.file = path;
+  load.column = series.names[column];
+  load.unit = series.units[column];
+  load.history.values = last && series.time != column ? std::move(series.columns[column]) : series.columns[column];
+  load.history.times = last && series.time ? std::move(series.columns[*series.time]) : times_of(series, choice);
+  keep_chosen(load, choice);
   if (load.history.values.size() < 2) {
     const std::string span = span_text(choice);
     throw InputError(
@@ -151,8 +156,9 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
                   "name the column of times and its unit, begin a preamble with #, or give the time step with --dt"});
   if (series.time) require_rising(series, series.columns[*series.time]);
   std::vector<LoadHistory> loads;
-  for (const std::string& column : columns.empty() ? std::vector{choice.column} : columns)
-    loads.push_back(history_of(series, path, column, choice));
+  const std::vector<std::string> wanted = columns.empty() ? std::vector{choice.column} : columns;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    loads.push_back(history_of(series, path, wanted[i], choice, i + 1 == wanted.size()));
   return loads;
 }
 

@@ -42,8 +42,9 @@ LoadHistory prepared(const LoadHistory& load, const Preparation& preparation) {
         load.file, fmt::format("--low-pass {} Hz of samples every {:.6g} s", preparation.low_pass, old_step),
         fmt::format("below half of the sampling frequency, {:.6g} Hz", 0.5 / old_step), "give a lower frequency"});
   LoadHistory out{load.column, {}, {}, load.n_missing, load.unit, load.file};
-  for (std::size_t p = 0; p < load.even.pieces.size(); ++p) {
-    std::vector<double> samples = load.even.pieces[p];
+  const statistics::Pieces pieces = load.even.pieces(load.history);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    std::vector<double> samples(pieces[p].begin(), pieces[p].end());
     if (step > old_step) samples = statistics::low_pass(samples, old_step, kAntiAlias / step, statistics::Phase::kZero);
     if (preparation.low_pass > 0.0)
       samples = statistics::low_pass(samples, old_step, preparation.low_pass, preparation.phase);

@@ -16,6 +16,7 @@
 #include "history_statistics.hpp"
 #include "history_tables.hpp"
 #include "messages.hpp"
+#include "picture_file.hpp"
 #include "prepared_history.hpp"
 #include "stats_picture.hpp"
 #include "time_span.hpp"
@@ -63,7 +64,7 @@ void write_outputs(const StatsOptions& o, const std::vector<LoadHistory>& loads)
   if (loads.size() > 1)
     throw InputError(Complaint{o.picture, fmt::format("--picture of {} histories", loads.size()), "one history",
                                "name one file and one --column"});
-  write_file(o.picture, stats_picture(loads.front(), o.settings));
+  write_picture(o.picture, stats_picture(loads.front(), o.settings));
 }
 
 std::vector<LoadHistory> histories_of(const StatsOptions& o) {
@@ -144,7 +145,7 @@ void add_output_options(CLI::App& command, StatsOptions& o) {
   command.add_option("--events", o.events, "also write the load events to this CSV file");
   command.add_option("--exceedance", o.exceedance, "also write time and events above fifty levels to this CSV file");
   command.add_option("--cycles", o.cycles, "also write the rainflow cycles to this CSV file");
-  command.add_option("--picture", o.picture, "also draw the extremes and their checks to this SVG file");
+  command.add_option("--picture", o.picture, "also draw the extremes and their checks to this SVG or PNG file");
   command.add_flag("--json", o.json, "as JSON");
 }
 

@@ -11,7 +11,11 @@
 
 namespace brash {
 
-std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mebibytes) {
+namespace {
+
+/// Reads a file in blocks: a device has no size, and a file's may change.
+void for_each_block(const std::string& path, const std::string& kind, std::size_t most_mebibytes,
+                    const std::function<void(std::string_view)>& take) {
   const std::string size = std::to_string(most_mebibytes) + " MiB";
   const auto refuse = [&](const std::string& what, const std::string& remedy) {
     throw InputError(Complaint{path, what, kind + ": a readable file of at most " + size, remedy});
@@ -22,23 +26,44 @@ std::string read_text_file(const std::string& path, const std::string& kind, std
   if (!stream) {
     refuse("cannot be opened: " + std::generic_category().message(errno), "check the path and its permissions");
   }
-  // In blocks: a device has no size, and a file's may change.
-  constexpr std::size_t kBlock = std::size_t{1} << 16;
   const std::size_t most = most_mebibytes << 20;
   const auto file_size = std::filesystem::file_size(path, ignored);
-  std::string text;
-  if (!ignored && file_size <= most) text.reserve(file_size + kBlock);
-  for (bool more = ignored || file_size <= most; more;) {
-    const std::size_t before = text.size();
-    text.resize(before + kBlock);
-    stream.read(text.data() + before, kBlock);
-    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  std::string block(std::size_t{1} << 16, '\0');
+  std::size_t n_read = !ignored && file_size > most ? most + 1 : 0;
+  while (n_read <= most) {
+    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
     if (stream.bad()) refuse("cannot be read", "check the file");
-    if (stream.eof() && text.size() <= most) return text;
-    more = text.size() <= most;
+    const auto n = static_cast<std::size_t>(stream.gcount());
+    n_read += n;
+    if (n_read <= most) take(std::string_view(block).substr(0, n));
+    if (stream.eof() && n_read <= most) return;
   }
   refuse("is larger than " + size, "check that it is the right file");
-  return {};
+}
+
+}  // namespace
+
+std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mebibytes) {
+  std::string text;
+  for_each_block(path, kind, most_mebibytes, [&](std::string_view block) { text += block; });
+  return text;
+}
+
+void for_each_line(const std::string& path, const std::string& kind, const std::function<void(std::string_view)>& take,
+                   std::size_t most_mebibytes) {
+  std::string begun;  // a line whose end is in a later block
+  for_each_block(path, kind, most_mebibytes, [&](std::string_view block) {
+    for (std::size_t end = 0; (end = block.find('\n')) != std::string_view::npos; block.remove_prefix(end + 1)) {
+      if (begun.empty()) {
+        take(block.substr(0, end));
+      } else {
+        take(begun += block.substr(0, end));
+        begun.clear();
+      }
+    }
+    begun += block;
+  });
+  if (!begun.empty()) take(begun);
 }
 
 std::string read_json_text(const std::string& path, const std::string& kind) {

@@ -141,7 +141,7 @@ Series read_netcdf_series(const std::string& path) {
     throw InputError(Complaint{fmt::format("{}, {}", path, times->name), fmt::format("{} samples", column.size()),
                                "2 samples at least", "check that it is the right file and whole"});
   for (std::size_t i = 0; i < column.size(); ++i) {
-    series.rows.push_back(i + 1);
+    series.rows.add(i + 1);
     if (std::isnan(column[i])) refuse_missing_time(series.place(i));
     column[i] *= factor;
   }

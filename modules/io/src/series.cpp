@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "brash/core/error.hpp"
@@ -143,7 +142,7 @@ struct Dates {
 
 void add_row(Series& series, const std::vector<std::string_view>& cells, std::size_t line, Layout& layout,
              Dates& dates) {
-  series.rows.push_back(line);
+  series.rows.add(line);
   const auto place = [&] { return series.place(series.rows.size() - 1); };
   if (cells.size() != series.names.size())
     throw InputError(Complaint{
@@ -184,48 +183,71 @@ void find_times(Series& series, const std::string& path, bool named, const Dates
   }
 }
 
-Series read_text_series(const std::string& path) {
-  std::string text = read_text_file(path, "a history (CSV)");
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // the byte order mark of UTF-8
-  std::istringstream file(text);
-  Series series;
-  series.row_prefix = path + ":";
-  std::optional<Layout> layout;
-  Dates dates;
-  bool named = false;
-  bool units_may_follow = false;
-  std::size_t line_number = 0;
-  // The text output of OpenFAST has a preamble without a mark before the names, of which Time is the first.
-  bool preamble = path.ends_with(".out");
-  for (std::string line; std::getline(file, line);) {
-    ++line_number;
-    const std::string_view content = without_blanks(line);
-    if (content.empty() || content.starts_with('#')) continue;
-    preamble = preamble && !content.starts_with("Time");
-    if (preamble) continue;
-    if (!layout) layout = Layout{separator_of(content)};
-    const std::vector<std::string_view> cells = cells_of(content, layout->separator);
-    if (cells.size() > kMostColumns)
-      throw InputError(Complaint{fmt::format("{}:{}", path, line_number), "has more columns than a history has",
-                                 fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});
-    if (series.names.empty() && begin(series, cells, *layout)) {
-      named = true;
-      units_may_follow = true;
-      continue;
-    }
-    if (!std::exchange(units_may_follow, false) || !take_units(series, cells))
-      add_row(series, cells, line_number, *layout, dates);
+/// Makes a series of the lines of a text.
+class TextSeries {
+ public:
+  /// The text output of OpenFAST has a preamble without a mark before the names, of which Time is the first.
+  explicit TextSeries(const std::string& path) : path_(path), preamble_(path.ends_with(".out")) {
+    series_.row_prefix = path + ":";
   }
-  if (series.rows.size() < 2)
-    throw InputError(Complaint{path, fmt::format("{} rows of numbers", series.rows.size()),
-                               "lines of numbers, 2 at least, after one of names",
-                               "check that it is the right file and whole"});
-  find_times(series, path, named, dates);
-  convert_to_si(series);
-  return series;
+
+  void take(std::string_view line) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
+    if (++line_number_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+    const std::string_view content = without_blanks(line);
+    if (content.empty() || content.starts_with('#')) return;
+    preamble_ = preamble_ && !content.starts_with("Time");
+    if (preamble_) return;
+    if (!layout_) layout_ = Layout{separator_of(content)};
+    const std::vector<std::string_view> cells = cells_of(content, layout_->separator);
+    if (cells.size() > kMostColumns)
+      throw InputError(Complaint{fmt::format("{}:{}", path_, line_number_), "has more columns than a history has",
+                                 fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});
+    if (series_.names.empty() && begin(series_, cells, *layout_)) {
+      named_ = true;
+      units_may_follow_ = true;
+      return;
+    }
+    if (!std::exchange(units_may_follow_, false) || !take_units(series_, cells))
+      add_row(series_, cells, line_number_, *layout_, dates_);
+  }
+
+  Series finished() && {
+    if (series_.rows.size() < 2)
+      throw InputError(Complaint{path_, fmt::format("{} rows of numbers", series_.rows.size()),
+                                 "lines of numbers, 2 at least, after one of names",
+                                 "check that it is the right file and whole"});
+    find_times(series_, path_, named_, dates_);
+    convert_to_si(series_);
+    return std::move(series_);
+  }
+
+ private:
+  std::string path_;
+  Series series_;
+  std::optional<Layout> layout_;
+  Dates dates_;
+  bool named_ = false, units_may_follow_ = false, preamble_ = false;
+  std::size_t line_number_ = 0;
+};
+
+Series read_text_series(const std::string& path) {
+  TextSeries series(path);
+  for_each_line(path, "a history (CSV)", [&](std::string_view line) { series.take(line); });
+  return std::move(series).finished();
 }
 
 }  // namespace
+
+void RowNumbers::add(std::size_t number) {
+  if (size_ == 0 || number != (*this)[size_ - 1] + 1) stretches_.push_back({size_, number});
+  ++size_;
+}
+
+std::size_t RowNumbers::operator[](std::size_t row) const {
+  const auto after = std::ranges::upper_bound(stretches_, row, {}, &Stretch::row);
+  return (after - 1)->number + row - (after - 1)->row;
+}
 
 void refuse_missing_time(const std::string& place) {
   throw InputError(Complaint{place, "the time is missing", "a finite time in each line or sample",

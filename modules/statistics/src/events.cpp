@@ -63,7 +63,10 @@ void add_events(const History& h, std::size_t first, std::size_t last, const Eve
 }  // namespace
 
 double noise_floor(const Pieces& pieces) {
+  std::size_t n = 0;
+  for (const auto piece : pieces) n += piece.size();
   std::vector<double> sizes;
+  sizes.reserve(n);  // growing would take twice the room
   for (const auto piece : pieces) {
     BRASH_EXPECTS(all_finite(piece));
     for (std::size_t i = 2; i < piece.size(); ++i)
@@ -79,7 +82,7 @@ double noise_band(const History& history, const EvenHistory& even) {
   constexpr double kInNoise = 5.0;       // fewer deviations of the noise count noise, more miss events
   constexpr double kInDeviations = 3.0;  // of the load
   const double deviation = gsl_stats_sd(history.values.data(), 1, history.values.size());
-  return std::min(kInNoise * noise_floor(even.views()), kInDeviations * deviation);
+  return std::min(kInNoise * noise_floor(even.pieces(history)), kInDeviations * deviation);
 }
 
 EventLevels event_levels(const History& history, const EvenHistory& even, double level,

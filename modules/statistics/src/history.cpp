@@ -16,38 +16,38 @@ namespace {
 constexpr double kGapInSteps = 5.0;     // of the median interval
 constexpr double kEvenTolerance = 0.1;  // of a step: the rounding of printed times
 
-std::vector<double> intervals_of(const std::vector<double>& times) {
+double median_interval(const std::vector<double>& times) {
   std::vector<double> intervals(times.size() - 1);
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    intervals[i - 1] = times[i] - times[i - 1];
-    BRASH_EXPECTS(intervals[i - 1] > 0.0, i, times[i]);
-  }
-  return intervals;
+  for (std::size_t i = 1; i < times.size(); ++i) intervals[i - 1] = times[i] - times[i - 1];
+  return quantiles(std::move(intervals), std::array{0.5})[0];
 }
 
-double median(std::vector<double> values) {
-  const std::array<double, 1> half{0.5};
-  return quantiles(std::move(values), half)[0];
+double shortest_interval(const std::vector<double>& times) {
+  double shortest = times[1] - times[0];
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    BRASH_EXPECTS(times[i] > times[i - 1], i, times[i]);
+    shortest = std::min(shortest, times[i] - times[i - 1]);
+  }
+  return shortest;
 }
 
 /// Finds gaps and the statistics of the other intervals; fills cuts and sampling but for `even`.
-void cut(const History& history, const std::vector<double>& intervals, double longest_interval, EvenHistory& even) {
+void cut(const std::vector<double>& times, double longest_interval, EvenHistory& even) {
   Sampling& sampling = even.sampling;
-  sampling.shortest = *std::ranges::max_element(intervals);
   even.cuts = {0};
   double covered = 0.0;
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
-    if (intervals[i] > longest_interval) {
-      sampling.gaps.push_back({history.times[i], history.times[i + 1]});
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const double interval = times[i + 1] - times[i];
+    if (interval > longest_interval) {
+      sampling.gaps.push_back({times[i], times[i + 1]});
       even.cuts.push_back(i + 1);
       continue;
     }
-    covered += intervals[i];
-    sampling.shortest = std::min(sampling.shortest, intervals[i]);
-    sampling.longest = std::max(sampling.longest, intervals[i]);
+    covered += interval;
+    sampling.longest = std::max(sampling.longest, interval);
   }
-  even.cuts.push_back(history.times.size());
-  sampling.step = covered / static_cast<double>(intervals.size() - sampling.gaps.size());
+  even.cuts.push_back(times.size());
+  sampling.step = covered / static_cast<double>(times.size() - 1 - sampling.gaps.size());
 }
 
 /// Largest distance of a piece's times from an even grid through its first and last one [s].
@@ -59,12 +59,15 @@ double distance_from_grid(std::span<const double> times) {
   return largest;
 }
 
-std::vector<double> weights_of(const std::vector<double>& intervals, double longest_interval, double step) {
-  const auto half = [&](double interval) { return 0.5 * (interval > longest_interval ? step : interval); };
-  std::vector<double> weights(intervals.size() + 1, 0.5 * step);
-  weights.front() += half(intervals.front());
-  weights.back() += half(intervals.back());
-  for (std::size_t i = 1; i < intervals.size(); ++i) weights[i] = half(intervals[i - 1]) + half(intervals[i]);
+std::vector<double> weights_of(const std::vector<double>& times, double longest_interval, double step) {
+  const auto half_before = [&](std::size_t i) {
+    const double interval = times[i] - times[i - 1];
+    return 0.5 * (interval > longest_interval ? step : interval);
+  };
+  std::vector<double> weights(times.size(), 0.5 * step);
+  weights.front() += half_before(1);
+  weights.back() += half_before(times.size() - 1);
+  for (std::size_t i = 1; i + 1 < times.size(); ++i) weights[i] = half_before(i) + half_before(i + 1);
   return weights;
 }
 
@@ -89,7 +92,9 @@ std::span<const double> piece(const std::vector<double>& column, const EvenHisto
 
 }  // namespace
 
-Pieces EvenHistory::views() const { return {pieces.begin(), pieces.end()}; }
+Pieces EvenHistory::pieces(const History& history) const {
+  return sampling.even ? raw_pieces(history, *this) : Pieces{resampled.begin(), resampled.end()};
+}
 
 Pieces raw_pieces(const History& history, const EvenHistory& even) {
   Pieces pieces;
@@ -101,30 +106,26 @@ EvenHistory make_even(const History& history, double longest_interval) {
   BRASH_EXPECTS(history.times.size() >= 2 && history.times.size() == history.values.size(), history.times.size());
   BRASH_EXPECTS(all_finite(history.times) && all_finite(history.values));
   BRASH_EXPECTS(longest_interval >= 0.0, longest_interval);
-  const std::vector<double> intervals = intervals_of(history.times);
-  if (longest_interval == 0.0) longest_interval = kGapInSteps * median(intervals);
-  // A shortest interval beyond the limit leaves nothing to take a step from.
-  longest_interval = std::max(longest_interval, *std::ranges::min_element(intervals));
-
   EvenHistory even;
-  cut(history, intervals, longest_interval, even);
+  even.sampling.shortest = shortest_interval(history.times);
+  if (longest_interval == 0.0) longest_interval = kGapInSteps * median_interval(history.times);
+  // A shortest interval beyond the limit leaves nothing to take a step from.
+  longest_interval = std::max(longest_interval, even.sampling.shortest);
+  cut(history.times, longest_interval, even);
   const double step = even.sampling.step;
   for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p)
     even.sampling.even =
         even.sampling.even && distance_from_grid(piece(history.times, even, p)) <= kEvenTolerance * step;
-  for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p) {
-    const auto times = piece(history.times, even, p), values = piece(history.values, even, p);
-    even.pieces.push_back(even.sampling.even ? std::vector<double>(values.begin(), values.end())
-                                             : resample(times, values, step));
-  }
-  even.weights = even.sampling.even ? std::vector<double>(history.times.size(), step)
-                                    : weights_of(intervals, longest_interval, step);
-  for (const double weight : even.weights) even.duration += weight;
+  for (std::size_t p = 0; p + 1 < even.cuts.size() && !even.sampling.even; ++p)
+    even.resampled.push_back(resample(piece(history.times, even, p), piece(history.values, even, p), step));
+  even.weights = even.sampling.even ? std::vector{step} : weights_of(history.times, longest_interval, step);
+  for (std::size_t i = 0; i < history.times.size(); ++i) even.duration += even.weight(i);
   return even;
 }
 
 Summary summarise(const History& history, const EvenHistory& even) {
-  return summarise_weighted(history.values, even.weights, autocorrelation_time(even.views(), even.sampling.step));
+  return summarise_weighted(history.values, even.weights,
+                            autocorrelation_time(even.pieces(history), even.sampling.step));
 }
 
 }  // namespace brash::statistics

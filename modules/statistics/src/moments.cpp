@@ -5,6 +5,7 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "brash/core/contract.hpp"
@@ -14,27 +15,26 @@
 
 namespace brash::statistics {
 
-Moments moments(std::span<const double> samples) {
-  const std::vector<double> equal(samples.size(), 1.0);
-  return moments(samples, equal);
-}
+Moments moments(std::span<const double> samples) { return moments(samples, std::array{1.0}); }
 
 Moments moments(std::span<const double> samples, std::span<const double> weights) {
-  BRASH_EXPECTS(samples.size() >= 2 && samples.size() == weights.size(), samples.size(), weights.size());
+  BRASH_EXPECTS(samples.size() >= 2 && (weights.size() == samples.size() || weights.size() == 1), samples.size(),
+                weights.size());
   BRASH_EXPECTS(all_finite(samples) && all_finite(weights));
   const auto n = static_cast<double>(samples.size());
+  const std::size_t stride = weights.size() == samples.size() ? 1 : 0;
   Moments result;
   result.n = samples.size();
   gsl_stats_minmax(&result.minimum, &result.maximum, samples.data(), 1, samples.size());
-  result.mean = gsl_stats_wmean(weights.data(), 1, samples.data(), 1, samples.size());
+  result.mean = gsl_stats_wmean(weights.data(), stride, samples.data(), 1, samples.size());
   if (result.minimum == result.maximum) {
     result.mean = result.minimum;
     return result;
   }
   double total = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double d = samples[i] - result.mean, wd2 = weights[i] * d * d;
-    total += weights[i];
+    const double d = samples[i] - result.mean, wd2 = weights[i * stride] * d * d;
+    total += weights[i * stride];
     m2 += wd2;
     m3 += wd2 * d;
     m4 += wd2 * d * d;

@@ -9,6 +9,33 @@
 #include "brash/core/contract.hpp"
 
 namespace brash::statistics {
+namespace {
+
+/// Quantiles of n sorted values with the distance from each to the one before.
+template <class Value, class Distance>
+std::vector<double> quantiles_along(std::size_t n, Value value, Distance distance, std::span<const double> levels) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < n; ++i) length += distance(i);
+  std::vector<double> result;
+  for (const double level : levels) {
+    const double wanted = level * length;
+    double before = 0.0, reached = 0.0;
+    std::size_t i = 0;
+    while (reached <= wanted && ++i < n) {
+      before = reached;
+      reached += distance(i);
+    }
+    if (i == n) {
+      result.push_back(value(n - 1));
+      continue;
+    }
+    const double share = (wanted - before) / (reached - before);
+    result.push_back(value(i - 1) + share * (value(i) - value(i - 1)));
+  }
+  return result;
+}
+
+}  // namespace
 
 std::vector<double> quantiles(std::vector<double> values, std::span<const double> levels) {
   if (values.empty()) return {};
@@ -21,28 +48,21 @@ std::vector<double> quantiles(std::vector<double> values, std::span<const double
 
 std::vector<double> quantiles(std::span<const double> values, std::span<const double> weights,
                               std::span<const double> levels) {
-  BRASH_EXPECTS(values.size() == weights.size(), values.size(), weights.size());
+  BRASH_EXPECTS(weights.size() == values.size() || weights.size() == 1, values.size(), weights.size());
   if (values.empty()) return {};
+  if (weights.size() == 1) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::ranges::sort(sorted);
+    const double step = 0.5 * (weights[0] + weights[0]);
+    return quantiles_along(
+        sorted.size(), [&](std::size_t i) { return sorted[i]; }, [=](std::size_t) { return step; }, levels);
+  }
   std::vector<std::pair<double, double>> sorted(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) sorted[i] = {values[i], weights[i]};
   std::ranges::sort(sorted);
-  std::vector<double> reached(sorted.size(), 0.0);
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    reached[i] = reached[i - 1] + 0.5 * (sorted[i - 1].second + sorted[i].second);
-
-  std::vector<double> result;
-  for (const double level : levels) {
-    const double wanted = level * reached.back();
-    const auto above = std::ranges::upper_bound(reached, wanted);
-    if (above == reached.end()) {
-      result.push_back(sorted.back().first);
-      continue;
-    }
-    const auto i = static_cast<std::size_t>(above - reached.begin());
-    const double share = (wanted - reached[i - 1]) / (reached[i] - reached[i - 1]);
-    result.push_back(sorted[i - 1].first + share * (sorted[i].first - sorted[i - 1].first));
-  }
-  return result;
+  return quantiles_along(
+      sorted.size(), [&](std::size_t i) { return sorted[i].first; },
+      [&](std::size_t i) { return 0.5 * (sorted[i - 1].second + sorted[i].second); }, levels);
 }
 
 }  // namespace brash::statistics

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/statistics/rainflow.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 #include "brash/statistics/laws.hpp"
@@ -63,6 +67,71 @@ struct Sums {
     return std::sqrt(std::max(0.0, residuals * n / (n - 1.0))) / damage;
   }
 };
+
+/// The ranges of whole cycles and the largest of them.
+struct RangeTail {
+  std::vector<double> ranges;  ///< sorted, without the small ones, such as of noise
+  double threshold = 0.0;
+  std::size_t n_over = 0;
+
+  /// The ranges above the threshold.
+  std::span<const double> over() const { return std::span(ranges).last(n_over); }
+  std::span<const double> below() const { return std::span(ranges).first(ranges.size() - n_over); }
+};
+
+/// Two halves with successive ranges are one cycle. Nothing when there are too few cycles for a law of their tail.
+std::optional<RangeTail> tail_of(std::span<const Cycle> cycles) {
+  if (cycles.empty()) return std::nullopt;
+  const double largest = std::ranges::max(cycles, {}, &Cycle::range).range;
+  std::vector<std::pair<double, double>> sorted;  // range and count
+  for (const Cycle& c : cycles)
+    if (c.range > kSmall * largest) sorted.emplace_back(c.range, c.count);
+  std::ranges::sort(sorted);
+  RangeTail tail;
+  double counted = 0.0;
+  for (const auto& [range, count] : sorted)
+    for (counted += count; counted >= 1.0; counted -= 1.0) tail.ranges.push_back(range);
+  const std::size_t n = tail.ranges.size();
+  tail.n_over = std::min(n / 2, std::max(n / 10, kMostInTail));
+  if (tail.n_over < kFewestInTail) return std::nullopt;
+  tail.threshold = tail.below().back();
+  return tail;
+}
+
+Distribution exponential(double threshold, double scale) { return {Law::kPareto, threshold, scale, 0.0}; }
+
+double mean_excess(const RangeTail& tail) {
+  double sum = 0.0;
+  for (const double range : tail.over()) sum += range - tail.threshold;
+  return sum / static_cast<double>(tail.n_over);
+}
+
+/// Likelihood ratio test of Pareto's law against an exponential tail.
+bool heavier_than_exponential(const RangeTail& tail, double confidence) {
+  const auto fit = fit_law(Law::kPareto, tail.over(), tail.threshold);
+  if (!fit || fit->distribution.shape <= 0.0) return false;
+  const Distribution light = exponential(tail.threshold, mean_excess(tail));
+  double ratio = 0.0;
+  for (const double range : fit->values)
+    ratio += 2.0 * (fit->distribution.log_density(range) - light.log_density(range));
+  return ratio > gsl_cdf_chisq_Pinv(confidence, 1.0);
+}
+
+/// Sum of (range/unit)^exponent.
+double damage_of(std::span<const double> ranges, double exponent, double unit) {
+  double sum = 0.0;
+  for (const double range : ranges) sum += std::pow(range / unit, exponent);
+  return sum;
+}
+
+/// Expected (range/unit)^exponent of a value of the law, of the values that are exceeded with less than `probability`.
+double tail_damage(const Distribution& tail, double probability, double exponent, double unit) {
+  constexpr double kStep = 0.05, kFarthest = 60.0;  // of the logarithm of the probability
+  double sum = 0.0;
+  for (double s = 0.5 * kStep; s < kFarthest && probability > 0.0; s += kStep)
+    sum += kStep * probability * std::exp(-s) * std::pow(tail.level(probability * std::exp(-s)) / unit, exponent);
+  return sum;
+}
 
 }  // namespace
 
@@ -140,35 +209,34 @@ Interval damage_rate_interval(const StretchDamages& stretches, double confidence
 
 double unseen_damage(std::span<const Cycle> cycles, double exponent) {
   BRASH_EXPECTS(exponent >= 1.0, exponent);
-  const double largest = cycles.empty() ? 0.0 : std::ranges::max(cycles, {}, &Cycle::range).range;
-  std::vector<double> ranges;  // without the small ones, such as of noise
-  for (const Cycle& c : cycles)
-    if (c.range > kSmall * largest) ranges.push_back(c.range);
-  const std::size_t n = ranges.size();
-  const std::size_t over = std::min(n / 2, std::max(n / 10, kMostInTail));
-  if (over < kFewestInTail) return 1.0;
-  std::ranges::sort(ranges);
-  const double threshold = ranges[n - over - 1];
-  const auto fit = fit_law(Law::kPareto, std::span(ranges).last(over), threshold);
+  const std::optional<RangeTail> tail = tail_of(cycles);
+  if (!tail) return 1.0;
+  const auto fit = fit_law(Law::kPareto, tail->over(), tail->threshold);
   if (!fit) return 0.0;
-  Distribution tail = fit->distribution;
-  if (tail.shape < 0.0) {
-    // The end of a tail is seldom known: an exponential one is on the safe side.
-    tail.scale = 0.0;
-    for (const double range : fit->values) tail.scale += (range - threshold) / static_cast<double>(fit->values.size());
-    tail.shape = 0.0;
-  }
-  if (tail.shape * exponent >= 1.0) return 1.0;
-  // Integral of range^exponent over the probability beyond the largest range, in steps of its logarithm.
-  constexpr double kStep = 0.05, kFarthest = 60.0;
-  const double beyond = tail.exceedance(largest);
-  double unseen = 0.0;
-  for (double s = 0.5 * kStep; s < kFarthest && beyond > 0.0; s += kStep)
-    unseen += kStep * beyond * std::exp(-s) * std::pow(tail.level(beyond * std::exp(-s)) / largest, exponent);
-  unseen *= static_cast<double>(fit->values.size());
-  double seen = 0.0;
-  for (const double range : ranges) seen += std::pow(range / largest, exponent);
-  return unseen / (unseen + seen);
+  // The end of a tail is seldom known: an exponential one is on the safe side.
+  const Distribution law =
+      fit->distribution.shape < 0.0 ? exponential(tail->threshold, mean_excess(*tail)) : fit->distribution;
+  if (law.shape * exponent >= 1.0) return 1.0;
+  const double largest = tail->ranges.back();
+  const double unseen =
+      static_cast<double>(tail->n_over) * tail_damage(law, law.exceedance(largest), exponent, largest);
+  return unseen / (unseen + damage_of(tail->ranges, exponent, largest));
+}
+
+double largest_damage_ratio(std::span<const Cycle> cycles, double exponent, double confidence) {
+  BRASH_EXPECTS(exponent >= 1.0 && confidence > 0.0 && confidence < 1.0, exponent, confidence);
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  const std::optional<RangeTail> tail = tail_of(cycles);
+  if (!tail || heavier_than_exponential(*tail, confidence)) return kNoEnd;
+  // Twice the sum of n exponential excesses over their scale follows chi squared with 2n degrees of freedom.
+  const auto n = static_cast<double>(tail->n_over);
+  const double scale = mean_excess(*tail), rare = 0.5 - 0.5 * confidence;
+  const double largest_scale = scale * 2.0 * n / gsl_cdf_chisq_Pinv(rare, 2.0 * n), unit = tail->ranges.back();
+  const auto of_scale = [&](double s) { return tail_damage(exponential(tail->threshold, s), 1.0, exponent, unit); };
+  const double by_scale = std::log(of_scale(largest_scale) / of_scale(scale));
+  const double by_number = gsl_cdf_ugaussian_Qinv(rare) / std::sqrt(n);
+  const double above = n * of_scale(scale) * std::exp(std::hypot(by_scale, by_number));
+  return (damage_of(tail->below(), exponent, unit) + above) / damage_of(tail->ranges, exponent, unit);
 }
 
 }  // namespace brash::statistics

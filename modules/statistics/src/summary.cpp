@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "brash/core/contract.hpp"
 #include "brash/statistics/moments.hpp"
@@ -21,8 +20,9 @@
 namespace brash::statistics {
 namespace {
 
-constexpr double kWindowFactor = 5.0;  // Sokal's c: truncation bias e^-c, 0.7 %, for an exponential decay
-constexpr double kLongEnough = 50.0;   // history in autocorrelation times for tau to be known to about 30 %
+constexpr double kWindowFactor = 5.0;       // Sokal's c: truncation bias e^-c, 0.7 %, for an exponential decay
+constexpr std::size_t kFirstLags = 65'536;  // of the search for the window
+constexpr double kLongEnough = 50.0;        // history in autocorrelation times for tau to be known to about 30 %
 
 std::size_t total_size(const Pieces& pieces) {
   std::size_t n = 0;
@@ -30,25 +30,37 @@ std::size_t total_size(const Pieces& pieces) {
   return n;
 }
 
-/// Adds a piece's sums of products of deviations from `mean` at lags 0, 1, ... to `sums`, by the fast Fourier
-/// transform, padded against wrapping.
-void add_products(std::span<const double> piece, double mean, std::vector<double>& sums) {
-  const std::size_t n = piece.size(), max_lag = std::min(sums.size(), n) - 1;
-  std::size_t padded = 1;
-  while (padded < n + max_lag + 1) padded *= 2;
+/// Values less `mean`, transformed, in half-complex order: of frequency k the real part at k, the imaginary part at
+/// `padded` - k.
+std::vector<double> transformed(std::span<const double> values, double mean, std::size_t padded) {
   std::vector<double> work(padded, 0.0);
-  for (std::size_t i = 0; i < n; ++i) work[i] = piece[i] - mean;
-
+  for (std::size_t i = 0; i < values.size(); ++i) work[i] = values[i] - mean;
   check_gsl(gsl_fft_real_radix2_transform(work.data(), 1, padded), "autocorrelation");
-  // Half-complex order: real part of frequency k at k, imaginary part at padded - k.
-  work[0] *= work[0];
-  if (padded > 1) work[padded / 2] *= work[padded / 2];
-  for (std::size_t k = 1; 2 * k < padded; ++k) {
-    work[k] = work[k] * work[k] + work[padded - k] * work[padded - k];
-    work[padded - k] = 0.0;
+  return work;
+}
+
+/// Adds a piece's sums of products of deviations from `mean` at lags 0, 1, ... to `sums`, by the fast Fourier
+/// transform, padded against wrapping. A long piece is taken in parts, each against itself and the lags after it.
+void add_products(std::span<const double> piece, double mean, std::vector<double>& sums) {
+  constexpr std::size_t kPart = std::size_t{1} << 18;  // samples; more would need more room
+  const std::size_t n = piece.size(), max_lag = std::min(sums.size(), n) - 1;
+  for (std::size_t first = 0; first < n; first += kPart) {
+    const std::span<const double> part = piece.subspan(first, std::min(kPart, n - first));
+    const std::span<const double> whole = piece.subspan(first, std::min(part.size() + max_lag, n - first));
+    std::size_t padded = 1;
+    while (padded < part.size() + max_lag + 1) padded *= 2;
+    std::vector<double> work = transformed(part, mean, padded);
+    const std::vector<double> other = whole.size() == part.size() ? work : transformed(whole, mean, padded);
+    work[0] *= other[0];
+    if (padded > 1) work[padded / 2] *= other[padded / 2];
+    for (std::size_t k = 1; 2 * k < padded; ++k) {
+      const double real = work[k], imaginary = work[padded - k];
+      work[k] = real * other[k] + imaginary * other[padded - k];
+      work[padded - k] = real * other[padded - k] - imaginary * other[k];
+    }
+    check_gsl(gsl_fft_halfcomplex_radix2_inverse(work.data(), 1, padded), "autocorrelation");
+    for (std::size_t k = 0; k <= std::min(max_lag, whole.size() - 1); ++k) sums[k] += work[k];
   }
-  check_gsl(gsl_fft_halfcomplex_radix2_inverse(work.data(), 1, padded), "autocorrelation");
-  for (std::size_t k = 0; k <= max_lag; ++k) sums[k] += work[k];
 }
 
 double mean_of(const Pieces& pieces) {
@@ -107,16 +119,19 @@ AutocorrelationTime autocorrelation_time(const Pieces& pieces, double dt) {
   BRASH_EXPECTS(!pieces.empty());
   const std::size_t n = total_size(pieces);
   const auto longest = std::ranges::max(pieces, {}, [](const auto piece) { return piece.size(); }).size();
-  const std::vector<double> rho = autocorrelation(pieces, std::min(n / 2, longest - 1));
+  const std::size_t most = std::min(n / 2, longest - 1);
   AutocorrelationTime result;
-  double tau = 0.5;
-  for (std::size_t window = 1; window < rho.size(); ++window) {
-    tau += rho[window];
-    result.window = window;
-    if (static_cast<double>(window) >= kWindowFactor * tau) {
-      result.converged = true;
-      break;
+  double tau = 0.0;
+  // The window seldom needs more than a few thousand lags, and lags take time.
+  for (std::size_t lags = std::min(kFirstLags, most); !result.converged; lags = std::min(8 * lags, most)) {
+    const std::vector<double> rho = autocorrelation(pieces, lags);
+    tau = 0.5;
+    for (std::size_t window = 1; window < rho.size() && !result.converged; ++window) {
+      tau += rho[window];
+      result.window = window;
+      result.converged = static_cast<double>(window) >= kWindowFactor * tau;
     }
+    if (lags == most) break;
   }
   const double w = static_cast<double>(result.window);
   tau *= 1.0 + (2.0 * w + 1.0) / static_cast<double>(n);
@@ -125,8 +140,7 @@ AutocorrelationTime autocorrelation_time(const Pieces& pieces, double dt) {
 }
 
 Summary summarise(std::span<const double> samples, double dt) {
-  const std::vector<double> weights(samples.size(), dt);
-  return summarise_weighted(samples, weights, autocorrelation_time(samples, dt));
+  return summarise_weighted(samples, std::array{dt}, autocorrelation_time(samples, dt));
 }
 
 Summary summarise_weighted(std::span<const double> samples, std::span<const double> weights,
@@ -145,7 +159,9 @@ Summary summarise_weighted(std::span<const double> samples, std::span<const doub
   summary.quantile_95 = q[1];
   summary.quantile_99 = q[2];
 
-  const double n = static_cast<double>(m.n), duration = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const auto n = static_cast<double>(m.n);
+  double duration = 0.0;
+  for (std::size_t i = 0; i < m.n; ++i) duration += weights[weights.size() == 1 ? 0 : i];
   summary.autocorrelation_time = correlation.tau;
   summary.effective_sample_size = std::clamp(duration / (2.0 * correlation.tau), 1.0, n);
   summary.long_enough = correlation.converged && duration >= kLongEnough * correlation.tau;

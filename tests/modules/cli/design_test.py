@@ -5,6 +5,8 @@ import math
 import os
 import pathlib
 import random
+import shutil
+import struct
 import subprocess
 import tempfile
 import unittest
@@ -110,6 +112,23 @@ class Design(unittest.TestCase):
         picture = self.folder / "design.svg"
         self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "--extrapolate", "-o", picture)
         self.assertIn("level of an annual probability", picture.read_text())
+
+    @unittest.skipUnless(shutil.which("rsvg-convert"), "rsvg-convert is not installed")
+    def test_a_picture_may_be_png(self):
+        picture = self.folder / "design.png"
+        self.design("-o", picture)
+        data = picture.read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">I", data[16:20]), (2000,))  # two pixels for one of the drawing
+        self.assertEqual([file.name for file in self.folder.glob("*design.png*")], ["design.png"])
+
+    def test_a_png_without_its_program_is_refused(self):
+        done = subprocess.run([BRASH, "design", str(self.folder), "-o", "x.png"], capture_output=True, text=True,
+                              cwd=self.folder, env={**os.environ, "PATH": str(self.folder)})
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("x.png: rsvg-convert, which makes a PNG of a drawing, is not on the path", done.stderr)
+        self.assertIn("install Debian's package librsvg2-bin", done.stderr)
+        self.assertEqual(list(self.folder.glob("*x.png*")), [])
 
     def test_what_cannot_be_pooled_is_refused(self):
         refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.5,10\n"), code=2)

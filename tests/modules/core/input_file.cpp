@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
@@ -43,6 +45,17 @@ BOOST_AUTO_TEST_CASE(a_file_is_read_up_to_its_limit_and_not_beyond) {
                         [](const InputError& e) { return says(e, "/dev/zero: is larger than 1 MiB"); });
   BOOST_CHECK_EXCEPTION(read_text_file("/", "a text", 1), InputError,
                         [](const InputError& e) { return says(e, "/: is a folder"); });
+}
+
+BOOST_AUTO_TEST_CASE(a_file_is_read_line_by_line_across_its_blocks) {
+  // Lines that end before, at and after the ends of blocks of 64 KiB; the last one has no end.
+  std::vector<std::string> expected{"", "a\r", std::string(65'531, 'b'), "c", std::string(200'000, 'd'), "", "e"};
+  std::string text;
+  for (const std::string& line : expected) text += line + "\n";
+  text.pop_back();
+  std::vector<std::string> lines;
+  for_each_line(File(text).path, "a text", [&](std::string_view line) { lines.emplace_back(line); });
+  BOOST_TEST(lines == expected, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(json_is_measured_in_depth_outside_of_its_strings) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brash/core/contract.hpp"
+#include "brash/statistics/laws.hpp"
 #include "brash/statistics/random.hpp"
 
 namespace {
@@ -105,6 +106,23 @@ BOOST_AUTO_TEST_CASE(return_levels_are_continuous_through_the_exponential_tail) 
     // First order in the shape: sigma ln^2 / 2 = 477 per unit of shape.
     BOOST_CHECK_SMALL(near.value - at_zero.value - 0.5 * 20.0 * std::pow(std::log(1000.0), 2) * shape, 1e-8);
   }
+}
+
+// A rarer level is higher under every law that the likelihood allows. So both ends of its interval are higher too.
+BOOST_AUTO_TEST_CASE(ends_of_an_interval_rise_with_the_return_period) {
+  for (const int n : {10, 12, 20})
+    for (std::uint64_t replicate = 0; replicate < 12; ++replicate) {
+      const auto fit = fit_law(Law::kGev, gumbel_sample(100.0, 40.0, n, replicate));
+      if (!fit) continue;  // a shape of 1 or more
+      Interval last{-1e300, -1e300};
+      for (double exceedance = 0.5; exceedance > 1e-4; exceedance /= 1.4) {
+        const Interval found = level_with_interval(*fit, exceedance).interval;
+        // The search for an end stops within 1e-4 of its distance from the estimate.
+        BOOST_TEST(found.lower >= last.lower - 1e-3 * 40.0, n << " maxima, replicate " << replicate);
+        BOOST_TEST(found.upper >= 0.999 * last.upper, n << " maxima, replicate " << replicate);
+        last = found;
+      }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(samples_that_cannot_be_fitted_say_why) {

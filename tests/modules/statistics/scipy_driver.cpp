@@ -62,7 +62,9 @@ json uneven_history(const json& in) {
   const History history{in["times"].get<Samples>(), in["values"].get<Samples>()};
   const EvenHistory even = make_even(history);
   const Moments m = moments(history.values, even.weights);
-  const Spectrum spectrum = welch_spectrum(even.views(), even.sampling.step, in["segment"].get<std::size_t>());
+  std::vector<Samples> pieces;
+  for (const auto piece : even.pieces(history)) pieces.emplace_back(piece.begin(), piece.end());
+  const Spectrum spectrum = welch_spectrum(even.pieces(history), even.sampling.step, in["segment"].get<std::size_t>());
   const Summary summary = summarise(history, even);
   json gaps = json::array();
   for (const Gap& gap : even.sampling.gaps) gaps.push_back({gap.from, gap.to});
@@ -71,12 +73,12 @@ json uneven_history(const json& in) {
           {"gaps", gaps},
           {"weights", even.weights},
           {"duration", even.duration},
-          {"pieces", even.pieces},
+          {"pieces", pieces},
           {"moments", {m.mean, m.variance, m.skewness, m.excess_kurtosis}},
           {"summary", {summary.mean, summary.standard_deviation, summary.skewness}},
           {"quantiles", quantiles(history.values, even.weights, in["levels"].get<Samples>())},
           {"spectrum", {{"frequency", spectrum.frequency}, {"density", spectrum.density}}},
-          {"autocorrelation", autocorrelation(even.views(), 200)}};
+          {"autocorrelation", autocorrelation(even.pieces(history), 200)}};
 }
 
 json spectra(const Samples& a, const Samples& b, double dt) {

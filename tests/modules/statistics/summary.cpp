@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "brash/core/contract.hpp"
+#include "brash/statistics/moments.hpp"
+#include "brash/statistics/quantile.hpp"
 #include "brash/statistics/random.hpp"
 
 namespace {
@@ -51,6 +53,31 @@ BOOST_AUTO_TEST_CASE(moments_and_quantiles_of_a_short_history_are_those_of_hand_
   BOOST_TEST(s.quantile_50 == 3.0, close);
   BOOST_TEST(s.quantile_95 == 4.0 + 0.8 * 6.0, close);
   BOOST_TEST(s.quantile_99 == 4.0 + 0.96 * 6.0, close);
+}
+
+// Longer than a part of the transform: products of two parts count too.
+BOOST_AUTO_TEST_CASE(autocorrelations_of_a_long_history_are_sums_of_its_products) {
+  const std::size_t n = 600'000;
+  std::vector<double> x = first_order(0.999, n, 1);
+  double mean = 0.0;
+  for (const double value : x) mean += value / static_cast<double>(n);
+  for (double& value : x) value -= mean;
+  const std::vector<double> rho = autocorrelation(x, 5000);
+  const auto sum = [&](std::size_t lag) {
+    double products = 0.0;
+    for (std::size_t i = 0; i + lag < n; ++i) products += x[i] * x[i + lag];
+    return products;
+  };
+  for (const std::size_t lag : {1U, 700U, 5000U}) BOOST_CHECK_SMALL(rho[lag] - sum(lag) / sum(0), 1e-11);  // rounding
+}
+
+BOOST_AUTO_TEST_CASE(equal_weights_may_be_one_number) {
+  const std::vector<double> x = first_order(0.5, 1000, 2), weights(1000, 0.3), levels{0.0, 0.1, 0.99, 1.0};
+  const Moments all = moments(x, weights), one = moments(x, std::vector{0.3});
+  BOOST_TEST(all.mean == one.mean);
+  BOOST_TEST(all.variance == one.variance);
+  BOOST_TEST(all.skewness == one.skewness);
+  BOOST_TEST(quantiles(x, weights, levels) == quantiles(x, std::vector{0.3}, levels), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_constant_history_has_no_spread_and_no_correlation) {

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 
 namespace brash {
 
@@ -13,6 +15,12 @@ namespace brash {
 /// @param most_mebibytes  size above which it is refused, whatever it states of itself.
 /// @throws InputError when it is a folder, cannot be read or is larger.
 std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mebibytes = 256);
+
+/// Calls `take` with each line of a text file, without its end. The file is read in blocks, so a long one needs no
+/// room.
+/// @throws InputError as above.
+void for_each_line(const std::string& path, const std::string& kind, const std::function<void(std::string_view)>& take,
+                   std::size_t most_mebibytes = 256);
 
 /// The text of a JSON file of at most 64 MiB, not nested deeper than 64: a recursive function may walk through it.
 /// @throws InputError as above, or naming the byte.

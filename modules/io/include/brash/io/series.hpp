@@ -7,6 +7,21 @@
 
 namespace brash::io {
 
+/// Numbers of the rows of a table in its file. They rise by one but for a few places, and only these are kept.
+class RowNumbers {
+ public:
+  void add(std::size_t number);
+  std::size_t operator[](std::size_t row) const;
+  std::size_t size() const { return size_; }
+
+ private:
+  struct Stretch {
+    std::size_t row = 0, number = 0;  ///< of its first row
+  };
+  std::vector<Stretch> stretches_;
+  std::size_t size_ = 0;
+};
+
 /// Columns of numbers as measured and simulated histories come.
 struct Series {
   std::vector<std::string> names;  ///< without their units
@@ -17,8 +32,8 @@ struct Series {
   std::vector<std::vector<double>> columns;  ///< shape=(n_names, n_rows); not a number where a value is missing
   /// Which column holds the times, in seconds and finite; absent when there is none.
   std::optional<std::size_t> time;
-  std::string row_prefix;         ///< with the row's number the place of a row, for messages: "FILE:", "FILE, sample "
-  std::vector<std::size_t> rows;  ///< numbers of the rows: lines of the file, or samples from 1 on
+  std::string row_prefix;  ///< with the row's number the place of a row, for messages: "FILE:", "FILE, sample "
+  RowNumbers rows;         ///< lines of the file, or samples from 1 on
 
   std::string place(std::size_t row) const { return row_prefix + std::to_string(rows[row]); }
 };

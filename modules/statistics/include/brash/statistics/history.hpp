@@ -34,13 +34,16 @@ struct Sampling {
 /// A history cut at its gaps and made even.
 struct EvenHistory {
   Sampling sampling;
-  std::vector<double> weights;              ///< time that each sample stands for [s]; shape=(n,) of the history
-  std::vector<std::size_t> cuts;            ///< first sample of each piece, and n
-  std::vector<std::vector<double>> pieces;  ///< values every `sampling.step`: the samples themselves where even
-  double duration = 0.0;                    ///< sum of the weights [s]
+  /// Time that each sample stands for [s]; shape=(n,) of the history, or (1,) where it is even.
+  std::vector<double> weights;
+  std::vector<std::size_t> cuts;               ///< first sample of each piece, and n
+  std::vector<std::vector<double>> resampled;  ///< values every `sampling.step` of each piece; none where even
+  double duration = 0.0;                       ///< sum of the weights [s]
 
-  /// `pieces` as the argument of autocorrelation, spectrum and peaks.
-  Pieces views() const;
+  /// Time that a sample stands for [s].
+  double weight(std::size_t sample) const { return weights[weights.size() == 1 ? 0 : sample]; }
+  /// Values every `sampling.step`, piece by piece: of an even history its samples themselves.
+  Pieces pieces(const History& history) const;
 };
 
 /// Cuts a history at its gaps and resamples the uneven pieces.

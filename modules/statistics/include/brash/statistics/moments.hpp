@@ -24,7 +24,7 @@ Moments moments(std::span<const double> samples);
 /// Moments of samples that stand for different times: sums over samples become weighted ones, and the variance keeps
 /// its factor n/(n - 1). Equal weights give the moments above.
 ///
-/// @param weights  shape=(n,), > 0.
+/// @param weights  shape=(n,), or (1,) when all are equal; > 0.
 Moments moments(std::span<const double> samples, std::span<const double> weights);
 
 /// Counts in bins of equal width.

@@ -13,7 +13,7 @@ std::vector<double> quantiles(std::vector<double> values, std::span<const double
 /// Quantiles of values that stand for different times. The k-th smallest value has the level
 /// C_k/C_n, C_k = sum_{j=2}^{k} (w_{j-1} + w_j)/2; linear between. Equal weights give the quantiles above.
 ///
-/// @param weights  > 0; shape=(n,) as values.
+/// @param weights  > 0; shape=(n,) as values, or (1,) when all are equal.
 std::vector<double> quantiles(std::span<const double> values, std::span<const double> weights,
                               std::span<const double> levels);
 

@@ -57,8 +57,18 @@ Interval damage_rate_interval(const StretchDamages& stretches, double confidence
 /// Share of the damage in the long run that is done by ranges above the largest one seen, from Pareto's law of the
 /// largest ranges; 1 when that damage has no bound or there are too few cycles for the law.
 ///
-/// Above kMostUnseen the interval covers less than it says: the record holds too few of the cycles that do the damage.
+/// Above kMostUnseen the record lacks the cycles that do the damage, and an interval rests on a law of their tail.
 double unseen_damage(std::span<const Cycle> cycles, double exponent);
 inline constexpr double kMostUnseen = 0.1;
+
+/// Upper end of the damage in the long run, over the damage of the record, if the tail of the largest ranges is
+/// exponential or lighter.
+///
+/// Resamples of a record hold no cycle larger than any seen, so the upper end of damage_rate_interval() may be too low.
+/// The damage below a threshold is taken as seen. The damage above it is of an exponential tail, whose scale is at the
+/// upper end of its exact interval; the Poisson error of the number of cycles adds in quadrature.
+/// @return infinity when the largest ranges have a heavier tail at the confidence, or there are too few of them.
+/// @see docs/theory/statistics.md, (S15).
+double largest_damage_ratio(std::span<const Cycle> cycles, double exponent, double confidence);
 
 }  // namespace brash::statistics

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace brash::cli {
+
+/// Writes a drawing: as PNG if the name ends in .png, else as the SVG that it is.
+///
+/// PNG is made by librsvg's program rsvg-convert, at two pixels for one of the drawing.
+/// @throws InputError for a PNG without rsvg-convert on the path; StorageError as write_file.
+void write_picture(const std::string& path, const std::string& svg);
+
+}  // namespace brash::cli
