@@ -56,6 +56,16 @@ void visit_keys_of(Is<model::WedgeBow> auto& bow, auto&& visit) {
   visit("structure", "length", bow.length);
   visit("structure", "entrance", bow.entrance);
 }
+/// A ship is made of the keys of [hull], which the case has.
+void visit_keys_of(Is<model::Ship> auto&, auto&&) {}
+void visit_keys_of(Is<model::Mesh> auto& mesh, auto&& visit) {
+  visit("structure", "file", mesh.file);
+  visit("structure", "scale", mesh.scale);
+  visit("structure", "draught", mesh.draught);
+  visit("structure", "heading", mesh.heading);
+  visit("structure", "heel", mesh.heel);
+  visit("structure", "trim", mesh.trim);
+}
 void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
 void visit_keys_of(Is<model::Compliant> auto& compliant, auto&& visit) {
   visit("structure", "speed", compliant.speed);
@@ -147,6 +157,11 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hull", "draught", c.hull.draught);
   visit("hull", "stem_angle", c.hull.stem_angle);
   visit("hull", "waterline_angle", c.hull.waterline_angle);
+  visit("hull", "depth", c.hull.depth);
+  visit("hull", "bow_length", c.hull.bow_length);
+  visit("hull", "flare", c.hull.flare);
+  visit("hull", "midbody", c.hull.midbody);
+  visit("hull", "stern_angle", c.hull.stern_angle);
 }
 
 }  // namespace brash::io
