@@ -29,7 +29,7 @@ const std::map<std::string, Room> kRooms{
     {"database", {"failure/database", {"core", "netcdf", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "model", "plate", "meta_model"}, {}}},
     {"model", {"modules/model", {"core", "geometry"}, {}}},
-    {"structure", {"modules/structure", {"core", "model"}, {}}},
+    {"structure", {"modules/structure", {"core", "model"}, {"CGAL", "clipper"}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core", "model"}, {}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
@@ -54,12 +54,19 @@ const std::string kConversions = "geometry/include/brash/geometry/cgal.hpp";
 
 /// How the include line of each third-party library begins.
 const std::map<std::string, std::regex> kLibraries{
-    {"CGAL", std::regex("^CGAL/")},       {"Eigen", std::regex("^Eigen/")},
-    {"gsl", std::regex("^gsl/")},         {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
-    {"netcdf", std::regex("^netcdf")},    {"hdf5", std::regex("^hdf5")},
-    {"toml", std::regex("^toml")},        {"udunits", std::regex("^udunits2")},
-    {"json", std::regex("^nlohmann/")},   {"valijson", std::regex("^valijson")},
-    {"nettle", std::regex("^nettle/")}, {"zlib", std::regex("^zlib\\.h")},
+    {"CGAL", std::regex("^CGAL/")},
+    {"Eigen", std::regex("^Eigen/")},
+    {"gsl", std::regex("^gsl/")},
+    {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
+    {"netcdf", std::regex("^netcdf")},
+    {"hdf5", std::regex("^hdf5")},
+    {"toml", std::regex("^toml")},
+    {"udunits", std::regex("^udunits2")},
+    {"json", std::regex("^nlohmann/")},
+    {"valijson", std::regex("^valijson")},
+    {"nettle", std::regex("^nettle/")},
+    {"zlib", std::regex("^zlib\\.h")},
+    {"clipper", std::regex("^polyclipping/")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

@@ -30,6 +30,8 @@ std::string read_text(const fs::path& path) {
 
 namespace {
 
+constexpr std::size_t kMostOfMesh = 512;  // [MiB]
+
 [[noreturn]] void refuse_folder(const std::string& path, const std::string& what) {
   throw InputError(Complaint{path, what, "a folder that is new, empty or of this campaign", "give another folder"});
 }
@@ -111,16 +113,19 @@ void Folder::refuse_files_of_others() const {
       refuse_folder(directory_ + "/" + name, "holds files, but none of this campaign");
 }
 
-/// The plan, the base case and the models as they were read.
+/// The plan, the base case, the models and the meshes as they were read.
 void Folder::write_inputs() const {
   const fs::path inputs = fs::path(directory_) / "inputs";
   const auto write = [](const fs::path& copy, const std::string& text) {
     if (!fs::exists(copy) || read_text(copy) != text) write_file(copy.string(), text);
   };
   for (const io::SourceText& source : plan_.sources) write(inputs / fs::path(source.path).filename(), source.text);
-  for (const io::Setting& setting : plan_.settings)
+  for (const io::Setting& setting : plan_.settings) {
     if (const fs::path model = setting.resolved.failure.file; !model.empty())
       write(inputs / "model" / model.filename(), read_text_file(model.string(), "the file of a failure model"));
+    if (const auto* const mesh = std::get_if<model::Mesh>(&setting.resolved.structure.shape))
+      write(inputs / "hull" / fs::path(mesh->file).filename(), read_text_file(mesh->file, "a mesh", kMostOfMesh));
+  }
 }
 
 void Folder::prepare(bool resume) const {

@@ -4,9 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "brash/core/input_file.hpp"
+#include "brash/core/write_file.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
+#include "brash/report/case_picture.hpp"
 #include "brash/simulation/scales.hpp"
+#include "brash/structure/hull.hpp"
+#include "brash/structure/mesh_file.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
 #include "table.hpp"
@@ -14,7 +19,32 @@
 namespace brash::cli {
 namespace {
 
-void check_case(const std::string& path, const std::vector<std::string>& overrides) {
+/// What became of a mesh when it was read.
+void print_mesh(const model::Mesh& mesh) {
+  const structure::MeshReport report = structure::examine(mesh).value();  // the case has been checked
+  print("# mesh                           {} triangles in {} shell{}\n", report.n_triangles, report.n_shells,
+        report.n_shells == 1 ? "" : "s");
+  print("# repairs of the mesh            {} triangles dropped, {} turned, {} holes filled, {} inner shells left out\n",
+        report.n_dropped, report.n_turned, report.n_holes_filled, report.n_inner_shells);
+  print("# convex parts of the mesh       {}, their volume is off by {:.2g} %\n", report.n_parts,
+        100.0 * report.parts_error);
+}
+
+/// The hull as it lies in the water.
+void print_hull(const model::Case& resolved) {
+  const auto hull = structure::make_hull(resolved.structure.shape);
+  const auto [least, most] = hull->bounds();
+  const structure::Displacement wet = hull->displaced({});
+  print("# hull                           {:.4g} m long, {:.4g} m wide, {:.4g} m high\n", most.x - least.x,
+        most.y - least.y, most.z - least.z);
+  print("# displacement                   {:.5g} m3, {:.5g} kg\n", wet.volume, resolved.water.density * wet.volume);
+  print("# centre of buoyancy             {:.4g} m ahead, {:.4g} m to port, {:.4g} m under water\n", wet.centre.x,
+        wet.centre.y, -wet.centre.z);
+  print("# waterplane                     {:.5g} m2\n", wet.waterplane.area);
+}
+
+void check_case(const std::string& path, const std::vector<std::string>& overrides, const std::string& picture) {
+  refuse_overwriting(picture, {path});
   const model::Case resolved = io::read_case(path, overrides);
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
   print_data(io::to_toml(resolved));
@@ -28,6 +58,9 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
   print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
   if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
+  print_hull(resolved);
+  if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) print_mesh(*mesh);
+  if (!picture.empty()) write_file(picture, report::case_picture(resolved));
   print_warnings(scales.warnings);
 }
 
@@ -35,15 +68,16 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
 
 void add_check_command(CLI::App& app) {
   struct Options {
-    std::string case_file;
+    std::string case_file, picture;
     std::vector<std::string> overrides;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("check", "Read a case, print it in SI with derived lengths and warnings");
   command->add_option("case", options->case_file, "case file (TOML)")->required();
   command->add_option("--set", options->overrides, "section.key=value")->take_all()->allow_extra_args(false);
-  command->footer("Example: brash check experiments/validation/cone.toml");
-  command->callback([options] { check_case(options->case_file, options->overrides); });
+  command->add_option("--picture", options->picture, "draw hull, waterline and field into this file, SVG");
+  command->footer("Example: brash check experiments/ships/icebreaker.toml --picture ship.svg");
+  command->callback([options] { check_case(options->case_file, options->overrides, options->picture); });
 }
 
 void add_schema_command(CLI::App& app) {

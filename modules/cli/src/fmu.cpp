@@ -46,15 +46,19 @@ bool stands_alone(const io::NumberKey& key) {
 std::vector<fmu::Parameter> parameters_of(const model::Case& resolved) {
   std::vector<fmu::Parameter> parameters;
   for (const io::NumberKey& key : io::number_keys(resolved))
-    if (stands_alone(key) && !(key.key == "speed" && fmu::is_driven(resolved))) parameters.push_back({key.section, key.key, key.unit, key.meaning, key.least, key.most});
+    if (stands_alone(key) && !(key.key == "speed" && fmu::is_driven(resolved)))
+      parameters.push_back({key.section, key.key, key.unit, key.meaning, key.least, key.most});
   return parameters;
 }
 
-/// The models that the case reads, in the resources.
-std::vector<ZipEntry> model_entries(const recording::Inputs& inputs) {
+/// The models and the mesh that the case reads, in the resources.
+std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
   constexpr std::size_t kMostMebibytes = 64;
   const std::string& own = inputs.resolved.failure.file;
   std::vector<ZipEntry> entries;
+  if (const auto* const mesh = std::get_if<model::Mesh>(&inputs.resolved.structure.shape))
+    for (const recording::InputFile& file : inputs.files)
+      if (file.path == mesh->file) entries.push_back({"resources/" + file.copy, file.bytes});
   for (const std::string& file : failure::model_files(inputs.resolved.failure)) {
     const std::string name = file == own ? inputs.recorded().failure.file
                                          : std::string(fmu::kModelFolder) + "/" + fs::path(file).filename().string();
@@ -66,15 +70,15 @@ std::vector<ZipEntry> model_entries(const recording::Inputs& inputs) {
 /// FMI 3.0.2, Sec. 2.5: a unit that needs other libraries says which.
 constexpr const char* kNeeds =
     "The library of this unit is for Linux on x86-64. Of Debian 12 it needs these packages:\n\n"
-    "    apt-get install libbullet3.24 libfmt9 libgsl27 libgmp10 libnettle8 libstdc++6\n\n"
+    "    apt-get install libbullet3.24 libfmt9 libgsl27 libpolyclipping22 libgmp10 libnettle8 libstdc++6\n\n"
     "The last three are in every Debian.\n";
 
 /// Says which case, models and version a unit is made of.
-std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& models) {
+std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& inputs) {
   Sha256 hash;
   hash.add(kVersion);
   hash.add(fmu::to_json(unit));
-  for (const ZipEntry& model : models) hash.add(sha256(model.bytes));
+  for (const ZipEntry& input : inputs) hash.add(sha256(input.bytes));
   return hexadecimal(hash.digest());
 }
 
@@ -85,7 +89,7 @@ void export_fmu(const std::string& case_file, const std::vector<std::string>& ov
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
   fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), ""};
-  std::vector<ZipEntry> entries = model_entries(inputs);
+  std::vector<ZipEntry> entries = input_entries(inputs);
   unit.token = token_of(unit, entries);
   entries.insert(entries.begin(), {"modelDescription.xml", fmu::model_description(unit, standard)});
   entries.push_back({std::string("resources/") + fmu::kUnitFile, fmu::to_json(unit)});

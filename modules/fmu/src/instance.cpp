@@ -78,8 +78,8 @@ auto& nth_number(Owner& owner, std::size_t place) {
 Unit read_unit(const std::string& resources) {
   const std::string path = resources + "/" + kUnitFile;
   Unit unit = unit_from(read_json_text(path, "the case of the unit (JSON)"), path);
-  std::string& file = unit.resolved.failure.file;
-  if (!file.empty()) file = resources + "/" + file;
+  for (std::string* const file : model::files_of(unit.resolved))
+    if (!file->empty()) *file = resources + "/" + *file;
   return unit;
 }
 
@@ -240,6 +240,7 @@ State Instance::state() const {
 
 void Instance::restore(State state) {
   state.resolved.failure.file = unit_.resolved.failure.file;
+  state.resolved.structure.shape = unit_.resolved.structure.shape;
   simulation_.reset();
   if (state.checkpoint) {
     state.checkpoint->resolved = state.resolved;

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "brash/structure/hull.hpp"
+#include "brash/structure/mesh_file.hpp"
+#include "brash/structure/ship.hpp"
 
 namespace brash::io {
 namespace {
@@ -100,23 +102,95 @@ bool check_shape(const model::WedgeBow& bow, Checks& checks) {
                    bow.breaking == model::Breaking::kDownward, checks);
 }
 
-/// The ice must meet the sloping surface over its whole thickness. @return whether it does.
-bool check_heights(const structure::Hull& hull, double draught, double freeboard, Checks& checks) {
+/// A ship narrows towards its keel from ahead and astern; its parallel part must not run out, and its sides not meet.
+bool check_shape(const model::Ship& given, Checks& checks) {
+  const model::HullSection& h = given.hull;
+  if (!h.length || !h.breadth || !h.draught || !h.stem_angle || !h.waterline_angle) {
+    checks.require(false, {"structure", "kind"}, {"structure", "kind"}, "has no particulars in [hull]",
+                   "a [hull] with length, breadth, draught, stem_angle and waterline_angle", "write these keys");
+    return false;
+  }
+  const structure::Particulars ship = structure::particulars_of(h);
+  const double keel = -ship.draught, deck = ship.depth - ship.draught;
+  checks.require(deck > 0.0, {"hull", "depth"}, {"hull", "draught"}, "the deck lies under water",
+                 fmt::format("more than hull.draught = {} m", *h.draught), "raise hull.depth");
+  checks.require(ship.run > 0.0, {"hull", "midbody"}, {"hull", "length"},
+                 "the bow and the parallel part leave no room for the stern",
+                 fmt::format("less than hull.length less the bow, {:.4g} m", ship.length - ship.bow),
+                 "lengthen the hull, shorten hull.midbody, or raise hull.waterline_angle");
+  checks.require(ship.fullness >= 1.0, {"hull", "bow_length"}, {"hull", "waterline_angle"},
+                 "the bow is shorter than a wedge of its angle",
+                 fmt::format("at least {:.6g} m", ship.bow / ship.fullness),
+                 "lengthen it, or raise hull.waterline_angle");
+  const bool has_keel = structure::half_breadth_at(ship, keel) > 0.0;
+  checks.require(has_keel, {"hull", "flare"}, {"hull", "draught"}, "the sides meet above the keel",
+                 "sides that leave the keel a breadth", "lower hull.flare or hull.draught");
+  if (!(deck > 0.0 && ship.run > 0.0 && ship.fullness >= 1.0 && has_keel)) return false;
+  const double shortest = std::min(structure::midbody_at(ship, keel), structure::midbody_at(ship, deck));
+  checks.require(
+      shortest > 0.0, {"hull", "midbody"}, {"hull", "stem_angle"},
+      fmt::format("bow and stern meet: the parallel part is {:.4g} m long at the keel or the deck", shortest),
+      "a parallel part from keel to deck",
+      "lengthen hull.midbody, steepen hull.stem_angle or hull.stern_angle, or lower hull.flare");
+  return shortest > 0.0;
+}
+
+/// A checkpoint names no file; its state has nothing to check here.
+bool check_shape(const model::Mesh& mesh, Checks& checks) {
+  const Key file{"structure", "file"};
+  std::error_code ignored;
+  const bool is_there = std::filesystem::is_regular_file(mesh.file, ignored);
+  checks.require(is_there || mesh.file.empty(), file, file, fmt::format("there is no file {}", mesh.file),
+                 "a mesh in STL, OBJ, PLY or OFF, relative to the case file", "correct the path");
+  if (!is_there) return false;
+  const auto found = structure::examine(mesh);
+  if (!found) checks.require(false, file, file, found.error().what, found.error().allowed, found.error().remedy);
+  return found.has_value();
+}
+
+/// The keys of a shape for the heights of its ends.
+struct HeightKeys {
+  Key keel{"structure", "height_under_water"};
+  Key top{"structure", "height"};
+};
+
+HeightKeys height_keys(const model::Shape& shape) {
+  if (std::holds_alternative<model::Ship>(shape)) return {{"hull", "draught"}, {"hull", "depth"}};
+  if (std::holds_alternative<model::Mesh>(shape)) return {{"structure", "draught"}, {"structure", "draught"}};
+  return {};
+}
+
+/// The ice must meet the structure's surface over its whole thickness. @return whether it does.
+bool check_heights(const structure::Hull& hull, const HeightKeys& keys, double draught, double freeboard,
+                   Checks& checks) {
   const auto [least, most] = hull.bounds();
   const double under_water = -least.z;
-  checks.require(most.z > 0.0, {"structure", "height_under_water"}, {"structure", "height"},
-                 "the structure does not reach the water's surface",
-                 fmt::format("less than structure.height = {} m", most.z - least.z),
-                 "lower structure.height_under_water or raise structure.height");
+  const auto name = [](Key key) { return fmt::format("{}.{}", key.section, key.name); };
+  checks.require(most.z > 0.0, keys.keel, keys.top, "the structure does not reach the water's surface",
+                 fmt::format("less than {} = {} m", name(keys.top), most.z - least.z),
+                 fmt::format("lower {} or raise {}", name(keys.keel), name(keys.top)));
   if (most.z <= 0.0) return false;
-  checks.require(draught < under_water, {"structure", "height_under_water"}, {"structure", "height"},
-                 "the ice reaches below the keel", fmt::format("more than the ice's draught, {:.6g} m", draught),
-                 "deepen the keel or thin the ice");
+  checks.require(draught < under_water, keys.keel, keys.top, "the ice reaches below the keel",
+                 fmt::format("more than the ice's draught, {:.6g} m", draught), "deepen the keel or thin the ice");
   checks.require(
-      freeboard < most.z, {"structure", "height"}, {"ice", "thickness"}, "the ice reaches above the structure",
-      fmt::format("more than height_under_water plus the ice's freeboard, {:.6g} m", under_water + freeboard),
-      "raise structure.height or thin the ice");
+      freeboard < most.z, keys.top, {"ice", "thickness"}, "the ice reaches above the structure",
+      fmt::format("more than {} plus the ice's freeboard, {:.6g} m", keys.keel.name, under_water + freeboard),
+      fmt::format("raise {} or thin the ice", name(keys.top)));
   return draught < under_water && freeboard < most.z;
+}
+
+/// Ice that slides on the slope ahead, or a vertical front, which crushes ice and breaks none.
+void check_front(const model::Case& c, double slope, Checks& checks) {
+  if (slope < structure::kSteepestSlope) {
+    checks.require(std::tan(slope) * c.ice.friction_structure < 1.0, {"ice", "friction_structure"},
+                   {"structure", "angle"}, "the ice locks: friction holds it on the slope",
+                   fmt::format("less than 1 / tan(structure.angle) = {:.6g}", 1.0 / std::tan(slope)),
+                   "lower ice.friction_structure or structure.angle");
+    return;
+  }
+  checks.require(!c.field.initial_crack || c.field.initial_crack_radius > 0.0, {"field", "initial_crack"},
+                 {"structure", "kind"}, "the structure's front is vertical and bends no ice",
+                 "false, or a field.initial_crack_radius", "write false: the ice is whole when the structure comes");
 }
 
 void check_way(const model::Case& c, double reach, Checks& checks) {
@@ -142,13 +216,10 @@ void check_structure(const model::Case& c, Checks& checks) {
   const auto hull = structure::make_hull(c.structure.shape);
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   const double freeboard = c.ice.thickness - draught;
-  if (!check_heights(*hull, draught, freeboard, checks)) return;
+  if (!check_heights(*hull, height_keys(c.structure.shape), draught, freeboard, checks)) return;
 
   const auto [surface, reach] = structure::foremost(*hull, {}, -draught, freeboard, {1.0, 0.0});
-  checks.require(std::tan(surface.slope) * c.ice.friction_structure < 1.0, {"ice", "friction_structure"},
-                 {"structure", "angle"}, "the ice locks: friction holds it on the slope",
-                 fmt::format("less than 1 / tan(structure.angle) = {:.6g}", 1.0 / std::tan(surface.slope)),
-                 "lower ice.friction_structure or structure.angle");
+  check_front(c, surface.slope, checks);
   check_way(c, reach, checks);
   const double width = structure::foremost(*hull, {}, 0.0, 0.0, {0.0, 1.0}).reach +
                        structure::foremost(*hull, {}, 0.0, 0.0, {0.0, -1.0}).reach;
@@ -178,6 +249,7 @@ void check_initial_crack(const model::Case& c, Checks& checks) {
                  "raise the radius, or write 0 for the ice's own breaking length");
 }
 
+/// The closed form needs the first five keys; the others say more of the same hull.
 void check_hull(const model::Case& c, Checks& checks) {
   const model::HullSection& h = c.hull;
   const std::array<std::pair<const char*, bool>, 5> keys{{{"length", h.length.has_value()},
@@ -185,11 +257,20 @@ void check_hull(const model::Case& c, Checks& checks) {
                                                           {"draught", h.draught.has_value()},
                                                           {"stem_angle", h.stem_angle.has_value()},
                                                           {"waterline_angle", h.waterline_angle.has_value()}}};
-  const auto written = std::ranges::find_if(keys, [](const auto& key) { return key.second; });
-  if (written == keys.end()) return;
+  const std::array<std::pair<const char*, bool>, 5> more{{{"depth", h.depth.has_value()},
+                                                          {"bow_length", h.bow_length.has_value()},
+                                                          {"flare", h.flare.has_value()},
+                                                          {"midbody", h.midbody.has_value()},
+                                                          {"stern_angle", h.stern_angle.has_value()}}};
+  const auto is_given = [](const auto& key) { return key.second; };
+  const char* written = nullptr;
+  if (const auto key = std::ranges::find_if(more, is_given); key != more.end()) written = key->first;
+  if (const auto key = std::ranges::find_if(keys, is_given); key != keys.end()) written = key->first;
+  if (written == nullptr) return;
   for (const auto& [name, given] : keys)
-    checks.require(given, {"hull", name}, {"hull", written->first}, "is missing beside the hull's other keys",
-                   "all keys of the hull or none", "write it, or leave [hull] out");
+    checks.require(given, {"hull", name}, {"hull", written}, "is missing beside the hull's other keys",
+                   "length, breadth, draught, stem_angle and waterline_angle, or none of them",
+                   "write it, or leave [hull] out");
 }
 
 void check_contact(const model::Case& c, Checks& checks) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <utility>
 
@@ -13,13 +15,30 @@
 namespace brash::io {
 namespace {
 
-/// A model file is named relative to the file that names it, or to the working folder where the command line does.
-std::string resolve_file(const std::string& file, const CaseSource& source) {
-  if (file.empty()) return file;
-  const Place named = place_of(source, "failure", "file");
+/// A key that names a file.
+struct FileKey {
+  const char* section;
+  const char* key = "file";
+  std::string* value;
+
+  Place place(const CaseSource& source) const { return place_of(source, section, key); }
+};
+
+/// Those of a case: the model of the failure, and the mesh of the structure.
+std::vector<FileKey> file_keys(model::Case& c) {
+  std::vector<FileKey> keys{{.section = "failure", .value = &c.failure.file}};
+  if (auto* const mesh = std::get_if<model::Mesh>(&c.structure.shape))
+    keys.push_back({.section = "structure", .value = &mesh->file});
+  return keys;
+}
+
+/// A file is named relative to the file that names it, or to the working folder where the command line does.
+void resolve_file(const FileKey& file, const CaseSource& source) {
+  if (file.value->empty()) return;
+  const Place named = file.place(source);
   const std::filesystem::path base =
       named.override_text.empty() ? std::filesystem::path(named.file).parent_path() : std::filesystem::path();
-  return std::filesystem::absolute(base / file).lexically_normal().string();
+  *file.value = std::filesystem::absolute(base / *file.value).lexically_normal().string();
 }
 
 /// A default that the chosen failure model does not take is no wish of the user.
@@ -44,16 +63,22 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
-/// The problem of a model file outside the folder of the file that names it.
-std::vector<Problem> leads_out(const std::string& file, const CaseSource& source) {
-  const Place named = place_of(source, "failure", "file");
-  if (file.empty() || !named.override_text.empty()) return {};
+/// Reports a file outside the folder of the file that names it, and a mesh without a file.
+void add_leads_out(const FileKey& file, const CaseSource& source, std::vector<Problem>& problems) {
+  const Place named = file.place(source);
+  if (file.value->empty() && file.section == std::string("structure"))
+    problems.push_back({named, "structure.file", "", "names no file", "a mesh in STL, OBJ, PLY or OFF", "",
+                        "write its name, relative to the case file"});
+  if (file.value->empty() || !named.override_text.empty()) return;
   const auto folder = std::filesystem::absolute(named.file).lexically_normal().parent_path();
-  const std::filesystem::path inside = std::filesystem::path(file).lexically_relative(folder);
-  if (!inside.empty() && *inside.begin() != "..") return {};
-  return {{named, "failure.file", value_text(source, "failure", "file"),
-           "leads out of the folder of the file that names it", "a file in that folder or below", "",
-           "put the model beside the case, or name it on the command line: --set failure.file=PATH may lead anywhere"}};
+  const std::filesystem::path inside = std::filesystem::path(*file.value).lexically_relative(folder);
+  if (!inside.empty() && *inside.begin() != "..") return;
+  const std::string name = fmt::format("{}.{}", file.section, file.key);
+  problems.push_back(
+      {named, name, value_text(source, file.section, file.key), "leads out of the folder of the file that names it",
+       "a file in that folder or below", "",
+       fmt::format("put the file beside the case, or name it on the command line: --set {}=PATH may lead anywhere",
+                   name)});
 }
 
 }  // namespace
@@ -61,11 +86,12 @@ std::vector<Problem> leads_out(const std::string& file, const CaseSource& source
 model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
   model::Case result = model::from_tree(validated(source, schema_of_cases()));
   result.name = name;
-  result.failure.file = resolve_file(result.failure.file, source);
+  for (const FileKey& file : file_keys(result)) resolve_file(file, source);
   drop_options_not_taken(result, source);
   drop_water_laws_not_taken(result, source);
   std::vector<Problem> problems;
-  if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source);
+  if (model_file == ModelFile::kInItsFolder)
+    for (const FileKey& file : file_keys(result)) add_leads_out(file, source, problems);
   if (problems.empty()) problems = cross_check(result, source);
   if (!problems.empty()) refuse(std::move(problems));
   return result;

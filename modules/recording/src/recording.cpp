@@ -10,6 +10,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/checkpoint.hpp"
 #include "brash/io/results.hpp"
+#include "brash/model/case_keys.hpp"
 
 namespace brash::recording {
 
@@ -28,6 +29,12 @@ namespace {
 
 constexpr const char* kInputs = "input";
 
+/// The case without the names of its files: their hashes say which they are.
+model::Case nameless(model::Case resolved) {
+  for (std::string* const file : model::files_of(resolved)) file->clear();
+  return resolved;
+}
+
 /// The hashes of the files that a run reads besides its case, whose values the state has itself.
 model::Table models_of(const Inputs& inputs) {
   std::vector<std::string> digests;
@@ -41,7 +48,7 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
   simulation::CheckpointStore store = checkpoint_file(path, resume);
   const model::Table models = models_of(inputs);
   store.keep = [keep = store.keep, models](model::Checkpoint checkpoint) {
-    checkpoint.resolved.failure.file.clear();  // its hash says which it is
+    checkpoint.resolved = nameless(std::move(checkpoint.resolved));
     checkpoint.tables.push_back(models);
     keep(checkpoint);
   };
@@ -51,10 +58,10 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
     if (!checkpoint) return checkpoint;
     const auto kept = std::ranges::find(checkpoint->tables, kInputs, &model::Table::name);
     if (kept != checkpoint->tables.end() && *kept != models)
-      throw InputError(Complaint{path, "is of a run with another failure model than the one that is there now",
-                                 "a checkpoint of this case with the same model file",
-                                 "put the model file back, or start again without --resume"});
-    checkpoint->resolved.failure.file = inputs.resolved.failure.file;
+      throw InputError(Complaint{path, "is of a run with another failure model or mesh than the one that is there now",
+                                 "a checkpoint of this case with the same files",
+                                 "put the file back, or start again without --resume"});
+    if (checkpoint->resolved == nameless(inputs.resolved)) checkpoint->resolved = inputs.resolved;
     return checkpoint;
   };
   return store;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <type_traits>
 
@@ -208,9 +209,11 @@ model::Case case_of_run(const std::string& directory) {
   const ordered_json manifest = read_json(path);
   try {
     const ordered_json& described = manifest.at("case");
-    // Showing a case needs no failure model: its file may be gone.
-    return io::parse_case(described.at("toml").get<std::string>(), described.at("name").get<std::string>() + ".toml",
-                          {"failure.file=''"});
+    // Showing a case needs no failure model: its file may be gone. Its mesh lies in the folder, or in its campaign's.
+    const std::filesystem::path folder = std::filesystem::absolute(directory);
+    const std::filesystem::path base = std::filesystem::exists(folder / "inputs") ? folder : folder / "../..";
+    return io::parse_case(described.at("toml").get<std::string>(),
+                          (base / (described.at("name").get<std::string>() + ".toml")).string(), {"failure.file=''"});
   } catch (const InputError& error) {
     throw InputError(path + ": the case in it:\n" + error.what());
   } catch (const ordered_json::exception& error) {

@@ -33,9 +33,12 @@ structure::Footprint footprint(const EdgeModel& model, const Pose& pose, double 
   return model.hull.footprint(pose, heights.bottom + shift, heights.top + shift);
 }
 
-std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose, double shift = 0.0) {
+/// The sides within ice that lies `shift` higher than at rest, over a part of the plan.
+std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose, const geometry::Polygon& part,
+                                        double shift = 0.0) {
   const Freeboard heights = freeboard(model.resolved);
-  return model.hull.sides(pose, heights.bottom + shift, heights.top + shift);
+  const geometry::Extent extent = geometry::extent(part);
+  return model.hull.sides(pose, heights.bottom + shift, heights.top + shift, {extent.lower, extent.upper});
 }
 
 /// The crushing load of a contact on the ice.
@@ -56,13 +59,14 @@ struct Crushing {
 
 /// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip. The surface
 /// is as high as the case's ice is thick; where the ice is thicker, its area is larger.
-Crushing crushing(const EdgeModel& model, const structure::State& state, std::span<const structure::SidePiece> sides,
-                  const geometry::Polygon& overlap) {
+Crushing crushing(const EdgeModel& model, const structure::State& state, const geometry::Polygon& overlap,
+                  double shift = 0.0) {
   const model::Case& c = model.resolved;
   const bool projected = c.contact.area == model::ContactArea::kProjected;
   const double thicker = model.ice.thickness / c.ice.thickness;
   Crushing sum;
-  for (const structure::Patch& patch : structure::patches_within(sides, rings_in_metres(overlap))) {
+  const auto faces = sides(model, state.pose, overlap, shift);
+  for (const structure::Patch& patch : structure::patches_within(faces, rings_in_metres(overlap))) {
     const Vec3 velocity = velocity_at(state.twist, patch.centroid - state.pose.position);
     const double into_ice = dot(velocity, patch.normal);
     if (into_ice <= 0.0) continue;  // slides past or leaves
@@ -87,13 +91,12 @@ bool holds(const geometry::Extent& outer, const geometry::Extent& inner) {
 Crushing crushing_shifted(const EdgeModel& model, const geometry::IceSheet& sheet, const structure::State& state,
                           double shift, geometry::ContactRegion& region) {
   const geometry::Extent at_rest = geometry::extent(region.overlap);
-  const auto sides_there = sides(model, state.pose, shift);
   Crushing sum;
   double longest = 0.0;
   for (const geometry::Ring& outline : on_grid(footprint(model, state.pose, shift).leading)) {
     for (geometry::ContactRegion& covered : sheet.contacts(outline)) {
       if (!holds(at_rest, geometry::extent(covered.overlap))) continue;
-      sum += crushing(model, state, sides_there, covered.overlap);
+      sum += crushing(model, state, covered.overlap, shift);
       if (covered.contact_length <= longest) continue;
       longest = covered.contact_length;
       region = std::move(covered);
@@ -113,6 +116,8 @@ void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& 
   contact.normal = crushed.vector_area / area;
   contact.area = area;
   contact.bound = failure::crushing_force(model.ice, area);
+  contact.bends = std::abs(contact.normal.z) > std::cos(structure::kSteepestSlope);
+  if (!contact.bends) return;
 
   const double in_plane = dot(plan(crushed.force), normal);
   if (!(in_plane > 0.0)) return;
@@ -153,11 +158,11 @@ double bending_force(const EdgeModel& model, const EdgeContact& contact) {
   return std::abs(contact.on_ice.z) + arm * norm(plan(contact.on_ice));
 }
 
-/// Whether a load within l_c is more than twice as strong. The ice is then judged there.
+/// Whether a load that bends within l_c is more than twice as strong. The ice is then judged there.
 bool is_outweighed(const EdgeModel& model, const std::vector<EdgeContact>& contacts, const EdgeContact& own) {
   const double l_c = failure::characteristic_length(model.ice), most = 2.0 * bending_force(model, own);
   return std::ranges::any_of(contacts, [&](const EdgeContact& other) {
-    return norm(other.region.midpoint - own.region.midpoint) < l_c && bending_force(model, other) > most;
+    return other.bends && norm(other.region.midpoint - own.region.midpoint) < l_c && bending_force(model, other) > most;
   });
 }
 
@@ -215,7 +220,6 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
                                        const structure::State& state,
                                        const std::function<double(const Touch&)>& shift_of) {
   std::vector<EdgeContact> contacts;
-  const auto sides_at_rest = sides(model, state.pose);
   for (const geometry::Ring& outline : on_grid(footprint(model, state.pose).leading)) {
     for (geometry::ContactRegion& region : sheet.contacts(outline)) {
       if (!(region.contact_length > 0.0)) continue;
@@ -226,7 +230,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
       const EdgeModel here = local.model();
       contact.ice = local.ice();
       const double shift = shift_of ? shift_of(contact.touched) : 0.0;
-      const Crushing crushed = shift == 0.0 ? crushing(here, state, sides_at_rest, contact.region.overlap)
+      const Crushing crushed = shift == 0.0 ? crushing(here, state, contact.region.overlap)
                                             : crushing_shifted(here, sheet, state, shift, contact.region);
       fit(here, sheet, contact);
       load_contact(here, crushed, contact);

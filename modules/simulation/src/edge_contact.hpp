@@ -37,6 +37,7 @@ struct EdgeContact {
   Vec3 normal{};                       ///< unit, mean over the surface that crushes, into the ice
   double area = 0.0;                   ///< of that surface, seen along `normal` [m2]
   double bound = 0.0;                  ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
+  bool bends = true;                   ///< whether the surface has a slope; a vertical one crushes the ice only
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
   Touch touched{};                     ///< of the structure

@@ -8,8 +8,15 @@ namespace brash::structure {
 namespace {
 
 /// The corners of a triangle's part below z = 0.
-std::vector<Vec3> below_water(const std::array<Vec3, 3>& triangle) {
-  std::vector<Vec3> kept;
+struct Wet {
+  std::array<Vec3, 4> corners{};
+  std::size_t n = 0;
+
+  void push_back(Vec3 corner) { corners[n++] = corner; }
+};
+
+Wet below_water(const std::array<Vec3, 3>& triangle) {
+  Wet kept;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 a = triangle[i], b = triangle[(i + 1) % 3];
     if (a.z <= 0.0) kept.push_back(a);
@@ -31,8 +38,8 @@ Displacement displacement_of(const TriangleMesh& mesh, const std::vector<Vec3>& 
   Vec2 area_moment{};
   for (const auto& [i, j, k] : mesh.triangles) {
     const auto at = [&](int vertex) { return world[static_cast<std::size_t>(vertex)] - apex; };
-    const std::vector<Vec3> wet = below_water({at(i), at(j), at(k)});
-    for (std::size_t c = 2; c < wet.size(); ++c) {
+    const auto [wet, n] = below_water({at(i), at(j), at(k)});
+    for (std::size_t c = 2; c < n; ++c) {
       const Vec3 a = wet[0], b = wet[c - 1], d = wet[c];
       const double tetrahedron = dot(a, cross(b, d)) / 6.0;
       volume += tetrahedron;

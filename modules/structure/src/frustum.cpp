@@ -129,14 +129,14 @@ Footprint Frustum::footprint(const Pose& pose, double bottom, double top) const 
   return result;
 }
 
-std::vector<SidePiece> Frustum::sides(const Pose& pose, double bottom, double top) const {
+std::vector<SidePiece> Frustum::sides(const Pose& pose, double bottom, double top, const PlanBox&) const {
   const std::vector<Vec3> world = in_world(vertices_, pose);
   const std::size_t n = sides_.size();
   std::vector<SidePiece> pieces;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
     std::vector<Vec3> outline{world[i], world[next], world[n + next], world[n + i]};
-    outline = beyond(beyond(outline, bottom, 1.0), top, -1.0);
+    outline = slab_of(std::move(outline), bottom, top);
     if (outline.size() >= 3) pieces.push_back({rotate(pose.rotation, sides_[i].normal), std::move(outline)});
   }
   return pieces;
@@ -150,6 +150,10 @@ Surface Frustum::surface_at(const Pose& pose, Vec3 point) const {
 }
 
 Displacement Frustum::displaced(const Pose& pose) const { return displacement_of(mesh_, in_world(vertices_, pose)); }
+
+std::vector<Vec3> slab_of(std::vector<Vec3> polygon, double bottom, double top) {
+  return beyond(beyond(polygon, bottom, 1.0), top, -1.0);
+}
 
 Surface surface_with(Vec3 normal) {
   return {normal, std::atan2(norm(plan(normal)), std::abs(normal.z)),

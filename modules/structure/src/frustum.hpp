@@ -16,7 +16,7 @@ class Frustum : public Hull {
 
   std::span<const ConvexPart> parts() const override { return {&vertices_, 1}; }
   Footprint footprint(const Pose& pose, double bottom, double top) const override;
-  std::vector<SidePiece> sides(const Pose& pose, double bottom, double top) const override;
+  std::vector<SidePiece> sides(const Pose& pose, double bottom, double top, const PlanBox& region) const override;
   Surface surface_at(const Pose& pose, Vec3 point) const override;
   Displacement displaced(const Pose& pose) const override;
   const TriangleMesh& mesh() const override { return mesh_; }
@@ -33,6 +33,9 @@ class Frustum : public Hull {
   std::vector<Side> sides_;
   TriangleMesh mesh_;
 };
+
+/// The part of a convex polygon between two heights.
+std::vector<Vec3> slab_of(std::vector<Vec3> polygon, double bottom, double top);
 
 /// The surface with the outward normal `normal`, unit, world frame.
 Surface surface_with(Vec3 normal);

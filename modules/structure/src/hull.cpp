@@ -6,6 +6,7 @@
 
 #include "brash/core/contract.hpp"
 #include "cone.hpp"
+#include "mesh_hull.hpp"
 #include "plane_sided.hpp"
 
 namespace brash::structure {
@@ -22,11 +23,10 @@ std::unique_ptr<const Hull> make_hull(const model::Shape& shape) {
 std::pair<Vec3, Vec3> Hull::bounds() const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Vec3 least{kFar, kFar, kFar}, most = -least;
-  for (const ConvexPart& part : parts())
-    for (const Vec3 v : part) {
-      least = {std::min(least.x, v.x), std::min(least.y, v.y), std::min(least.z, v.z)};
-      most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
-    }
+  for (const Vec3 v : mesh().vertices) {
+    least = {std::min(least.x, v.x), std::min(least.y, v.y), std::min(least.z, v.z)};
+    most = {std::max(most.x, v.x), std::max(most.y, v.y), std::max(most.z, v.z)};
+  }
   return {least, most};
 }
 

@@ -149,17 +149,6 @@ struct ReferenceSection {
   friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
 };
 
-/// [hull]: a ship for the closed form of Lindqvist; the simulation does not see it. All keys or none.
-struct HullSection {
-  std::optional<double> length;  ///< at the waterline
-  std::optional<double> breadth;
-  std::optional<double> draught;
-  std::optional<double> stem_angle;       ///< of the stem from the horizontal [rad]
-  std::optional<double> waterline_angle;  ///< of the waterline's entrance from the centre line [rad]
-
-  friend bool operator==(const HullSection&, const HullSection&) = default;
-};
-
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
 struct Case {
   std::string name;  ///< the file's stem

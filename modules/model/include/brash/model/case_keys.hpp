@@ -62,6 +62,16 @@ void visit_keys_of(Is<WedgeBow> auto& bow, auto&& visit) {
   visit("structure", "length", bow.length);
   visit("structure", "entrance", bow.entrance);
 }
+/// A ship is made of the keys of [hull], which the case has.
+void visit_keys_of(Is<Ship> auto&, auto&&) {}
+void visit_keys_of(Is<Mesh> auto& mesh, auto&& visit) {
+  visit("structure", "file", mesh.file);
+  visit("structure", "scale", mesh.scale);
+  visit("structure", "draught", mesh.draught);
+  visit("structure", "heading", mesh.heading);
+  visit("structure", "heel", mesh.heel);
+  visit("structure", "trim", mesh.trim);
+}
 void visit_keys_of(Is<Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
 void visit_keys_of(Is<Compliant> auto& compliant, auto&& visit) {
   visit("structure", "speed", compliant.speed);
@@ -154,6 +164,18 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hull", "draught", c.hull.draught);
   visit("hull", "stem_angle", c.hull.stem_angle);
   visit("hull", "waterline_angle", c.hull.waterline_angle);
+  visit("hull", "depth", c.hull.depth);
+  visit("hull", "bow_length", c.hull.bow_length);
+  visit("hull", "flare", c.hull.flare);
+  visit("hull", "midbody", c.hull.midbody);
+  visit("hull", "stern_angle", c.hull.stern_angle);
+}
+
+/// The members of a case that name files: the model of the failure, and the mesh of the structure.
+inline std::vector<std::string*> files_of(Case& c) {
+  std::vector<std::string*> files{&c.failure.file};
+  if (auto* const mesh = std::get_if<Mesh>(&c.structure.shape)) files.push_back(&mesh->file);
+  return files;
 }
 
 /// A case as a tree of sections and keys, and back: `tree["ice"]["thickness"]`, "ice.variation" a section of its own.
@@ -211,6 +233,7 @@ Case from_tree(const Tree& tree) {
   });
   for (const auto& [section, keys] : tree.items())
     for (const auto& [key, value] : keys.items()) BRASH_EXPECTS(known.contains({section, key}), section, key);
+  if (auto* const ship = std::get_if<Ship>(&c.structure.shape)) ship->hull = c.hull;
   return c;
 }
 

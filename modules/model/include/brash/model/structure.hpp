@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
 #include <variant>
 
 #include "brash/model/choices.hpp"
@@ -56,15 +58,53 @@ struct WedgeBow {
   friend bool operator==(const WedgeBow&, const WedgeBow&) = default;
 };
 
+/// [hull]: the particulars of a ship, for the closed form of Lindqvist and for `structure.kind = "ship"`. The first
+/// five keys come together or not at all. The others have defaults that follow from these five.
+struct HullSection {
+  std::optional<double> length;  ///< at the waterline
+  std::optional<double> breadth;
+  std::optional<double> draught;
+  std::optional<double> stem_angle;       ///< of the stem from the horizontal [rad]
+  std::optional<double> waterline_angle;  ///< of the waterline's entrance from the centre line [rad]
+  std::optional<double> depth;            ///< from keel to deck
+  std::optional<double> bow_length;       ///< of the waterline, from the stem to the parallel part
+  std::optional<double> flare;            ///< of the sides from the vertical, outwards above [rad]
+  std::optional<double> midbody;          ///< length of the waterline's parallel part
+  std::optional<double> stern_angle;      ///< of the stern from the horizontal [rad]
+
+  friend bool operator==(const HullSection&, const HullSection&) = default;
+};
+
+/// `kind = "ship"`: an icebreaker's hull from its particulars, those of [hull].
+struct Ship {
+  HullSection hull;
+
+  friend bool operator==(const Ship&, const Ship&) = default;
+};
+
+/// `kind = "mesh"`: a closed surface of triangles in a file, x ahead and z upwards.
+struct Mesh {
+  std::string file;      ///< absolute; empty in a checkpoint, which has the file's hash
+  double scale = 1.0;    ///< metres to one unit of the file
+  double draught = 0.0;  ///< from the lowest point to the waterplane
+  double heading = 0.0;  ///< about the vertical, to port [rad]
+  double heel = 0.0;     ///< to starboard [rad]
+  double trim = 0.0;     ///< bow up [rad]
+
+  friend bool operator==(const Mesh&, const Mesh&) = default;
+};
+
 /// The shape of a structure; [structure] kind names them in this order.
-using Shape = std::variant<Cone, FacetedCone, Plane, WedgeBow>;
-enum class StructureKind { kCone, kFacetedCone, kPlane, kWedgeBow };
+using Shape = std::variant<Cone, FacetedCone, Plane, WedgeBow, Ship, Mesh>;
+enum class StructureKind { kCone, kFacetedCone, kPlane, kWedgeBow, kShip, kMesh };
 template <>
 inline constexpr auto kNames<StructureKind> =
     std::to_array<Named<StructureKind>>({{StructureKind::kCone, "cone"},
                                          {StructureKind::kFacetedCone, "faceted-cone"},
                                          {StructureKind::kPlane, "plane"},
-                                         {StructureKind::kWedgeBow, "wedge-bow"}});
+                                         {StructureKind::kWedgeBow, "wedge-bow"},
+                                         {StructureKind::kShip, "ship"},
+                                         {StructureKind::kMesh, "mesh"}});
 inline StructureKind kind_of(const Shape& shape) { return static_cast<StructureKind>(shape.index()); }
 
 /// `kind = "towed"`: along x at a constant speed, whatever the ice does.

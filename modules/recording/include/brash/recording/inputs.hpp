@@ -24,19 +24,19 @@ struct Inputs {
   model::Case resolved;  ///< as the simulation takes it
   std::vector<InputFile> files;
 
-  /// The case as results record it: its own model file by the name of the copy, so that a copied folder runs anywhere.
+  /// The case as results record it: its own files by the names of the copies, so that a copied folder runs anywhere.
   model::Case recorded() const;
 };
 
 /// Reads a case file, and hashes and copies the files that it names.
-/// @throws InputError as io::read_case, and naming a model file that cannot be read.
+/// @throws InputError as io::read_case, and naming a file that cannot be read.
 Inputs read_inputs(const std::string& case_file, const std::vector<std::string>& overrides = {},
                    io::ModelFile model_file = io::ModelFile::kInItsFolder);
 
 /// The same for a case that has been read, from the text `case_text` of `case_file`.
 Inputs inputs_of(const std::string& case_file, const std::string& case_text, const model::Case& resolved);
 
-/// Refuses to go on when a model file is not as it was read, once the criterion has read it too.
+/// Refuses to go on when a file is not as it was read, once the simulation has read it too.
 /// @throws InputError naming the file.
 void expect_unchanged(const Inputs& inputs);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>
@@ -29,6 +30,12 @@ struct Surface {
   Vec3 normal{};                                          ///< unit, out of the hull, world frame
   double slope = 0.0;                                     ///< from the horizontal [rad], in (0, pi/2]
   model::Breaking breaking = model::Breaking::kDownward;  ///< which way the surface bends ice that it meets
+};
+
+/// A box of the plan, sheet frame [m]. All of it holds everything.
+struct PlanBox {
+  Vec2 lower{-HUGE_VAL, -HUGE_VAL};
+  Vec2 upper{HUGE_VAL, HUGE_VAL};
 };
 
 /// A plane piece of the sides of a hull.
@@ -71,8 +78,9 @@ class Hull {
   /// The plan of the hull between the heights `bottom` and `top` [m], world frame.
   virtual Footprint footprint(const Pose& pose, double bottom, double top) const = 0;
 
-  /// The sides of the hull between the heights `bottom` and `top` [m], without deck and keel.
-  virtual std::vector<SidePiece> sides(const Pose& pose, double bottom, double top) const = 0;
+  /// The sides of the hull between the heights `bottom` and `top` [m], without deck and keel; of a hull with many
+  /// pieces only those whose plan may reach into `region`.
+  virtual std::vector<SidePiece> sides(const Pose& pose, double bottom, double top, const PlanBox& region) const = 0;
 
   /// The side of the hull next to `point`, world frame [m]. Horizontal faces, deck and keel, count for nothing.
   virtual Surface surface_at(const Pose& pose, Vec3 point) const = 0;
@@ -83,7 +91,7 @@ class Hull {
   /// The surface that report, ParaView and pictures draw, and nothing else.
   virtual const TriangleMesh& mesh() const = 0;
 
-  /// Least and largest coordinates, hull's frame [m].
+  /// Least and largest coordinates of the mesh, hull's frame [m].
   std::pair<Vec3, Vec3> bounds() const;
 };
 
@@ -105,7 +113,12 @@ struct HalfEllipsoid {
 /// second moments. The hull lies as its frame says, in the water.
 HalfEllipsoid fitted_ellipsoid(const Hull& hull);
 
+/// Faces steeper than this are vertical [rad]: ice crushes on them and does not bend. 89.5 degrees, beyond the slopes
+/// that the failure models cover.
+inline constexpr double kSteepestSlope = 1.5620697;
+
 /// The hull of a shape.
+/// @throws InputError when it is a mesh whose file is no hull, as examine() says.
 std::unique_ptr<const Hull> make_hull(const model::Shape& shape);
 
 }  // namespace brash::structure

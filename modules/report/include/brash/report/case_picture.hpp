@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/model/case.hpp"
+
+namespace brash::report {
+
+/// A case before its run, as SVG: lengthwise sections of the hull at the water and the ice, its waterlines from above,
+/// and the field with the way of the structure.
+std::string case_picture(const model::Case& resolved);
+
+}  // namespace brash::report

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/report/case_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/structure/hull.hpp"
+
+namespace brash::report {
+namespace {
+
+constexpr double kWidth = 900.0, kMargin = 40.0, kTitle = 30.0;  // [pixels]
+/// Sections of the hull on each side of the middle one, and waterlines below and above the water's surface.
+constexpr int kSections = 4;
+
+using structure::Outline;
+
+/// A drawing to scale: y upwards in metres, downwards on the page.
+class Panel {
+ public:
+  /// @param top  of the panel on the page; its title stands there.
+  Panel(double top, Vec2 lower, Vec2 upper, const std::string& title)
+      : lower_(lower), upper_(upper), top_(top + kTitle), scale_((kWidth - 2.0 * kMargin) / (upper.x - lower.x)) {
+    svg_ = fmt::format("<text x=\"{}\" y=\"{:.1f}\" class=\"title\">{}</text>\n", kMargin, top + 18.0, title);
+  }
+
+  double bottom() const { return top_ + scale_ * (upper_.y - lower_.y) + 12.0; }
+  const std::string& svg() const { return svg_; }
+
+  void rings(const std::vector<Outline>& outlines, const char* style) {
+    std::string data;
+    for (const Outline& outline : outlines) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2 p = on_page(outline[i]);
+        data += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", p.x, p.y);
+      }
+      data += "Z";
+    }
+    svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, style);
+  }
+  void box(Vec2 lower, Vec2 upper, const char* style) {
+    rings({{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}}, style);
+  }
+  void line(Vec2 from, Vec2 to, const char* style) {
+    const Vec2 a = on_page(from), b = on_page(to);
+    svg_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" class=\"{}\"/>\n", a.x, a.y, b.x, b.y, style);
+  }
+  /// A length of one, two or five times a power of ten, a fifth of the panel at most.
+  void scale_bar() {
+    const double most = 0.2 * (upper_.x - lower_.x), power = std::pow(10.0, std::floor(std::log10(most)));
+    const double length = most >= 5.0 * power ? 5.0 * power : most >= 2.0 * power ? 2.0 * power : power;
+    const double x = kWidth - kMargin - scale_ * length, y = top_ - 12.0;
+    svg_ += fmt::format(
+        "<path d=\"M{:.1f} {:.1f}h{:.1f}\" class=\"bar\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
+        "class=\"scale\">{:g} m</text>\n",
+        x, y, scale_ * length, x - 6.0, y + 5.0, length);
+  }
+
+ private:
+  Vec2 on_page(Vec2 p) const { return {kMargin + scale_ * (p.x - lower_.x), top_ + scale_ * (upper_.y - p.y)}; }
+
+  Vec2 lower_, upper_;
+  double top_, scale_;
+  std::string svg_;
+};
+
+/// The hull on its side: its z lies along the world's y and its y points down, so that a level section is one along it.
+Pose on_its_side() { return {{}, {std::sqrt(0.5), -std::sqrt(0.5), 0.0, 0.0}}; }
+
+/// The section of the hull in the plane y, as x and z.
+std::vector<Outline> section_along(const structure::Hull& hull, double y) {
+  return hull.footprint(on_its_side(), -y, -y).leading;
+}
+
+Panel side_view(const model::Case& c, const structure::Hull& hull, double top) {
+  const auto [least, most] = hull.bounds();
+  const double border = 0.1 * (most.x - least.x);
+  Panel panel(top, {least.x - border, least.z - 0.2 * border}, {most.x + border, most.z + 0.2 * border},
+              "Sections along the hull, the water's surface and the ice");
+  const double draught = c.ice.thickness * c.ice.density / c.water.density;
+  panel.box({most.x - 0.5 * border, -draught}, {most.x + border, c.ice.thickness - draught}, "ice");
+  for (int i = -kSections; i <= kSections; ++i) {
+    const double y = least.y + (most.y - least.y) * (0.5 + 0.5 * i / (kSections + 0.5));
+    panel.rings(section_along(hull, y), i == 0 ? "hull" : "thin");
+  }
+  panel.line({least.x - border, 0.0}, {most.x + border, 0.0}, "surface");
+  panel.scale_bar();
+  return panel;
+}
+
+Panel plan(const structure::Hull& hull, double top) {
+  const auto [least, most] = hull.bounds();
+  const double border = 0.1 * (most.x - least.x);
+  Panel panel(top, {least.x - border, least.y - 0.2 * border}, {most.x + border, most.y + 0.2 * border},
+              "Waterlines from above; the bow is on the right");
+  panel.rings(hull.footprint({}, 0.0, 0.0).leading, "hull");
+  for (int i = 0; i < 2 * kSections; ++i) {
+    const double z = least.z + (most.z - least.z) * (i + 0.5) / (2 * kSections);
+    panel.rings(hull.footprint({}, z, z).leading, "thin");
+  }
+  panel.scale_bar();
+  return panel;
+}
+
+Panel field(const model::Case& c, const structure::Hull& hull, double top) {
+  const double start = -c.structure.start_distance, half = 0.5 * c.field.width;
+  const double way = model::speed(c.structure.motion) * c.time.duration;
+  const auto [least, most] = hull.bounds();
+  const Vec2 lower{std::min(0.0, start + least.x) - 2.0, std::min(-half, least.y) - 2.0};
+  const Vec2 upper{std::max(c.field.length, start + way + most.x) + 2.0, std::max(half, most.y) + 2.0};
+  Panel panel(top, lower, upper, "The field; the structure at the start, and without resistance at the end");
+  panel.box(lower, upper, "water");
+  panel.box({0.0, -half}, {c.field.length, half}, "ice");
+  panel.rings(hull.footprint({{start, 0.0, 0.0}, {}}, 0.0, 0.0).leading, "hull");
+  panel.line({start, 0.0}, {start + way, 0.0}, "way");
+  panel.rings(hull.footprint({{start + way, 0.0, 0.0}, {}}, 0.0, 0.0).leading, "end");
+  panel.scale_bar();
+  return panel;
+}
+
+constexpr const char* kStyle =
+    "<style>text{font:13px sans-serif;fill:#222}.title{font-weight:600}.scale{text-anchor:end}"
+    ".hull{fill:#d98032;fill-opacity:.35;stroke:#7a3f0c;stroke-width:1.6}.thin{fill:none;stroke:#7a3f0c;stroke-width:."
+    "6}"
+    ".ice{fill:#dbe9f0;stroke:#5b7c8d}.water{fill:#2c5f7c}.surface{stroke:#1d6fa5;stroke-width:1.2}"
+    ".way{stroke:#7a3f0c;stroke-dasharray:6 4}.end{fill:none;stroke:#7a3f0c;stroke-dasharray:4 3}"
+    ".bar{stroke:#222;stroke-width:3}</style>\n";
+
+}  // namespace
+
+std::string case_picture(const model::Case& resolved) {
+  const auto hull = structure::make_hull(resolved.structure.shape);
+  const Panel side = side_view(resolved, *hull, 10.0);
+  const Panel above = plan(*hull, side.bottom());
+  const Panel ice = field(resolved, *hull, above.bottom());
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+             "height=\"{1:.0f}\">\n{2}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+             kWidth, ice.bottom() + 10.0, kStyle) +
+         side.svg() + above.svg() + ice.svg() + "</svg>\n";
+}
+
+}  // namespace brash::report
