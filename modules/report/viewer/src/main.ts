@@ -34,8 +34,9 @@ function header(data: RunData | CampaignData, title: string, onTheme: () => void
     },
   }, ...kThemes.map((name) => el("option", { value: name }, name)));
   const keys = data.kind === "run" && el("details", { class: "keys" }, el("summary", {}, "keys"),
-    el("p", {}, "space: play · ← →: one frame, with shift one second · [ ]: slower, faster · , .: start, end · 1 to 5: views · mouse: orbit, wheel, right button"));
+    el("p", {}, "space: play · ← →: one frame, with shift one second · [ ]: slower, faster · , .: start, end · 1 to 5: views · on the replay w a s d: turn, + −: nearer, further · mouse: orbit, wheel, right button"));
   return el("header", {},
+    el("a", { class: "skip", href: "#start" }, "Skip to the report"),
     el("div", { class: "title" }, el("h1", {}, title), el("p", {}, subtitle(data))),
     el("nav", { "aria-label": "Contents" }), keys, el("label", { class: "theme" }, theme));
 }
@@ -78,7 +79,7 @@ async function main(): Promise<void> {
     handle.report?.player.seek(handle.report.player.time);
   };
   const head = header(data, title, retheme);
-  parent.append(head);
+  parent.append(head, el("div", { id: "start", tabindex: -1 }));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
   printInLight(retheme);
   if (data.kind === "campaign") {

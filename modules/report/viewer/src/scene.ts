@@ -120,6 +120,19 @@ export class ReplayScene {
     this.draw();
   }
 
+  /** Turns the camera about the point that it looks at: `around` the vertical and `up` [rad], `nearer` by a factor. */
+  move(around: number, up: number, nearer: number): void {
+    const { target, minDistance, maxDistance } = this.controls;
+    const offset = this.camera.position.clone().sub(target);
+    const level = Math.hypot(offset.x, offset.y);
+    const heading = Math.atan2(offset.y, offset.x) + around;
+    const height = Math.min(1.5, Math.max(-1.5, Math.atan2(offset.z, level) + up));
+    const distance = Math.min(maxDistance, Math.max(minDistance, offset.length() / nearer));
+    offset.set(Math.cos(heading) * Math.cos(height), Math.sin(heading) * Math.cos(height), Math.sin(height)).multiplyScalar(distance);
+    this.camera.position.copy(target).add(offset);
+    this.draw();
+  }
+
   /** Draws at once: a canvas of a new size is empty until then. */
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
