@@ -40,6 +40,7 @@ const std::map<std::string, Room> kRooms{
       {"core", "geometry", "model", "netcdf", "structure"},
       {"toml", "netcdf", "udunits", "json", "valijson"}}},
     {"report", {"modules/report", {"core", "model", "io", "statistics", "structure"}, {"json", "zlib"}}},
+    {"live", {"modules/live", {"core"}, {"httplib"}}},
     {"simulation",
      {"modules/simulation",
       {"core", "geometry", "failure", "ice", "rigid_body", "hydrodynamics", "structure", "model", "statistics"},
@@ -53,12 +54,19 @@ const std::string kConversions = "geometry/include/brash/geometry/cgal.hpp";
 
 /// How the include line of each third-party library begins.
 const std::map<std::string, std::regex> kLibraries{
-    {"CGAL", std::regex("^CGAL/")},       {"Eigen", std::regex("^Eigen/")},
-    {"gsl", std::regex("^gsl/")},         {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
-    {"netcdf", std::regex("^netcdf")},    {"hdf5", std::regex("^hdf5")},
-    {"toml", std::regex("^toml")},        {"udunits", std::regex("^udunits2")},
-    {"json", std::regex("^nlohmann/")},   {"valijson", std::regex("^valijson")},
-    {"openssl", std::regex("^openssl/")}, {"zlib", std::regex("^zlib\\.h")},
+    {"CGAL", std::regex("^CGAL/")},
+    {"Eigen", std::regex("^Eigen/")},
+    {"gsl", std::regex("^gsl/")},
+    {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
+    {"netcdf", std::regex("^netcdf")},
+    {"hdf5", std::regex("^hdf5")},
+    {"toml", std::regex("^toml")},
+    {"udunits", std::regex("^udunits2")},
+    {"json", std::regex("^nlohmann/")},
+    {"valijson", std::regex("^valijson")},
+    {"openssl", std::regex("^openssl/")},
+    {"zlib", std::regex("^zlib\\.h")},
+    {"httplib", std::regex("^httplib\\.h")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

@@ -16,7 +16,7 @@ export class Player {
   private listeners: (() => void)[] = [];
   private last = 0;
 
-  constructor(readonly duration: number) {}
+  constructor(public duration: number) {}
 
   onChange(listener: () => void): void {
     this.listeners.push(listener);

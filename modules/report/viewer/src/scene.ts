@@ -20,7 +20,7 @@ export class ReplayScene {
   readonly renderer: WebGLRenderer;
   readonly camera: PerspectiveCamera;
   readonly controls: OrbitControls;
-  readonly floes: FloeMesh;
+  floes: FloeMesh;
   readonly water: Water;
   follow = true;
   /** Called after each picture. */
@@ -60,9 +60,8 @@ export class ReplayScene {
     this.top = h + this.bottom;
     this.water = new Water(this.size);
 
-    const floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true });
-    const edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
-    this.materials.edges = edges;
+    const floes = (this.materials.floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true }));
+    const edges = (this.materials.edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 }));
     this.floes = new FloeMesh(run, this.palette, { floes, edges });
     this.materials.sheet = new MeshLambertMaterial({ flatShading: true });
     for (const material of [floes, this.materials.sheet]) this.water.fades(material);
@@ -83,6 +82,19 @@ export class ReplayScene {
     this.setTheme();
     this.look("Wake");
     this.setSeeThrough(true);
+  }
+
+  /** Follows a run that has grown: its newest sheet, and the floes that were born. */
+  renew(): void {
+    this.sheetShown = -1;
+    this.forgetSheets();
+    const { colouring, nFloes } = this.floes;
+    if (nFloes === this.run.nFloes) return;
+    this.scene.remove(this.floes.solid, this.floes.lines);
+    this.floes.dispose();
+    this.floes = new FloeMesh(this.run, this.palette, { floes: this.materials.floes, edges: this.materials.edges });
+    this.floes.colouring = colouring;
+    this.scene.add(this.floes.solid, this.floes.lines);
   }
 
   /** Takes the colours of the page's theme. */
