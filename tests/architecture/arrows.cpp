@@ -40,6 +40,7 @@ const std::map<std::string, Room> kRooms{
       {"core", "geometry", "model", "netcdf", "structure"},
       {"toml", "netcdf", "udunits", "json", "valijson"}}},
     {"report", {"modules/report", {"core", "model", "io", "statistics", "structure"}, {"json", "zlib"}}},
+    {"live", {"modules/live", {"core"}, {"httplib"}}},
     {"simulation",
      {"modules/simulation",
       {"core", "geometry", "failure", "ice", "rigid_body", "hydrodynamics", "structure", "model", "statistics"},
@@ -67,6 +68,7 @@ const std::map<std::string, std::regex> kLibraries{
     {"nettle", std::regex("^nettle/")},
     {"zlib", std::regex("^zlib\\.h")},
     {"clipper", std::regex("^polyclipping/")},
+    {"httplib", std::regex("^httplib\\.h")},
 };
 
 std::vector<std::string> includes_of(const fs::path& file) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <utility>
 
 #include "messages.hpp"
 #include "requests_to_end.hpp"
@@ -44,10 +45,14 @@ class ProgressLine {
 simulation::Run run_with_progress(const model::Case& resolved, simulation::RunOptions options) {
   catch_requests_to_end();
   ProgressLine progress(resolved.time.duration);
-  options.observer = [&](const simulation::Simulation& simulation, const simulation::StepReport& report) {
+  options.observer = [&, observer = std::move(options.observer)](const simulation::Simulation& simulation,
+                                                                 const simulation::StepReport& report) {
+    if (observer) observer(simulation, report);
     progress.show(simulation.time(), report.loads.n_floes);
   };
-  options.interrupted = is_asked_to_end;
+  options.interrupted = [interrupted = std::move(options.interrupted)] {
+    return is_asked_to_end() || (interrupted && interrupted());
+  };
   return simulation::run(resolved, options);
 }
 

@@ -22,11 +22,8 @@ ordered_json with_events(const LoadHistory& load) {
   ordered_json out = statistics_of(load);
   out["events"] = ordered_json::array();
   for (const statistics::LoadEvent& e : events_of(load))
-    out["events"].push_back({{"start", e.start},
-                             {"end", e.end},
-                             {"peak_time", e.peak_time},
-                             {"peak", e.peak},
-                             {"impulse", e.impulse}});
+    out["events"].push_back(
+        {{"start", e.start}, {"end", e.end}, {"peak_time", e.peak_time}, {"peak", e.peak}, {"impulse", e.impulse}});
   return out;
 }
 

@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/report/report.hpp"
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
+#include "live_view.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
@@ -26,6 +28,7 @@ struct RunOptions {
   bool has_seed = false;
   bool resume = false;
   bool replace = false;
+  bool view = false;
 };
 
 void run_case(const RunOptions& options) {
@@ -40,18 +43,27 @@ void run_case(const RunOptions& options) {
   const std::string checkpoint = directory + "/checkpoint.nc";
   if (options.resume && !std::filesystem::exists(checkpoint))
     say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
-  const simulation::Run run =
-      run_with_progress(resolved, {.begun =
-                                       [&] {
-                                         recording::expect_unchanged(inputs);
-                                         remove_run(directory);
-                                       },
-                                   .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs)});
-  if (!run.complete)
-    throw Interrupted(
-        fmt::format("{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory,
-                    run.results.loads.back().time));
+  simulation::RunOptions how{.begun =
+                                 [&] {
+                                   recording::expect_unchanged(inputs);
+                                   remove_run(directory);
+                                 },
+                             .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs)};
+  std::optional<LiveView> view;
+  if (options.view) {
+    view.emplace(resolved).watch(how);
+    say("watch at  {}\n", view->address());
+  }
+  const simulation::Run run = run_with_progress(resolved, how);
+  if (!run.complete) {
+    const double reached = run.results.loads.back().time;
+    if (view)
+      view->end(fmt::format("The run was stopped at {:.10g} s. The same command with --resume continues it.", reached));
+    throw Interrupted(fmt::format(
+        "{}: interrupted at t = {:.10g} s; the same command with `--resume` goes on from there", directory, reached));
+  }
   write_run_folder(directory, inputs, run);
+  if (view) view->end(fmt::format("The run is done. Its report is {}/report.html.", directory));
   print("{}\nresults in {}\n", run_table(resolved, run), directory);
   if (report::has_page()) print("report in  {}/report.html\n", directory);
 }
@@ -71,6 +83,7 @@ void add_run_command(CLI::App& app) {
       command->add_flag("--resume", options->resume, "go on from the newest checkpoint in the folder of the results");
   command->add_flag("--replace", options->replace, "begin at 0 s where the folder holds a run already")
       ->excludes(resume);
+  command->add_flag("--view", options->view, "show the run in a browser on this machine while it goes on");
   command->footer("Example: brash run cone.toml -o results/cone --seed 2 --set \"ice.thickness='0.4 m'\"");
   command->callback([options, seed] {
     options->has_seed = seed->count() > 0;

@@ -8,8 +8,8 @@
 
 namespace brash::report {
 
-/// The drawn statistics of each load, Fx to Mz, from `from` [s] on: spectrum with its confidence factors, and the peaks between
-/// upward crossings of the mean, largest first. Null where the history is too short.
+/// The drawn statistics of each load, Fx to Mz, from `from` [s] on: spectrum with its confidence factors, and the peaks
+/// between upward crossings of the mean, largest first. Null where the history is too short.
 nlohmann::ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from);
 
 }  // namespace brash::report

@@ -45,6 +45,14 @@ std::string page_with(const nlohmann::ordered_json& data, const std::string& pac
   return page;
 }
 
+std::string live_page_with(const nlohmann::ordered_json& data, const std::string& packed) {
+  constexpr std::string_view kPolicy = "default-src 'none';";
+  std::string page = page_with(data, packed);
+  const std::size_t at = page.find(kPolicy);
+  BRASH_EXPECTS(at != std::string::npos);
+  return page.insert(at + kPolicy.size(), " connect-src 'self';");
+}
+
 nlohmann::ordered_json read_json(const std::string& path) {
   constexpr const char* kAllowed = "a file (JSON) of the folder that `brash run` or `brash campaign` wrote";
   const std::string text = read_json_text(path, kAllowed);

@@ -15,6 +15,9 @@ extern const std::string_view kPage;
 /// @throws RunError in a build without a page.
 std::string page_with(const nlohmann::ordered_json& data, const std::string& packed);
 
+/// The same for a page that a server shows: it may ask that server, and nobody else.
+std::string live_page_with(const nlohmann::ordered_json& data, const std::string& packed);
+
 /// The JSON file `path`.
 /// @throws InputError naming the file and its fault.
 nlohmann::ordered_json read_json(const std::string& path);

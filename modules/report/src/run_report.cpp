@@ -6,10 +6,12 @@
 
 #include "blocks.hpp"
 #include "brash/core/error.hpp"
+#include "brash/core/version.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
+#include "brash/report/live.hpp"
 #include "brash/report/report.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
@@ -237,6 +239,20 @@ void write_comparison(const RunSource& run, const RunSource& other, const std::s
   data["measured"] = measured_json(run.measured, blocks);
   data["other"] = run_json(other, "other.", blocks);
   write_page(std::move(data), blocks, path);
+}
+
+std::string live_page(const model::Case& resolved) {
+  Blocks blocks;
+  add_structure(blocks, *structure::make_hull(resolved.structure.shape), {});
+  const ordered_json data{{"format", "brash-report-1"},
+                          {"kind", "live"},
+                          {"manifest",
+                           {{"program", {{"name", "brash"}, {"version", kVersion}}},
+                            {"seeds", {{"seed", resolved.random.seed}}},
+                            {"case", {{"name", resolved.name}, {"toml", io::to_toml(resolved)}}}}},
+                          {"schema", ordered_json::parse(io::case_schema())},
+                          {"blocks", blocks.directory()}};
+  return live_page_with(data, blocks.packed());
 }
 
 }  // namespace brash::report

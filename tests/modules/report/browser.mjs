@@ -65,13 +65,21 @@ export async function saved(page, element) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
+/** A browser of its own that can be killed: its pages, and `kill`. */
+export async function doomedBrowser() {
+  const { chromium } = createRequire(join(BRASH_PACKAGES, "package.json"))("playwright-core");
+  const server = await chromium.launchServer({ executablePath: BRASH_CHROMIUM, headless: true, args: kFlags });
+  const browser = await chromium.connect(server.wsEndpoint());
+  return { newPage: () => browser.newPage(), kill: () => server.kill() };
+}
+
 /** Opens pages in one browser. Everything that goes wrong in them, and every request, is written down. */
-export async function browse({ width = 1366, height = 768, dark = false } = {}) {
+export async function browse({ width = 1366, height = 768, dark = false, offline = true } = {}) {
   const { chromium } = createRequire(join(BRASH_PACKAGES, "package.json"))("playwright-core");
   const profile = mkdtempSync(join(tmpdir(), "brash-chromium-"));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: BRASH_CHROMIUM, headless: true, args: kFlags, viewport: { width, height },
-    colorScheme: dark ? "dark" : "light", offline: true, acceptDownloads: true,
+    colorScheme: dark ? "dark" : "light", offline, acceptDownloads: true,
   });
   context.setDefaultTimeout(kPatience);
   const complaints = [];
@@ -87,7 +95,7 @@ export async function browse({ width = 1366, height = 768, dark = false } = {}) 
           complaints.push(message.text());
       });
       page.on("pageerror", (error) => complaints.push(String(error)));
-      await page.goto(pathToFileURL(file).href);
+      await page.goto(file.startsWith("http:") ? file : pathToFileURL(file).href);
       await until(page, () => window.brashReport?.readyAfter > 0);
       return page;
     },

@@ -54,27 +54,39 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-test("each setting shows its mean with the interval", async () => {
-  const rows = page.locator("#settings-table tbody tr");
+test("each setting stands under its first input, with means and intervals in units and to the digits that they bear", async () => {
+  const groups = await page.locator("#settings-table .group").allTextContents();
+  assert.deepEqual(groups, ["structure angle 50°", "structure angle 70°"]);
+  const heads = await page.locator("#settings-table thead th").allTextContents();
+  assert.deepEqual(heads.slice(0, 4), ["structure speed", "runs", "mean horizontal load [kN]", "mean vertical load [kN]"]);
+  const rows = page.locator("#settings-table tbody tr:not(.group)");
   assert.equal(await rows.count(), kSettings.length);
-  assert.deepEqual((await rows.nth(3).locator("td").allTextContents()).slice(0, 5),
-    ["angle-70deg_speed-1.2", "1", "1", "240.0 (231.0 to 249.0)", "120.0"]);
+  assert.deepEqual((await rows.nth(3).locator("td").allTextContents()).slice(0, 4),
+    ["1.2 m/s", "1 done, 1 failed", "240.0 (231.0 to 249.0)", "120.0 (one run)"]);
 });
 
-test("what was varied together is one input: trends over the angle and over the speed, for each column", async () => {
-  const labels = await page.locator("#trends .chart .u-legend tr:first-child .u-label").allTextContents();
-  assert.deepEqual([...new Set(labels)], ["structure.angle [°]", "structure.speed [m s-1]"]);
-  assert.equal(labels.length, 2 * 4);  // of the first columns
+test("what was varied together is one input: for each result a chart over the angle and over the speed, of one scale", async () => {
+  const names = await page.locator("#trends .chart .plot").evaluateAll((all) => all.map((plot) => plot.ariaLabel));
+  assert.equal(names.length, 2 * 4);  // of the first columns
+  assert.deepEqual(names.slice(0, 2), ["mean horizontal load [kN] over structure angle [°]", "mean horizontal load [kN] over structure speed [m/s]"]);
+  // The second input is a line for each of its values.
+  const lines = await page.locator("#trends .chart").first().locator(".u-legend .u-label").allTextContents();
+  assert.deepEqual(lines, ["structure angle [°]", "structure speed 0.5 m/s", "structure speed 1.2 m/s"]);
 });
 
-test("each run links to its report, or to its summary when it kept no report", async () => {
-  const rows = page.locator("#runs tbody tr");
-  assert.equal(await rows.count(), 8);
-  const links = await rows.locator("a").evaluateAll((all) => all.map((a) => a.getAttribute("href")));
-  assert.equal(links[0], "cases/angle-50deg_speed-0.5-r0000/report.html");
-  assert.equal(links[1], "cases/angle-50deg_speed-0.5-r0001/summary.json");
-  assert.equal(links.length, 7);
-  assert.ok((await rows.nth(7).innerText()).includes("failed"));
+test("no key path is shown where a name can be", async () => {
+  const shown = await page.locator("#trends, #settings, #all-runs").allInnerTexts();
+  for (const text of shown) assert.ok(!/\b(structure\.|horizontal\.|vertical\.)/.test(text), text);
+});
+
+test("a setting links to its runs, and a run to its page if it kept one", async () => {
+  const runs = page.locator("#runs tbody tr:not(.group)");
+  assert.equal(await runs.count(), 8);
+  const links = await runs.locator("a").evaluateAll((all) => all.map((a) => a.getAttribute("href")));
+  assert.deepEqual(links, kSettings.map(({ setting }) => `cases/${setting}-r0000/report.html`));
+  assert.ok((await runs.nth(7).innerText()).includes("failed"));
+  const targets = await page.locator("#settings-table a").evaluateAll((all) => all.map((a) => document.querySelector(a.getAttribute("href"))?.textContent ?? ""));
+  targets.forEach((text, i) => assert.ok(text.includes(`${kSettings[i].setting}-r0000`), text));
 });
 
 test("no table hangs over the edge of a laptop's page, or of a sheet of paper", async () => {

@@ -55,5 +55,5 @@ export function citeSection(run: Run): HTMLElement {
     el("details", { class: "bibtex" },
       el("summary", {}, "BibTeX"),
       el("p", {}, el("a", { href: `data:application/x-bibtex;charset=utf-8,${encodeURIComponent(text)}`, download: "brash.bib" }, "Download brash.bib")),
-      el("pre", {}, text)));
+      el("pre", { tabindex: 0, role: "group", "aria-label": "BibTeX" }, text)));
 }

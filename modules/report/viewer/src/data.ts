@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unpacks what the program put into the page. Loops, since `from` with a function takes ten times as long.
-import type { BlockEntry, CampaignData, Numbers, RunData, RunFiles } from "./types";
+import type { BlockEntry, Numbers, PageData, RunFiles } from "./types";
 
 export type Blocks = Map<string, Numbers>;
 
@@ -8,8 +8,8 @@ function text(id: string): string {
   return document.getElementById(id)?.textContent ?? "";
 }
 
-export function readData(): RunData | CampaignData {
-  return JSON.parse(text("brash-data")) as RunData | CampaignData;
+export function readData(): PageData {
+  return JSON.parse(text("brash-data")) as PageData;
 }
 
 async function inflate(base64: string): Promise<Uint8Array> {
@@ -90,27 +90,25 @@ function placed(rings: Ring[], at: (name: string) => number): Ring[] {
 
 /** A run with its arrays at hand. */
 export class Run {
-  readonly outlines: Ring[][];
-  readonly sheets: Ring[][];
+  outlines: Ring[][] = [];
+  sheets: Ring[][] = [];
   /** The structure's waterline at rest, its frame. */
   readonly waterline: Ring[];
   /** Half the length or the width of the waterline, whichever is more [m]. */
   readonly radius: number;
   readonly inputs: Record<string, Record<string, InputValue>>;
   /** Floes that broke off the level ice, in the order of their births. The others are pieces of floes. */
-  readonly offSheet: number[];
+  offSheet: number[] = [];
   /** Those that each event made. */
-  readonly piecesOf: number[][] = [];
-  readonly nFloes: number;
-  readonly nEvents: number;
-  readonly duration: number;
+  piecesOf: number[][] = [];
+  nFloes = 0;
+  nEvents = 0;
+  duration = 0;
 
   constructor(
     readonly data: RunFiles,
-    readonly blocks: Blocks,
+    public blocks: Blocks,
   ) {
-    this.outlines = polygons(blocks, "outline");
-    this.sheets = polygons(blocks, "sheet");
     this.waterline = polygons(blocks, "waterline")[0];
     const extent = (axis: number) => {
       const places = this.waterline.flat().map((point) => point[axis]);
@@ -118,6 +116,14 @@ export class Run {
     };
     this.radius = 0.5 * Math.max(extent(0), extent(1));
     this.inputs = parseToml(data.manifest.case?.toml ?? "");
+    this.take(blocks);
+  }
+
+  /** Goes over to arrays that have grown. */
+  take(blocks: Blocks): void {
+    this.blocks = blocks;
+    this.outlines = polygons(blocks, "outline");
+    this.sheets = polygons(blocks, "sheet");
     this.nFloes = this.outlines.length;
     this.nEvents = this.column("event.time").length;
     const frames = this.column("frame.time");
@@ -125,6 +131,7 @@ export class Run {
     this.duration = Math.max(frames.at(-1) ?? 0, loads.at(-1) ?? 0);
     const pieces = this.column("event.pieces");
     this.offSheet = [...this.column("floe.parent")].flatMap((parent, floe) => (parent < 0 ? [floe] : []));
+    this.piecesOf = [];
     let next = this.offSheet.length;
     for (const n of pieces) next -= n;
     for (const n of pieces) {

@@ -58,7 +58,7 @@ export function groupedTable(head: Child[], groups: Group[], attributes: Attribu
       ...(typeof child === "string" ? breakable(child) : [child]));
   const headOf = (text: Child, i: number) => (text === "" ? el("td") : cell("th", text, i));
   // A wide table scrolls, also by keys.
-  return el("div", { class: "table", tabindex: 0, role: "region", "aria-label": "Table" },
+  return el("div", { class: "table", tabindex: 0, role: "group", "aria-label": "Table" },
     el("table", attributes,
       head.length > 0 && el("thead", {}, el("tr", {}, ...head.map(headOf))),
       ...groups.map(({ title, id, rows }) => el("tbody", { id },

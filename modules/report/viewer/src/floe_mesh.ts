@@ -55,6 +55,16 @@ export class FloeMesh {
     this.solid.frustumCulled = this.lines.frustumCulled = false;
   }
 
+  /** How many floes it was made of. */
+  get nFloes(): number {
+    return this.cause.length;
+  }
+
+  dispose(): void {
+    this.solid.geometry.dispose();
+    this.lines.geometry.dispose();
+  }
+
   /** Moves every floe to where it is at `time` [s]. */
   show(time: number): void {
     const { frame, share } = frameAt(this.run, time);

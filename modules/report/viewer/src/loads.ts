@@ -86,6 +86,18 @@ export class LoadHistory {
     plot.setScale("x", { min, max: Math.min(this.run.duration, min + span) });
   }
 
+  /** Follows a run that has grown; a view of all of it stays one. */
+  renew(): void {
+    const max = this.chart.plot?.scales.x.max ?? 0;
+    const showsAll = max >= this.drawn - 1e-6;
+    this.drawn = this.run.duration;
+    this.chart.redraw();
+    if (showsAll) this.showAll();
+  }
+
+  /** Duration of the run when it was drawn last [s]. */
+  private drawn = 0;
+
   showAll(): void {
     this.chart.plot?.setScale("x", { min: 0, max: this.run.duration });
   }

@@ -3,28 +3,29 @@ import { showCampaign } from "./campaign";
 import { redrawCharts } from "./charts";
 import { part, readBlocks, readData, Run } from "./data";
 import { el } from "./dom";
+import { type LiveReport, showLive } from "./live";
 import { type RunReport, showRun } from "./run";
-import type { CampaignData, RunData, RunFiles } from "./types";
+import type { Manifest, PageData } from "./types";
 
 declare global {
   interface Window {
     /** For scripts that look at an open report. */
-    brashReport?: { run?: Run; report?: RunReport; readyAfter?: number };
+    brashReport?: { run?: Run; report?: RunReport | LiveReport; readyAfter?: number };
   }
 }
 
 const kThemes = ["auto", "light", "dark"];
 
-function subtitle(data: RunData | CampaignData): string {
+function subtitle(data: PageData): string {
   const { manifest } = data;
-  const parts = [data.kind === "run" ? "simulated run" : "campaign"];
+  const parts = [{ run: "simulated run", live: "run that goes on", campaign: "campaign" }[data.kind]];
   if (manifest.seeds) parts.push(`seed ${manifest.seeds.seed}`);
   if (manifest.volatile?.started_at) parts.push(manifest.volatile.started_at.slice(0, 10));
   parts.push(`brash ${manifest.program?.version ?? ""}`);
   return parts.join(" · ");
 }
 
-function header(data: RunData | CampaignData, title: string, onTheme: () => void): HTMLElement {
+function header(data: PageData, title: string, onTheme: () => void): HTMLElement {
   const root = document.documentElement;
   const theme = el("select", {
     "aria-label": "Colours",
@@ -33,9 +34,10 @@ function header(data: RunData | CampaignData, title: string, onTheme: () => void
       onTheme();
     },
   }, ...kThemes.map((name) => el("option", { value: name }, name)));
-  const keys = data.kind === "run" && el("details", { class: "keys" }, el("summary", {}, "keys"),
-    el("p", {}, "space: play · ← →: one frame, with shift one second · [ ]: slower, faster · , .: start, end · 1 to 5: views · mouse: orbit, wheel, right button"));
+  const keys = data.kind !== "campaign" && el("details", { class: "keys" }, el("summary", {}, "keys"),
+    el("p", {}, "space: play · ← →: one frame, with shift one second · [ ]: slower, faster · , .: start, end · 1 to 5: views · on the replay w a s d: turn, + −: nearer, further · mouse: orbit, wheel, right button"));
   return el("header", {},
+    el("a", { class: "skip", href: "#start" }, "Skip to the report"),
     el("div", { class: "title" }, el("h1", {}, title), el("p", {}, subtitle(data))),
     el("nav", { "aria-label": "Contents" }), keys, el("label", { class: "theme" }, theme));
 }
@@ -60,15 +62,19 @@ function fillContents(head: HTMLElement): void {
     el("a", { href: `#${part.id}` }, part.querySelector("h2")!.textContent)));
 }
 
-function titleOf(data: RunData): string {
-  const name = ({ manifest }: RunFiles) => manifest.case?.name ?? "run";
-  return data.other ? `${name(data)} and ${name(data.other)}` : name(data);
+function titleOf(data: PageData): string {
+  if (data.kind === "campaign") {
+    const first = data.summary.settings[0];
+    return `${first?.case.replace(`_${first.setting}`, "") ?? ""} campaign`;
+  }
+  const name = ({ manifest }: { manifest: Manifest }) => manifest.case?.name ?? "run";
+  return data.kind === "run" && data.other ? `${name(data)} and ${name(data.other)}` : name(data);
 }
 
 async function main(): Promise<void> {
   const data = readData();
   const parent = document.getElementById("report")!;
-  const title = data.kind === "run" ? titleOf(data) : `${data.summary.settings[0]?.case.replace(`_${data.summary.settings[0].setting}`, "") ?? ""} campaign`;
+  const title = titleOf(data);
   document.title = `${title} – brash report`;
   const handle: NonNullable<Window["brashReport"]> = {};
   window.brashReport = handle;
@@ -78,11 +84,15 @@ async function main(): Promise<void> {
     handle.report?.player.seek(handle.report.player.time);
   };
   const head = header(data, title, retheme);
-  parent.append(head);
+  parent.append(head, el("div", { id: "start", tabindex: -1 }));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
   printInLight(retheme);
   if (data.kind === "campaign") {
     showCampaign(data, parent);
+  } else if (data.kind === "live") {
+    const live = showLive(data, await readBlocks(data.blocks), parent);
+    handle.report = live;
+    handle.run = live.run;
   } else {
     const blocks = await readBlocks(data.blocks);
     handle.run = new Run(data, blocks);

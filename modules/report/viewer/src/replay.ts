@@ -21,6 +21,8 @@ export class Replay {
   private readonly slider: HTMLInputElement;
   private readonly clock = el("output", { class: "clock" });
   private film: Film | null = null;
+  /** Called when a reader takes the replay to another time. */
+  onTouch: () => void = () => {};
 
   /** @param titles of the runs, if there are several. */
   constructor(
@@ -31,9 +33,15 @@ export class Replay {
     this.stages = runs.map((run, i) => new Stage(run, titles[i]));
     this.slider = el("input", {
       type: "range", min: 0, max: player.duration, step: "any", value: 0, "aria-label": "Time of the replay",
-      input: () => player.seek(Number(this.slider.value)),
+      input: () => {
+        this.onTouch();
+        player.seek(Number(this.slider.value));
+      },
     });
-    this.play.addEventListener("click", () => player.toggle());
+    this.play.addEventListener("click", () => {
+      this.onTouch();
+      player.toggle();
+    });
     this.element = el("figure", { class: "replay" }, el("div", { class: "stages" }, ...this.stages.map((stage) => stage.element)),
       this.transport(), this.options());
     player.onChange(() => this.update());
@@ -48,6 +56,12 @@ export class Replay {
 
   get scenes(): ReplayScene[] {
     return this.stages.flatMap(({ scene }) => (scene ? [scene] : []));
+  }
+
+  /** Follows runs that have grown. */
+  renew(): void {
+    this.slider.max = String(this.player.duration);
+    for (const scene of this.scenes) scene.renew();
   }
 
   setColouring(colouring: Colouring): void {
@@ -132,9 +146,9 @@ export class Replay {
 }
 
 /** Keys that work wherever the focus is, but in fields. */
-export function bindKeys(player: Player, replay: Replay, frames: ArrayLike<number>): void {
+export function bindKeys(player: Player, replay: Replay, frames: () => ArrayLike<number>, onUse = () => {}): void {
   const frame = (direction: 1 | -1) => {
-    const times = Array.from(frames).filter((time) => direction * (time - player.time) > 1e-9);
+    const times = Array.from(frames()).filter((time) => direction * (time - player.time) > 1e-9);
     return times.length > 0 ? (direction > 0 ? times[0] : times[times.length - 1]) : player.time + direction * player.duration;
   };
   document.addEventListener("keydown", (event) => {
@@ -154,6 +168,7 @@ export function bindKeys(player: Player, replay: Replay, frames: ArrayLike<numbe
     const action = actions[event.key];
     if (!action) return;
     event.preventDefault();
+    if (!/^\d$/.test(event.key)) onUse();
     action();
   });
 }

@@ -20,7 +20,7 @@ export class ReplayScene {
   readonly renderer: WebGLRenderer;
   readonly camera: PerspectiveCamera;
   readonly controls: OrbitControls;
-  readonly floes: FloeMesh;
+  floes: FloeMesh;
   readonly water: Water;
   follow = true;
   /** Called after each picture. */
@@ -60,9 +60,8 @@ export class ReplayScene {
     this.top = h + this.bottom;
     this.water = new Water(this.size);
 
-    const floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true });
-    const edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
-    this.materials.edges = edges;
+    const floes = (this.materials.floes = new MeshLambertMaterial({ vertexColors: true, flatShading: true }));
+    const edges = (this.materials.edges = new LineBasicMaterial({ transparent: true, opacity: 0.55 }));
     this.floes = new FloeMesh(run, this.palette, { floes, edges });
     this.materials.sheet = new MeshLambertMaterial({ flatShading: true });
     for (const material of [floes, this.materials.sheet]) this.water.fades(material);
@@ -83,6 +82,19 @@ export class ReplayScene {
     this.setTheme();
     this.look("Wake");
     this.setSeeThrough(true);
+  }
+
+  /** Follows a run that has grown: its newest sheet, and the floes that were born. */
+  renew(): void {
+    this.sheetShown = -1;
+    this.forgetSheets();
+    const { colouring, nFloes } = this.floes;
+    if (nFloes === this.run.nFloes) return;
+    this.scene.remove(this.floes.solid, this.floes.lines);
+    this.floes.dispose();
+    this.floes = new FloeMesh(this.run, this.palette, { floes: this.materials.floes, edges: this.materials.edges });
+    this.floes.colouring = colouring;
+    this.scene.add(this.floes.solid, this.floes.lines);
   }
 
   /** Takes the colours of the page's theme. */
@@ -117,6 +129,19 @@ export class ReplayScene {
     this.controls.target.set(...at).multiplyScalar(this.run.radius).add(new Vector3(this.structureX, 0, 0));
     this.camera.position.set(...from).multiplyScalar(this.size * furtherIn(this.camera.aspect)).add(this.controls.target);
     this.controls.update();
+    this.draw();
+  }
+
+  /** Turns the camera about the point that it looks at: `around` the vertical and `up` [rad], `nearer` by a factor. */
+  move(around: number, up: number, nearer: number): void {
+    const { target, minDistance, maxDistance } = this.controls;
+    const offset = this.camera.position.clone().sub(target);
+    const level = Math.hypot(offset.x, offset.y);
+    const heading = Math.atan2(offset.y, offset.x) + around;
+    const height = Math.min(1.5, Math.max(-1.5, Math.atan2(offset.z, level) + up));
+    const distance = Math.min(maxDistance, Math.max(minDistance, offset.length() / nearer));
+    offset.set(Math.cos(heading) * Math.cos(height), Math.sin(heading) * Math.cos(height), Math.sin(height)).multiplyScalar(distance);
+    this.camera.position.copy(target).add(offset);
     this.draw();
   }
 

@@ -8,6 +8,11 @@ import { legend, type Swatch } from "./legend";
 import { ReplayScene } from "./scene";
 import { scaleLength } from "./views";
 
+/** Keys that move the camera: around, up [rad], nearer. */
+const kMoves: Record<string, [number, number, number]> = {
+  a: [-0.1, 0, 1], d: [0.1, 0, 1], w: [0, 0.1, 1], s: [0, -0.1, 1], "+": [0, 0, 1.15], "-": [0, 0, 1 / 1.15],
+};
+
 export class Stage {
   readonly element = el("div", { class: "stage" });
   readonly scene: ReplayScene | null;
@@ -25,6 +30,7 @@ export class Stage {
     }
     this.element.append(this.canvas, this.scale, this.legend);
     if (title) this.element.append(el("p", { class: "stage-title" }, title));
+    this.canvas.addEventListener("keydown", (event) => kMoves[event.key] && this.scene!.move(...kMoves[event.key]));
     this.scene.onDraw = () => this.showScale(this.scene!);
     new ResizeObserver(() => this.scene?.resize(this.element.clientWidth, this.element.clientHeight)).observe(this.element);
   }

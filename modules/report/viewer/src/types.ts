@@ -159,6 +159,14 @@ export interface RunData extends RunFiles {
   other?: RunFiles;
 }
 
+/** A run that goes on: its arrays are streamed. */
+export interface LiveData {
+  kind: "live";
+  manifest: Manifest;
+  schema: Schema;
+  blocks: BlockEntry[];
+}
+
 export interface CampaignColumn {
   n: number;
   mean: number | null;
@@ -187,5 +195,7 @@ export interface CampaignData {
   reports: string[];
   blocks: BlockEntry[];
 }
+
+export type PageData = RunData | CampaignData | LiveData;
 
 export type Numbers = Float64Array | Float32Array | Int32Array;

@@ -28,8 +28,8 @@ struct MeasuredHistory {
 struct RunSource {
   std::string directory;
   std::string closed_forms;  ///< of the run's case, as JSON (`brash loads --json`)
-  /// JSON object: for each load (Fx ... Mz) its statistics with the keys of `brash stats --json`, and its load `events`;
-  /// null where the run is over before its statistics begin.
+  /// JSON object: for each load (Fx ... Mz) its statistics with the keys of `brash stats --json`, and its load
+  /// `events`; null where the run is over before its statistics begin.
   std::string loads;
   std::optional<MeasuredHistory> measured{};
 };

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "brash/live/server.hpp"
+#include "brash/model/case.hpp"
+#include "brash/report/live.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace brash::cli {
+
+/// A run that goes on, in a browser on this machine. It reads the run and changes nothing of it.
+class LiveView {
+ public:
+  /// @throws RunError without a page, or when no server can be started.
+  explicit LiveView(const model::Case& resolved);
+
+  const std::string& address() const { return server_.address(); }
+
+  /// Makes the run show itself here, and stop when a browser asks for it. Keeps what `options` has.
+  /// The view must outlive the run.
+  void watch(simulation::RunOptions& options);
+
+  /// Tells the browsers how the run ended, and lets them take the rest.
+  /// @param text  for the reader.
+  void end(const std::string& text);
+
+ private:
+  void show_earlier(const model::RunResults& results);
+  void take(const simulation::Simulation& simulation, const simulation::StepReport& report);
+  void send();
+
+  live::Server server_;
+  double frame_interval_;  ///< [s]
+  double duration_;        ///< [s]
+  double next_frame_ = 0.0;
+  bool begun_ = false;
+  model::RunResults part_;  ///< not yet sent
+  std::vector<report::EndedFloe> ended_;
+};
+
+}  // namespace brash::cli

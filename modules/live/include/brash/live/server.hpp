@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace brash::live {
+
+/// Shows one page to browsers on this machine, with a stream of what is published, and takes their wishes.
+///
+/// It listens on 127.0.0.1, on a port of the system's choice. Its address holds a token of 128 random bits that is made
+/// for this server: whoever has the address may watch, pause and stop. Every other request is refused (403). A browser
+/// that is slow, or is killed, holds up nobody else, and never the caller.
+class Server {
+ public:
+  /// @param page  HTML. Beside it lie `events`, the stream (server-sent events), and `pause`, `resume` and `stop`,
+  /// which take POST requests.
+  /// @throws RunError when it cannot listen.
+  explicit Server(std::string page);
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+  ~Server();
+
+  /// http://127.0.0.1:PORT/TOKEN/
+  const std::string& address() const;
+
+  /// Sends one event to every browser, to those that come later too.
+  /// @param data  one line of text.
+  void publish(const std::string& event, const std::string& data);
+
+  /// Whether a browser asked for an end.
+  bool is_asked_to_end() const;
+
+  /// Returns at once unless a browser asked for a pause: then when the pause ends, an end is asked for, or `ended`.
+  void wait_while_paused(const std::function<bool()>& ended) const;
+
+  /// Waits until the browsers that are connected have received everything, `longest` at most, and ends their streams.
+  void finish(std::chrono::milliseconds longest);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brash::live

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages for readers who do not see them, use no mouse, or want no motion: axe-core finds no fault in any state.
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { brash, browse, scratch } from "./browser.mjs";
+
+const folder = scratch();
+const [run, other, campaign] = ["run", "other", "campaign"].map((name) => join(folder, name));
+const kCase = join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml");
+const axe = readFileSync(createRequire(join(process.env.BRASH_PACKAGES, "package.json")).resolve("axe-core/axe.min.js"), "utf8");
+let browser;
+
+function writeCampaign() {
+  const settings = [0.5, 1.2].map((speed) => ({
+    setting: `speed-${speed}`, case: `cone_speed-${speed}`, values: { "structure.speed": speed }, n_done: 2, n_failed: 0, stopped_by: "replicates",
+    warnings: { "short-run": 1 }, statistics: { "horizontal.mean": { n: 2, mean: 9e4, standard_deviation: 4e3, mean_95: [8e4, 1e5] } },
+  }));
+  const rows = settings.flatMap(({ setting, values }) => [0, 1].map((r) => [`${setting}-r000${r}`, setting, r, "done", values["structure.speed"], 9e4 + r].join(",")));
+  mkdirSync(join(campaign, "cases", "speed-0.5-r0000"), { recursive: true });
+  writeFileSync(join(campaign, "cases", "speed-0.5-r0000", "report.html"), "");
+  writeFileSync(join(campaign, "campaign.csv"), `case,setting,replicate,status,structure.speed,horizontal.mean\n${rows.join("\n")}\n`);
+  writeFileSync(join(campaign, "summary.json"), JSON.stringify({ format: "brash-campaign-1", n_cases: 4, n_done: 4, n_failed: 0, settings }));
+  writeFileSync(join(campaign, "manifest.json"), JSON.stringify({ program: { name: "brash", version: "0" }, inputs: [] }));
+  brash("report", campaign);
+}
+
+before(async () => {
+  brash("run", kCase, "-o", run, "--set", "time.duration=3", "--set", "output.statistics_from=1");
+  brash("run", kCase, "-o", other, "--set", "time.duration=1", "--seed", "2");
+  brash("report", run, other, "-o", join(folder, "both.html"));
+  writeCampaign();
+  browser = await browse();
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** Faults that axe-core finds, one text each. */
+async function faults(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate("axe.run(document, { resultTypes: ['violations'] })");
+  return violations.flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 160)}: ${failureSummary}`));
+}
+
+const kPages = { "a run": join(run, "report.html"), "a run without statistics": join(other, "report.html"), "two runs": join(folder, "both.html"), "a campaign": join(campaign, "report.html") };
+
+for (const [what, file] of Object.entries(kPages))
+  test(`axe-core finds no fault in the page of ${what}, light, dark and narrow`, async () => {
+    const page = await browser.open(file);
+    for (const theme of ["light", "dark"]) {
+      await page.getByLabel("Colours").selectOption(theme);
+      await page.evaluate("document.querySelectorAll('details').forEach((d) => (d.open = true))");
+      assert.deepEqual(await faults(page), [], theme);
+    }
+    await page.setViewportSize({ width: 390, height: 800 });
+    assert.deepEqual(await faults(page), [], "narrow");
+    await page.close();
+  });
+
+test("everything that a mouse can do to a replay, keys can", async () => {
+  const page = await browser.open(kPages["a run"]);
+  const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent);
+  const reached = new Set();
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    reached.add(await focused());
+  }
+  for (const name of ["Skip to the report", "Play", "Time of the replay", "Speed of the replay", "Wake", "Load", "Crack 1 at 0.97 s"])
+    assert.ok([...reached].some((text) => text.startsWith(name.replace(/ at .*/, ""))), `${name} is not reached by Tab: ${[...reached].join(" | ")}`);
+  // A crack by Enter, and the camera by the arrows of the picture itself.
+  await page.locator(".breaks circle").nth(1).focus();
+  await page.keyboard.press("Enter");
+  assert.match(await page.locator(".event-card strong").innerText(), /Crack 2/);
+  const camera = () => page.evaluate(() => window.brashReport.report.replay.scene.camera.position.toArray());
+  for (const [key, moves] of [["w", true], ["d", true], ["+", true], ["q", false]]) {
+    const place = await camera();
+    await page.locator(".stage canvas").focus();
+    await page.keyboard.press(key);
+    assert.equal(String(await camera()) !== String(place), moves, key);
+  }
+  await page.close();
+});
+
+test("nothing moves by itself, and a wish for less motion stills what is left", async () => {
+  const page = await browser.open(kPages["a run"]);
+  assert.equal(await page.evaluate(() => window.brashReport.report.player.playing), false);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  // Playing then goes in steps of half a second, which a reader asked for by the key.
+  await page.evaluate(() => window.brashReport.report.player.seek(0));
+  await page.locator("body").click({ position: { x: 5, y: 5 } });
+  await page.keyboard.press("Space");
+  const times = new Set();
+  for (const start = Date.now(); Date.now() - start < 1800; ) times.add(await page.evaluate(() => window.brashReport.report.player.time));
+  await page.keyboard.press("Space");
+  for (const time of times) assert.ok(Math.abs(time / 0.5 - Math.round(time / 0.5)) < 1e-9, `${time}`);
+  assert.ok(times.size >= 2 && times.size <= 6, `${times.size} pictures`);
+  await page.close();
+});
+
+test("what changes is told", async () => {
+  const page = await browser.open(kPages["a run"]);
+  assert.equal(await page.locator(".event-card").getAttribute("aria-live"), "polite");
+  assert.equal(await page.locator("input[type=range]").getAttribute("aria-valuetext"), await page.evaluate(() => `${window.brashReport.report.player.time.toFixed(2)} s`));
+  await page.close();
+  assert.deepEqual(browser.complaints, []);
+});
