@@ -46,7 +46,8 @@ bool stands_alone(const io::NumberKey& key) {
 std::vector<fmu::Parameter> parameters_of(const model::Case& resolved) {
   std::vector<fmu::Parameter> parameters;
   for (const io::NumberKey& key : io::number_keys(resolved))
-    if (stands_alone(key) && !(key.key == "speed" && fmu::is_driven(resolved))) parameters.push_back({key.section, key.key, key.unit, key.meaning, key.least, key.most});
+    if (stands_alone(key) && !(key.key == "speed" && fmu::is_driven(resolved)))
+      parameters.push_back({key.section, key.key, key.unit, key.meaning, key.least, key.most});
   return parameters;
 }
 
@@ -82,6 +83,7 @@ std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& models)
 
 void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
                 fmu::Standard standard) {
+  refuse_overwriting(file, {case_file});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
   fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), ""};
