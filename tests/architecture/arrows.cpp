@@ -54,11 +54,11 @@ const std::string kConversions = "geometry/include/brash/geometry/cgal.hpp";
 
 /// How the include line of each third-party library begins.
 const std::map<std::string, std::regex> kLibraries{
-    {"CGAL", std::regex("^CGAL/")},       {"Eigen", std::regex("^Eigen/")},
-    {"gsl", std::regex("^gsl/")},         {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
-    {"netcdf", std::regex("^netcdf")},    {"hdf5", std::regex("^hdf5")},
-    {"toml", std::regex("^toml")},        {"udunits", std::regex("^udunits2")},
-    {"json", std::regex("^nlohmann/")},   {"valijson", std::regex("^valijson")},
+    {"CGAL", std::regex("^CGAL/")},     {"Eigen", std::regex("^Eigen/")},
+    {"gsl", std::regex("^gsl/")},       {"Bullet", std::regex("^(bt[A-Z]|Bullet|LinearMath)")},
+    {"netcdf", std::regex("^netcdf")},  {"hdf5", std::regex("^hdf5")},
+    {"toml", std::regex("^toml")},      {"udunits", std::regex("^udunits2")},
+    {"json", std::regex("^nlohmann/")}, {"valijson", std::regex("^valijson")},
     {"nettle", std::regex("^nettle/")}, {"zlib", std::regex("^zlib\\.h")},
 };
 

@@ -440,6 +440,15 @@ class Common:
             del os.environ["BRASH_MODEL_PATH"]
         self.assertEqual(rows(instance, 0, 30), UNITS.history(3)[:30])
 
+    def test_a_unit_carries_all_that_its_failure_model_reads(self):
+        carried = {"deep-network": {"deep-network"}, "superposition": {"superposition", "superposition_split"},
+                   "plate": {"superposition"}, "plate-outline": {"superposition", "edge"}, "wedge": set()}
+        for name, files in carried.items():
+            unit = self.unit(**{"algorithm.preset": "brash", "failure.model": name})
+            found = {path.stem.removeprefix("cone_") for path in unit.folder.glob("resources/models/*.json")}
+            self.assertEqual(found, files, name)
+            self.keep(started(unit)).step(0.0, 20 * STEP)
+
     def test_a_model_file_of_ones_own_travels_along(self):
         own = {"failure.file": SOURCE / "experiments/failure_database/cone_network.json"}
         instance = self.keep(started(self.unit(**own)))
