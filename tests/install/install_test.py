@@ -8,6 +8,7 @@ import re
 import subprocess
 import tempfile
 import unittest
+import zipfile
 
 BUILD, SOURCE = pathlib.Path(os.environ["BRASH_BUILD_DIR"]), pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 
@@ -41,6 +42,13 @@ class Installed(unittest.TestCase):
         manifest = json.loads((self.prefix / "out/manifest.json").read_text())
         model = manifest["inputs"][1]["path"]
         self.assertTrue(model.startswith(str(self.prefix / "share/brash/models")), model)
+
+    def test_a_unit_is_made_with_the_installed_library_and_models(self):
+        self.run_here("bin/brash", "export", "fmu", "share/brash/examples/cone.toml", "-o", "cone.fmu")
+        with zipfile.ZipFile(self.prefix / "cone.fmu") as unit:
+            self.assertEqual(unit.read("binaries/linux64/brash.so"), (self.prefix / "lib/brash/fmu.so").read_bytes())
+            self.assertEqual(unit.read("resources/models/cone_network.json"),
+                             (self.prefix / "share/brash/models/cone_network.json").read_bytes())
 
     def test_the_module_is_imported_and_runs_from_there(self):
         said = self.run_here("/usr/bin/python3", "-c", f"""

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
@@ -66,6 +67,7 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
 }
 
 void export_gltf(const std::string& run_file, const std::string& file) {
+  refuse_overwriting(file, {run_file});
   const Replay run = read_replay(run_file);
   write_file(file, to_glb(run));
   print("{} frames in {}\n", run.results.frames.size(), file);

@@ -86,6 +86,7 @@ std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& inputs)
 
 void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
                 fmu::Standard standard) {
+  refuse_overwriting(file, {case_file});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
   fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), ""};

@@ -135,6 +135,12 @@ class Gltf(unittest.TestCase):
         self.assertAlmostEqual(self.glb.volume(last), float(self.run_["area_sheet"][-1]) * thickness, delta=0.05)
         self.assertGreater(self.glb.volume("structure"), 100.0)
 
+    def test_the_replay_does_not_take_the_place_of_its_run(self):
+        said = subprocess.run([BRASH, "export", "gltf", self.folder / "run/run.nc", "-o", self.folder / "run/run.nc"],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(said.returncode, 2)
+        self.assertIn("Fx", self.run_.variables)
+
     def test_a_file_that_is_no_run_is_refused(self):
         said = subprocess.run([BRASH, "export", "gltf", SOURCE / "README.md", "-o", self.folder / "no.glb"],
                               capture_output=True, text=True, check=False)

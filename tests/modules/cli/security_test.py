@@ -170,7 +170,8 @@ class Modes(Scratch):
             for command in ("run case.toml -o run --set output.checkpoint_interval=0.02", "campaign plan.toml -o campaign --jobs 1",
                             "failure database database.toml -o database.nc", "crack --sheet sheet.wkt --events events.csv -o a/pieces.geojson",
                             "stats history.csv --spectrum b/spectrum.csv", "compare history.csv history.csv --column 2 -o c/picture.svg",
-                            "export vtk run/run.nc", "rerun run/manifest.json -o again"):
+                            "export vtk run/run.nc", "export gltf run/run.nc", "export fmu case.toml -o d/case.fmu",
+                            "rerun run/manifest.json -o again"):
                 brash(*command.split(), cwd=folder, umask=umask)
             made = [p for p in folder.rglob("*") if p not in given]
             self.assertGreater(len(made), 40)

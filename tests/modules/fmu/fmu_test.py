@@ -341,6 +341,24 @@ class Common:
             self.assertIsNone(instance.pointer.value)
             self.assertEqual(instance.categories, ["logStatusError"])
 
+    def test_a_damaged_case_in_the_resources_is_refused_by_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            unit = Unit(UNITS.file(self.fmi), folder)
+            path = unit.folder / "resources/unit.json"
+            text = path.read_text(encoding="utf-8")
+            for damaged in ("", text[:500], text.replace("brash-fmu-1", "brash-fmu-0"), text.replace('"cone"', '"cube"'),
+                            text.replace('"thickness"', '"thicknes"')):
+                path.write_text(damaged, encoding="utf-8")
+                instance = unit.instantiate()
+                self.assertIsNone(instance.pointer.value)
+                self.assertIn("unit.json", instance.messages[-1])
+
+    def test_an_export_does_not_take_the_place_of_its_case(self):
+        case = UNITS.folder / f"own{self.fmi}.toml"
+        case.write_bytes(CASE.read_bytes())
+        self.assertEqual(brash("export", "fmu", case, "-o", case, "--fmi", self.fmi).returncode, 2)
+        self.assertEqual(case.read_bytes(), CASE.read_bytes())
+
     def test_errors_are_logged_even_where_the_log_is_off_and_discards_are_not(self):
         instance = self.keep(self.unit().instantiate(logging=False))
         self.refuses(DISCARD, instance.set, {"ice.poisson_ratio": 9.0})
@@ -421,6 +439,15 @@ class Common:
         finally:
             del os.environ["BRASH_MODEL_PATH"]
         self.assertEqual(rows(instance, 0, 30), UNITS.history(3)[:30])
+
+    def test_a_unit_carries_all_that_its_failure_model_reads(self):
+        carried = {"deep-network": {"deep-network"}, "superposition": {"superposition", "superposition_split"},
+                   "plate": {"superposition"}, "plate-outline": {"superposition", "edge"}, "wedge": set()}
+        for name, files in carried.items():
+            unit = self.unit(**{"algorithm.preset": "brash", "failure.model": name})
+            found = {path.stem.removeprefix("cone_") for path in unit.folder.glob("resources/models/*.json")}
+            self.assertEqual(found, files, name)
+            self.keep(started(unit)).step(0.0, 20 * STEP)
 
     def test_a_model_file_of_ones_own_travels_along(self):
         own = {"failure.file": SOURCE / "experiments/failure_database/cone_network.json"}
