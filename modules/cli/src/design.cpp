@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
@@ -27,9 +28,11 @@ ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings
     const double memory = autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
     records.push_back({&load.history, &load.even, memory});
   }
-  // Whether the record can bear a period is judged for each period.
-  settings.extrapolate = true;
-  return analyse_extremes(extreme_values(records, settings), settings, goodness);
+  ExtremeValues values = extreme_values(records, settings);
+  // Whether the record can bear a period is judged for each period. The law is chosen at the longest that it can bear.
+  if (!settings.extrapolate)
+    settings.return_period = std::min(settings.return_period, kLongestPeriod * values.duration);
+  return analyse_extremes(std::move(values), settings, goodness);
 }
 
 /// Why a record gets no level for a period; "" when it does.

@@ -105,8 +105,9 @@ std::string legend(const Design& design) {
 }  // namespace
 
 std::string design_picture(const Design& design, const DesignSettings& asked) {
-  return svg_page(1000.0, 390.0 + kLegendLine * static_cast<double>(design.states.size()),
-                  exposure_chart(design, asked) + years_chart(design, asked) + legend(design));
+  const std::string years = years_chart(design, asked);
+  return svg_page(years.empty() ? 500.0 : 1000.0, 390.0 + kLegendLine * static_cast<double>(design.states.size()),
+                  exposure_chart(design, asked) + years + legend(design));
 }
 
 }  // namespace brash::cli

@@ -4,6 +4,7 @@
 #include "brash/core/text.hpp"
 #include "brash/statistics/extreme_analysis.hpp"
 #include "design.hpp"
+#include "extreme_statistics.hpp"
 #include "fatigue_statistics.hpp"
 
 namespace brash::cli {
@@ -22,9 +23,8 @@ std::string level_text(const ordered_json& level) {
   const double hours = level["hours"].get<double>();
   if (level.contains("refused"))
     return fmt::format("  once in {:g} h: no level: {}\n", hours, level["refused"].get<std::string>());
-  std::string text =
-      fmt::format("  once in {:g} h: {:.6g}   95 % interval [{:.6g}, {:.6g}]\n", hours, level["level"].get<double>(),
-                  level["level_95"][0].get<double>(), level["level_95"][1].get<double>());
+  std::string text = fmt::format("  once in {:g} h: {:.6g}   95 % interval {}\n", hours, level["level"].get<double>(),
+                                 ends_text(level["level_95"]));
   return text + mark(level);
 }
 
@@ -46,9 +46,9 @@ std::string years_text(const ordered_json& annual) {
   if (annual.is_object()) return fmt::format("all states: no annual level: {}\n", annual["refused"].get<std::string>());
   std::string text = "all states of the scatter table\n";
   for (const ordered_json& a : annual) {
-    text += fmt::format("  annual probability {:g} ({:.4g} years): {:.6g}   95 % interval [{:.6g}, {:.6g}]\n",
+    text += fmt::format("  annual probability {:g} ({:.4g} years): {:.6g}   95 % interval {}\n",
                         a["probability"].get<double>(), a["return_period_years"].get<double>(),
-                        a["level"].get<double>(), a["level_95"][0].get<double>(), a["level_95"][1].get<double>());
+                        a["level"].get<double>(), ends_text(a["level_95"]));
     std::string largest;
     double share = 0.0;
     for (const auto& [name, value] : a["shares"].items())

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace brash::cli {
 namespace {
 
@@ -72,9 +74,8 @@ std::string law_text(const ordered_json& s, const ordered_json& law) {
   const std::string name = law["law"].get<std::string>();
   if (!law.contains("level"))
     return fmt::format("    {:<18} unknown: {}\n", name, law["not_fitted"].get<std::string>());
-  return fmt::format("    {:<18} {:.6g}   95 % interval [{:.6g}, {:.6g}], {} {}, p = {:.2f}\n", name,
-                     law["level"].get<double>(), law["level_95"][0].get<double>(), law["level_95"][1].get<double>(),
-                     law["values"].get<std::size_t>(), values_text(s, name),
+  return fmt::format("    {:<18} {:.6g}   95 % interval {}, {} {}, p = {:.2f}\n", name, law["level"].get<double>(),
+                     ends_text(law["level_95"]), law["values"].get<std::size_t>(), values_text(s, name),
                      law["anderson_darling"]["p"].get<double>());
 }
 
@@ -95,6 +96,12 @@ void add_extremes(const ExtremeAnalysis& analysis, ordered_json& out) {
   for (const std::string& warning : analysis.warnings) out["warnings"].push_back(warning);
 }
 
+std::string ends_text(const ordered_json& ends) {
+  const bool open = ends[1].is_null() || !std::isfinite(ends[1].get<double>());
+  return fmt::format("[{:.6g}, {}]", ends[0].get<double>(),
+                     open ? "no upper end" : fmt::format("{:.6g}", ends[1].get<double>()));
+}
+
 std::string extremes_text(const ordered_json& s) {
   std::string text = fmt::format("  once in {:.6g} s\n", s["extremes"]["return_period"].get<double>());
   bool any = false;
@@ -104,9 +111,8 @@ std::string extremes_text(const ordered_json& s) {
   const ordered_json& chosen = s["recommended"];
   const auto reason = chosen["reason"].get<std::string>();
   if (chosen["law"].is_null()) return text + fmt::format("    no level recommended: {}\n", reason);
-  text += fmt::format("    recommended        {:.6g}   [{:.6g}, {:.6g}] by {}: {}\n", chosen["level"].get<double>(),
-                      chosen["level_95"][0].get<double>(), chosen["level_95"][1].get<double>(),
-                      chosen["law"].get<std::string>(), reason);
+  text += fmt::format("    recommended        {:.6g}   {} by {}: {}\n", chosen["level"].get<double>(),
+                      ends_text(chosen["level_95"]), chosen["law"].get<std::string>(), reason);
   return text + "    Gumbel, Weibull and Rayleigh fix the shape of the tail: their intervals hold if it is right\n";
 }
 

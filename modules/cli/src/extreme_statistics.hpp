@@ -12,7 +12,10 @@ namespace brash::cli {
 /// `laws` (all five, with levels, intervals and tests), `recommended` with its reason, `warnings`.
 void add_extremes(const statistics::ExtremeAnalysis& analysis, nlohmann::ordered_json& out);
 
-/// The same as text for a reader.
+/// "[1, 2]" for the ends of an interval; "[1, no upper end]".
+std::string ends_text(const nlohmann::ordered_json& ends);
+
+/// The extremes as text for a reader.
 std::string extremes_text(const nlohmann::ordered_json& statistics);
 
 }  // namespace brash::cli

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "brash/statistics/rainflow.hpp"
+#include "extreme_statistics.hpp"
 
 namespace brash::cli {
 namespace {
@@ -72,9 +73,7 @@ ordered_json equivalent_load(const std::vector<Piece>& pieces, const std::vector
 }
 
 std::string interval_text(const ordered_json& ends) {
-  if (ends[0].is_null()) return "no interval";
-  return fmt::format("95 % interval [{:.6g}, {}]", ends[0].get<double>(),
-                     ends[1].is_null() ? "no upper end" : fmt::format("{:.6g}", ends[1].get<double>()));
+  return ends[0].is_null() ? "no interval" : "95 % interval " + ends_text(ends);
 }
 
 /// The warning of a record that lacks the cycles that do the damage; "" for one that has them.

@@ -131,9 +131,9 @@ std::string extremes_charts(const ExtremeAnalysis& analysis, const std::string& 
 
 std::string stats_picture(const LoadHistory& load, const StatisticsSettings& settings) {
   const ExtremeAnalysis analysis = extremes_of(load, settings.extremes);
-  return svg_page(1000.0, 540.0,
-                  history_chart(load, analysis, events_of(load, settings.extremes.dead_band)) +
-                      extremes_charts(analysis, load.unit, 85.0, 240.0));
+  const std::string extremes = extremes_charts(analysis, load.unit, 85.0, 240.0);
+  return svg_page(1000.0, extremes.empty() ? 210.0 : 540.0,
+                  history_chart(load, analysis, events_of(load, settings.extremes.dead_band)) + extremes);
 }
 
 }  // namespace brash::cli

@@ -127,8 +127,9 @@ py::object extremes(const py::object& histories, double return_period, double bl
     const std::vector<LoadHistory> loads = loads_of(histories);
     std::vector<statistics::ExtremeRecord> records;
     for (const LoadHistory& load : loads)
-      records.push_back({&load.history, &load.even,
-                         statistics::autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau});
+      records.push_back(
+          {&load.history, &load.even,
+           statistics::autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau});
     statistics::GoodnessOfFit goodness;
     ordered_json out;
     cli::add_extremes(statistics::analyse_extremes(statistics::extreme_values(records, settings), settings, goodness),

@@ -44,7 +44,7 @@ std::string refusal_of_law(Law law, const ExtremeValues& v, const ExtremeSetting
 
 std::string refusal_of_period(const ExtremeValues& v, const ExtremeSettings& settings) {
   const double records = settings.return_period / v.duration;
-  if (records <= kLongestPeriod || settings.extrapolate) return "";
+  if (settings.return_period <= kLongestPeriod * v.duration || settings.extrapolate) return "";
   return fmt::format(
       "the return period is {:.4g} times the record, and {:g} times is the most: about {:.3g} s of record", records,
       kLongestPeriod, settings.return_period / kLongestPeriod);
@@ -72,13 +72,14 @@ ExtremeEstimate estimate(Law law, const ExtremeValues& v, const ExtremeSettings&
   return out;
 }
 
-bool usable(const ExtremeEstimate& e) {
-  return e.level && std::isfinite(e.level->interval.upper) && e.goodness.p_value >= kRejected;
+/// Far beyond the record the interval of a level may have no upper end; who extrapolates is told so.
+bool usable(const ExtremeEstimate& e, bool extrapolate) {
+  return e.level && (extrapolate || std::isfinite(e.level->interval.upper)) && e.goodness.p_value >= kRejected;
 }
 
 /// Chooses one law: a law of the tail with a free shape. A fixed shape gives a narrower interval that covers less, and
 /// Pareto's covers less than GEV's when the load is bounded.
-void recommend(ExtremeAnalysis& analysis) {
+void recommend(ExtremeAnalysis& analysis, bool extrapolate) {
   const ExtremeEstimate &gev = analysis.of(Law::kGev), &pareto = analysis.of(Law::kPareto);
   const auto choose = [&](const ExtremeEstimate& e, const char* values) {
     const double shape = e.fit->distribution.shape;
@@ -88,9 +89,9 @@ void recommend(ExtremeAnalysis& analysis) {
                     e.goodness.p_value, shape, shape <= kLightestShape ? " or lighter: the load seems bounded" : "");
   };
   const bool regular = pareto.fit && pareto.fit->distribution.shape > kLightestShape;
-  if (usable(gev))
+  if (usable(gev, extrapolate))
     choose(gev, "block maxima");
-  else if (usable(pareto) && regular && pareto.fit->values.size() >= kFewestForShape)
+  else if (usable(pareto, extrapolate) && regular && pareto.fit->values.size() >= kFewestForShape)
     choose(pareto, "peaks over the threshold");
   else
     analysis.reason = "no law with a free shape fits the extremes of this record with a bounded interval";
@@ -133,7 +134,7 @@ ExtremeAnalysis analyse_extremes(ExtremeValues values, const ExtremeSettings& se
   else if (values.clipping)
     analysis.reason = "the largest loads are clipped";
   else
-    recommend(analysis);
+    recommend(analysis, settings.extrapolate);
   warn(values, analysis);
   analysis.values = std::move(values);
   return analysis;

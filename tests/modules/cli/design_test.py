@@ -119,7 +119,7 @@ class Design(unittest.TestCase):
         self.design("-o", picture)
         data = picture.read_bytes()
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">I", data[16:20]), (2000,))  # two pixels for one of the drawing
+        self.assertEqual(struct.unpack(">I", data[16:20]), (1000,))  # two pixels for one of the drawing
         self.assertEqual([file.name for file in self.folder.glob("*design.png*")], ["design.png"])
 
     def test_a_png_without_its_program_is_refused(self):
