@@ -56,14 +56,48 @@ void visit_keys_of(Is<model::WedgeBow> auto& bow, auto&& visit) {
   visit("structure", "length", bow.length);
   visit("structure", "entrance", bow.entrance);
 }
-void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
+/// A path takes the place of the speed.
+void visit_keys_of(Is<model::Towed> auto& towed, auto&& visit) {
+  visit("structure.motion", "path", towed.path);
+  if (towed.path.empty()) visit("structure", "speed", towed.speed);
+}
 void visit_keys_of(Is<model::Compliant> auto& compliant, auto&& visit) {
   visit("structure", "speed", compliant.speed);
   visit("structure.motion", "mass", compliant.mass);
   visit("structure.motion", "stiffness", compliant.stiffness);
   visit("structure.motion", "damping", compliant.damping);
 }
+void visit_body_keys(auto& body, auto&& visit) {
+  visit("structure.motion", "mass", body.mass);
+  visit("structure.motion", "centre_of_gravity", body.centre_of_gravity);
+  visit("structure.motion", "radii_of_gyration", body.radii_of_gyration);
+  visit("structure.motion", "added_mass", body.added_mass);
+  visit("structure.motion", "added_inertia", body.added_inertia);
+  visit("structure.motion", "linear_damping", body.linear_damping);
+  visit("structure.motion", "quadratic_damping", body.quadratic_damping);
+  visit("structure.motion", "angular_damping", body.angular_damping);
+  visit("structure.motion", "quadratic_angular_damping", body.quadratic_angular_damping);
+  visit("structure.motion", "thrust", body.thrust);
+  visit("structure.motion", "thrust_arm", body.thrust_arm);
+}
+void visit_keys_of(Is<model::Free> auto& free, auto&& visit) {
+  visit("structure", "speed", free.speed);
+  visit_body_keys(free.body, visit);
+}
+void visit_keys_of(Is<model::Moored> auto& moored, auto&& visit) {
+  visit("structure", "speed", moored.speed);
+  visit_body_keys(moored.body, visit);
+  visit("structure.motion", "stiffness_matrix", moored.stiffness);
+  visit("structure.motion", "pretension", moored.pretension);
+  visit("structure.motion", "lines", moored.lines);
+}
 void visit_keys_of(Is<model::Driven> auto& driven, auto&& visit) { visit("structure", "speed", driven.speed); }
+
+/// Whether the structure goes along a path, which says where it starts.
+inline bool has_path(const model::StructureSection& structure) {
+  const auto* const towed = std::get_if<model::Towed>(&structure.motion);
+  return towed != nullptr && !towed->path.empty();
+}
 
 /// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members. The
 /// keys of an alternative come after its name.
@@ -89,7 +123,7 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit_kind("structure.motion", c.structure.motion, visit);
   std::visit([&](auto& motion) { visit_keys_of(motion, visit); }, c.structure.motion);
   visit("structure.motion", "frame", c.structure.frame);
-  visit("structure", "start_distance", c.structure.start_distance);
+  if (!has_path(c.structure)) visit("structure", "start_distance", c.structure.start_distance);
 }
 
 template <typename AnyCase, typename Visitor>

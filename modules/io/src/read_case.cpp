@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -6,6 +10,7 @@
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/series.hpp"
 #include "case_keys.hpp"
 #include "cross_checks.hpp"
 #include "resolve.hpp"
@@ -31,8 +36,32 @@ void assign(Choice& value, const Json& section, const char* key) {
 void assign(Vec2& value, const Json& section, const char* key) {
   value = {section.at(key).at(0).get<double>(), section.at(key).at(1).get<double>()};
 }
+Vec3 vector_from(const Json& items, std::size_t from = 0) {
+  return {items.at(from).get<double>(), items.at(from + 1).get<double>(), items.at(from + 2).get<double>()};
+}
+void assign(Vec3& value, const Json& section, const char* key) { value = vector_from(section.at(key)); }
 void assign(std::optional<double>& value, const Json& section, const char* key) {
   if (section.contains(key)) value = section.at(key).get<double>();
+}
+void assign(std::optional<Vec3>& value, const Json& section, const char* key) {
+  if (section.contains(key)) value = vector_from(section.at(key));
+}
+double item_from(const Json& item, double) { return item.get<double>(); }
+std::array<double, 6> item_from(const Json& item, const std::array<double, 6>&) {
+  return item.get<std::array<double, 6>>();
+}
+model::Waypoint item_from(const Json& row, const model::Waypoint&) {
+  return {row.at(0).get<double>(), {row.at(1).get<double>(), row.at(2).get<double>()}, row.at(3).get<double>()};
+}
+model::MooringLine item_from(const Json& row, const model::MooringLine&) {
+  return {vector_from(row), vector_from(row, 3), row.at(6).get<double>(), row.at(7).get<double>(),
+          row.at(8).get<double>()};
+}
+
+template <typename Item>
+void assign(std::vector<Item>& value, const Json& section, const char* key) {
+  if (!section.contains(key)) return;
+  for (const Json& item : section.at(key)) value.push_back(item_from(item, Item{}));
 }
 
 model::Case case_from(const Json& document) {
@@ -47,13 +76,63 @@ model::Case case_from(const Json& document) {
   return result;
 }
 
-/// A model file is named relative to the file that names it, or to the working folder where the command line does.
-std::string resolve_file(const std::string& file, const CaseSource& source) {
+struct KeyName {
+  const char* section;
+  const char* name;
+};
+
+/// A file is named relative to the file that names it, or to the working folder where the command line does.
+std::string resolve_file(const std::string& file, const CaseSource& source, const KeyName& key) {
   if (file.empty()) return file;
-  const Place named = place_of(source, "failure", "file");
+  const Place named = place_of(source, key.section, key.name);
   const std::filesystem::path base =
       named.override_text.empty() ? std::filesystem::path(named.file).parent_path() : std::filesystem::path();
   return std::filesystem::absolute(base / file).lexically_normal().string();
+}
+
+/// The problem of a file outside the folder of the file that names it.
+std::vector<Problem> leads_out(const std::string& file, const CaseSource& source, const KeyName& key) {
+  const Place named = place_of(source, key.section, key.name);
+  if (file.empty() || !named.override_text.empty()) return {};
+  const auto folder = std::filesystem::absolute(named.file).lexically_normal().parent_path();
+  const std::filesystem::path inside = std::filesystem::path(file).lexically_relative(folder);
+  if (!inside.empty() && *inside.begin() != "..") return {};
+  const std::string name = fmt::format("{}.{}", key.section, key.name);
+  return {
+      {named, name, value_text(source, key.section, key.name), "leads out of the folder of the file that names it",
+       "a file in that folder or below", "",
+       fmt::format("put it beside the case, or name it on the command line: --set {}=PATH may lead anywhere", name)}};
+}
+
+/// A path in a file becomes the table in it.
+void read_path(Json& motion, const CaseSource& source, ModelFile in) {
+  const auto path = motion.find("path");
+  if (path == motion.end() || !path->is_string()) return;
+  const KeyName key{"structure.motion", "path"};
+  const std::string file = resolve_file(path->get<std::string>(), source, key);
+  if (in == ModelFile::kInItsFolder)
+    if (std::vector<Problem> problems = leads_out(file, source, key); !problems.empty()) refuse(std::move(problems));
+  const Series series = read_series(file);
+  const auto column = [&](const char* name, const char* unit) -> const std::vector<double>& {
+    const auto found = std::ranges::find(series.names, name);
+    const auto i = static_cast<std::size_t>(found - series.names.begin());
+    if (found == series.names.end() || (!series.units[i].empty() && series.units[i] != unit))
+      throw InputError(Complaint{file, fmt::format("has no column {} in {}", name, unit),
+                                 "the columns time, x, y and heading, each with or without a unit",
+                                 "name the columns in the first line, such as time,x,y,heading_deg"});
+    return series.columns[i];
+  };
+  const auto &time = column("time", "s"), &x = column("x", "m"), &y = column("y", "m"),
+             &heading = column("heading", "rad");
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    for (const double value : {time[i], x[i], y[i], heading[i]})
+      if (!std::isfinite(value))
+        throw InputError(Complaint{series.place(i), "has no number in a column of the path", "four finite numbers",
+                                   "complete the row, or remove it"});
+    rows.push_back({time[i], x[i], y[i], heading[i]});
+  }
+  *path = std::move(rows);
 }
 
 /// A default that the chosen failure model does not take is no wish of the user.
@@ -78,28 +157,18 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
-/// The problem of a model file outside the folder of the file that names it.
-std::vector<Problem> leads_out(const std::string& file, const CaseSource& source) {
-  const Place named = place_of(source, "failure", "file");
-  if (file.empty() || !named.override_text.empty()) return {};
-  const auto folder = std::filesystem::absolute(named.file).lexically_normal().parent_path();
-  const std::filesystem::path inside = std::filesystem::path(file).lexically_relative(folder);
-  if (!inside.empty() && *inside.begin() != "..") return {};
-  return {{named, "failure.file", value_text(source, "failure", "file"),
-           "leads out of the folder of the file that names it", "a file in that folder or below", "",
-           "put the model beside the case, or name it on the command line: --set failure.file=PATH may lead anywhere"}};
-}
-
 }  // namespace
 
 model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
-  model::Case result = case_from(validated(source, schema_of_cases()));
+  Json document = validated(source, schema_of_cases());
+  read_path(document.at("structure.motion"), source, model_file);
+  model::Case result = case_from(document);
   result.name = name;
-  result.failure.file = resolve_file(result.failure.file, source);
+  result.failure.file = resolve_file(result.failure.file, source, {"failure", "file"});
   drop_options_not_taken(result, source);
   drop_water_laws_not_taken(result, source);
   std::vector<Problem> problems;
-  if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source);
+  if (model_file == ModelFile::kInItsFolder) problems = leads_out(result.failure.file, source, {"failure", "file"});
   if (problems.empty()) problems = cross_check(result, source);
   if (!problems.empty()) refuse(std::move(problems));
   return result;

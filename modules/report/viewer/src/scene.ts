@@ -48,7 +48,7 @@ export class ReplayScene {
   private readonly radius: number;
   private readonly top: number;
   private readonly bottom: number;
-  private structureX = 0;
+  private lastPlace = new Vector3();  // of the structure
   private pending = false;
 
   constructor(
@@ -85,7 +85,7 @@ export class ReplayScene {
     this.controls.minDistance = 2;
     this.controls.zoomSpeed = 0.8;
     this.controls.addEventListener("change", () => this.draw());
-    this.structureX = this.structurePlace(0).x;
+    this.lastPlace = this.structurePlace(0);
     this.setTheme();
     this.look("Wake");
     this.setSeeThrough(true);
@@ -119,7 +119,7 @@ export class ReplayScene {
 
   look(name: string): void {
     const view = kViews[name];
-    const centre = new Vector3(this.structureX, 0, 0);
+    const centre = new Vector3(this.lastPlace.x, this.lastPlace.y, 0);
     this.camera.position.set(...view.from).multiplyScalar(this.radius).add(centre);
     this.controls.target.set(...view.at).multiplyScalar(this.radius).add(centre);
     this.controls.update();
@@ -139,10 +139,11 @@ export class ReplayScene {
     this.showSheet(this.run.sheetAt(time));
     const at = this.structurePlace(time);
     if (this.follow) {
-      this.camera.position.x += at.x - this.structureX;
-      this.controls.target.x += at.x - this.structureX;
+      const way = at.clone().sub(this.lastPlace).setZ(0);
+      this.camera.position.add(way);
+      this.controls.target.add(way);
     }
-    this.structureX = at.x;
+    this.lastPlace = at;
     this.structure.position.copy(at);
     this.hull.quaternion.copy(this.structureTurn(time));
     this.floes.show(time);
