@@ -47,8 +47,13 @@ def allowed(key):
     if "enum" in key:
         return ", ".join(f"`{name}`" for name in key["enum"])
     kind = key["type"][0] if isinstance(key["type"], list) else key["type"]
+    if "x-units" in key:
+        return f"{len(key['x-units'])} values in {', '.join(key['x-units'])}"
     if kind == "array":
-        return f"{key['minItems']} values, each {allowed(key['items'])}"
+        count = f"{key['minItems']}{'' if 'maxItems' in key else ' or more'}"
+        rows = key["items"]["type"] == "array"
+        other = ", or a file" if "string" in key["type"] else ""
+        return f"{count} {'rows' if rows else 'values'}, each {allowed(key['items'])}{other}"
     if kind == "boolean":
         return "`true`, `false`"
     bounds = [f"{sign} {number(key[word])}" for word, sign in
@@ -70,9 +75,13 @@ def page():
         for name, key in content["properties"].items():
             if "properties" in key:
                 continue
-            depends = ("x-kinds" in key or "x-short-for" in key) and "default" not in key
+            depends = "default" not in key and ("x-kinds" in key or "x-short-for" in key or "x-required" in key)
+            optional = key.get("x-optional-for", [])
+            depends = depends and set(optional) != set(key.get("x-kinds", [None]))
             required = depends or name in content.get("required", [])
             default = "**required**" if required else f"`{toml(key['default'])}`" if "default" in key else "absent"
+            if required and optional:
+                default += f"; {', '.join(optional)}: absent"
             if "x-presets" in key:
                 default += "".join(f"; {preset}: `{toml(value)}`" for preset, value in key["x-presets"].items())
             unit = key.get("x-unit", "")

@@ -10,6 +10,7 @@
 #include "brash/standards/crushing.hpp"
 #include "brash/standards/nevel.hpp"
 #include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
 
 namespace brash::cli {
 
@@ -78,7 +79,7 @@ std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> 
   input.draught = *c.hull.draught;
   input.stem_angle = *c.hull.stem_angle;
   input.waterline_angle = *c.hull.waterline_angle;
-  input.speed = model::speed(c.structure.motion);
+  input.speed = structure::mean_speed(c.structure, c.time.duration);
   input.thickness = c.ice.thickness;
   input.flexural_strength = c.ice.flexural_strength;
   input.youngs_modulus = c.ice.youngs_modulus;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace brash::cli {
@@ -36,6 +37,12 @@ constexpr std::array kDamping{"StC_X_C_HIGH", "StC_X_C_LOW",   "StC_Y_C_HIGH",  
 constexpr std::array kColumns{"L_X", "B_X", "area_X", "area_ratio_X", "headLossCoeff_X", "rho_X",
                               "L_Y", "B_Y", "area_Y", "area_ratio_Y", "headLossCoeff_Y", "rho_Y"};
 
+/// A vector in load axes, which turn with the structure's heading, in OpenFAST's axes, which do not.
+Vec3 without_heading(Vec3 v, double heading) {
+  const double c = std::cos(heading), s = std::sin(heading);
+  return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
+}
+
 }  // namespace
 
 std::string to_openfast_forces(std::span<const model::LoadRow> loads, const OpenFastOptions& options) {
@@ -47,7 +54,8 @@ std::string to_openfast_forces(std::span<const model::LoadRow> loads, const Open
   for (const model::LoadRow& row : loads) {
     const double time = row.time - options.from;
     if (time < 0.0) continue;
-    const Vec3 f = row.total.force, m = row.total.moment - cross(options.point, f);
+    const Vec3 f = without_heading(row.total.force, row.attitude.z);
+    const Vec3 m = without_heading(row.total.moment, row.attitude.z) - cross(options.point, f);
     text += fmt::format("{:.6f} {:.8e} {:.8e} {:.8e} {:.8e} {:.8e} {:.8e}\n", time, f.x, f.y, f.z, m.x, m.y, m.z);
   }
   return text;

@@ -35,7 +35,16 @@ SettingValue value_of(Choice value) {
 }
 SettingValue value_of(const Vec2& value) { return {fmt::format("{} {}", value.x, value.y), {}}; }
 SettingValue value_of(const std::array<int, 2>& value) { return {fmt::format("{} {}", value[0], value[1]), {}}; }
-SettingValue value_of(const std::optional<double>& value) { return value ? value_of(*value) : SettingValue{}; }
+SettingValue value_of(const Vec3& value) { return {fmt::format("{} {} {}", value.x, value.y, value.z), {}}; }
+template <typename Value>
+SettingValue value_of(const std::optional<Value>& value) {
+  return value ? value_of(*value) : SettingValue{};
+}
+/// A table has no value of its own.
+template <typename Row>
+SettingValue value_of(const std::vector<Row>& rows) {
+  return {fmt::format("{} rows", rows.size()), {}};
+}
 
 SettingValue value_in(const model::Case& resolved, const std::string& name) {
   SettingValue found;

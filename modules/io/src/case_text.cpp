@@ -27,6 +27,28 @@ std::string value_as_toml(const Vec2& value) {
   return fmt::format("[{}, {}]", toml_number(value.x), toml_number(value.y));
 }
 std::string value_as_toml(const std::array<int, 2>& value) { return fmt::format("[{}, {}]", value[0], value[1]); }
+std::string value_as_toml(const Vec3& value) {
+  return fmt::format("[{}, {}, {}]", toml_number(value.x), toml_number(value.y), toml_number(value.z));
+}
+std::string value_as_toml(const std::array<double, 6>& v) {
+  return fmt::format("[{}, {}, {}, {}, {}, {}]", toml_number(v[0]), toml_number(v[1]), toml_number(v[2]),
+                     toml_number(v[3]), toml_number(v[4]), toml_number(v[5]));
+}
+std::string value_as_toml(const model::Waypoint& w) {
+  return fmt::format("[{}, {}, {}, {}]", toml_number(w.time), toml_number(w.position.x), toml_number(w.position.y),
+                     toml_number(w.heading));
+}
+std::string value_as_toml(const model::MooringLine& l) {
+  return fmt::format("[{}, {}, {}, {}, {}, {}, {}, {}, {}]", toml_number(l.anchor.x), toml_number(l.anchor.y),
+                     toml_number(l.anchor.z), toml_number(l.fairlead.x), toml_number(l.fairlead.y),
+                     toml_number(l.fairlead.z), toml_number(l.length), toml_number(l.weight), toml_number(l.stiffness));
+}
+template <typename Item>
+std::string value_as_toml(const std::vector<Item>& items) {
+  std::string text;
+  for (const Item& item : items) text += (text.empty() ? "" : ", ") + value_as_toml(item);
+  return "[" + text + "]";
+}
 std::string value_as_toml(std::uint64_t value) {
   // TOML's whole numbers are signed; read_case gives no larger seed.
   BRASH_EXPECTS(value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()), value);
@@ -38,8 +60,13 @@ template <typename Value>
 std::string key_line(const std::string& key, const Value& value, const std::string& unit) {
   return fmt::format("{} = {}{}\n", key, value_as_toml(value), unit == "1" ? "" : "  # " + unit);
 }
-std::string key_line(const std::string& key, const std::optional<double>& value, const std::string& unit) {
+template <typename Value>
+std::string key_line(const std::string& key, const std::optional<Value>& value, const std::string& unit) {
   return value ? key_line(key, *value, unit) : "";
+}
+template <typename Item>
+std::string key_line(const std::string& key, const std::vector<Item>& items, const std::string& unit) {
+  return items.empty() ? "" : fmt::format("{} = {}{}\n", key, value_as_toml(items), unit == "1" ? "" : "  # " + unit);
 }
 
 /// `text` as comment lines of at most 100 columns.
@@ -87,6 +114,12 @@ std::string other_kinds(const OrderedJson& keys, const OrderedJson& key_schema) 
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
+/// The first kind that has a key; the default kind of the section where all kinds have it, or "".
+std::string first_kind(const OrderedJson& keys, const OrderedJson& key_schema) {
+  if (key_schema.contains("x-kinds")) return key_schema.at("x-kinds").front().get<std::string>();
+  return keys.contains("kind") ? keys.at("kind").at("default").get<std::string>() : "";
+}
+
 }  // namespace
 
 std::string case_template() {
@@ -97,7 +130,7 @@ std::string case_template() {
   for (const auto& [section, section_schema] : schema.sections().items()) {
     text += "\n" + commented(section_schema.at("description").get<std::string>()) + "[" + section + "]\n";
     for (const auto& [key, key_schema] : schema.keys(section).items()) {
-      const bool required = schema.requires_key(section, key);
+      const bool required = schema.requires_key(section, key, first_kind(schema.keys(section), key_schema));
       const std::string kinds = other_kinds(schema.keys(section), key_schema);
       text += commented(key_schema.at("description").get<std::string>());
       const std::string of_kinds = kinds.empty() ? "" : " with kind = " + kinds;

@@ -11,6 +11,7 @@
 
 #include "brash/structure/hull.hpp"
 #include "brash/structure/mesh_file.hpp"
+#include "brash/structure/motion.hpp"
 #include "brash/structure/ship.hpp"
 
 namespace brash::io {
@@ -211,6 +212,63 @@ void check_way(const model::Case& c, double reach, Checks& checks) {
                  "shorten the run or slow the structure down");
 }
 
+/// Rows of a path: ascending times from 0 to the end, in the plane of the ice. @return whether they make a path.
+bool check_rows(const model::Case& c, const std::vector<model::Waypoint>& path, double size, Checks& checks) {
+  const Key key{"structure.motion", "path"};
+  const double farthest = kFarthest - size;
+  bool ascends = path.size() > 1, is_near = true;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    ascends = ascends && (i == 0 || path[i].time > path[i - 1].time);
+    is_near = is_near && std::abs(path[i].position.x) <= farthest && std::abs(path[i].position.y) <= farthest;
+  }
+  checks.require(ascends, key, key, "its times do not ascend", "two rows or more, each later than the last",
+                 "sort the rows, and remove doubled ones");
+  checks.require(is_near, key, key, "it leaves the plane of the ice",
+                 fmt::format("x and y within +-{:.6g} m", farthest), "keep the path near the ice, whose edge is x = 0");
+  if (!ascends || !is_near) return false;
+  checks.require(path.front().time == 0.0, key, key, fmt::format("it begins at {} s", path.front().time),
+                 "a start at 0 s", "count the times from the start of the run");
+  checks.require(path.back().time >= c.time.duration, key, {"time", "duration"},
+                 fmt::format("it ends at {} s, before the run", path.back().time),
+                 fmt::format("rows up to time.duration = {} s", c.time.duration), "add rows, or shorten the run");
+  checks.require(c.structure.frame != model::MotionFrame::kIceDriftsThroughStillWater, {"structure.motion", "frame"},
+                 key, "a path has no one speed at which the ice could drift",
+                 "structure-moves or ice-drifts with a path", "write water.current instead");
+  return true;
+}
+
+/// The structure begins its path beside the ice.
+void check_start(const model::Case& c, const structure::Hull& hull, double draught, double freeboard, Checks& checks) {
+  const Pose start = structure::unresisted(c.structure, 0.0);
+  const auto reach = [&](Vec2 way) { return structure::foremost(hull, start, -draught, freeboard, way).reach; };
+  const bool beside = reach({1.0, 0.0}) < 0.0 || -reach({-1.0, 0.0}) > c.field.length ||
+                      -reach({0.0, -1.0}) > 0.5 * c.field.width || reach({0.0, 1.0}) < -0.5 * c.field.width;
+  checks.require(beside, {"structure.motion", "path"}, {"field", "length"}, "the structure starts inside the ice",
+                 fmt::format("a first row beside the sheet: the structure reaches {:.4g} m ahead of its origin",
+                             reach({1.0, 0.0}) - start.position.x),
+                 "start the path further from the ice edge");
+}
+
+/// A mooring holds, and its springs have an energy.
+void check_mooring(const model::Moored& moored, Checks& checks) {
+  const Key matrix{"structure.motion", "stiffness_matrix"}, lines{"structure.motion", "lines"};
+  checks.require(!moored.stiffness.empty() || !moored.lines.empty(), matrix, {"structure.motion", "kind"},
+                 "the structure is moored to nothing", "a stiffness_matrix, lines, or both",
+                 "write one of them, or take kind = \"free\"");
+  bool is_symmetric = true;
+  for (std::size_t i = 0; i < moored.stiffness.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) is_symmetric = is_symmetric && moored.stiffness[i][j] == moored.stiffness[j][i];
+  checks.require(is_symmetric, matrix, matrix, "is not symmetric: springs with it would give energy",
+                 "a matrix equal to its transpose", "correct the values across the diagonal");
+  for (const model::MooringLine& line : moored.lines) {
+    checks.require(line.length > 0.0 && line.weight > 0.0 && line.stiffness > 0.0, lines, lines,
+                   "a line has no length, weight or stiffness", "the last three values of each row > 0",
+                   "write length, weight in water and axial stiffness");
+    checks.require(line.anchor.z < line.fairlead.z, lines, lines, "an anchor lies above its fairlead",
+                   "anchors on the sea bed, z < 0", "write the anchor's height from the water's surface");
+  }
+}
+
 void check_structure(const model::Case& c, Checks& checks) {
   if (!std::visit([&](const auto& shape) { return check_shape(shape, checks); }, c.structure.shape)) return;
   const auto hull = structure::make_hull(c.structure.shape);
@@ -220,7 +278,12 @@ void check_structure(const model::Case& c, Checks& checks) {
 
   const auto [surface, reach] = structure::foremost(*hull, {}, -draught, freeboard, {1.0, 0.0});
   check_front(c, surface.slope, checks);
-  check_way(c, reach, checks);
+  if (const auto* const moored = std::get_if<model::Moored>(&c.structure.motion)) check_mooring(*moored, checks);
+  const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
+  if (towed == nullptr || towed->path.empty())
+    check_way(c, reach, checks);
+  else if (const auto [least, most] = hull->bounds(); check_rows(c, towed->path, norm(most - least), checks))
+    check_start(c, *hull, draught, freeboard, checks);
   const double width = structure::foremost(*hull, {}, 0.0, 0.0, {0.0, 1.0}).reach +
                        structure::foremost(*hull, {}, 0.0, 0.0, {0.0, -1.0}).reach;
   checks.require(c.field.width > width, {"field", "width"}, {"structure", "waterline_width"},

@@ -222,6 +222,11 @@ int NetcdfReader::find(const std::string& name, const std::string& dimension, in
   return variable;
 }
 
+bool NetcdfReader::has(const std::string& name) const {
+  int variable = 0;
+  return nc_inq_varid(file_, name.c_str(), &variable) == NC_NOERR;
+}
+
 template <typename T>
 void NetcdfReader::read_as(const std::string& name, const std::string& dimension, std::vector<T>& values) const {
   const int variable = find(name, dimension, kType<T>);

@@ -75,6 +75,7 @@ class NetcdfReader {
   std::string attribute(const std::string& name) const;
   /// Never more than the file's bytes can hold.
   std::size_t length(const std::string& dimension) const;
+  bool has(const std::string& name) const;
   /// Reads the one-dimensional variable `name` along `dimension`.
   void read(const std::string& name, const std::string& dimension, std::vector<double>& values) const;
   void read(const std::string& name, const std::string& dimension, std::vector<std::int64_t>& values) const;

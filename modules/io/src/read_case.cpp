@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/series.hpp"
 #include "brash/model/case_keys.hpp"
 #include "cross_checks.hpp"
 #include "resolve.hpp"
@@ -14,6 +17,8 @@
 
 namespace brash::io {
 namespace {
+
+using Json = nlohmann::json;
 
 /// A key that names a file.
 struct FileKey {
@@ -41,6 +46,57 @@ void resolve_file(const FileKey& file, const CaseSource& source) {
   *file.value = std::filesystem::absolute(base / *file.value).lexically_normal().string();
 }
 
+/// Reports a file outside the folder of the file that names it, and a mesh without a file.
+void add_leads_out(const FileKey& file, const CaseSource& source, std::vector<Problem>& problems) {
+  const Place named = file.place(source);
+  if (file.value->empty() && file.section == std::string("structure"))
+    problems.push_back({named, "structure.file", "", "names no file", "a mesh in STL, OBJ, PLY or OFF", "",
+                        "write its name, relative to the case file"});
+  if (file.value->empty() || !named.override_text.empty()) return;
+  const auto folder = std::filesystem::absolute(named.file).lexically_normal().parent_path();
+  const std::filesystem::path inside = std::filesystem::path(*file.value).lexically_relative(folder);
+  if (!inside.empty() && *inside.begin() != "..") return;
+  const std::string name = fmt::format("{}.{}", file.section, file.key);
+  problems.push_back(
+      {named, name, value_text(source, file.section, file.key), "leads out of the folder of the file that names it",
+       "a file in that folder or below", "",
+       fmt::format("put the file beside the case, or name it on the command line: --set {}=PATH may lead anywhere",
+                   name)});
+}
+
+/// A path in a file becomes the table in it.
+void read_path(Json& motion, const CaseSource& source, ModelFile in) {
+  const auto path = motion.find("path");
+  if (path == motion.end() || !path->is_string()) return;
+  std::string file = path->get<std::string>();
+  const FileKey key{"structure.motion", "path", &file};
+  resolve_file(key, source);
+  std::vector<Problem> problems;
+  if (in == ModelFile::kInItsFolder) add_leads_out(key, source, problems);
+  if (!problems.empty()) refuse(std::move(problems));
+  const Series series = read_series(file);
+  const auto column = [&](const char* name, const char* unit) -> const std::vector<double>& {
+    const auto found = std::ranges::find(series.names, name);
+    const auto i = static_cast<std::size_t>(found - series.names.begin());
+    if (found == series.names.end() || (!series.units[i].empty() && series.units[i] != unit))
+      throw InputError(Complaint{file, fmt::format("has no column {} in {}", name, unit),
+                                 "the columns time, x, y and heading, each with or without a unit",
+                                 "name the columns in the first line, such as time,x,y,heading_deg"});
+    return series.columns[i];
+  };
+  const auto &time = column("time", "s"), &x = column("x", "m"), &y = column("y", "m"),
+             &heading = column("heading", "rad");
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    for (const double value : {time[i], x[i], y[i], heading[i]})
+      if (!std::isfinite(value))
+        throw InputError(Complaint{series.place(i), "has no number in a column of the path", "four finite numbers",
+                                   "complete the row, or remove it"});
+    rows.push_back({time[i], x[i], y[i], heading[i]});
+  }
+  *path = std::move(rows);
+}
+
 /// A default that the chosen failure model does not take is no wish of the user.
 void drop_options_not_taken(model::Case& c, const CaseSource& source) {
   const auto is_written = [&](const char* key) { return source.tree["failure"][key].node() != nullptr; };
@@ -63,28 +119,12 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
-/// Reports a file outside the folder of the file that names it, and a mesh without a file.
-void add_leads_out(const FileKey& file, const CaseSource& source, std::vector<Problem>& problems) {
-  const Place named = file.place(source);
-  if (file.value->empty() && file.section == std::string("structure"))
-    problems.push_back({named, "structure.file", "", "names no file", "a mesh in STL, OBJ, PLY or OFF", "",
-                        "write its name, relative to the case file"});
-  if (file.value->empty() || !named.override_text.empty()) return;
-  const auto folder = std::filesystem::absolute(named.file).lexically_normal().parent_path();
-  const std::filesystem::path inside = std::filesystem::path(*file.value).lexically_relative(folder);
-  if (!inside.empty() && *inside.begin() != "..") return;
-  const std::string name = fmt::format("{}.{}", file.section, file.key);
-  problems.push_back(
-      {named, name, value_text(source, file.section, file.key), "leads out of the folder of the file that names it",
-       "a file in that folder or below", "",
-       fmt::format("put the file beside the case, or name it on the command line: --set {}=PATH may lead anywhere",
-                   name)});
-}
-
 }  // namespace
 
 model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
-  model::Case result = model::from_tree(validated(source, schema_of_cases()));
+  Json document = validated(source, schema_of_cases());
+  read_path(document.at("structure.motion"), source, model_file);
+  model::Case result = model::from_tree(document);
   result.name = name;
   for (const FileKey& file : file_keys(result)) resolve_file(file, source);
   drop_options_not_taken(result, source);

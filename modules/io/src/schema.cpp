@@ -14,11 +14,14 @@ namespace brash::io {
 
 namespace {
 
-bool lists(const OrderedJson& schema, const std::string& name) {
-  if (!schema.contains("required")) return false;
-  const OrderedJson& required = schema.at("required");
-  return std::find(required.begin(), required.end(), name) != required.end();
+/// Whether the list `word` of a schema, if it has one, holds `name`.
+bool holds(const OrderedJson& schema, const char* word, const std::string& name) {
+  if (!schema.contains(word)) return false;
+  const OrderedJson& names = schema.at(word);
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
+
+bool lists(const OrderedJson& schema, const std::string& name) { return holds(schema, "required", name); }
 
 }  // namespace
 
@@ -41,9 +44,7 @@ Schema::Schema(std::string kind, const char* text) : kind_(std::move(kind)), tre
 
 bool Schema::has_key(const std::string& section, const std::string& key, const std::string& kind) const {
   const OrderedJson& key_schema = keys(section).at(key);
-  if (!key_schema.contains("x-kinds")) return true;
-  const OrderedJson& kinds = key_schema.at("x-kinds");
-  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  return !key_schema.contains("x-kinds") || holds(key_schema, "x-kinds", kind);
 }
 
 bool Schema::is_free(const OrderedJson& part) {
@@ -66,10 +67,22 @@ const OrderedJson& Schema::default_in(const OrderedJson& key_schema, const std::
 
 bool Schema::requires_section(const std::string& section) const { return lists(tree_, section); }
 
-bool Schema::requires_key(const std::string& section, const std::string& key) const {
+bool Schema::requires_key(const std::string& section, const std::string& key, const std::string& kind) const {
   const OrderedJson& key_schema = keys(section).at(key);
-  const bool depends = key_schema.contains("x-kinds") || key_schema.contains("x-short-for");
-  return lists(sections().at(section), key) || (depends && !key_schema.contains("default"));
+  const bool depends =
+      key_schema.contains("x-kinds") || key_schema.contains("x-short-for") || key_schema.contains("x-required");
+  const bool is_optional = holds(key_schema, "x-optional-for", kind);
+  return lists(sections().at(section), key) || (depends && !key_schema.contains("default") && !is_optional);
+}
+
+std::vector<std::string> Schema::in_place_of(const std::string& section, const std::string& key) const {
+  std::vector<std::string> others;
+  for (const auto& [other_section, part] : sections().items()) {
+    if (is_free(part)) continue;
+    for (const auto& [other, other_schema] : part.at("properties").items())
+      if (holds(other_schema, "x-instead-of", section + "." + key)) others.push_back(other_section + "." + other);
+  }
+  return others;
 }
 
 const Schema& schema_of_cases() {
@@ -162,6 +175,11 @@ std::string allowed_values(const OrderedJson& key_schema) {
   if (type == "number") return number_text(key_schema);
   if (type == "integer") return "a whole number" + range_text(key_schema);
   if (type == "boolean") return "true or false";
+  if (key_schema.contains("x-units"))
+    return fmt::format("[{}]", fmt::join(key_schema.at("x-units").get<std::vector<std::string>>(), ", "));
+  if (type == "array" && !key_schema.contains("maxItems") && key_schema.contains("minItems"))
+    return fmt::format("an array of {} or more, each {}", key_schema.at("minItems").get<int>(),
+                       allowed_values(key_schema.at("items")));
   if (type == "array" && key_schema.contains("minItems"))
     return fmt::format("an array of {}, each {}", key_schema.at("minItems").get<int>(),
                        allowed_values(key_schema.at("items")));

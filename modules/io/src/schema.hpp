@@ -30,7 +30,10 @@ class Schema {
   /// The default of a key under a preset.
   static const OrderedJson& default_in(const OrderedJson& key_schema, const std::string& preset);
   bool requires_section(const std::string& section) const;
-  bool requires_key(const std::string& section, const std::string& key) const;
+  /// Whether a section whose key `kind` has this value lacks something without the key.
+  bool requires_key(const std::string& section, const std::string& key, const std::string& kind) const;
+  /// The keys that take the place of a key, section and name.
+  std::vector<std::string> in_place_of(const std::string& section, const std::string& key) const;
   /// Whether the key belongs to a section whose key `kind` has this value.
   bool has_key(const std::string& section, const std::string& key, const std::string& kind) const;
 

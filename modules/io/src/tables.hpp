@@ -37,7 +37,7 @@ void add_flags(Meaning&, T) {}
 /// Writes `rows` as one variable a column, along the rows' dimension.
 template <typename Row>
 void write_rows(NetcdfWriter& file, const std::vector<Row>& rows) {
-  Columns<Row>::visit([&](const std::string& name, const char* unit, const std::string& meaning, auto member) {
+  visit_used(rows, [&](const std::string& name, const char* unit, const std::string& meaning, auto member) {
     using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
     std::vector<typename Stored<Member>::Type> values;
     values.reserve(rows.size());
@@ -52,6 +52,8 @@ template <typename Row>
 std::vector<Row> read_rows(const NetcdfReader& file) {
   std::vector<Row> rows(file.length(Columns<Row>::dimension));
   Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
+    if constexpr (requires { Columns<Row>::is_optional(name); })
+      if (Columns<Row>::is_optional(name) && !file.has(Columns<Row>::prefix + name)) return;
     using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
     std::vector<typename Stored<Member>::Type> values;
     file.read(Columns<Row>::prefix + name, Columns<Row>::dimension, values);

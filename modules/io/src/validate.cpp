@@ -46,7 +46,10 @@ tl::expected<Json, ValueError> array_to_json(const toml::array& array, const Ord
   const OrderedJson& item_schema = key_schema.contains("items") ? key_schema.at("items") : kNone;
   Json items = Json::array();
   for (const toml::node& item : array) {
-    tl::expected<Json, ValueError> converted = to_json(item, item_schema);
+    OrderedJson of_column = item_schema;
+    if (key_schema.contains("x-units") && items.size() < key_schema.at("x-units").size())
+      of_column["x-unit"] = key_schema.at("x-units").at(items.size());
+    tl::expected<Json, ValueError> converted = to_json(item, of_column);
     if (!converted) return converted;
     items.push_back(std::move(*converted));
   }
@@ -209,6 +212,8 @@ class Reader {
         const bool written = source_.tree[section][key].node() != nullptr;
         if (written && !schema_.has_key(section, key, kind_of(section)))
           problems_.push_back(of_another_kind(section, key));
+        else if (const std::string other = written_instead(section, key); written && !other.empty())
+          problems_.push_back(stands_beside(section, key, other));
         else if (written && is_written(long_form(key_schema)))
           problems_.push_back(written_twice(section, key, long_form(key_schema)));
         else if (!written && is_missing(section, key))
@@ -240,8 +245,17 @@ class Reader {
   }
 
   bool is_missing(const std::string& section, const std::string& key) const {
-    return schema_.requires_key(section, key) && schema_.has_key(section, key, kind_of(section)) &&
-           !is_written(long_form(schema_.keys(section).at(key)));
+    return schema_.requires_key(section, key, kind_of(section)) && schema_.has_key(section, key, kind_of(section)) &&
+           !is_written(long_form(schema_.keys(section).at(key))) && written_instead(section, key).empty();
+  }
+
+  /// The key that is written in place of another one, or "".
+  std::string written_instead(const std::string& section, const std::string& key) const {
+    for (const std::string& other : schema_.in_place_of(section, key)) {
+      const std::size_t dot = other.rfind('.');
+      if (is_written({other.substr(0, dot), other.substr(dot + 1)})) return other;
+    }
+    return "";
   }
 
   Problem missing(const std::string& section, const std::string& key) const {
@@ -265,6 +279,16 @@ class Reader {
             value_text(source_, section, key),       "is no key of " + kind,
             fmt::format("its keys: {}", list(keys)), "",
             "remove it, or change the kind"};
+  }
+
+  Problem stands_beside(const std::string& section, const std::string& key, const std::string& other) const {
+    return {place_of(source_, section, key),
+            section + "." + key,
+            value_text(source_, section, key),
+            fmt::format("stands beside {}, which takes its place", other),
+            "one of the two",
+            "",
+            "remove one of the two"};
   }
 
   Problem written_twice(const std::string& section, const std::string& key,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
 
 #include "brash/core/version.hpp"
 #include "brash/io/case.hpp"
@@ -58,12 +59,21 @@ std::string cells(const Row& row) {
 }
 
 std::string history_csv(const std::vector<model::LoadRow>& loads) {
-  const auto ended = [](std::string line) {
-    line.back() = '\n';
-    return line;
-  };
-  std::string text = ended(header<model::LoadRow>());
-  for (const model::LoadRow& row : loads) text += ended(cells(row));
+  std::set<std::string> used;
+  std::string text;
+  visit_used(loads, [&](const std::string& name, const auto&...) {
+    used.insert(name);
+    text += name + ',';
+  });
+  text.back() = '\n';
+  for (const model::LoadRow& row : loads) {
+    Columns<model::LoadRow>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
+      if (!used.contains(name)) return;
+      append(text, member(row));
+      text += ',';
+    });
+    text.back() = '\n';
+  }
   return text;
 }
 

@@ -33,7 +33,7 @@ constexpr double kForceUnit = 10.0;     ///< of contact forces [N]
 /// Every column of `rows` as a block named `of`.column; loads in single precision.
 template <typename Row>
 void add_columns(Blocks& blocks, const std::string& of, const std::vector<Row>& rows) {
-  io::Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
+  io::visit_used(rows, [&](const std::string& name, const char*, const std::string&, auto member) {
     std::vector<double> values;
     values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(static_cast<double>(member(row)));
@@ -125,13 +125,23 @@ void add_sheets(Blocks& blocks, const model::RunResults& results) {
   add_polygons(blocks, "sheet", polygons, kPlaceUnit);
 }
 
+/// The pose of a load row.
+Pose pose_of(const model::LoadRow& row) {
+  const auto [cr, sr] = std::pair(std::cos(0.5 * row.attitude.x), std::sin(0.5 * row.attitude.x));
+  const auto [cp, sp] = std::pair(std::cos(0.5 * row.attitude.y), std::sin(0.5 * row.attitude.y));
+  const auto [ch, sh] = std::pair(std::cos(0.5 * row.attitude.z), std::sin(0.5 * row.attitude.z));
+  return {{row.structure.x, row.structure.y, row.height},
+          {ch * cp * cr + sh * sp * sr, ch * cp * sr - sh * sp * cr, ch * sp * cr + sh * cp * sr,
+           sh * cp * cr - ch * sp * sr}};
+}
+
 /// Where the structure is at the end of a run, whose last frame may be older: it goes on as between the last two
-/// frames. Without them it has gone where nothing resists it.
+/// frames, and where it turns the last load row tells it. Without frames it has gone where nothing resists it.
 Pose pose_at_end(const model::Case& resolved, const model::RunResults& results) {
   const std::vector<model::Frame>& frames = results.frames;
   const double end = results.loads.empty() ? 0.0 : results.loads.back().time;
-  if (frames.size() < 2)
-    return structure::make_motion(resolved.structure, resolved.time.step)->after(end / resolved.time.step).pose;
+  if (!results.loads.empty() && results.loads.back().attitude != Vec3{}) return pose_of(results.loads.back());
+  if (frames.size() < 2) return structure::unresisted(resolved.structure, end);
   const model::Frame &before = frames[frames.size() - 2], &last = frames.back();
   Pose pose = last.structure;
   const double share = std::max(0.0, end - last.time) / (last.time - before.time);

@@ -17,28 +17,58 @@
 namespace brash::simulation {
 namespace {
 
-/// The structure as the field sees it, on its straight course along x.
+/// The structure as the field sees it, where nothing resists it.
 struct Course {
-  double speed = 0.0;       ///< [m/s]
-  double start = 0.0;       ///< x of its axis at t = 0 [m]
-  double bow = 0.0;         ///< x of the foremost point of the structure, at t = 0 [m]
-  double half_width = 0.0;  ///< where it meets the ice [m]
-
-  double front(double time) const { return bow + speed * time; }
+  double speed = 0.0;   ///< mean over the run [m/s]
+  double start = 0.0;   ///< x of its origin at t = 0 [m]
+  double bow = 0.0;     ///< x of its foremost point in the ice at t = 0 [m]
+  double end = 0.0;     ///< largest x of its foremost point in the run [m]
+  double leaves = 0.0;  ///< when that point passes the far side, if it does [s]
+  double beside = 0.0;  ///< farthest that it reaches to a side of the field's middle [m]
 };
+
+Course straight_course(const model::Case& c, const structure::Hull& hull) {
+  const Freeboard heights = freeboard(c);
+  const Pose start = structure::unresisted(c.structure, 0.0);
+  const auto reach = [&](Vec2 course) {
+    return structure::foremost(hull, start, heights.bottom, heights.top, course).reach;
+  };
+  const double speed = model::speed(c.structure.motion), bow = reach({1.0, 0.0});
+  return {.speed = speed,
+          .start = start.position.x,
+          .bow = bow,
+          .end = bow + speed * c.time.duration,
+          .leaves = (c.field.length - bow) / speed,
+          .beside = 0.5 * (reach({0.0, 1.0}) + reach({0.0, -1.0}))};
+}
+
+/// Sampled along the path.
+Course course_on_path(const model::Case& c, const structure::Hull& hull) {
+  constexpr int kSamples = 400;
+  const Freeboard heights = freeboard(c);
+  Course course;
+  for (int i = 0; i <= kSamples; ++i) {
+    const Pose pose = structure::unresisted(c.structure, c.time.duration * i / kSamples);
+    const auto reach = [&](Vec2 way) {
+      return structure::foremost(hull, pose, heights.bottom, heights.top, way).reach;
+    };
+    const double bow = reach({1.0, 0.0});
+    if (i == 0)
+      course = {.speed = structure::mean_speed(c.structure, c.time.duration),
+                .start = pose.position.x,
+                .bow = bow,
+                .end = bow};
+    if (course.end <= c.field.length && bow > c.field.length) course.leaves = c.time.duration * i / kSamples;
+    course.end = std::max(course.end, bow);
+    course.beside = std::max({course.beside, reach({0.0, 1.0}), reach({0.0, -1.0})});
+  }
+  return course;
+}
 
 Course course_of(const model::Case& c) {
   const auto hull = structure::make_hull(c.structure.shape);
-  const auto motion = structure::make_motion(c.structure, c.time.step);
-  const Freeboard heights = freeboard(c);
-  const Pose& start = motion->now().pose;
-  const auto reach = [&](Vec2 course) {
-    return structure::foremost(*hull, start, heights.bottom, heights.top, course).reach;
-  };
-  return {.speed = norm(motion->course()),
-          .start = start.position.x,
-          .bow = reach({1.0, 0.0}),
-          .half_width = 0.5 * (reach({0.0, 1.0}) + reach({0.0, -1.0}))};
+  const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
+  return towed != nullptr && !towed->path.empty() ? course_on_path(c, *hull) : straight_course(c, *hull);
 }
 
 /// Sides nearer than this many characteristic lengths change how the ice bends: the plate of the failure model has
@@ -50,22 +80,26 @@ constexpr double kCorrelatedTravel = 0.1;
 void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
   const Course course = course_of(c);
   const double margin = kNearBorder * scales.characteristic_length;
-  const double beside = 0.5 * c.field.width - course.half_width;
-  if (beside < margin)
+  const double beside = 0.5 * c.field.width - course.beside;
+  if (beside < 0.0)
+    warnings.push_back(
+        {"leaves-field", fmt::format("the structure leaves the ice across a side, and comes {:.3g} m beyond it: raise "
+                                     "field.width to {:.3g} m, or bend structure.motion.path",
+                                     -beside, 2.0 * (course.beside + margin))});
+  else if (beside < margin)
     warnings.push_back(
         {"near-side",
          fmt::format(
              "the structure leaves {:.3g} m of ice to each side of the sheet, and the plate of the "
              "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
-             beside, margin, 2.0 * (course.half_width + margin))});
-  const double end = course.front(c.time.duration);
+             beside, margin, 2.0 * (course.beside + margin))});
+  const double end = course.end;
   if (end > c.field.length)
     warnings.push_back(
         {"leaves-field",
          fmt::format("the structure leaves the ice at {:.3g} s, and time.duration = {} s: the loads after it are of "
                      "open water; shorten the run, or raise field.length = {} m to {:.3g} m",
-                     (c.field.length - course.front(0.0)) / course.speed, c.time.duration, c.field.length,
-                     end + margin)});
+                     course.leaves, c.time.duration, c.field.length, end + margin)});
   else if (end > c.field.length - margin)
     warnings.push_back(
         {"near-end", fmt::format("the structure ends {:.3g} m before the far side of the sheet, and the plate of the "
@@ -78,8 +112,8 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
 
 void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
   const Course course = course_of(c);
-  const double gap = -course.front(0.0);
-  const double way = course.speed * c.time.duration;
+  const double gap = -course.bow;
+  const double way = course.end - course.bow;
   if (way <= gap)
     warnings.push_back(
         {"no-contact", fmt::format("the structure does not reach the ice: it is {:.3g} m away and moves {:.3g} m in "

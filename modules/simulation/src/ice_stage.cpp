@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first stage of a step: the structure moves through level ice, which is crushed, judged and broken.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <utility>
 
+#include "brash/core/error.hpp"
 #include "brash/simulation/scales.hpp"
 #include "initial_crack.hpp"
-#include "load_axes.hpp"
 #include "local_ice.hpp"
 #include "simulation_impl.hpp"
 
@@ -200,10 +203,22 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
   }
 }
 
+/// The plane of the ice has an end, and so has the motion of a body that another program or its loads throw about.
+void Simulation::Impl::expect_on_the_plane() const {
+  const auto [least, most] = hull->bounds();
+  const Vec3 then = motion->after(1.0).pose.position;
+  const double farthest = geometry::kMaxCoordinate - norm(most - least);
+  if (std::abs(then.x) <= farthest && std::abs(then.y) <= farthest && std::abs(then.z) <= farthest) return;
+  throw RunError(fmt::format("the structure goes to ({:.6g}, {:.6g}, {:.6g}) m, beyond the plane of the ice", then.x,
+                             then.y, then.z));
+}
+
 /// Moves the structure through one step: contacts, crushing, wedges, failures and cracks, in as many parts as the
-/// failure model's range asks for. The crushing load is the mean over the parts.
-void Simulation::Impl::advance_through_ice(StepReport& report) {
+/// failure model's range asks for. @return the crushing load on it, mean over the parts, sheet axes.
+Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   const StageTimer::Scope clock(timer, times.contacts);
+  expect_on_the_plane();
+  Wrench crushing;
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
@@ -213,7 +228,7 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
     energy.book_bent_edges(edges.follow(contacts, from, time() + done * resolved.time.step));
     for (const EdgeContact& contact : contacts) {
       const Vec3 arm = contact.point - motion->now().pose.position, force = -contact.on_ice;
-      report.loads.crushing += in_load_axes(Wrench{share * force, share * cross(arm, force)});
+      crushing += {share * force, share * cross(arm, force)};
     }
     if (done >= 1.0) add_contacts_of_floes(contacts);
     judge(contacts, report);
@@ -222,6 +237,7 @@ void Simulation::Impl::advance_through_ice(StepReport& report) {
   --report.n_substeps;
   for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
   world.move_structure(structure_body, motion->now().pose, motion->now().twist);
+  return crushing;
 }
 
 BreakCounts& BreakCounts::operator+=(const BreakCounts& other) {

@@ -5,9 +5,22 @@
 
 namespace brash::simulation {
 
-/// World axes to load axes and back: x as the ice drifts against the structure, z upwards (a half turn about z).
-inline Vec3 in_load_axes(Vec3 v) { return {-v.x, -v.y, v.z}; }
-inline Wrench in_load_axes(const Wrench& w) { return {in_load_axes(w.force), in_load_axes(w.moment)}; }
-inline Twist in_load_axes(const Twist& t) { return {in_load_axes(t.linear), in_load_axes(t.angular)}; }
+/// The axes of loads on a structure: x against its heading, y to starboard, z upwards. They heel and pitch with
+/// nothing.
+class LoadAxes {
+ public:
+  explicit LoadAxes(const Pose& structure) {
+    const Vec2 bow = plan(rotate(structure.rotation, {1.0, 0.0, 0.0}));
+    if (norm(bow) > 0.0) ahead_ = normalized(bow);
+  }
+
+  /// A load in these axes. A part of it that is zero stays +0.
+  Wrench operator()(const Wrench& w) const { return {turned(w.force), turned(w.moment)}; }
+
+ private:
+  Vec3 turned(Vec3 v) const { return {0.0 - dot(ahead_, plan(v)), 0.0 - cross(ahead_, plan(v)), v.z}; }
+
+  Vec2 ahead_{1.0, 0.0};
+};
 
 }  // namespace brash::simulation

@@ -19,7 +19,7 @@ namespace {
 /// Of a contact straight ahead.
 failure::LoadRatios ratios_ahead(const model::Case& c) {
   const auto hull = structure::make_hull(c.structure.shape);
-  const auto motion = structure::make_motion(c.structure, c.time.step);
+  const auto motion = structure::make_motion(c, *hull);
   const Freeboard heights = freeboard(c);
   const structure::Foremost bow =
       structure::foremost(*hull, motion->now().pose, heights.bottom, heights.top, motion->course());

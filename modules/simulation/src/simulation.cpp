@@ -70,7 +70,7 @@ class TimedCriterion final : public failure::BendingCriterion {
 Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
     : resolved(c),
       hull(structure::make_hull(c.structure.shape)),
-      motion(structure::make_motion(c.structure, c.time.step)),
+      motion(structure::make_motion(c, *hull)),
       field(std::move(laid)),
       edges(edge_dynamics(c, field)),
       pattern(ice::make_crack_pattern(c.failure)),
@@ -97,28 +97,37 @@ void Simulation::Impl::begin_watch() {
 }
 
 /// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.
-/// @param origin  where the structure was when the contacts were found, about which they have their moments [m].
-void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report) {
+/// @param origin    where the structure was when the contacts were found, about which they have their moments [m].
+/// @param crushing  of the edge, sheet axes.
+/// @return the whole load, sheet axes.
+Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, const Wrench& crushing,
+                                       StepReport& report) {
   const StageTimer::Scope clock(timer, times.loads);
   model::LoadRow& row = report.loads;
   row.time = time();
+  Wrench floe_normal, floe_friction;
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
     if (contact.other != structure_body) continue;
     const Vec3 arm = contact.point - origin;
     const Vec3 normal = -contact.normal_force * contact.normal;
     const Vec3 friction = -contact.friction_force;
-    row.floe_normal += in_load_axes(Wrench{normal, cross(arm, normal)});
-    row.floe_friction += in_load_axes(Wrench{friction, cross(arm, friction)});
+    floe_normal += {normal, cross(arm, normal)};
+    floe_friction += {friction, cross(arm, friction)};
     ++row.n_contacts;
   }
-  row.total = row.crushing;
-  row.total += row.floe_normal;
-  row.total += row.floe_friction;
+  Wrench total = crushing;
+  total += floe_normal;
+  total += floe_friction;
+  const structure::State& now = motion->now();
+  const LoadAxes in_load_axes(now.pose);
+  row.crushing = in_load_axes(crushing);
+  row.floe_normal = in_load_axes(floe_normal);
+  row.floe_friction = in_load_axes(floe_friction);
+  row.total = in_load_axes(total);
   const double dt = resolved.time.step;
-  Wrench floe_load = row.floe_normal;
-  floe_load += row.floe_friction;
-  const Twist& twist = motion->now().twist;
-  energy.book_structure(row.crushing, floe_load, in_load_axes(Twist{-dt * twist.linear, -dt * twist.angular}));
+  Wrench floe_load = floe_normal;
+  floe_load += floe_friction;
+  energy.book_structure(crushing, floe_load, {-dt * now.twist.linear, -dt * now.twist.angular});
   energy.book_step(world, floes, first_newborn, dt);
   energy.report(world, floes, row);
 
@@ -130,8 +139,21 @@ void Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, St
   row.area_brash = ledger.brash.square_metres();
   row.area_snap = ledger.snap.square_metres();
   row.n_floes = static_cast<int>(floes.floes().size());
-  row.structure = plan(motion->now().pose.position);
+  report_motion(row);
+  return total;
+}
+
+void Simulation::Impl::report_motion(model::LoadRow& row) const {
+  const auto& [pose, twist] = motion->now();
+  row.structure = plan(pose.position);
   row.velocity = plan(twist.linear);
+  row.height = pose.position.z;
+  row.rise = twist.linear.z;
+  const Quaternion& q = pose.rotation;
+  row.attitude = {std::atan2(2.0 * (q.w * q.x + q.y * q.z), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)),
+                  std::asin(std::clamp(2.0 * (q.w * q.y - q.x * q.z), -1.0, 1.0)),
+                  std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+  row.spin = twist.angular;
 }
 
 /// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.
@@ -154,16 +176,22 @@ void Simulation::Impl::step_bodies(StepReport& report) {
   report.last_change = world.last_change();
 }
 
-/// Floes fall asleep a structure's width behind it.
-HalfPlane Simulation::Impl::astern() const {
+/// What lies farther astern of the structure's origin than `distance` [m].
+HalfPlane Simulation::Impl::astern(double distance) const {
   const Vec2 ahead = normalized(motion->course());
-  const double width = 2.0 * hull->displaced(motion->now().pose).waterplane.radius;
-  return {ahead, dot(ahead, plan(motion->now().pose.position)) - width};
+  return {ahead, dot(ahead, plan(motion->now().pose.position)) - distance};
 }
 
+/// Floes fall asleep a structure's width behind it, and beyond its reach. They wake before it comes back.
 void Simulation::Impl::fall_asleep_or_wake() {
   const StageTimer::Scope clock(timer, times.loads);
-  energy.book_fallen_asleep(sleep.update(world, floes, astern()));
+  if (resolved.time.settle_speed == 0.0) return;
+  const double width = 2.0 * hull->displaced(motion->now().pose).waterplane.radius;
+  double reach = 0.0;
+  for (const structure::ConvexPart& part : hull->parts())
+    for (const Vec3 v : part) reach = std::max(reach, norm(plan(v)));
+  sleep.wake_beyond(world, floes, astern(reach));
+  energy.book_fallen_asleep(sleep.update(world, floes, astern(std::max(width, reach))));
 }
 
 /// Contact forces averaged over each floe's collision time: its stress, its bending, and its load on level ice.
@@ -215,16 +243,17 @@ StepReport Simulation::Impl::step() {
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
   const Vec3 origin = motion->now().pose.position;
   ++n_steps;
-  advance_through_ice(report);
+  const Wrench crushing = advance_through_ice(report);
   load_by_water();
   step_bodies(report);
-  collect_loads(first_newborn, origin, report);
+  const Wrench load = collect_loads(first_newborn, origin, crushing, report);
   watch(report);
   fall_asleep_or_wake();
   average_contacts();
   remove_crushed_floes(report);
   split_floes(report);
-  motion->bear(in_load_axes(report.loads.total));
+  motion->bear(load);
+  report.loads.body = motion->energy();
   return report;
 }
 

@@ -72,10 +72,11 @@ struct Simulation::Impl {
   void begin_watch();
 
   StepReport step();
-  void advance_through_ice(StepReport& report);
+  Wrench advance_through_ice(StepReport& report);
   void load_by_water();
   void step_bodies(StepReport& report);
-  void collect_loads(std::int64_t first_newborn, Vec3 origin, StepReport& report);
+  Wrench collect_loads(std::int64_t first_newborn, Vec3 origin, const Wrench& crushing, StepReport& report);
+  void report_motion(model::LoadRow& row) const;
   void watch(const StepReport& report);
   void fall_asleep_or_wake();
   void average_contacts();
@@ -90,8 +91,9 @@ struct Simulation::Impl {
   bool crush_passed_ice(double time);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);
+  void expect_on_the_plane() const;
   void lay_sheet_near(BodyId body);
-  HalfPlane astern() const;
+  HalfPlane astern(double distance) const;
   model::Checkpoint checkpoint() const;
 
  private:

@@ -55,6 +55,11 @@ void Sleep::wake_within(rigid_body::World& world, FloePopulation& floes, Vec2 at
   }
 }
 
+void Sleep::wake_beyond(rigid_body::World& world, FloePopulation& floes, const HalfPlane& clear) {
+  for (const auto& [body, floe] : floes.floes())
+    if (world.is_settled(body) && !is_within(clear, world.bounds(body))) wake(world, floes, body);
+}
+
 void Sleep::push(FloePopulation& floes, BodyId body, Vec3 change) {
   floes.at(body).rest.push += change;
   pushed_.push_back(body);

@@ -32,6 +32,9 @@ class Sleep {
   /// Level ice has broken within `radius` of `at`, and may have held floes there.
   void wake_within(rigid_body::World& world, FloePopulation& floes, Vec2 at, double radius);
 
+  /// The structure may come where a floe is not wholly in `clear`: it wakes, for a structure meets no sleeping floe.
+  void wake_beyond(rigid_body::World& world, FloePopulation& floes, const HalfPlane& clear);
+
   /// The floe is about to be removed.
   void forget(FloePopulation& floes, BodyId body);
 

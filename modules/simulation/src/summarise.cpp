@@ -11,6 +11,7 @@
 
 #include "brash/simulation/warnings.hpp"
 #include "brash/statistics/quantile.hpp"
+#include "brash/structure/motion.hpp"
 
 namespace brash::simulation {
 namespace {
@@ -191,9 +192,23 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   return s;
 }
 
+namespace {
+
+/// When the structure's origin passes the initial edge, where nothing resists it; at the latest the end of the run [s].
+double time_at_edge(const model::Case& c) {
+  const double speed = model::speed(c.structure.motion);
+  if (speed > 0.0) return std::min(c.structure.start_distance / speed, c.time.duration);
+  const auto n_steps = std::llround(c.time.duration / c.time.step);
+  for (long long i = 0; i < n_steps; ++i)
+    if (structure::unresisted(c.structure, static_cast<double>(i) * c.time.step).position.x >= 0.0)
+      return static_cast<double>(i) * c.time.step;
+  return c.time.duration;
+}
+
+}  // namespace
+
 double statistics_from(const model::Case& resolved) {
-  return resolved.output.statistics_from.value_or(
-      std::min(resolved.structure.start_distance / model::speed(resolved.structure.motion), resolved.time.duration));
+  return resolved.output.statistics_from.value_or(time_at_edge(resolved));
 }
 
 std::string to_json(const RunSummary& s) {

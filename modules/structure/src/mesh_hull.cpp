@@ -15,10 +15,10 @@ namespace {
 
 /// Outlines leave out vertices that lie nearer to them than this, over the hull's extent: a millimetre of a ship.
 constexpr double kOutlineError = 1e-5;
-/// Sections between the lowest and the highest one, where the mesh bends between them. docs/theory/hulls.md, (B1)
+/// Sections between the lowest and the highest one, where the mesh bends between them. docs/theory/hulls.md, (K1)
 constexpr int kMiddleSections = 3;
 /// Cotangent of 89.9 degrees. A vertical face crushes ice over a strip of its plan; the vertical part of its force is
-/// this share of the horizontal one. docs/theory/hulls.md, (B2)
+/// this share of the horizontal one. docs/theory/hulls.md, (K2)
 constexpr double kLean = 1.745331e-3;
 /// Faces flatter than this are deck or keel: sine of half a degree.
 constexpr double kFlat = 8.7e-3;

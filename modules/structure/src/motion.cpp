@@ -2,14 +2,23 @@
 #include "brash/structure/motion.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "body_motion.hpp"
 #include "brash/core/error.hpp"
+#include "brash/structure/path.hpp"
 #include "rotation.hpp"
 
 namespace brash::structure {
 namespace {
+
+/// Along the velocity in plan; where there is none, along the structure's x axis.
+Vec2 way_ahead(const State& state) {
+  const Vec2 velocity = plan(state.twist.linear);
+  return velocity == Vec2{} ? plan(rotate(state.pose.rotation, {1.0, 0.0, 0.0})) : velocity;
+}
 
 /// At a constant speed along x.
 class Towed final : public Motion {
@@ -28,9 +37,44 @@ class Towed final : public Motion {
   Vec3 whole_step_;  ///< [m]
 };
 
-std::unique_ptr<Motion> motion_of(const model::Towed& towed, const State& start, double time_step) {
-  return std::make_unique<Towed>(towed, start, time_step);
-}
+/// Along a path. Contacts see the mean velocity of the step.
+class OnPath final : public Motion {
+ public:
+  OnPath(const model::Towed& towed, double time_step) : Motion({}), path_(towed.path), time_step_(time_step) {
+    now_ = {path_.at(0.0), mean_twist()};
+  }
+
+  State after(double share) const override { return {path_.at((elapsed_ + share) * time_step_), mean_twist()}; }
+  void advance(double share) override {
+    Motion::advance(share);
+    elapsed_ += share;
+  }
+  Vec2 course() const override { return way_ahead(now_); }
+  void save(model::Checkpoint& checkpoint) const override {
+    Motion::save(checkpoint);
+    model::save(checkpoint, "path", *this);
+  }
+  void restore(const model::Checkpoint& checkpoint) override {
+    Motion::restore(checkpoint);
+    model::restore(checkpoint, "path", *this);
+  }
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("elapsed", "1", "steps done, parts of one included", self.elapsed_);
+  }
+
+ private:
+  /// Of the step in which the structure is.
+  Twist mean_twist() const {
+    const double from = std::floor(elapsed_);
+    return way_to(path_.at((from + 1.0) * time_step_), path_.at(from * time_step_), time_step_).twist;
+  }
+
+  Path path_;
+  double time_step_;      ///< [s]
+  double elapsed_ = 0.0;  ///< in steps
+};
 
 /// A mass on a spring and a dashpot in plan. The ice's load of one step acts, evenly, in the next one; the motion under
 /// that load is exact. Within a step the structure goes at the step's mean velocity.
@@ -94,10 +138,6 @@ class Compliant final : public Motion {
   Vec2 velocity_{};   ///< against the foot, at the end of the coming step [m/s]
 };
 
-std::unique_ptr<Motion> motion_of(const model::Compliant& compliant, const State& start, double time_step) {
-  return std::make_unique<Compliant>(compliant, start, time_step);
-}
-
 /// As another program says, step by step; without a word of it, on at the last twist.
 class Driven final : public Motion {
  public:
@@ -121,10 +161,7 @@ class Driven final : public Motion {
     now_.twist = goal.twist;
   }
   void bear(const Wrench& /*load*/) override { go_on(); }
-  Vec2 course() const override {
-    const Vec2 velocity = plan(now_.twist.linear);
-    return velocity == Vec2{} ? plan(rotate(now_.pose.rotation, {1.0, 0.0, 0.0})) : velocity;
-  }
+  Vec2 course() const override { return way_ahead(now_); }
   void save(model::Checkpoint& checkpoint) const override {
     Motion::save(checkpoint);
     model::save(checkpoint, "drive", *this);
@@ -150,9 +187,34 @@ class Driven final : public Motion {
   Twist way_{};       ///< of the coming step [m], [rad]
 };
 
-std::unique_ptr<Motion> motion_of(const model::Driven& driven, const State& start, double time_step) {
-  return std::make_unique<Driven>(driven, start, time_step);
-}
+/// Joins the motions of a case to their makers.
+struct Maker {
+  const model::Case& resolved;
+  const Hull& hull;
+  double time_step = resolved.time.step;
+  State at_rest{unresisted(resolved.structure, 0.0), {}};
+
+  std::unique_ptr<Motion> operator()(const model::Towed& towed) const {
+    if (!towed.path.empty()) return std::make_unique<OnPath>(towed, time_step);
+    return std::make_unique<Towed>(towed, at_rest, time_step);
+  }
+  std::unique_ptr<Motion> operator()(const model::Compliant& compliant) const {
+    return std::make_unique<Compliant>(compliant, at_rest, time_step);
+  }
+  std::unique_ptr<Motion> operator()(const model::Free& free) const { return body(free, {}); }
+  std::unique_ptr<Motion> operator()(const model::Moored& moored) const { return body(moored, moored); }
+  std::unique_ptr<Motion> operator()(const model::Driven& driven) const {
+    return std::make_unique<Driven>(driven, at_rest, time_step);
+  }
+
+  /// At the start a body goes as its case says, and a mooring's feet go with it.
+  std::unique_ptr<Motion> body(const auto& motion, const std::optional<model::Moored>& moored) const {
+    const State start{at_rest.pose, {{motion.speed, 0.0, 0.0}, {}}};
+    return std::make_unique<BodyMotion>(
+        motion.body, moored, start,
+        BodyMotion::Surroundings{hull, resolved.water.density, current_past_ice(resolved), time_step});
+  }
+};
 
 }  // namespace
 
@@ -173,9 +235,24 @@ void Motion::save(model::Checkpoint& checkpoint) const { model::save(checkpoint,
 
 void Motion::restore(const model::Checkpoint& checkpoint) { model::restore(checkpoint, "structure", now_); }
 
-std::unique_ptr<Motion> make_motion(const model::StructureSection& structure, double time_step) {
-  const State start{{{-structure.start_distance, 0.0, 0.0}, {}}, {}};
-  return std::visit([&](const auto& motion) { return motion_of(motion, start, time_step); }, structure.motion);
+std::unique_ptr<Motion> make_motion(const model::Case& resolved, const Hull& hull) {
+  return std::visit(Maker{resolved, hull}, resolved.structure.motion);
+}
+
+Pose unresisted(const model::StructureSection& structure, double time) {
+  const auto* const towed = std::get_if<model::Towed>(&structure.motion);
+  if (towed != nullptr && !towed->path.empty()) return Path(towed->path).at(time);
+  return {{-structure.start_distance + model::speed(structure.motion) * time, 0.0, 0.0}, {}};
+}
+
+double mean_speed(const model::StructureSection& structure, double time) {
+  if (const double speed = model::speed(structure.motion); speed > 0.0) return speed;
+  constexpr int kChords = 400;
+  double way = 0.0;
+  for (int i = 0; i < kChords; ++i)
+    way += norm(unresisted(structure, time * (i + 1) / kChords).position -
+                unresisted(structure, time * i / kChords).position);
+  return way / time;
 }
 
 }  // namespace brash::structure

@@ -21,7 +21,7 @@ class EdgeOfRun {
         ice(simulation::ice_properties(resolved)),
         hull(structure::make_hull(resolved.structure.shape)),
         simulation(resolved),
-        motion_(structure::make_motion(resolved.structure, resolved.time.step)) {}
+        motion_(structure::make_motion(resolved, *hull)) {}
 
   bool is_over() const { return simulation.time() >= resolved.time.duration; }
 

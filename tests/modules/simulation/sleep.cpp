@@ -55,6 +55,20 @@ BOOST_AUTO_TEST_CASE(a_floe_that_stays_slow_falls_asleep_and_its_kinetic_energy_
   BOOST_TEST((pool.world.pose(slow) == fixed));
 }
 
+BOOST_AUTO_TEST_CASE(a_sleeping_floe_wakes_where_the_structure_may_come) {
+  Pool pool(kSleeping);
+  const BodyId near = pool.add({6, -1}, {8, 1}, {}), far = pool.add({-4, -1}, {-2, 1}, {});
+  (void)advance(pool, 2.5);
+  BOOST_REQUIRE(pool.world.is_settled(near));
+  BOOST_REQUIRE(pool.world.is_settled(far));
+  pool.sleep.wake_beyond(pool.world, pool.floes, {{1.0, 0.0}, 7.0});
+  BOOST_TEST(!pool.world.is_settled(near));
+  BOOST_TEST(pool.world.is_settled(far));
+  // The structure turns about.
+  pool.sleep.wake_beyond(pool.world, pool.floes, {{-1.0, 0.0}, 0.0});
+  BOOST_TEST(!pool.world.is_settled(far));
+}
+
 BOOST_AUTO_TEST_CASE(a_sleeping_floe_that_is_pushed_goes_on_as_if_it_had_never_slept) {
   // A drifting floe runs into one at rest, which wakes before the blow: no speed is off by more than kSlow.
   Pool with(kSleeping), without;

@@ -10,9 +10,15 @@ namespace {
 
 using namespace brash;
 
-std::unique_ptr<structure::Motion> towed() {
-  return structure::make_motion({.shape = {}, .motion = model::Towed{1.5}, .start_distance = 7.0}, 0.01);
+std::unique_ptr<structure::Motion> motion_of(const model::Motion& motion, double time_step = 0.01) {
+  static const auto hull = structure::make_hull(model::Cone{1.0, 10.0, 8.0, 5.0});
+  model::Case resolved;
+  resolved.structure = {.shape = {}, .motion = motion, .start_distance = 7.0};
+  resolved.time.step = time_step;
+  return structure::make_motion(resolved, *hull);
 }
+
+std::unique_ptr<structure::Motion> towed() { return motion_of(model::Towed{1.5}); }
 
 BOOST_AUTO_TEST_SUITE(motion)
 
@@ -50,8 +56,7 @@ BOOST_AUTO_TEST_CASE(a_motion_goes_on_from_a_checkpoint) {
 
 /// 2e6 kg on 8e6 N/m: 2 rad/s; its foot goes at 0.5 m/s.
 std::unique_ptr<structure::Motion> compliant(double damping, double time_step) {
-  return structure::make_motion(
-      {.shape = {}, .motion = model::Compliant{0.5, 2e6, 8e6, damping}, .start_distance = 7.0}, time_step);
+  return motion_of(model::Compliant{0.5, 2e6, 8e6, damping}, time_step);
 }
 
 /// Where the foot is.
@@ -99,9 +104,7 @@ BOOST_AUTO_TEST_CASE(a_compliant_structure_sways_on_its_own_and_goes_on_from_a_c
   BOOST_TEST((again->now().twist == motion->now().twist));
 }
 
-std::unique_ptr<structure::Motion> driven() {
-  return structure::make_motion({.shape = {}, .motion = model::Driven{1.5}, .start_distance = 7.0}, 0.01);
-}
+std::unique_ptr<structure::Motion> driven() { return motion_of(model::Driven{1.5}); }
 
 BOOST_AUTO_TEST_CASE(a_driven_structure_goes_straight_and_turns_evenly_to_its_goal_and_on_at_its_twist) {
   const auto motion = driven();

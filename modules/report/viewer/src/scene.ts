@@ -40,7 +40,7 @@ export class ReplayScene {
   private readonly top: number;
   private readonly bottom: number;
   private view = "Wake";
-  private structureX = 0;
+  private lastPlace = new Vector3();  // of the structure
   private pending = false;
 
   constructor(
@@ -78,7 +78,7 @@ export class ReplayScene {
     this.controls.minDistance = Math.min(0.3 * this.size, 10 * h);
     this.controls.zoomSpeed = 0.8;
     this.controls.addEventListener("change", () => this.draw());
-    this.structureX = this.structurePlace(0).x;
+    this.lastPlace = this.structurePlace(0);
     this.setTheme();
     this.look("Wake");
     this.setSeeThrough(true);
@@ -126,7 +126,8 @@ export class ReplayScene {
   look(name: string): void {
     this.view = name;
     const { from, at } = kViews[name];
-    this.controls.target.set(...at).multiplyScalar(this.run.radius).add(new Vector3(this.structureX, 0, 0));
+    const centre = new Vector3(this.lastPlace.x, this.lastPlace.y, 0);
+    this.controls.target.set(...at).multiplyScalar(this.run.radius).add(centre);
     this.camera.position.set(...from).multiplyScalar(this.size * furtherIn(this.camera.aspect)).add(this.controls.target);
     this.controls.update();
     this.draw();
@@ -168,10 +169,11 @@ export class ReplayScene {
     this.showSheet(this.run.sheetAt(time));
     const at = this.structurePlace(time);
     if (this.follow) {
-      this.camera.position.x += at.x - this.structureX;
-      this.controls.target.x += at.x - this.structureX;
+      const way = at.clone().sub(this.lastPlace).setZ(0);
+      this.camera.position.add(way);
+      this.controls.target.add(way);
     }
-    this.structureX = at.x;
+    this.lastPlace = at;
     this.structure.position.copy(at);
     this.water.follow(at.x, at.y);
     this.hull.quaternion.copy(this.structureTurn(time));

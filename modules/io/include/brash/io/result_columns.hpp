@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "brash/io/results.hpp"
 
@@ -27,6 +30,14 @@ struct Columns<model::LoadRow> {
     visit_wrench("floe_normal_", "normal contact forces of floes", &model::LoadRow::floe_normal, visit);
     visit_wrench("floe_friction_", "friction of floes", &model::LoadRow::floe_friction, visit);
     visit_state(visit);
+    visit_motion(visit);
+  }
+
+  /// A history has such a column only if some row of it has a value there: the structure turns, or is a body.
+  static bool is_optional(std::string_view name) {
+    bool found = false;
+    visit_motion([&](const std::string& optional, const auto&...) { found = found || name == optional; });
+    return found;
   }
 
  private:
@@ -108,7 +119,48 @@ struct Columns<model::LoadRow> {
         "structure_vy", "m s-1", "velocity of the structure's origin, mean over the step",
         [](auto& row) -> auto& { return row.velocity.y; });
   }
+
+  template <typename Visit>
+  static void visit_motion(Visit&& visit) {
+    const auto of_vector = [&](const char* name, const char* unit, const char* meaning, Vec3 model::LoadRow::*vector,
+                               double Vec3::*part) {
+      visit(
+          std::string(name), unit, std::string(meaning),
+          [ vector, part ](auto& row) -> auto& { return row.*vector.*part; });
+    };
+    visit(
+        std::string("structure_z"), "m", std::string("height of the structure's origin"),
+        [](auto& row) -> auto& { return row.height; });
+    visit(
+        std::string("structure_vz"), "m s-1", std::string("velocity of the structure's origin, mean over the step"),
+        [](auto& row) -> auto& { return row.rise; });
+    of_vector("structure_roll", "rad", "roll, the last of the three turns", &model::LoadRow::attitude, &Vec3::x);
+    of_vector("structure_pitch", "rad", "pitch, the second turn", &model::LoadRow::attitude, &Vec3::y);
+    of_vector("structure_heading", "rad", "heading, the first turn", &model::LoadRow::attitude, &Vec3::z);
+    of_vector("structure_wx", "rad s-1", "angular velocity about x", &model::LoadRow::spin, &Vec3::x);
+    of_vector("structure_wy", "rad s-1", "angular velocity about y", &model::LoadRow::spin, &Vec3::y);
+    of_vector("structure_wz", "rad s-1", "angular velocity about z", &model::LoadRow::spin, &Vec3::z);
+    model::BodyEnergy::visit([&](const char* name, const char* meaning, double model::BodyEnergy::*energy) {
+      visit(
+          std::string("body_") + name, "J",
+          std::string("of the structure as a body: ") + meaning, [energy](auto& row) -> auto& {
+            return row.body.*energy;
+          });
+    });
+  }
 };
+
+/// As Columns<Row>::visit, without the optional columns that no row uses.
+template <typename Row, typename Visit>
+void visit_used(const std::vector<Row>& rows, Visit&& visit) {
+  Columns<Row>::visit([&](const std::string& name, const char* unit, const std::string& meaning, auto member) {
+    if constexpr (requires { Columns<Row>::is_optional(name); }) {
+      const auto is_used = [&](const Row& row) { return member(row) != 0; };
+      if (Columns<Row>::is_optional(name) && std::none_of(rows.begin(), rows.end(), is_used)) return;
+    }
+    visit(name, unit, meaning, member);
+  });
+}
 
 template <>
 struct Columns<model::CrackEvent> {

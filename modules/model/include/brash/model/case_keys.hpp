@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "brash/core/contract.hpp"
 #include "brash/model/case.hpp"
@@ -72,14 +73,48 @@ void visit_keys_of(Is<Mesh> auto& mesh, auto&& visit) {
   visit("structure", "heel", mesh.heel);
   visit("structure", "trim", mesh.trim);
 }
-void visit_keys_of(Is<Towed> auto& towed, auto&& visit) { visit("structure", "speed", towed.speed); }
+/// A path takes the place of the speed.
+void visit_keys_of(Is<Towed> auto& towed, auto&& visit) {
+  visit("structure.motion", "path", towed.path);
+  if (towed.path.empty()) visit("structure", "speed", towed.speed);
+}
 void visit_keys_of(Is<Compliant> auto& compliant, auto&& visit) {
   visit("structure", "speed", compliant.speed);
   visit("structure.motion", "mass", compliant.mass);
   visit("structure.motion", "stiffness", compliant.stiffness);
   visit("structure.motion", "damping", compliant.damping);
 }
-void visit_keys_of(Is<model::Driven> auto& driven, auto&& visit) { visit("structure", "speed", driven.speed); }
+void visit_body_keys(auto& body, auto&& visit) {
+  visit("structure.motion", "mass", body.mass);
+  visit("structure.motion", "centre_of_gravity", body.centre_of_gravity);
+  visit("structure.motion", "radii_of_gyration", body.radii_of_gyration);
+  visit("structure.motion", "added_mass", body.added_mass);
+  visit("structure.motion", "added_inertia", body.added_inertia);
+  visit("structure.motion", "linear_damping", body.linear_damping);
+  visit("structure.motion", "quadratic_damping", body.quadratic_damping);
+  visit("structure.motion", "angular_damping", body.angular_damping);
+  visit("structure.motion", "quadratic_angular_damping", body.quadratic_angular_damping);
+  visit("structure.motion", "thrust", body.thrust);
+  visit("structure.motion", "thrust_arm", body.thrust_arm);
+}
+void visit_keys_of(Is<Free> auto& free, auto&& visit) {
+  visit("structure", "speed", free.speed);
+  visit_body_keys(free.body, visit);
+}
+void visit_keys_of(Is<Moored> auto& moored, auto&& visit) {
+  visit("structure", "speed", moored.speed);
+  visit_body_keys(moored.body, visit);
+  visit("structure.motion", "stiffness_matrix", moored.stiffness);
+  visit("structure.motion", "pretension", moored.pretension);
+  visit("structure.motion", "lines", moored.lines);
+}
+void visit_keys_of(Is<Driven> auto& driven, auto&& visit) { visit("structure", "speed", driven.speed); }
+
+/// Whether the structure goes along a path, which says where it starts.
+inline bool has_path(const StructureSection& structure) {
+  const auto* const towed = std::get_if<Towed>(&structure.motion);
+  return towed != nullptr && !towed->path.empty();
+}
 
 /// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members. The
 /// keys of an alternative come after its name.
@@ -105,7 +140,7 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit_kind("structure.motion", c.structure.motion, visit);
   std::visit([&](auto& motion) { visit_keys_of(motion, visit); }, c.structure.motion);
   visit("structure.motion", "frame", c.structure.frame);
-  visit("structure", "start_distance", c.structure.start_distance);
+  if (!has_path(c.structure)) visit("structure", "start_distance", c.structure.start_distance);
 }
 
 template <typename AnyCase, typename Visitor>
@@ -178,48 +213,95 @@ inline std::vector<std::string*> files_of(Case& c) {
   return files;
 }
 
-/// A case as a tree of sections and keys, and back: `tree["ice"]["thickness"]`, "ice.variation" a section of its own.
-/// `Tree` is a JSON value of nlohmann's, or acts as one. Absent optional numbers have no key.
-template <typename Tree>
-Tree to_tree(const Case& c) {
-  Tree tree;
-  const auto add = [&](const char* section, const char* key, const auto& value) {
-    using Value = std::remove_cvref_t<decltype(value)>;
-    auto& keys = tree[section];
-    if constexpr (Choice<Value>)
-      keys[key] = std::string(name_of(value));
-    else if constexpr (std::is_same_v<Value, Vec2>)
-      keys[key] = std::array{value.x, value.y};
-    else if constexpr (!std::is_same_v<Value, std::optional<double>>)
-      keys[key] = value;
-    else if (value)
-      keys[key] = *value;
-  };
-  visit_keys(c, add);
-  return tree;
+namespace detail {
+
+/// The numbers of a row of a table in a case, in the order of case files.
+inline std::array<double, 4> numbers_of(const Waypoint& w) { return {w.time, w.position.x, w.position.y, w.heading}; }
+inline std::array<double, 9> numbers_of(const MooringLine& l) {
+  return {l.anchor.x,   l.anchor.y, l.anchor.z, l.fairlead.x, l.fairlead.y,
+          l.fairlead.z, l.length,   l.weight,   l.stiffness};
+}
+inline void take_numbers(Waypoint& w, const std::array<double, 4>& n) { w = {n[0], {n[1], n[2]}, n[3]}; }
+inline void take_numbers(MooringLine& l, const std::array<double, 9>& n) {
+  l = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6], n[7], n[8]};
 }
 
-namespace detail {
+template <typename Value>
+concept Row = requires(const Value& value) {
+  numbers_of(value);
+};
+
+template <typename Tree, typename Value>
+Tree tree_of(const Value& value) {
+  if constexpr (Choice<Value>)
+    return std::string(name_of(value));
+  else if constexpr (std::is_same_v<Value, Vec2>)
+    return std::array{value.x, value.y};
+  else if constexpr (std::is_same_v<Value, Vec3>)
+    return std::array{value.x, value.y, value.z};
+  else if constexpr (Row<Value>)
+    return numbers_of(value);
+  else
+    return value;
+}
+
+/// Absent optional values and empty tables have no key.
+template <typename Tree, typename Value>
+void put(Tree& keys, const char* key, const Value& value) {
+  keys[key] = tree_of<Tree>(value);
+}
+template <typename Tree, typename Value>
+void put(Tree& keys, const char* key, const std::optional<Value>& value) {
+  if (value) put(keys, key, *value);
+}
+template <typename Tree, typename Item>
+void put(Tree& keys, const char* key, const std::vector<Item>& items) {
+  for (const Item& item : items) keys[key].push_back(tree_of<Tree>(item));
+}
+
+template <typename Value>
+void read(Value& value, const auto& tree) {
+  if constexpr (Choice<Value>) {
+    const auto text = tree.template get<std::string>();
+    const auto known = named<Value>(text);
+    BRASH_EXPECTS(known.has_value(), text);  // whoever checked the tree knows the same names
+    value = *known;
+  } else if constexpr (std::is_same_v<Value, Vec2>) {
+    value = {tree.at(0).template get<double>(), tree.at(1).template get<double>()};
+  } else if constexpr (std::is_same_v<Value, Vec3>) {
+    value = {tree.at(0).template get<double>(), tree.at(1).template get<double>(), tree.at(2).template get<double>()};
+  } else if constexpr (Row<Value>) {
+    take_numbers(value, tree.template get<decltype(numbers_of(value))>());
+  } else {
+    tree.get_to(value);
+  }
+}
 
 template <typename Value>
 void take(Value& value, const auto& section, const char* key) {
-  section.at(key).get_to(value);
+  read(value, section.at(key));
 }
-template <Choice Value>
-void take(Value& value, const auto& section, const char* key) {
-  const auto text = section.at(key).template get<std::string>();
-  const auto known = named<Value>(text);
-  BRASH_EXPECTS(known.has_value(), key, text);  // whoever checked the tree knows the same names
-  value = *known;
+template <typename Value>
+void take(std::optional<Value>& value, const auto& section, const char* key) {
+  if (section.contains(key)) read(value.emplace(), section.at(key));
 }
-inline void take(Vec2& value, const auto& section, const char* key) {
-  value = {section.at(key).at(0).template get<double>(), section.at(key).at(1).template get<double>()};
-}
-inline void take(std::optional<double>& value, const auto& section, const char* key) {
-  if (section.contains(key)) value = section.at(key).template get<double>();
+template <typename Item>
+void take(std::vector<Item>& items, const auto& section, const char* key) {
+  if (!section.contains(key)) return;
+  for (const auto& item : section.at(key)) read(items.emplace_back(), item);
 }
 
 }  // namespace detail
+
+/// A case as a tree of sections and keys, and back: `tree["ice"]["thickness"]`, "ice.variation" a section of its own.
+/// `Tree` is a JSON value of nlohmann's, or acts as one.
+template <typename Tree>
+Tree to_tree(const Case& c) {
+  Tree tree;
+  visit_keys(c,
+             [&](const char* section, const char* key, const auto& value) { detail::put(tree[section], key, value); });
+  return tree;
+}
 
 /// @throws ContractViolation when the tree has a key that no case has, or a choice without its name; what `Tree` throws
 ///         when a key is missing or its value has another type.

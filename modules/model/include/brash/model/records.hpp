@@ -45,8 +45,39 @@ struct EnergyLosses {
   friend bool operator==(const EnergyLosses&, const EnergyLosses&) = default;
 };
 
-/// Load on the structure over a step, in load axes: x as the ice drifts against the structure (against its motion),
-/// y to starboard, z upwards; moments about the structure's origin on the waterplane. The energies of a row satisfy
+/// Energies of a structure that is a body, seen from the water: velocities are against the water, which has no work
+/// then. Works and losses are since the start [J]. They satisfy (docs/theory/motion.md, (B9))
+///
+///   initial + ice_work + thrust_work + anchor_work = kinetic + hydrostatic + mooring + damping_loss + error.
+struct BodyEnergy {
+  double kinetic = 0.0;      ///< added mass included
+  double hydrostatic = 0.0;  ///< of weight and buoyancy, against the pose at the start
+  double mooring = 0.0;      ///< of springs and lines, against the pose at the start
+  double ice_work = 0.0;     ///< of the ice on the structure
+  double thrust_work = 0.0;
+  double anchor_work = 0.0;  ///< of the mooring's feet, where they move through the water
+  double damping_loss = 0.0;
+  double error = 0.0;  ///< of the integration in time; positive where energy vanished
+
+  /// Calls `visit(name, meaning, member)` for each: one list serves files and checkpoints.
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit("kinetic", "kinetic energy against the water, added mass included", &BodyEnergy::kinetic);
+    visit("hydrostatic", "energy of weight and buoyancy, against the start", &BodyEnergy::hydrostatic);
+    visit("mooring", "energy of the mooring, against the start", &BodyEnergy::mooring);
+    visit("ice_work", "work of the ice on it since the start", &BodyEnergy::ice_work);
+    visit("thrust_work", "work of the thrust since the start", &BodyEnergy::thrust_work);
+    visit("anchor_work", "work of the mooring's feet since the start", &BodyEnergy::anchor_work);
+    visit("damping_loss", "energy that damping took since the start", &BodyEnergy::damping_loss);
+    visit("error", "error of the integration since the start", &BodyEnergy::error);
+  }
+
+  friend bool operator==(const BodyEnergy&, const BodyEnergy&) = default;
+};
+
+/// Load on the structure over a step, in load axes: x against the structure's heading, y to starboard, z upwards;
+/// moments about the structure's origin on the waterplane. A structure that does not turn heads along x, so the ice
+/// drifts against it along the x of the loads. The energies of a row satisfy
 ///
 ///   work + birth_energy = kinetic_energy + potential_energy + losses.total() + removed_energy + energy_error.
 struct LoadRow {
@@ -72,9 +103,14 @@ struct LoadRow {
   double area_brash = 0.0;
   double area_snap = 0.0;
   int n_floes = 0;
-  int n_contacts = 0;  ///< points at which floes bear on the structure
-  Vec2 structure{};    ///< place of the structure's origin [m]
-  Vec2 velocity{};     ///< of it, mean over the step [m/s]
+  int n_contacts = 0;   ///< points at which floes bear on the structure
+  Vec2 structure{};     ///< place of the structure's origin [m]
+  Vec2 velocity{};      ///< of it, mean over the step [m/s]
+  double height = 0.0;  ///< of that origin above the water's surface [m]
+  double rise = 0.0;    ///< its velocity upwards, mean over the step [m/s]
+  Vec3 attitude{};      ///< roll, pitch and heading: turned by the heading first, by the roll last [rad]
+  Vec3 spin{};          ///< angular velocity, mean over the step, sheet frame [rad/s]
+  BodyEnergy body;      ///< of a free or moored structure
 
   friend bool operator==(const LoadRow&, const LoadRow&) = default;
 };

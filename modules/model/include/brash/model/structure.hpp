@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "brash/core/vec.hpp"
 #include "brash/model/choices.hpp"
 
 namespace brash::model {
@@ -107,9 +110,19 @@ inline constexpr auto kNames<StructureKind> =
                                          {StructureKind::kMesh, "mesh"}});
 inline StructureKind kind_of(const Shape& shape) { return static_cast<StructureKind>(shape.index()); }
 
-/// `kind = "towed"`: along x at a constant speed, whatever the ice does.
+/// A row of a path: where the structure's origin is at a time, sheet frame.
+struct Waypoint {
+  double time = 0.0;     ///< [s]
+  Vec2 position{};       ///< [m]
+  double heading = 0.0;  ///< of the structure's x axis, from the sheet's towards y [rad]
+
+  friend bool operator==(const Waypoint&, const Waypoint&) = default;
+};
+
+/// `kind = "towed"`: along x at a constant speed, or along a path, whatever the ice does.
 struct Towed {
-  double speed = 0.0;
+  double speed = 0.0;            ///< 0 with a path
+  std::vector<Waypoint> path{};  ///< from time 0 on; empty: along x at `speed`
 
   friend bool operator==(const Towed&, const Towed&) = default;
 };
@@ -125,6 +138,54 @@ struct Compliant {
   friend bool operator==(const Compliant&, const Compliant&) = default;
 };
 
+/// A structure that is a rigid body afloat: its mass, and its loads beside weight, buoyancy and ice. Vectors are along
+/// the hull's axes. The defaults of the absent members come from the displaced water (structure/floating_body.hpp).
+struct FloatingBody {
+  std::optional<double> mass{};             ///< [kg]
+  std::optional<Vec3> centre_of_gravity{};  ///< hull's frame [m]
+  std::optional<Vec3> radii_of_gyration{};  ///< about the axes through the centre of gravity [m]
+  std::optional<Vec3> added_mass{};         ///< [kg]
+  std::optional<Vec3> added_inertia{};      ///< [kg m2]
+  Vec3 linear_damping{};                    ///< [N s/m]
+  Vec3 quadratic_damping{};                 ///< [N s2/m2]
+  Vec3 angular_damping{};                   ///< [N m s]
+  Vec3 quadratic_angular_damping{};         ///< [N m s2]
+  Vec3 thrust{};                            ///< constant in the hull's frame [N]
+  Vec3 thrust_arm{};                        ///< from the centre of gravity to the point of action [m]
+
+  friend bool operator==(const FloatingBody&, const FloatingBody&) = default;
+};
+
+/// `kind = "free"`: a body afloat with six degrees of freedom.
+struct Free {
+  double speed = 0.0;  ///< along x at the start
+  FloatingBody body{};
+
+  friend bool operator==(const Free&, const Free&) = default;
+};
+
+/// An elastic line from an anchor on the sea bed to the structure.
+struct MooringLine {
+  Vec3 anchor{};           ///< from the origin of the structure at the start, z from the water's surface [m]
+  Vec3 fairlead{};         ///< hull's frame [m]
+  double length = 0.0;     ///< without tension [m]
+  double weight = 0.0;     ///< in water [N/m]
+  double stiffness = 0.0;  ///< E A [N]
+
+  friend bool operator==(const MooringLine&, const MooringLine&) = default;
+};
+
+/// `kind = "moored"`: the same body on springs or lines. Their feet go along x through the ice at a constant speed.
+struct Moored {
+  double speed = 0.0;
+  FloatingBody body{};
+  std::vector<std::array<double, 6>> stiffness{};  ///< 6 rows: of the origin, sheet axes [N/m, N, N m]; or none
+  std::vector<double> pretension{};                ///< 6 values: force and moment at the start [N, N m]; or none
+  std::vector<MooringLine> lines{};
+
+  friend bool operator==(const Moored&, const Moored&) = default;
+};
+
 /// `kind = "driven"`: as another program says, step by step; until it does, along x at a constant speed.
 struct Driven {
   double speed = 0.0;
@@ -133,15 +194,17 @@ struct Driven {
 };
 
 /// How a structure moves; [structure.motion] kind names them in this order.
-using Motion = std::variant<Towed, Compliant, Driven>;
-enum class MotionKind { kTowed, kCompliant, kDriven };
+using Motion = std::variant<Towed, Compliant, Free, Moored, Driven>;
+enum class MotionKind { kTowed, kCompliant, kFree, kMoored, kDriven };
 template <>
 inline constexpr auto kNames<MotionKind> = std::to_array<Named<MotionKind>>({{MotionKind::kTowed, "towed"},
                                                                              {MotionKind::kCompliant, "compliant"},
+                                                                             {MotionKind::kFree, "free"},
+                                                                             {MotionKind::kMoored, "moored"},
                                                                              {MotionKind::kDriven, "driven"}});
 inline MotionKind kind_of(const Motion& motion) { return static_cast<MotionKind>(motion.index()); }
 
-/// Speed of a structure through the ice where nothing resists it [m/s].
+/// Speed along x through the ice: of the tow, of the mooring's feet, or at the start [m/s]; 0 with a path.
 inline double speed(const Motion& motion) {
   return std::visit([](const auto& m) { return m.speed; }, motion);
 }
@@ -151,7 +214,7 @@ struct StructureSection {
   Shape shape;
   Motion motion;
   MotionFrame frame = MotionFrame::kStructureMoves;
-  double start_distance = 0.0;  ///< from its origin to the ice edge at the start
+  double start_distance = 0.0;  ///< from its origin to the ice edge at the start; not of a path
 
   friend bool operator==(const StructureSection&, const StructureSection&) = default;
 };

@@ -6,6 +6,8 @@
 #include "brash/core/vec.hpp"
 #include "brash/model/case.hpp"
 #include "brash/model/checkpoint.hpp"
+#include "brash/model/records.hpp"
+#include "brash/structure/hull.hpp"
 
 namespace brash::structure {
 
@@ -54,6 +56,9 @@ class Motion {
   /// has none looks along its x axis.
   virtual Vec2 course() const = 0;
 
+  /// Energies after the last bear(), of a structure that is a body; all zero of another.
+  virtual model::BodyEnergy energy() const { return {}; }
+
   /// Saves in a table of its own all that the motion from now on depends on.
   virtual void save(model::Checkpoint& checkpoint) const;
   virtual void restore(const model::Checkpoint& checkpoint);
@@ -62,8 +67,16 @@ class Motion {
   State now_;
 };
 
-/// The motion of a structure from its start.
-/// @param time_step  length of a step [s].
-std::unique_ptr<Motion> make_motion(const model::StructureSection& structure, double time_step);
+/// The motion of a case's structure from its start.
+/// @param hull  of the structure; a body keeps a reference to it.
+/// @throws InputError when a body cannot float, or the step is too long for it.
+std::unique_ptr<Motion> make_motion(const model::Case& resolved, const Hull& hull);
+
+/// Where a structure is at `time` [s], if nothing resists it and no one drives it: on its path, or along x at its
+/// speed.
+Pose unresisted(const model::StructureSection& structure, double time);
+
+/// Mean speed from the start to `time` [m/s], likewise; along a path from 400 chords.
+double mean_speed(const model::StructureSection& structure, double time);
 
 }  // namespace brash::structure

@@ -24,7 +24,7 @@ double half_breadth_at(const Particulars& ship, double z);
 /// Length of the parallel part at the height z over the water [m]. It is positive from keel to deck.
 double midbody_at(const Particulars& ship, double z);
 
-/// The hull as a closed mesh. It is convex; its sides are plane. docs/theory/hulls.md, (B4)
+/// The hull as a closed mesh. It is convex; its sides are plane. docs/theory/hulls.md, (K4)
 TriangleMesh ship_mesh(const Particulars& ship);
 
 }  // namespace brash::structure

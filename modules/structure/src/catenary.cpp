@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catenary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/core/contract.hpp"
+
+namespace brash::structure {
+namespace {
+
+/// Integral of the tension T and of T^2 / 2 E A along the part of a line that hangs, from the vertical force 0 or
+/// `bottom` at its lower end to `top` [N m].
+double hanging(const Line& line, double h, double bottom, double top) {
+  const auto tension = [&](double v) {
+    return 0.5 * (v * std::hypot(h, v) + (h > 0.0 ? h * h * std::asinh(v / h) : 0.0));
+  };
+  const auto square = [&](double v) { return h * h * v + v * v * v / 3.0; };
+  return (tension(top) - tension(bottom) + 0.5 * (square(top) - square(bottom)) / line.stiffness) / line.weight;
+}
+
+/// The line under the pull (h, v) of its upper end, h > 0: the place of that end, its derivatives and the energy that
+/// is complementary to the line's. The place is the gradient of that energy, which is convex.
+struct Shape {
+  double span = 0.0, rise = 0.0;
+  double span_by_h = 0.0, span_by_v = 0.0, rise_by_v = 0.0;
+  double complementary = 0.0;
+};
+
+Shape shape_under(const Line& line, double h, double v) {
+  const double w = line.weight, flexible = line.length / line.stiffness;
+  const double bottom = std::max(0.0, v - w * line.length), top = std::hypot(h, v);
+  const double resting = std::max(0.0, line.length - v / w);
+  const double low = std::hypot(h, bottom);
+  Shape s;
+  const double angles = std::asinh(v / h) - std::asinh(bottom / h);
+  s.span = resting + h / w * angles + h * flexible;
+  s.rise = (top - low) / w + 0.5 * (v * v - bottom * bottom) / (w * line.stiffness);
+  s.span_by_h = (angles - v / top + bottom / low) / w + flexible;
+  s.span_by_v = h / w * (1.0 / top - 1.0 / low);
+  s.rise_by_v = (v / top - bottom / low) / w + (v - bottom) / (w * line.stiffness);
+  s.complementary = hanging(line, h, bottom, v) + resting * (h + 0.5 * h * h / line.stiffness);
+  return s;
+}
+
+/// The start of Jonkman (2007, NREL/TP-500-41958, Eqs. 2-37 and 2-38).
+void first_guess(const Line& line, double span, double rise, double& h, double& v) {
+  const double l2 = line.length * line.length, chord2 = span * span + rise * rise;
+  const double lambda = chord2 >= l2 ? 0.2 : std::sqrt(3.0 * ((l2 - rise * rise) / (span * span) - 1.0));
+  h = std::abs(0.5 * line.weight * span / lambda);
+  v = 0.5 * line.weight * (rise / std::tanh(lambda) + line.length);
+}
+
+}  // namespace
+
+/// The pull is where `complementary - h span - v rise` is least: Newton's steps, halved until it falls.
+LinePull pull_of(const Line& line, double span, double rise) {
+  BRASH_EXPECTS(line.length > 0.0 && line.weight > 0.0 && line.stiffness > 0.0 && span >= 0.0 && rise > 0.0,
+                line.length, line.weight, line.stiffness, span, rise);
+  // A slack line hangs straight down and lies on the bed.
+  const double w = line.weight, ea = line.stiffness;
+  const double hung = ea * (std::sqrt(1.0 + 2.0 * w * rise / ea) - 1.0);
+  if (hung <= w * line.length && span <= line.length - hung / w)
+    return {0.0, hung, hung * rise - hanging(line, 0.0, 0.0, hung)};
+
+  constexpr double kClose = 1e-13;  // of the line's length
+  constexpr int kMostSteps = 200;
+  double h = 0.0, v = 0.0;
+  first_guess(line, span, rise, h, v);
+  Shape s = shape_under(line, h, v);
+  const auto height = [&](const Shape& at, double x, double z) { return at.complementary - x * span - z * rise; };
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double dx = span - s.span, dz = rise - s.rise;
+    if (std::hypot(dx, dz) <= kClose * line.length) break;
+    const double det = s.span_by_h * s.rise_by_v - s.span_by_v * s.span_by_v;
+    const double dh = (s.rise_by_v * dx - s.span_by_v * dz) / det, dv = (s.span_by_h * dz - s.span_by_v * dx) / det;
+    bool moved = false;
+    for (double share = 1.0; share > 1e-12 && !moved; share *= 0.5) {
+      const double next_h = std::max(h + share * dh, 0.1 * h), next_v = std::max(v + share * dv, 0.1 * v);
+      const Shape next = shape_under(line, next_h, next_v);
+      moved = height(next, next_h, next_v) < height(s, h, v);
+      if (!moved) continue;
+      h = next_h;
+      v = next_v;
+      s = next;
+    }
+    if (!moved) break;  // as near as the rounding allows
+  }
+  return {h, v, h * span + v * rise - s.complementary};
+}
+
+}  // namespace brash::structure

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mooring.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "catenary.hpp"
+#include "rotation.hpp"
+
+namespace {
+
+using namespace brash;
+using structure::Line;
+using structure::LinePull;
+using structure::pull_of;
+
+/// The place of a line's upper end under the pull (h, v), by adding up 200000 pieces from the anchor.
+Vec2 end_under(const Line& line, const LinePull& pull) {
+  constexpr int kPieces = 200000;
+  const double ds = line.length / kPieces;
+  Vec2 end{};
+  for (int i = 0; i < kPieces; ++i) {
+    const double s = (i + 0.5) * ds, v = std::max(0.0, pull.downward - line.weight * (line.length - s));
+    const double tension = std::hypot(pull.horizontal, v), stretched = ds * (1.0 + tension / line.stiffness);
+    end += tension > 0.0 ? Vec2{stretched * pull.horizontal / tension, stretched * v / tension} : Vec2{ds, 0.0};
+  }
+  return end;
+}
+
+/// 205 m of chain, 1 kN/m in water.
+constexpr Line kChain{205.0, 1000.0, 3e8};
+
+BOOST_AUTO_TEST_SUITE(mooring)
+
+BOOST_AUTO_TEST_CASE(a_line_hangs_as_its_pieces_added_up_do) {
+  // On the bed for most of its length, hardly on it, off it, and as tight as a string.
+  for (const auto& [span, rise] : {std::pair(190.0, 30.0), std::pair(201.0, 30.0), std::pair(202.7, 30.0),
+                                   std::pair(204.0, 30.0), std::pair(150.0, 130.0), std::pair(220.0, 60.0)}) {
+    const LinePull pull = pull_of(kChain, span, rise);
+    const Vec2 end = end_under(kChain, pull);
+    BOOST_TEST_MESSAGE(span << " m, " << rise << " m: " << pull.horizontal << " N, " << pull.downward << " N");
+    BOOST_TEST(std::abs(end.x - span) < 1e-5);  // the pieces are a midpoint rule
+    BOOST_TEST(std::abs(end.y - rise) < 1e-5);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_stiff_line_on_the_bed_is_the_textbook_s_catenary) {
+  // With a = H / w: rise = a (cosh(x / a) - 1), hanging length a sinh(x / a), span = x + the rest on the bed.
+  const Line line{205.0, 1000.0, 1e14};
+  const LinePull pull = pull_of(line, 190.0, 30.0);
+  const double a = pull.horizontal / line.weight, x = a * std::acosh(1.0 + 30.0 / a);
+  BOOST_TEST(x + line.length - a * std::sinh(x / a) == 190.0, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(pull.downward == line.weight * a * std::sinh(x / a), boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(a_slack_line_hangs_straight_down) {
+  const LinePull pull = pull_of(kChain, 100.0, 30.0);
+  BOOST_TEST(pull.horizontal == 0.0);
+  BOOST_TEST(pull.downward == 30e3, boost::test_tools::tolerance(1e-3));  // less its stretch
+  const LinePull longer = pull_of(kChain, 100.0, 30.001);
+  BOOST_TEST((longer.energy - pull.energy) / 0.001 == pull.downward, boost::test_tools::tolerance(1e-4));
+}
+
+BOOST_AUTO_TEST_CASE(the_pull_of_a_line_is_the_slope_of_its_energy) {
+  for (const auto& [span, rise] : {std::pair(190.0, 30.0), std::pair(202.7, 30.0), std::pair(204.5, 30.0)}) {
+    const double d = 1e-4;
+    const LinePull pull = pull_of(kChain, span, rise);
+    const double along = (pull_of(kChain, span + d, rise).energy - pull_of(kChain, span - d, rise).energy) / (2.0 * d);
+    const double up = (pull_of(kChain, span, rise + d).energy - pull_of(kChain, span, rise - d).energy) / (2.0 * d);
+    BOOST_TEST(along == pull.horizontal, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(up == pull.downward, boost::test_tools::tolerance(1e-6));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_load_of_springs_and_lines_is_the_slope_of_their_energy_at_any_pose) {
+  model::Moored moored;
+  moored.stiffness = {{{2e5, 1e4, 0, 0, 0, 5e4},
+                       {1e4, 3e5, 0, 2e4, 0, 0},
+                       {0, 0, 1e4, 0, 0, 0},
+                       {0, 2e4, 0, 4e6, 0, 0},
+                       {0, 0, 0, 0, 5e6, 1e5},
+                       {5e4, 0, 0, 0, 1e5, 7e6}}};
+  moored.pretension = {1e4, -2e4, 3e4, 5e4, -6e4, 7e4};
+  moored.lines = {{{190, 0, -30}, {5, 0, 0}, 205, 1000, 3e8}, {{-150, 110, -30}, {-5, 3, 1}, 205, 1000, 3e8}};
+  const Pose start{{-7.0, 0.0, 0.0}, {}};
+  const structure::Mooring mooring(moored, start);
+  const Vec3 shift{0.3, 0.0, 0.0};
+  const Pose pose{{-5.5, 0.7, -0.2}, structure::rotation_by({0.3, -0.4, 0.9})};
+  const Wrench load = mooring.at(pose, shift).load;
+  const double d = 1e-5;
+  const std::array<double, 6> found{load.force.x,  load.force.y,  load.force.z,
+                                    load.moment.x, load.moment.y, load.moment.z};
+  for (std::size_t i = 0; i < 6; ++i) {
+    std::array<double, 6> step{};
+    step[i] = d;
+    const auto energy = [&](double sign) {
+      const Vec3 way = sign * Vec3{step[0], step[1], step[2]}, turn = sign * Vec3{step[3], step[4], step[5]};
+      return mooring.at({pose.position + way, structure::turned(pose.rotation, turn)}, shift).energy;
+    };
+    BOOST_TEST(-(energy(1.0) - energy(-1.0)) / (2.0 * d) == found[i], boost::test_tools::tolerance(1e-5));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace
