@@ -24,7 +24,7 @@ class Unit:
     """A unit in a folder of its own."""
 
     def __init__(self, file, folder):
-        self.folder = pathlib.Path(folder)
+        self.folder = pathlib.Path(folder).resolve()  # the standard asks for absolute paths
         with zipfile.ZipFile(file) as archive:
             archive.extractall(self.folder)
         self.description = xml.etree.ElementTree.parse(self.folder / "modelDescription.xml").getroot()
