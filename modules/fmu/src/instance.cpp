@@ -12,6 +12,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/failure/model_files.hpp"
+#include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 
 namespace brash::fmu {
@@ -108,7 +109,8 @@ void Instance::reset() {
 }
 
 void Instance::place_structure() {
-  const structure::State start = structure::make_motion(state_.resolved.structure, state_.resolved.time.step)->now();
+  const auto hull = structure::make_hull(state_.resolved.structure.shape);
+  const structure::State start = structure::make_motion(state_.resolved, *hull)->now();
   state_.outputs.place = plan(start.pose.position);
   state_.outputs.velocity = plan(start.twist.linear);
 }
