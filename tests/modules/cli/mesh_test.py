@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 SHIPS = SOURCE / "experiments/ships"
@@ -128,6 +129,17 @@ class Mesh(unittest.TestCase):
         self.assertIn("2 triangles dropped, 2 turned, 0 holes filled", done.stdout)
         self.assertRegex(done.stdout, r"# displacement +505\.\d")
         self.assertRegex(done.stdout, r"# convex parts of the mesh +1,")
+
+    def test_check_draws_hull_waterlines_and_field(self):
+        picture = self.path / "case.svg"
+        done = brash("check", self.case, "--picture", picture)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        drawing = xml.etree.ElementTree.parse(picture).getroot()
+        classes = [path.get("class") for path in drawing.iter("{http://www.w3.org/2000/svg}path")]
+        # The middle section, the waterline and the structure at its start; the ice from the side and from above.
+        self.assertEqual((classes.count("hull"), classes.count("ice"), classes.count("end")), (3, 2, 1))
+        self.assertEqual(classes.count("thin"), 16)
+        self.assertEqual(brash("check", self.case, "--picture", self.case).returncode, 2)
 
     def refusal(self, *options):
         done = brash("check", self.case, *options)
