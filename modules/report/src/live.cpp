@@ -1,82 +1,131 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/report/live.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <initializer_list>
+#include <iterator>
+#include <utility>
 
 #include "brash/io/result_columns.hpp"
 
 namespace brash::report {
 namespace {
 
-using nlohmann::ordered_json;
 using Rings = std::vector<std::vector<Vec2>>;
 
-/// Millimetres; attitudes in the same unit are half of that at 5 m.
+/// Lengths and attitudes are sent in steps of 0.1 mm and 1e-4.
 constexpr double kPerUnit = 1e4;
 
 std::int64_t rounded(double value) { return std::llround(kPerUnit * value); }
 
+/// JSON as text, without a tree in between: records are many, and the run waits for them.
+class Json {
+ public:
+  void number(double value) {
+    if (std::isfinite(value))
+      fmt::format_to(std::back_inserter(text_), "{}", value);
+    else
+      text_ += "null";
+  }
+  void number(std::int64_t value) { fmt::format_to(std::back_inserter(text_), "{}", value); }
+  void key(const std::string& name) { fmt::format_to(std::back_inserter(text_), "\"{}\":", name); }
+
+  /// What `write` writes for each of `items`, between brackets.
+  template <typename Items, typename Write>
+  void array(const Items& items, Write write) {
+    text_ += '[';
+    bool first = true;
+    for (const auto& item : items) {
+      if (!std::exchange(first, false)) text_ += ',';
+      write(item);
+    }
+    text_ += ']';
+  }
+  void raw(char c) { text_ += c; }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
 /// The columns of rows under the names of a report's blocks.
 template <typename Row>
-ordered_json columns(const std::vector<Row>& rows) {
-  ordered_json out = ordered_json::object();
-  io::Columns<Row>::visit([&](const std::string& name, const char*, const std::string&, auto member) {
-    ordered_json& column = out[name] = ordered_json::array();
-    for (const Row& row : rows) column.push_back(static_cast<double>(member(row)));
+void columns(Json& json, const std::string& name, const std::vector<Row>& rows) {
+  json.key(name);
+  json.raw('{');
+  bool first = true;
+  io::Columns<Row>::visit([&](const std::string& column, const char*, const std::string&, auto member) {
+    if (!std::exchange(first, false)) json.raw(',');
+    json.key(column);
+    json.array(rows, [&](const Row& row) { json.number(static_cast<double>(member(row))); });
   });
-  return out;
+  json.raw('}');
+  json.raw(',');
 }
 
-/// Rings as x, y, x, y, ... [0.1 mm].
-ordered_json rings_json(const Rings& rings) {
-  ordered_json out = ordered_json::array();
-  for (const std::vector<Vec2>& ring : rings) {
-    ordered_json& flat = out.emplace_back(ordered_json::array());
-    for (const Vec2 node : ring) {
-      flat.push_back(rounded(node.x));
-      flat.push_back(rounded(node.y));
-    }
-  }
-  return out;
+/// Rings as x, y, x, y, ...
+void rings(Json& json, const Rings& all) {
+  json.array(all, [&](const std::vector<Vec2>& ring) {
+    json.array(ring, [&](Vec2 node) {
+      json.number(rounded(node.x));
+      json.raw(',');
+      json.number(rounded(node.y));
+    });
+  });
 }
 
-/// A floe, its place and attitude [0.1 mm], its contact force [N].
-ordered_json pose_json(const model::FloePose& at) {
+void numbers(Json& json, std::initializer_list<std::int64_t> values) {
+  json.array(values, [&](std::int64_t value) { json.number(value); });
+}
+
+/// A floe, its place and attitude, its contact force [N].
+void pose(Json& json, const model::FloePose& at) {
   const auto& [p, q] = at.pose;
-  return {at.floe,      rounded(p.x), rounded(p.y),
-          rounded(p.z), rounded(q.w), rounded(q.x),
-          rounded(q.y), rounded(q.z), std::llround(at.contact_force)};
+  numbers(json, {at.floe, rounded(p.x), rounded(p.y), rounded(p.z), rounded(q.w), rounded(q.x), rounded(q.y),
+                 rounded(q.z), std::llround(at.contact_force)});
 }
 
-ordered_json poses_json(const std::vector<model::Frame>& frames) {
-  ordered_json out = ordered_json::array();
-  for (const model::Frame& frame : frames) {
-    ordered_json& poses = out.emplace_back(ordered_json::array());
-    for (const model::FloePose& floe : frame.floes) poses.push_back(pose_json(floe));
-  }
-  return out;
-}
-
-ordered_json sheets_json(const model::RunResults& part) {
-  ordered_json out = ordered_json::array();
-  if (!part.initial_sheet.empty()) out.push_back({{"time", 0.0}, {"rings", rings_json(part.initial_sheet)}});
-  for (const model::CrackedSheet& sheet : part.cracked_sheets)
-    out.push_back({{"time", sheet.time}, {"rings", rings_json(sheet.rings)}});
-  return out;
+void sheet(Json& json, double time, const Rings& outline) {
+  json.raw('{');
+  json.key("time");
+  json.number(time);
+  json.raw(',');
+  json.key("rings");
+  rings(json, outline);
+  json.raw('}');
 }
 
 }  // namespace
 
 std::string live_records(const model::RunResults& part, const std::vector<EndedFloe>& ended) {
-  ordered_json outlines = ordered_json::array(), ends = ordered_json::array();
-  for (const model::FloeRecord& floe : part.floes) outlines.push_back(rings_json(floe.rings));
-  for (const EndedFloe& each : ended) ends.push_back({each.floe, each.time, static_cast<int>(each.end)});
-  return ordered_json{
-      {"load", columns(part.loads)},      {"event", columns(part.events)}, {"floe", columns(part.floes)},
-      {"frame", columns(part.frames)},    {"outlines", outlines},          {"ended", ends},
-      {"poses", poses_json(part.frames)}, {"sheets", sheets_json(part)}}
-      .dump();
+  Json json;
+  json.raw('{');
+  columns(json, "load", part.loads);
+  columns(json, "event", part.events);
+  columns(json, "floe", part.floes);
+  columns(json, "frame", part.frames);
+  json.key("outlines");
+  json.array(part.floes, [&](const model::FloeRecord& floe) { rings(json, floe.rings); });
+  json.raw(',');
+  json.key("ended");
+  json.array(ended, [&](const EndedFloe& each) {
+    json.array(std::initializer_list<double>{static_cast<double>(each.floe), each.time, static_cast<double>(each.end)},
+               [&](double value) { json.number(value); });
+  });
+  json.raw(',');
+  json.key("poses");
+  json.array(part.frames, [&](const model::Frame& frame) {
+    json.array(frame.floes, [&](const model::FloePose& at) { pose(json, at); });
+  });
+  json.raw(',');
+  json.key("sheets");
+  std::vector<model::CrackedSheet> sheets = part.cracked_sheets;
+  if (!part.initial_sheet.empty()) sheets.insert(sheets.begin(), {0.0, part.initial_sheet});
+  json.array(sheets, [&](const model::CrackedSheet& each) { sheet(json, each.time, each.rings); });
+  json.raw('}');
+  return std::move(json).text();
 }
 
 }  // namespace brash::report
