@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -72,7 +73,8 @@ std::vector<cli::SettingHistories> campaign(const Process& process, RandomStream
 void study_design(const Process& process, int records, Table& table) {
   const double cycle = mean_cycle();
   const double level = annual_level(process, cycle), load = equivalent_load(process, cycle);
-  const std::string scatter = (std::filesystem::temp_directory_path() / "brash-coverage-scatter.csv").string();
+  const std::string scatter =
+      (std::filesystem::temp_directory_path() / fmt::format("brash-coverage-{}.csv", ::getpid())).string();
   std::string rows = "ice.thickness,hours\n";
   for (std::size_t s = 0; s < kScales.size(); ++s) rows += fmt::format("{},{}\n", kScales[s], kHours[s]);
   write_file(scatter, rows);
