@@ -149,15 +149,16 @@ class TemporaryFolder {
 
 /// Where the copies of the inputs are: in the folder of the run, or of the campaign that it is a case of.
 fs::path base_of(const Manifest& manifest, const std::string& copy) {
-  const fs::path campaign = fs::absolute(manifest.folder).parent_path().parent_path();
-  return fs::exists(manifest.folder / copy) || !fs::exists(campaign / copy) ? manifest.folder : campaign;
+  const fs::path folder = fs::absolute(manifest.folder / "manifest.json").parent_path();
+  const fs::path campaign = folder.parent_path().parent_path();
+  return fs::exists(folder / copy) || !fs::exists(campaign / copy) ? folder : campaign;
 }
 
 /// The case and its input files, from the manifest and the copies.
 recording::Inputs inputs_in(const Manifest& manifest, const std::string& path) {
   try {
     const std::string copy = manifest.inputs.empty() ? "" : manifest.inputs.back().copy;
-    const fs::path base = fs::absolute(base_of(manifest, copy));
+    const fs::path base = base_of(manifest, copy);
     const std::string name = manifest.case_name + ".toml";
     const model::Case resolved =
         io::parse_case(manifest.case_toml, (base / name).string(), {}, io::ModelFile::kAnywhere);

@@ -12,6 +12,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/failure/model_files.hpp"
+#include "brash/model/case_keys.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 

@@ -13,8 +13,8 @@ BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"]
 MODELS = SOURCE / "experiments/failure_database"
 
 
-def brash(*arguments, **environment):
-    return subprocess.run([BRASH, *map(str, arguments)], capture_output=True, text=True,
+def brash(*arguments, cwd=None, **environment):
+    return subprocess.run([BRASH, *map(str, arguments)], capture_output=True, text=True, cwd=cwd,
                           env={**os.environ, **environment})
 
 
@@ -64,6 +64,11 @@ class Rerun(unittest.TestCase):
         done = brash("rerun", elsewhere / "manifest.json")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertNotIn("DIFFERENT", done.stdout)
+
+    def test_a_run_reruns_from_inside_its_folder(self):
+        manifest = self.record("a", "--set", "failure.model=wedge")
+        done = brash("rerun", manifest.name, cwd=manifest.parent)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_a_copied_campaign_reruns_case_by_case(self):
         model = self.path / "mine.json"
