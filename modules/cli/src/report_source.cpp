@@ -27,7 +27,7 @@ ordered_json with_events(const LoadHistory& load) {
   return out;
 }
 
-/// Statistics of each load from the time on at which those of the summary begin; null where there are none.
+/// Statistics of each load, from the start of the summary's statistics on; null where there are none.
 ordered_json loads_of_run(const std::string& directory) {
   const std::string path = directory + "/summary.json";
   const auto summary = nlohmann::json::parse(read_json_text(path, "the summary of a run"), nullptr, false);
@@ -50,7 +50,7 @@ ordered_json loads_of_run(const std::string& directory) {
 report::RunSource report_source(const std::string& directory) {
   return {.directory = directory,
           .closed_forms = closed_form_loads(report::case_of_run(directory)).dump(),
-          .loads = loads_of_run(directory).dump()};
+          .loads = [directory] { return loads_of_run(directory).dump(); }};
 }
 
 report::MeasuredHistory measured_history(const std::string& file, const HistoryChoice& choice) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The C interface of a co-simulation unit under FMI 2.0.4: names, types and status codes are those of the standard
+// The C interface of a co-simulation unit under FMI 2.0.4: names, types and status codes follow the standard
 // (Modelica Association, Functional Mock-up Interface 2.0.4, 2022, Sec. 2.1 and 4.2).
 #pragma once
 

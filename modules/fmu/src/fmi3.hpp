@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The C interface of a unit under FMI 3.0.2: names, types and status codes are those of the standard (Modelica
+// The C interface of a unit under FMI 3.0.2: names, types and status codes follow the standard (Modelica
 // Association, Functional Mock-up Interface 3.0.2, 2024, Sec. 2.2, 2.3 and 4.2). A unit exports every function, also
-// those of kinds and abilities that it does not have (Sec. 2.5).
+// for kinds and abilities that it does not have (Sec. 2.5).
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,7 @@ struct FileKey {
   Place place(const CaseSource& source) const { return place_of(source, section, key); }
 };
 
-/// Those of a case: the model of the failure, and the mesh of the structure.
+/// The file keys of a case: the model of the failure, and the mesh of the structure.
 std::vector<FileKey> file_keys(model::Case& c) {
   std::vector<FileKey> keys{{.section = "failure", .value = &c.failure.file}};
   if (auto* const mesh = std::get_if<model::Mesh>(&c.structure.shape))

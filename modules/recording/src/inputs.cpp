@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 /// The folder of the copies in the folder of a run.
 constexpr const char* kFolder = "inputs/";
-/// Size of the largest input: of a mesh. Who reads a file for the run has a limit of its own.
-constexpr std::size_t kMostMebibytes = 512;
+/// Sizes of the largest inputs.
+constexpr std::size_t kMostMebibytesOfModel = 64, kMostMebibytesOfMesh = 512;
 
 /// The name of the copy of an input in the folder of a run.
 std::string copy_of(const char* what, const std::string& file) {
@@ -29,7 +29,7 @@ std::string copy_of_model(const model::Case& resolved) { return copy_of("model",
 void add_model(const model::Case& resolved, std::vector<InputFile>& files) {
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   if (model.empty()) return;
-  std::string bytes = read_text_file(model, "the file of a failure model", kMostMebibytes);
+  std::string bytes = read_text_file(model, "the file of a failure model", kMostMebibytesOfModel);
   files.push_back({model, sha256(bytes), bytes.size()});
   if (resolved.failure.file.empty()) return;
   files.back().copy = copy_of_model(resolved);
@@ -51,7 +51,7 @@ Inputs inputs_of(const std::string& case_file, const std::string& case_text, con
       {case_file, sha256(case_text), case_text.size(), kFolder + fs::path(case_file).filename().string(), case_text});
   add_model(resolved, inputs.files);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) {
-    std::string bytes = read_text_file(mesh->file, "a mesh", kMostMebibytes);
+    std::string bytes = read_text_file(mesh->file, "a mesh", kMostMebibytesOfMesh);
     inputs.files.push_back({mesh->file, sha256(bytes), bytes.size(), copy_of("hull", mesh->file)});
     inputs.files.back().bytes = std::move(bytes);
   }
@@ -66,7 +66,7 @@ Inputs read_inputs(const std::string& case_file, const std::vector<std::string>&
 void expect_unchanged(const Inputs& inputs) {
   for (std::size_t i = 1; i < inputs.files.size(); ++i) {
     const InputFile& file = inputs.files[i];
-    if (sha256(read_text_file(file.path, "an input", kMostMebibytes)) == file.sha256) continue;
+    if (sha256(read_text_file(file.path, "an input", kMostMebibytesOfMesh)) == file.sha256) continue;
     throw InputError(Complaint{file.path, "has changed while the run was reading it", "one file for the whole run",
                                "run again when nobody writes it"});
   }

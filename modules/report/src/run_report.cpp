@@ -195,7 +195,7 @@ ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& b
           {"manifest", read_json(run.directory + "/manifest.json")},
           {"summary", summary},
           {"closed_forms", ordered_json::parse(run.closed_forms)},
-          {"loads", ordered_json::parse(run.loads)},
+          {"loads", ordered_json::parse(run.loads())},
           {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0))}};
 }
 

@@ -25,7 +25,7 @@ class MeshSections {
   TriangleMesh mesh_;
   std::vector<std::array<int, 3>> neighbours_;
   Vec3 least_{}, most_{};
-  /// Triangles by the layers of equal height that they reach into: those of layer i from starts_[i] on.
+  /// Triangles by the layers of equal height that they reach into: layer i begins at starts_[i].
   std::vector<std::uint32_t> starts_, members_;
   std::vector<std::uint16_t> lowest_;  ///< layer of each triangle
 };

@@ -11,7 +11,7 @@
 namespace brash::structure {
 namespace {
 
-/// The moment whose power is that of `force` on the rate of the rotation vector `turn`: the transpose of the inverse
+/// The moment with the same power as `force` on the rate of the rotation vector `turn`: the transpose of the inverse
 /// left Jacobian of the rotation.
 Vec3 moment_of(Vec3 force, Vec3 turn) {
   const double angle = norm(turn);

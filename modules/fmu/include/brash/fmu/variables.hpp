@@ -45,7 +45,7 @@ struct Outputs {
   Vec2 place{};     ///< of the structure's origin, at the end of the step [m]
   Vec2 velocity{};  ///< mean over the step [m/s]
 
-  /// Calls `visit(name, unit, meaning, number)` for each. The names are those of history.csv.
+  /// Calls `visit(name, unit, meaning, number)` for each. history.csv has the same names.
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit_wrench("", "total load on the structure", self.total, visit);

@@ -78,7 +78,7 @@ struct HullSection {
   friend bool operator==(const HullSection&, const HullSection&) = default;
 };
 
-/// `kind = "ship"`: an icebreaker's hull from its particulars, those of [hull].
+/// `kind = "ship"`: an icebreaker's hull from its particulars in [hull].
 struct Ship {
   HullSection hull;
 

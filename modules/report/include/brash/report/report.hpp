@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,9 +29,10 @@ struct MeasuredHistory {
 struct RunSource {
   std::string directory;
   std::string closed_forms;  ///< of the run's case, as JSON (`brash loads --json`)
-  /// JSON object: for each load (Fx ... Mz) its statistics with the keys of `brash stats --json`, and its load
-  /// `events`; null where the run is over before its statistics begin.
-  std::string loads;
+  /// Makes a JSON object: for each load (Fx ... Mz) its statistics with the keys of `brash stats --json`, and its load
+  /// `events`; null where the run is over before its statistics begin. It is called once the run's files are known to
+  /// be whole.
+  std::function<std::string()> loads;
   std::optional<MeasuredHistory> measured{};
 };
 
