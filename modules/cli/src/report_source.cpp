@@ -31,7 +31,7 @@ ordered_json with_events(const LoadHistory& load) {
 ordered_json loads_of_run(const std::string& directory) {
   const std::string path = directory + "/summary.json";
   const auto summary = nlohmann::json::parse(read_json_text(path, "the summary of a run"), nullptr, false);
-  const nlohmann::json::json_pointer from("/statistics_from"), mean("/horizontal/mean");
+  const nlohmann::json::json_pointer from("/statistics_from"), mean("/horizontal/mean"), lower("/horizontal/mean_95/0");
   if (!summary.is_object() || !summary.contains(from) || !summary[from].is_number()) return nullptr;
   if (!summary.contains(mean) || !summary[mean].is_number()) return nullptr;
   HistoryChoice choice;
@@ -39,9 +39,12 @@ ordered_json loads_of_run(const std::string& directory) {
   choice.from = summary[from].get<double>() + 0.5 * report::case_of_run(directory).time.step;
   choice.has_from = true;
   const std::vector<std::string> names{"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+  const bool has_interval = summary.contains(lower) && summary[lower].is_number();
   ordered_json loads;
-  for (const LoadHistory& load : read_histories(directory + "/run.nc", choice, names))
+  for (const LoadHistory& load : read_histories(directory + "/run.nc", choice, names)) {
     loads[load.column] = with_events(load);
+    if (!has_interval) loads[load.column]["mean_95"] = {nullptr, nullptr};  // the run is too short for it
+  }
   return loads;
 }
 

@@ -14,6 +14,7 @@
 #include "live_view.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
+#include "requests_to_end.hpp"
 #include "run_folder.hpp"
 #include "table.hpp"
 
@@ -51,6 +52,7 @@ void run_case(const RunOptions& options) {
                              .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs)};
   std::optional<LiveView> view;
   if (options.view) {
+    catch_requests_to_end();  // whoever reads the address may ask for the end
     view.emplace(resolved).watch(how);
     say("watch at  {}\n", view->address());
   }

@@ -190,7 +190,7 @@ export class LoadHistory {
 
   private tell(): void {
     const levels = this.levels();
-    const marks = ["Red ticks: cracks", levels && Number.isFinite(levels.mean) && "dashes: mean, with its 95 % interval",
+    const marks = ["Red ticks: cracks", levels && Number.isFinite(levels.mean) && (levels.interval ? "dashes: mean, with its 95 % interval" : "dashes: mean"),
       levels && Number.isFinite(levels.reference) && "dots: reference mean"].filter(Boolean).join(" · ");
     this.notes.replaceChildren("Click a peak for the crack behind it; drag to zoom. ", marks, ".", el("br"), kMeaning, ".");
   }
