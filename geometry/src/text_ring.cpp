@@ -63,7 +63,7 @@ tl::expected<std::vector<Point>, std::string> points_from_text(std::span<const P
       return tl::unexpected(fmt::format("({}, {}) is beyond +-{} m{}", p.nearest.x, p.nearest.y, kMaxCoordinate,
                                         is_zero ? "" : fmt::format(" of the origin ({})", to_string(origin))));
     }
-    points.push_back({*x, *y});
+    points.push_back(Point::of_units(*x, *y));
   }
   return points;
 }

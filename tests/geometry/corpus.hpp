@@ -146,9 +146,9 @@ Case mapped(const Case& c, bool mirrors, Map map) {
 /// The case as written, mirrored, turned by 90 degrees, and with its events in reverse order.
 inline std::vector<Case> variants(const Case& c) {
   std::vector<Case> all{c};
-  all.push_back(mapped(c, true, [](geometry::Point p) { return geometry::Point{-p.x, p.y}; }));
+  all.push_back(mapped(c, true, [](geometry::Point p) { return geometry::Point::of_units(-p.x, p.y); }));
   all.back().name += ", mirrored";
-  all.push_back(mapped(c, false, [](geometry::Point p) { return geometry::Point{-p.y, p.x}; }));
+  all.push_back(mapped(c, false, [](geometry::Point p) { return geometry::Point::of_units(-p.y, p.x); }));
   all.back().name += ", turned";
   all.push_back(mapped(c, false, [](geometry::Point p) { return p; }));
   all.back().name += ", reversed";

@@ -21,8 +21,9 @@ std::vector<Polygon> awkward_polygons() {
     if (i % 3 == 0) p = {disc({-7000, 12}, 3, 40), {reversed(shapes::star(generator, 9, 0.2, {-7000.5, 12}))}};
     polygons.push_back(p);
   }
-  polygons.push_back({{{0, 0}, {1, 0}, {0, 1}}, {}});
-  polygons.push_back({{{-(1LL << 43), -(1LL << 43)}, {1LL << 43, (1LL << 43) - 1}, {1LL << 43, 1LL << 43}}, {}});
+  polygons.push_back({shapes::units({{0, 0}, {1, 0}, {0, 1}}), {}});
+  polygons.push_back(
+      {shapes::units({{-(1LL << 43), -(1LL << 43)}, {1LL << 43, (1LL << 43) - 1}, {1LL << 43, 1LL << 43}}), {}});
   return polygons;
 }
 
