@@ -110,7 +110,8 @@ tl::expected<SizeFit, FitError> fit_power_tail(std::span<const double> sizes, co
   SizeFit fit{SizeLaw::kPowerTail, {}, {}, sizes.size() - tail.first, {}};
   fit.scale = {std::exp(logarithms[tail.first]), percentiles(starts, settings.confidence)};
   fit.shape = {tail.exponent, percentiles(exponents, settings.confidence)};
-  fit.goodness = {tail.distance, static_cast<double>(n_farther) / static_cast<double>(settings.n_resamples)};
+  fit.goodness = {tail.distance,
+                  (1.0 + static_cast<double>(n_farther)) / (1.0 + static_cast<double>(settings.n_resamples))};
   return fit;
 }
 
