@@ -50,7 +50,8 @@ class Reader {
   }
   /// The member `crs` as it is written.
   tl::expected<std::string, GeometryError> crs() {
-    const JsonNode* member = find(root_, "crs");
+    type_of(root_);  // of a text that is no GeoJSON at all, that is the fault to name
+    const JsonNode* member = error_ ? nullptr : find(root_, "crs");
     refuse_degrees(member);
     if (error_) return tl::unexpected(*error_);
     return std::string(member != nullptr && member->kind == Kind::kObject ? object_at(text_, member->offset) : "");
@@ -58,8 +59,9 @@ class Reader {
 
  private:
   void read() {
-    refuse_degrees(find(root_, "crs"));
     const std::string type = type_of(root_);
+    if (error_) return;
+    refuse_degrees(find(root_, "crs"));
     if (type == "FeatureCollection") {
       if (const JsonNode* features = array(root_, "features")) {
         for (const JsonNode& feature : features->items) read_feature(feature);

@@ -45,14 +45,16 @@ inline std::vector<std::int64_t> numbers(std::istringstream& line) {
 
 inline geometry::Ring ring_from(const std::vector<std::int64_t>& values) {
   geometry::Ring ring;
-  for (std::size_t i = 0; i + 1 < values.size(); i += 2) ring.push_back({values[i], values[i + 1]});
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
+    ring.push_back(geometry::Point::of_units(values[i], values[i + 1]));
+  }
   return ring;
 }
 
 /// A disc whose vertices include the ends of its cracks: the angles of a fan are led to its nearest vertices.
 inline Event disc_event(const std::vector<std::int64_t>& v, std::istringstream& rest, bool is_fan) {
-  const Vec2 centre = geometry::metres({v[0], v[1]});
-  const double radius = geometry::metres({v[2], 0}).x;
+  const Vec2 centre = geometry::metres(geometry::Point::of_units(v[0], v[1]));
+  const double radius = geometry::metres(geometry::Point::of_units(v[2], 0)).x;
   int sides = 0;
   rest >> sides;
   Event event;
@@ -65,7 +67,7 @@ inline Event disc_event(const std::vector<std::int64_t>& v, std::istringstream& 
   event.region = geometry::disc(centre, radius, sides);
   while (rest >> degrees) {
     const Vec2 end = centre + radius * Vec2{std::cos(degrees * M_PI / 180.0), std::sin(degrees * M_PI / 180.0)};
-    event.cracks.push_back({{v[0], v[1]}, geometry::snap(end)});
+    event.cracks.push_back({geometry::Point::of_units(v[0], v[1]), geometry::snap(end)});
   }
   return event;
 }

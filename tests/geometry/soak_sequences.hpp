@@ -145,7 +145,7 @@ class Events {
       // Tangent: a vertex of the disc on a vertex of the ice.
       const Point touched = random.of(any_ring(random, ice));
       const Point own = random.of(event.region);
-      event.region = moved(event.region, {touched.x - own.x, touched.y - own.y});
+      event.region = moved(event.region, touched - own);
     }
     const int n_cracks = random.below(6);
     for (int k = 0; k < n_cracks; ++k) event.cracks.push_back({centre, random.of(event.region)});
