@@ -260,7 +260,9 @@ tl::expected<Map, GeometryError> map_of(std::string_view text, const JsonNode& r
   if (!own) return tl::unexpected(own.error());
   Survey survey;
   if (const auto read = Reader(text, root, {{}, &survey}).features(); !read) return tl::unexpected(read.error());
-  map.origin = origin.value_or(own->value_or(survey.origin()));
+  // Another program may have projected the coordinates anew and kept the member as it was.
+  const bool own_counts = own->has_value() && survey.lies_around(**own);
+  map.origin = origin.value_or(own_counts ? **own : survey.origin());
   map.looks_like_degrees = crs->empty() && !origin && !*own && could_be_degrees(survey);
   map.crs = *std::move(crs);
   auto features = Reader(text, root, {map.origin}).features();

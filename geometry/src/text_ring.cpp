@@ -40,9 +40,13 @@ void Survey::add(std::span<const Position> positions) {
   }
 }
 
+bool Survey::lies_around(const Origin& origin) const {
+  const auto is_near = [&](const Origin& p) { return p.x.grid_units_from(origin.x) && p.y.grid_units_from(origin.y); };
+  return !low_ || (is_near(*low_) && is_near(*high_));
+}
+
 Origin Survey::origin() const {
-  const auto is_near = [](const Origin& p) { return p.x.grid_units_from({}) && p.y.grid_units_from({}); };
-  if (!low_ || (is_near(*low_) && is_near(*high_))) return {};
+  if (lies_around({})) return {};
   const auto middle = [](double low, double high) {
     constexpr double kCoarse = 100.0;
     const double step = high - low > 2.0 * kMaxCoordinate - kCoarse ? 1.0 : kCoarse;

@@ -34,6 +34,8 @@ class Survey {
   /// Zero, where all positions lie within kMaxCoordinate of it; else the middle of the box to a hundred metres, or to a
   /// metre where the box leaves no room.
   Origin origin() const;
+  /// Whether all positions lie within kMaxCoordinate of `origin`.
+  bool lies_around(const Origin& origin) const;
   bool is_empty() const { return !low_; }
   Vec2 low() const { return low_ ? Vec2{low_->x.nearest_double(), low_->y.nearest_double()} : Vec2{}; }
   Vec2 high() const { return high_ ? Vec2{high_->x.nearest_double(), high_->y.nearest_double()} : Vec2{}; }

@@ -83,8 +83,9 @@ tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view 
 
 /// Reads a WKT or GeoJSON text onto the grid around an origin.
 ///
-/// @param origin  in the coordinates of the text. Without one it is the member `origin` of the text, zero where all
-///                coordinates lie within kMaxCoordinate of it, or the middle of the data, rounded.
+/// @param origin  in the coordinates of the text. Without one it is the member `origin` of the text, if all coordinates
+///                lie within kMaxCoordinate of it, else zero, if they lie so around it, else the middle of the data,
+///                rounded.
 /// @return the map, polygons of a WKT text as sheet; or the error as of from_wkt().
 tl::expected<Map, GeometryError> read_map(std::string_view text, const std::optional<Origin>& origin = {});
 
