@@ -21,7 +21,7 @@ class Decimal {
   /// @return nothing when it is no such number, or one of 10^15 m or more.
   static std::optional<Decimal> parse(std::string_view text);
 
-  /// docs/theory/geometry.md, (3): the nearest grid point on an axis with its zero at `origin`, halves away from zero [grid units].
+  /// The nearest grid point from `origin`, halves away from zero [grid units]; docs/theory/geometry.md, (3).
   /// @return nothing beyond kMaxCoordinate of the origin.
   std::optional<std::int64_t> grid_units_from(const Decimal& origin) const;
   /// The fewest decimals that grid_units_from(`origin`) reads as `units`; at most ten when the origin is whole.
