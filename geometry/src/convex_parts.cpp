@@ -35,7 +35,9 @@ using Triangles = CGAL::Constrained_Delaunay_triangulation_2<
 constexpr std::size_t kMostForFewest = 32;
 
 Kernel::Point_2 exactly(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-Point on_grid(const Kernel::Point_2& p) { return {static_cast<std::int64_t>(p.x()), static_cast<std::int64_t>(p.y())}; }
+Point on_grid(const Kernel::Point_2& p) {
+  return Point::of_units(static_cast<std::int64_t>(p.x()), static_cast<std::int64_t>(p.y()));
+}
 
 std::vector<Kernel::Point_2> exactly(const Ring& ring) {
   std::vector<Kernel::Point_2> points;
@@ -197,8 +199,7 @@ std::vector<Ring> simple_rings(const Polygon& polygon) {
   for (const Triangles::Face_handle face : triangles.finite_face_handles()) {
     Point thrice{};
     for (int i = 0; i < 3; ++i) {
-      const Point p = on_grid(face->vertex(i)->point());
-      thrice = {thrice.x + p.x, thrice.y + p.y};
+      thrice = thrice + on_grid(face->vertex(i)->point());
     }
     int turns = 0;
     for (const Ring& ring : boundary) turns += exact::winding(ring, thrice, 3);

@@ -55,15 +55,15 @@ Point rounded_crossing(Point a, Point b, Point c, Point d) {
   BRASH_EXPECTS((from < 0) != (to < 0) && from != 0 && to != 0, a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
   const Int128 numerator = magnitude(from);
   const Int128 denominator = magnitude(from) + magnitude(to);
-  return {a.x + scaled(b.x - a.x, numerator, denominator), a.y + scaled(b.y - a.y, numerator, denominator)};
+  return a + Point::of_units(scaled(b.x - a.x, numerator, denominator), scaled(b.y - a.y, numerator, denominator));
 }
 
 int winding(std::span<const Point> ring, Point p, int scale) {
   int turns = 0;
-  Point b{scale * ring.back().x, scale * ring.back().y};
+  Point b = Point::of_units(scale * ring.back().x, scale * ring.back().y);
   for (const Point vertex : ring) {
     const Point a = b;
-    b = {scale * vertex.x, scale * vertex.y};
+    b = Point::of_units(scale * vertex.x, scale * vertex.y);
     if (a.y <= p.y && p.y < b.y && side(a, b, p) > 0) ++turns;
     if (b.y <= p.y && p.y < a.y && side(a, b, p) < 0) --turns;
   }

@@ -27,13 +27,14 @@ struct Box {
   Point high;
 
   static Box of(Point a, Point b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+    return {Point::of_units(std::min(a.x, b.x), std::min(a.y, b.y)),
+            Point::of_units(std::max(a.x, b.x), std::max(a.y, b.y))};
   }
   void add(Point p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    low = Point::of_units(std::min(low.x, p.x), std::min(low.y, p.y));
+    high = Point::of_units(std::max(high.x, p.x), std::max(high.y, p.y));
   }
-  Box grown(std::int64_t by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
+  Box grown(std::int64_t by) const { return {low - Point::of_units(by, by), high + Point::of_units(by, by)}; }
   bool contains(Point p) const { return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y; }
   bool overlaps(const Box& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "brash/geometry/text.hpp"
+#include "crs.hpp"
 #include "json_tree.hpp"
 #include "text_ring.hpp"
 
@@ -14,29 +15,72 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-/// Reads the tree of a GeoJSON text (RFC 7946, in plan metres) into features; stops at the first fault.
+/// Reads the tree of a GeoJSON text (RFC 7946, in plan metres) into features or cracks; stops at the first fault.
 class Reader {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  Reader(std::string_view text, const JsonNode& root, const Ground& ground)
+      : text_(text), root_(root), ground_(ground) {}
 
-  tl::expected<std::vector<Feature>, GeometryError> read() {
-    const tl::expected<JsonNode, GeometryError> root = parse_json(text_);
-    if (!root) return tl::unexpected(root.error());
-    const std::string type = type_of(*root);
-    if (type == "FeatureCollection") {
-      if (const JsonNode* features = array(*root, "features")) {
-        for (const JsonNode& feature : features->items) read_feature(feature);
-      }
-    } else if (type == "Feature") {
-      read_feature(*root);
-    } else {
-      read_geometry(*root, Feature{{}, "sheet", 0});
-    }
+  tl::expected<std::vector<Feature>, GeometryError> features() {
+    read();
     if (error_) return tl::unexpected(*error_);
     return std::move(features_);
   }
+  tl::expected<std::vector<Crack>, GeometryError> cracks() {
+    wants_lines_ = true;
+    read();
+    if (error_) return tl::unexpected(*error_);
+    return std::move(cracks_);
+  }
+
+  /// The member `origin`: two numbers.
+  tl::expected<std::optional<Origin>, GeometryError> origin() {
+    std::optional<Origin> result;
+    const JsonNode* member = find(root_, "origin");
+    if (member != nullptr && member->kind != Kind::kNull) {
+      const std::optional<Position> position = position_of(*member);
+      if (position && position->x && position->y) {
+        result = Origin{*position->x, *position->y};
+      } else {
+        fail(root_, "\"origin\" is no array of two numbers below 10^15 m");
+      }
+    }
+    if (error_) return tl::unexpected(*error_);
+    return result;
+  }
+  /// The member `crs` as it is written.
+  tl::expected<std::string, GeometryError> crs() {
+    type_of(root_);  // of a text that is no GeoJSON at all, that is the fault to name
+    const JsonNode* member = error_ ? nullptr : find(root_, "crs");
+    refuse_degrees(member);
+    if (error_) return tl::unexpected(*error_);
+    return std::string(member != nullptr && member->kind == Kind::kObject ? object_at(text_, member->offset) : "");
+  }
 
  private:
+  void read() {
+    const std::string type = type_of(root_);
+    if (error_) return;
+    refuse_degrees(find(root_, "crs"));
+    if (type == "FeatureCollection") {
+      if (const JsonNode* features = array(root_, "features")) {
+        for (const JsonNode& feature : features->items) read_feature(feature);
+      }
+    } else if (type == "Feature") {
+      read_feature(root_);
+    } else {
+      read_geometry(root_, Feature{{}, "sheet", 0});
+    }
+  }
+
+  void refuse_degrees(const JsonNode* crs) {
+    if (error_ || crs == nullptr || crs->kind != Kind::kObject) return;
+    const JsonNode* properties = find(*crs, "properties");
+    if (properties == nullptr || properties->kind != Kind::kObject) return;
+    const JsonNode* name = find(*properties, "name");
+    if (name != nullptr && is_geographic(name->text)) fail(*crs, degrees_refused(name->text));
+  }
+
   void fail(const JsonNode& at, std::string_view what) {
     if (!error_) error_ = error_at(text_, at.offset, what);
   }
@@ -96,21 +140,35 @@ class Reader {
   void read_geometry(const JsonNode& node, const Feature& feature) {
     const std::string type = type_of(node);
     if (error_) return;
-    if (type == "Polygon") {
-      if (const JsonNode* rings = array(node, "coordinates")) read_polygon(*rings, feature);
-    } else if (type == "MultiPolygon") {
-      if (const JsonNode* polygons = array(node, "coordinates")) {
-        for (const JsonNode& rings : polygons->items) read_polygon(rings, feature);
+    const std::string one = wants_lines_ ? "LineString" : "Polygon";
+    if (type == one) {
+      if (const JsonNode* member = array(node, "coordinates")) read_member(*member, feature);
+    } else if (type == "Multi" + one) {
+      if (const JsonNode* members = array(node, "coordinates")) {
+        for (const JsonNode& member : members->items) read_member(member, feature);
       }
     } else if (type == "GeometryCollection") {
       if (const JsonNode* geometries = array(node, "geometries")) {
         for (const JsonNode& geometry : geometries->items) read_geometry(geometry, feature);
       }
     } else {
-      fail(node, fmt::format("{} is not read: FeatureCollection, Feature, Polygon, MultiPolygon or GeometryCollection "
-                             "is expected",
-                             type.empty() ? "this" : type));
+      fail(node,
+           fmt::format("{} is not read: FeatureCollection, Feature, {}, Multi{} or GeometryCollection is expected",
+                       type.empty() ? "this" : type, one, one));
     }
+  }
+
+  void read_member(const JsonNode& node, const Feature& feature) {
+    if (wants_lines_) return read_line(node);
+    read_polygon(node, feature);
+  }
+
+  void read_line(const JsonNode& node) {
+    const std::vector<Position> positions = positions_of(node, "a line");
+    if (error_) return;
+    const auto read = cracks_from_positions(positions, ground_.origin);
+    if (!read) return fail(node, read.error());
+    cracks_.insert(cracks_.end(), read->begin(), read->end());
   }
 
   void read_polygon(const JsonNode& rings, Feature feature) {
@@ -129,53 +187,146 @@ class Reader {
     features_.push_back(std::move(feature));
   }
 
-  Ring read_ring(const JsonNode& node, bool is_hole) {
-    if (node.kind != Kind::kArray) fail(node, "a ring, an array of positions, is expected");
-    std::vector<Vec2> positions;
+  static Coordinate coordinate_of(const JsonNode& number) {
+    constexpr std::int64_t kFar = 1'000'000'000'000'000;
+    if (!number.integer) return Decimal::parse(number.text);
+    if (*number.integer <= -kFar || *number.integer >= kFar) return std::nullopt;
+    return Decimal(*number.integer);
+  }
+  static std::optional<Position> position_of(const JsonNode& node) {
+    if (node.kind != Kind::kArray || node.items.size() != 2 || node.items[0].kind != Kind::kNumber ||
+        node.items[1].kind != Kind::kNumber) {
+      return std::nullopt;
+    }
+    return Position{
+        coordinate_of(node.items[0]), coordinate_of(node.items[1]), {node.items[0].number, node.items[1].number}};
+  }
+  std::vector<Position> positions_of(const JsonNode& node, std::string_view what) {
+    if (node.kind != Kind::kArray) fail(node, fmt::format("{}, an array of positions, is expected", what));
+    std::vector<Position> positions;
     positions.reserve(node.items.size());
-    for (const JsonNode& position : node.items) {
-      if (position.kind != Kind::kArray || position.items.size() != 2 || position.items[0].kind != Kind::kNumber ||
-          position.items[1].kind != Kind::kNumber) {
-        fail(position, "a position of two numbers is expected");
+    for (const JsonNode& item : node.items) {
+      const std::optional<Position> position = position_of(item);
+      if (!position) {
+        fail(item, "a position of two numbers is expected");
         return {};
       }
-      positions.push_back({position.items[0].number, position.items[1].number});
+      positions.push_back(*position);
     }
-    if (error_) return {};
-    auto ring = ring_from_text(positions, is_hole);
+    if (ground_.survey != nullptr) ground_.survey->add(positions);
+    return positions;
+  }
+
+  Ring read_ring(const JsonNode& node, bool is_hole) {
+    const std::vector<Position> positions = positions_of(node, "a ring");
+    if (error_ || ground_.survey != nullptr) return {};
+    auto ring = ring_from_text(positions, is_hole, ground_.origin);
     if (ring) return *std::move(ring);
     fail(node, ring.error());
     return {};
   }
 
   std::string_view text_;
+  const JsonNode& root_;
+  Ground ground_;
+  bool wants_lines_ = false;
   std::int64_t n_features_ = 0;
+  std::vector<Crack> cracks_;
   std::vector<Feature> features_;
   std::optional<GeometryError> error_;
 };
 
-std::string ring_to_text(const Ring& ring) {
+std::string ring_to_text(const Ring& ring, const Origin& origin) {
   std::string text = "[";
-  for (const Point p : ring) text += '[' + position_to_text(p, ',') + "],";
-  return text + '[' + position_to_text(ring.front(), ',') + "]]";
+  for (const Point p : ring) text += '[' + position_to_text(p, ',', origin) + "],";
+  return text + '[' + position_to_text(ring.front(), ',', origin) + "]]";
+}
+
+/// The members of the collection before its features.
+std::string head_of(const Map& map) {
+  std::string text = R"({"type":"FeatureCollection",)";
+  if (!map.crs.empty()) text += fmt::format("\"crs\":{},", map.crs);
+  if (map.origin != Origin{}) text += fmt::format("\"origin\":[{}],", to_string(map.origin));
+  return text + "\"features\":[\n";
+}
+
+/// A map of the tree of `text`.
+tl::expected<Map, GeometryError> map_of(std::string_view text, const JsonNode& root,
+                                        const std::optional<Origin>& origin) {
+  Map map;
+  auto crs = Reader(text, root, {}).crs();
+  if (!crs) return tl::unexpected(std::move(crs).error());
+  const auto own = Reader(text, root, {}).origin();
+  if (!own) return tl::unexpected(own.error());
+  Survey survey;
+  if (const auto read = Reader(text, root, {{}, &survey}).features(); !read) return tl::unexpected(read.error());
+  // Another program may have projected the coordinates anew and kept the member as it was.
+  const bool own_counts = own->has_value() && survey.lies_around(**own);
+  map.origin = origin.value_or(own_counts ? **own : survey.origin());
+  map.looks_like_degrees = crs->empty() && !origin && !*own && could_be_degrees(survey);
+  map.crs = *std::move(crs);
+  auto features = Reader(text, root, {map.origin}).features();
+  if (!features) return tl::unexpected(std::move(features).error());
+  map.features = *std::move(features);
+  return map;
 }
 
 }  // namespace
 
-std::string to_geojson(std::span<const Feature> features) {
-  std::string text = "{\"type\":\"FeatureCollection\",\"features\":[\n";
-  for (const Feature& feature : features) {
-    std::string rings = ring_to_text(feature.polygon.outline);
-    for (const Ring& hole : feature.polygon.holes) rings += ',' + ring_to_text(hole);
+std::string map_to_geojson(const Map& map) {
+  std::string text = head_of(map);
+  for (const Feature& feature : map.features) {
+    std::string rings = ring_to_text(feature.polygon.outline, map.origin);
+    for (const Ring& hole : feature.polygon.holes) rings += ',' + ring_to_text(hole, map.origin);
+    const ExactArea size = area(feature.polygon);
     text += fmt::format(
-        "{{\"type\":\"Feature\",\"properties\":{{\"kind\":{},\"id\":{},\"area\":\"{}\"}},"
+        "{{\"type\":\"Feature\",\"properties\":{{\"kind\":{},\"id\":{},\"area\":{},\"area_exact\":\"{}\"}},"
         "\"geometry\":{{\"type\":\"Polygon\",\"coordinates\":[{}]}}}}{}\n",
-        nlohmann::json(feature.kind).dump(), feature.id, area(feature.polygon).to_string(), rings,
-        &feature == &features.back() ? "" : ",");
+        nlohmann::json(feature.kind).dump(), feature.id, size.square_metres(), size.to_string(), rings,
+        &feature == &map.features.back() ? "" : ",");
   }
   return text + "]}\n";
 }
 
-tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text) { return Reader(text).read(); }
+std::string to_geojson(std::span<const Feature> features) {
+  return map_to_geojson(Map{{features.begin(), features.end()}, {}, {}, false});
+}
+
+tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text, const Origin& origin) {
+  const tl::expected<JsonNode, GeometryError> root = parse_json(text);
+  if (!root) return tl::unexpected(root.error());
+  return Reader(text, *root, {origin}).features();
+}
+
+tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_view text, const Origin& origin) {
+  const tl::expected<JsonNode, GeometryError> root = parse_json(text);
+  if (!root) return tl::unexpected(root.error());
+  return Reader(text, *root, {origin}).cracks();
+}
+
+bool is_json(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
+tl::expected<Map, GeometryError> read_map(std::string_view text, const std::optional<Origin>& origin) {
+  if (is_json(text)) {
+    const tl::expected<JsonNode, GeometryError> root = parse_json(text);
+    if (!root) return tl::unexpected(root.error());
+    return map_of(text, *root, origin);
+  }
+  Map map;
+  Survey survey;
+  if (const auto read = polygons_of_wkt(text, {{}, &survey}); !read) return tl::unexpected(read.error());
+  map.origin = origin.value_or(survey.origin());
+  map.looks_like_degrees = !origin && could_be_degrees(survey);
+  auto polygons = polygons_of_wkt(text, {map.origin});
+  if (!polygons) return tl::unexpected(std::move(polygons).error());
+  for (Polygon& p : *polygons) {
+    map.features.push_back({std::move(p), "sheet", static_cast<std::int64_t>(map.features.size())});
+  }
+  return map;
+}
 
 }  // namespace brash::geometry

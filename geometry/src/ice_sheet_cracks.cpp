@@ -126,14 +126,15 @@ Cut split(const Polygon& floe, Point from, Point to) {
   box.add(from);
   box.add(to);
   const double reach = 2.0 * norm(metres(box.high) - metres(box.low)) + 1.0;
-  const Vec2 along = normalized(metres({to.x - from.x, to.y - from.y}));
+  const Vec2 along = normalized(metres(to - from));
   const auto moved = [](Point p, Vec2 by) {
-    return Point{p.x + std::llround(by.x / kGridUnit), p.y + std::llround(by.y / kGridUnit)};
+    return p + Point::of_units(std::llround(by.x / kGridUnit), std::llround(by.y / kGridUnit));
   };
   const Point before = moved(from, -reach * along);
   const Point after = moved(to, reach * along);
   const Crack cracks[] = {{before, from}, {from, to}, {to, after}};
-  const Ring around{window.low, {window.high.x, window.low.y}, window.high, {window.low.x, window.high.y}};
+  const Ring around{window.low, Point::of_units(window.high.x, window.low.y), window.high,
+                    Point::of_units(window.low.x, window.high.y)};
   const ExactArea laid_down = sheet->area();
   Cut cut = sheet->cut(around, cracks);
   // A floe whose vertices come within a pixel of its own edges has been rounded on its way in.

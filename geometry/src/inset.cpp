@@ -20,7 +20,7 @@ struct HalfPlane {
 std::vector<Vec2> vertices_from(std::span<const Point> part, Point origin) {
   std::vector<Vec2> vertices;
   vertices.reserve(part.size());
-  for (const Point p : part) vertices.push_back(metres({p.x - origin.x, p.y - origin.y}));
+  for (const Point p : part) vertices.push_back(metres(p - origin));
   return vertices;
 }
 

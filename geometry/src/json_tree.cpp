@@ -58,12 +58,15 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     result.number = static_cast<double>(value);
     if (value <= static_cast<number_unsigned_t>(std::numeric_limits<std::int64_t>::max())) {
       result.integer = static_cast<std::int64_t>(value);
+    } else {
+      result.text = fmt::format("{}", value);
     }
     return add(std::move(result));
   }
-  bool number_float(number_float_t value, const string_t&) override {
+  bool number_float(number_float_t value, const string_t& written) override {
     JsonNode result = node(JsonNode::Kind::kNumber);
     result.number = value;
+    result.text = written;
     return add(std::move(result));
   }
   bool string(string_t& value) override {

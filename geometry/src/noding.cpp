@@ -277,7 +277,7 @@ std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const 
     for (std::size_t i = 1; i < stops.size(); ++i) {
       const Point p = stops[i - 1];
       const Point q = stops[i];
-      if (p != q && exact::winding(region, {p.x + q.x, p.y + q.y}, 2) == 1) inside.push_back({p, q});
+      if (p != q && exact::winding(region, p + q, 2) == 1) inside.push_back({p, q});
     }
   }
   return inside;

@@ -111,7 +111,7 @@ bool Overlap::is_in_region(const JoinedEdges::Edge& edge) {
   }
   const Point left = at(edge.left);
   const Point right = at(edge.right);
-  const int turns = exact::winding(ring_, {left.x + right.x, left.y + right.y}, 2);
+  const int turns = exact::winding(ring_, left + right, 2);
   BRASH_EXPECTS(turns == 0 || turns == 1, "the region is not simple", turns, left.x, left.y);
   return turns == 1;
 }

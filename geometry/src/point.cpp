@@ -10,7 +10,7 @@ namespace brash::geometry {
 Point snap(Vec2 metres) {
   // A NaN fails both comparisons. Scaling by a power of two is exact, so the only rounding is llround's.
   BRASH_EXPECTS(std::abs(metres.x) <= kMaxCoordinate && std::abs(metres.y) <= kMaxCoordinate, metres.x, metres.y);
-  return {std::llround(metres.x / kGridUnit), std::llround(metres.y / kGridUnit)};
+  return Point::of_units(std::llround(metres.x / kGridUnit), std::llround(metres.y / kGridUnit));
 }
 
 }  // namespace brash::geometry

@@ -23,7 +23,7 @@ struct Moments {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[(i + 1) % ring.size()];
       const double triangle = ExactArea(turn(origin, a, b)).square_metres();
-      const Vec2 from_a = metres({a.x - origin.x, a.y - origin.y}), from_b = metres({b.x - origin.x, b.y - origin.y});
+      const Vec2 from_a = metres(a - origin), from_b = metres(b - origin);
       area += triangle;
       x += triangle * (from_a.x + from_b.x) / 3.0;
       y += triangle * (from_a.y + from_b.y) / 3.0;

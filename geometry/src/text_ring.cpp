@@ -7,6 +7,21 @@
 #include <cmath>
 
 namespace brash::geometry {
+namespace {
+
+/// ring() of points that lie on the grid already.
+Ring ring(const std::vector<Point>& points) {
+  Ring result;
+  result.reserve(points.size());
+  for (const Point point : points) {
+    if (result.empty() || result.back() != point) result.push_back(point);
+  }
+  while (result.size() > 1 && result.back() == result.front()) result.pop_back();
+  if (signed_area(result) < ExactArea{}) std::reverse(result.begin() + 1, result.end());
+  return result;
+}
+
+}  // namespace
 
 GeometryError error_at(std::string_view text, std::size_t offset, std::string_view what) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
@@ -16,32 +31,80 @@ GeometryError error_at(std::string_view text, std::size_t offset, std::string_vi
   return {fmt::format("line {}, column {}: {}", line, column, what)};
 }
 
-std::optional<std::string> fault_of_positions(std::span<const Vec2> positions) {
-  for (const Vec2 p : positions) {
-    // A NaN fails both comparisons.
-    if (std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate) continue;
-    return fmt::format("({}, {}) is beyond +-{} m", p.x, p.y, kMaxCoordinate);
+void Survey::add(std::span<const Position> positions) {
+  for (const Position& p : positions) {
+    if (!p.x || !p.y) continue;
+    if (!low_) low_ = high_ = Origin{*p.x, *p.y};
+    low_ = Origin{std::min(low_->x, *p.x), std::min(low_->y, *p.y)};
+    high_ = Origin{std::max(high_->x, *p.x), std::max(high_->y, *p.y)};
   }
-  return std::nullopt;
 }
 
-tl::expected<Ring, std::string> ring_from_text(std::span<const Vec2> positions, bool is_hole) {
+bool Survey::lies_around(const Origin& origin) const {
+  const auto is_near = [&](const Origin& p) { return p.x.grid_units_from(origin.x) && p.y.grid_units_from(origin.y); };
+  return !low_ || (is_near(*low_) && is_near(*high_));
+}
+
+Origin Survey::origin() const {
+  if (lies_around({})) return {};
+  const auto middle = [](double low, double high) {
+    constexpr double kCoarse = 100.0;
+    const double step = high - low > 2.0 * kMaxCoordinate - kCoarse ? 1.0 : kCoarse;
+    return Decimal(std::llround(0.5 * (low + high) / step) * static_cast<std::int64_t>(step));
+  };
+  return {middle(low().x, high().x), middle(low().y, high().y)};
+}
+
+tl::expected<std::vector<Point>, std::string> points_from_text(std::span<const Position> positions,
+                                                               const Origin& origin) {
+  std::vector<Point> points;
+  points.reserve(positions.size());
+  for (const Position& p : positions) {
+    const auto x = p.x ? p.x->grid_units_from(origin.x) : std::nullopt;
+    const auto y = p.y ? p.y->grid_units_from(origin.y) : std::nullopt;
+    if (!x || !y) {
+      const bool is_zero = origin == Origin{};
+      return tl::unexpected(fmt::format("({}, {}) is beyond +-{} m{}", p.nearest.x, p.nearest.y, kMaxCoordinate,
+                                        is_zero ? "" : fmt::format(" of the origin ({})", to_string(origin))));
+    }
+    points.push_back(Point::of_units(*x, *y));
+  }
+  return points;
+}
+
+tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positions, bool is_hole,
+                                               const Origin& origin) {
   if (positions.size() < 4) {
     return tl::unexpected(fmt::format("a ring needs at least 4 positions, this has {}", positions.size()));
   }
-  if (auto fault = fault_of_positions(positions)) return tl::unexpected(*std::move(fault));
+  auto points = points_from_text(positions, origin);
+  if (!points) return tl::unexpected(std::move(points).error());
   if (positions.front() != positions.back()) {
     return tl::unexpected(std::string("the ring is not closed: its last position is not its first"));
   }
-  Ring result = ring(positions);
+  Ring result = ring(*points);
   if (result.size() < 3) return tl::unexpected(std::string("the ring has fewer than 3 different vertices"));
   if (signed_area(result) == ExactArea{}) return tl::unexpected(std::string("the ring has no area"));
   if (is_hole) std::reverse(result.begin() + 1, result.end());
   return result;
 }
 
-std::string position_to_text(Point point, char separator) {
-  return fmt::format("{:.17g}{}{:.17g}", metres(point).x, separator, metres(point).y);
+tl::expected<std::vector<Crack>, std::string> cracks_from_positions(std::span<const Position> positions,
+                                                                    const Origin& origin) {
+  if (positions.size() < 2) return tl::unexpected(std::string("a line needs at least 2 positions, this has 1"));
+  const auto points = points_from_text(positions, origin);
+  if (!points) return tl::unexpected(points.error());
+  std::vector<Crack> cracks;
+  for (std::size_t i = 0; i + 1 < points->size(); ++i) {
+    if ((*points)[i] != (*points)[i + 1]) cracks.push_back({(*points)[i], (*points)[i + 1]});
+  }
+  return cracks;
+}
+
+std::string position_to_text(Point point, char separator, const Origin& origin) {
+  if (origin == Origin{}) return fmt::format("{:.17g}{}{:.17g}", metres(point).x, separator, metres(point).y);
+  return Decimal::of_grid_units(point.x, origin.x).to_string() + separator +
+         Decimal::of_grid_units(point.y, origin.y).to_string();
 }
 
 }  // namespace brash::geometry

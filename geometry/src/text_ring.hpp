@@ -6,22 +6,66 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/origin.hpp"
 
 namespace brash::geometry {
 
 /// "line L, column C: `what`", counted from 1, for the byte at `offset` of `text`.
 GeometryError error_at(std::string_view text, std::size_t offset, std::string_view what);
 
-/// The first position beyond +-kMaxCoordinate or not finite, in words, if there is one.
-std::optional<std::string> fault_of_positions(std::span<const Vec2> positions);
+/// A coordinate as a text has it; nothing where the text has no finite decimal below 10^15 m.
+using Coordinate = std::optional<Decimal>;
 
-/// The grid ring through the closed list of `positions` [m], counter-clockwise, or clockwise for a hole.
+/// A position of a text, in the coordinates of the text.
+struct Position {
+  Coordinate x, y;
+  Vec2 nearest;  ///< for messages
+
+  friend bool operator==(const Position& a, const Position& b) { return a.x == b.x && a.y == b.y; }
+};
+
+/// The box around all positions of a text.
+class Survey {
+ public:
+  void add(std::span<const Position> positions);
+  /// Zero, where all positions lie within kMaxCoordinate of it; else the middle of the box to a hundred metres, or to a
+  /// metre where the box leaves no room.
+  Origin origin() const;
+  /// Whether all positions lie within kMaxCoordinate of `origin`.
+  bool lies_around(const Origin& origin) const;
+  bool is_empty() const { return !low_; }
+  Vec2 low() const { return low_ ? Vec2{low_->x.nearest_double(), low_->y.nearest_double()} : Vec2{}; }
+  Vec2 high() const { return high_ ? Vec2{high_->x.nearest_double(), high_->y.nearest_double()} : Vec2{}; }
+
+ private:
+  std::optional<Origin> low_, high_;
+};
+
+/// Where the positions of a text go: onto the grid around `origin`, or into a survey alone.
+struct Ground {
+  Origin origin;
+  Survey* survey = nullptr;  ///< where set, nothing else is done
+};
+
+/// The grid points of `positions`, or the first position beyond kMaxCoordinate of the origin, in words.
+tl::expected<std::vector<Point>, std::string> points_from_text(std::span<const Position> positions,
+                                                               const Origin& origin);
+
+/// The grid ring through the closed list of `positions`, counter-clockwise, or clockwise for a hole.
 /// @return the ring, or the error in it.
-tl::expected<Ring, std::string> ring_from_text(std::span<const Vec2> positions, bool is_hole);
+tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positions, bool is_hole, const Origin& origin);
 
-/// "x y" or "x,y" with 17 significant digits [m].
-std::string position_to_text(Point point, char separator);
+/// The cracks between neighbours of `positions`; two positions on one grid point make none.
+tl::expected<std::vector<Crack>, std::string> cracks_from_positions(std::span<const Position> positions,
+                                                                    const Origin& origin);
+
+/// "x y" or "x,y" [m]: 17 significant digits without an origin, else the fewest decimals that read as `point`.
+std::string position_to_text(Point point, char separator, const Origin& origin);
+
+/// The polygons of a WKT text on `ground`.
+tl::expected<std::vector<Polygon>, GeometryError> polygons_of_wkt(std::string_view text, const Ground& ground);
 
 }  // namespace brash::geometry

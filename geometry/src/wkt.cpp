@@ -17,7 +17,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 /// Reads down a fixed grammar: geometry, polygon, ring, position. Nothing recurs, so no input overflows the stack.
 class Reader {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  Reader(std::string_view text, const Ground& ground) : text_(text), ground_(ground) {}
 
   tl::expected<std::vector<Polygon>, GeometryError> polygons() {
     return all<Polygon>("POLYGON", [this](std::vector<Polygon>& polygons) { read_polygon(polygons); });
@@ -106,23 +106,26 @@ class Reader {
     polygons.push_back(std::move(polygon));
   }
 
-  std::vector<Vec2> read_positions() {
-    std::vector<Vec2> positions;
+  std::vector<Position> read_positions() {
+    std::vector<Position> positions;
     expect('(');
     do {
-      const double x = number(), y = number();
-      positions.push_back({x, y});
+      Position position;
+      position.nearest.x = number(position.x);
+      position.nearest.y = number(position.y);
+      positions.push_back(position);
     } while (!error_ && accept(','));
     expect(')');
+    if (ground_.survey != nullptr) ground_.survey->add(positions);
     return positions;
   }
 
   Ring read_ring(bool is_hole) {
     skip_space();
     const std::size_t start = at_;
-    const std::vector<Vec2> positions = read_positions();
-    if (error_) return {};
-    auto result = ring_from_text(positions, is_hole);
+    const std::vector<Position> positions = read_positions();
+    if (error_ || ground_.survey != nullptr) return {};
+    auto result = ring_from_text(positions, is_hole, ground_.origin);
     if (result) return *std::move(result);
     fail_at(start, result.error());
     return {};
@@ -131,17 +134,15 @@ class Reader {
   void read_line(std::vector<Crack>& cracks) {
     skip_space();
     const std::size_t start = at_;
-    const std::vector<Vec2> positions = read_positions();
+    const std::vector<Position> positions = read_positions();
     if (error_) return;
-    if (positions.size() < 2) return fail_at(start, "a line needs at least 2 positions, this has 1");
-    if (const auto fault = fault_of_positions(positions)) return fail_at(start, *fault);
-    for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
-      const Crack crack{snap(positions[i]), snap(positions[i + 1])};
-      if (crack.from != crack.to) cracks.push_back(crack);
-    }
+    const auto read = cracks_from_positions(positions, ground_.origin);
+    if (!read) return fail_at(start, read.error());
+    cracks.insert(cracks.end(), read->begin(), read->end());
   }
 
-  double number() {
+  /// The number here, also as the decimals that write it.
+  double number(Coordinate& decimal) {
     if (error_) return 0.0;
     skip_space();
     const char* const end = text_.data() + text_.size();
@@ -154,46 +155,56 @@ class Reader {
       fail(fmt::format("a number is expected, not {}", found()));
     } else {
       at_ = static_cast<std::size_t>(stop - text_.data());
+      decimal = Decimal::parse({start, static_cast<std::size_t>(stop - start)});
     }
     return value;
   }
 
   std::string_view text_;
+  Ground ground_;
   std::size_t at_ = 0;
   std::optional<GeometryError> error_;
 };
 
-void append_ring(const Ring& ring, std::string& text) {
+void append_ring(const Ring& ring, const Origin& origin, std::string& text) {
   text += '(';
-  for (const Point p : ring) text += position_to_text(p, ' ') + ", ";
-  text += position_to_text(ring.front(), ' ') + ')';
+  for (const Point p : ring) text += position_to_text(p, ' ', origin) + ", ";
+  text += position_to_text(ring.front(), ' ', origin) + ')';
 }
 
-void append_polygon(const Polygon& polygon, std::string& text) {
+void append_polygon(const Polygon& polygon, const Origin& origin, std::string& text) {
   text += '(';
-  append_ring(polygon.outline, text);
+  append_ring(polygon.outline, origin, text);
   for (const Ring& hole : polygon.holes) {
     text += ", ";
-    append_ring(hole, text);
+    append_ring(hole, origin, text);
   }
   text += ')';
 }
 
 }  // namespace
 
-std::string to_wkt(std::span<const Polygon> polygons) {
+std::string to_wkt(std::span<const Polygon> polygons, const Origin& origin) {
   if (polygons.empty()) return "MULTIPOLYGON EMPTY";
   const bool is_one = polygons.size() == 1;
   std::string text = is_one ? "POLYGON " : "MULTIPOLYGON (";
   for (const Polygon& polygon : polygons) {
     if (&polygon != &polygons.front()) text += ", ";
-    append_polygon(polygon, text);
+    append_polygon(polygon, origin, text);
   }
   return is_one ? text : text + ')';
 }
 
-tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text) { return Reader(text).polygons(); }
+tl::expected<std::vector<Polygon>, GeometryError> polygons_of_wkt(std::string_view text, const Ground& ground) {
+  return Reader(text, ground).polygons();
+}
 
-tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text) { return Reader(text).cracks(); }
+tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text, const Origin& origin) {
+  return polygons_of_wkt(text, {origin});
+}
+
+tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text, const Origin& origin) {
+  return Reader(text, {origin}).cracks();
+}
 
 }  // namespace brash::geometry

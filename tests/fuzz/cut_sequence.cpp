@@ -20,7 +20,8 @@ class Bytes {
   Point point(std::int64_t spacing) {
     const int place = next();
     const int shift = spacing > 4 ? next() : 0;
-    return {place % 16 * spacing + shift % 3 - (spacing > 4 ? 1 : 0), place / 16 * spacing + shift / 3 % 3};
+    return Point::of_units(place % 16 * spacing + shift % 3 - (spacing > 4 ? 1 : 0),
+                           place / 16 * spacing + shift / 3 % 3);
   }
 
  private:

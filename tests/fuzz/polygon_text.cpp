@@ -29,5 +29,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Feature& feature : *features) polygons.push_back(feature.polygon);
     lay(polygons);
   }
+  if (const auto map = read_map(text_of(data, size))) {
+    const auto again = read_map(map_to_geojson(*map), map->origin);
+    if (!again || again->features != map->features || again->crs != map->crs) std::abort();
+  }
   return 0;
 }

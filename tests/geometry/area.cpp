@@ -15,15 +15,15 @@ constexpr Int128 kTwoPerSquareMetre = Int128{1} << 61;
 BOOST_AUTO_TEST_SUITE(areas)
 
 BOOST_AUTO_TEST_CASE(snap_takes_the_nearest_grid_point_and_halves_away_from_zero) {
-  BOOST_TEST((snap({0.0, 1.0}) == Point{0, 1LL << 30}));
-  BOOST_TEST((snap({0.5 * kGridUnit, -0.5 * kGridUnit}) == Point{1, -1}));
-  BOOST_TEST((snap({0.4999999 * kGridUnit, -1.5 * kGridUnit}) == Point{0, -2}));
-  BOOST_TEST((snap({kMaxCoordinate, -kMaxCoordinate}) == Point{1LL << 43, -(1LL << 43)}));
+  BOOST_TEST((snap({0.0, 1.0}) == Point::of_units(0, 1LL << 30)));
+  BOOST_TEST((snap({0.5 * kGridUnit, -0.5 * kGridUnit}) == Point::of_units(1, -1)));
+  BOOST_TEST((snap({0.4999999 * kGridUnit, -1.5 * kGridUnit}) == Point::of_units(0, -2)));
+  BOOST_TEST((snap({kMaxCoordinate, -kMaxCoordinate}) == Point::of_units(1LL << 43, -(1LL << 43))));
 }
 
 BOOST_AUTO_TEST_CASE(a_grid_point_survives_the_way_to_metres_and_back) {
-  for (const Point p :
-       {Point{1, -1}, Point{(1LL << 43) - 1, -(1LL << 43) + 1}, Point{123456789012345 % (1LL << 43), 7}})
+  for (const Point p : {Point::of_units(1, -1), Point::of_units((1LL << 43) - 1, -(1LL << 43) + 1),
+                        Point::of_units(123456789012345 % (1LL << 43), 7)})
     BOOST_TEST((snap(metres(p)) == p));
 }
 

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_off_the_grid_is_refused_or_rounded_when_asked) {
   BOOST_TEST(refused.error().what.find("vertex 2: (0.333333333") == 0u, refused.error().what);
   BOOST_TEST(refused.error().what.find("OffGrid::kRound") != std::string::npos);
   // 2^30 / 3 = 357913941.33
-  BOOST_TEST((ring_from_cgal(triangle, OffGrid::kRound).value()[2] == Point{357913941, 1LL << 30}));
+  BOOST_TEST((ring_from_cgal(triangle, OffGrid::kRound).value()[2] == Point::of_units(357913941, 1LL << 30)));
 }
 
 BOOST_AUTO_TEST_CASE(halves_round_upwards_however_close_to_one) {

@@ -45,14 +45,16 @@ inline std::vector<std::int64_t> numbers(std::istringstream& line) {
 
 inline geometry::Ring ring_from(const std::vector<std::int64_t>& values) {
   geometry::Ring ring;
-  for (std::size_t i = 0; i + 1 < values.size(); i += 2) ring.push_back({values[i], values[i + 1]});
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
+    ring.push_back(geometry::Point::of_units(values[i], values[i + 1]));
+  }
   return ring;
 }
 
 /// A disc whose vertices include the ends of its cracks: the angles of a fan are led to its nearest vertices.
 inline Event disc_event(const std::vector<std::int64_t>& v, std::istringstream& rest, bool is_fan) {
-  const Vec2 centre = geometry::metres({v[0], v[1]});
-  const double radius = geometry::metres({v[2], 0}).x;
+  const Vec2 centre = geometry::metres(geometry::Point::of_units(v[0], v[1]));
+  const double radius = geometry::metres(geometry::Point::of_units(v[2], 0)).x;
   int sides = 0;
   rest >> sides;
   Event event;
@@ -65,7 +67,7 @@ inline Event disc_event(const std::vector<std::int64_t>& v, std::istringstream& 
   event.region = geometry::disc(centre, radius, sides);
   while (rest >> degrees) {
     const Vec2 end = centre + radius * Vec2{std::cos(degrees * M_PI / 180.0), std::sin(degrees * M_PI / 180.0)};
-    event.cracks.push_back({{v[0], v[1]}, geometry::snap(end)});
+    event.cracks.push_back({geometry::Point::of_units(v[0], v[1]), geometry::snap(end)});
   }
   return event;
 }
@@ -146,9 +148,9 @@ Case mapped(const Case& c, bool mirrors, Map map) {
 /// The case as written, mirrored, turned by 90 degrees, and with its events in reverse order.
 inline std::vector<Case> variants(const Case& c) {
   std::vector<Case> all{c};
-  all.push_back(mapped(c, true, [](geometry::Point p) { return geometry::Point{-p.x, p.y}; }));
+  all.push_back(mapped(c, true, [](geometry::Point p) { return geometry::Point::of_units(-p.x, p.y); }));
   all.back().name += ", mirrored";
-  all.push_back(mapped(c, false, [](geometry::Point p) { return geometry::Point{-p.y, p.x}; }));
+  all.push_back(mapped(c, false, [](geometry::Point p) { return geometry::Point::of_units(-p.y, p.x); }));
   all.back().name += ", turned";
   all.push_back(mapped(c, false, [](geometry::Point p) { return p; }));
   all.back().name += ", reversed";

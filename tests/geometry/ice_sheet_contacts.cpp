@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(random_hollow_sections_overlap_what_a_cut_would_take) {
     const double y = 5 + 40 * shapes::uniform(generator);
     Ring section = shapes::star(generator, 7 + i % 20, 0.1, {0.5 * shapes::uniform(generator), 0});
     // On the grid, three times as large and beside the edge.
-    for (Point& p : section) p = {3 * p.x, 3 * p.y + snap({0, y}).y};
+    for (Point& p : section) p = Point::of_units(3 * p.x, 3 * p.y + snap({0, y}).y);
     std::vector<Polygon> overlaps;
     for (const ContactRegion& contact : sheet.contacts(section)) {
       if (contact.contact_length > 0.0) {

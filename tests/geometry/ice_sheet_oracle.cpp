@@ -66,13 +66,15 @@ BOOST_AUTO_TEST_CASE(degenerate_sequences_agree_with_exact_boolean_operations) {
     return snap({0.5 * steps, 0.0}).x + static_cast<std::int64_t>(random() % 3) - 1;
   };
   for (int run = 0; run < 40; ++run) {
-    const Ring outline{{0, 0}, snap({6, 0}), snap({6, 6}), snap({0, 6})};
+    const Ring outline{Point{}, snap({6, 0}), snap({6, 6}), snap({0, 6})};
     IceSheet sheet = IceSheet::from_polygons(std::vector<Polygon>{{outline, {}}}).value();
     for (int i = 0; i < 10; ++i) {
-      const Point centre{lattice(13), lattice(13)};
+      const auto x = lattice(13), y = lattice(13);
+      const Point centre = Point::of_units(x, y);
       const double radius = 0.5 * static_cast<double>(1 + random() % 3);
       Ring region = disc(metres(centre), radius, random() % 2 ? 4 : 8);
-      const Crack cracks[] = {{centre, region[0]}, {centre, region[2]}, {centre, {centre.x, lattice(13)}}};
+      const Crack cracks[] = {
+          {centre, region[0]}, {centre, region[2]}, {centre, Point::of_units(centre.x, lattice(13))}};
       cut_and_compare(sheet, region, cracks);
       if (i % 4 == 3) (void)sheet.release_detached();
     }

@@ -41,7 +41,7 @@ void expect_valid_and_split(soak::Random& random, const Polygon& piece, Counts& 
   BOOST_REQUIRE_MESSAGE(sheet.has_value(), "invalid piece: " << (sheet ? "" : sheet.error().what));
   const Point from = random.of(piece.outline);
   Point to = random.of(piece.outline);
-  if (random.one_in(2)) to = soak::nudged(random, {to.x + (from.x - to.x) / 3, to.y});
+  if (random.one_in(2)) to = soak::nudged(random, Point::of_units(to.x + (from.x - to.x) / 3, to.y));
   if (from == to) return;
   const Cut parts = split(piece, from, to);
   BOOST_REQUIRE((total(parts.pieces) + parts.snap == area(piece)));

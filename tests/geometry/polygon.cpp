@@ -6,6 +6,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
+#include "brash/geometry/caliper.hpp"
 
 namespace brash::geometry {
 namespace {
@@ -16,7 +17,22 @@ Ring box(double x0, double y0, double x1, double y1) {
 
 Ring reversed(Ring r) { return {r.rbegin(), r.rend()}; }
 
+// Braces would take metres for grid units; snap() and Point::of_units() are the ways to a point.
+static_assert(!std::is_aggregate_v<Point>);
+static_assert(!std::is_constructible_v<Point, int, int> && !std::is_constructible_v<Point, double, double>);
+static_assert(!std::is_constructible_v<Point, Vec2> && !std::is_convertible_v<Vec2, Point>);
+
 BOOST_AUTO_TEST_SUITE(polygons)
+
+BOOST_AUTO_TEST_CASE(the_mean_caliper_diameter_is_the_perimeter_of_the_hull_over_pi) {
+  BOOST_TEST(mean_caliper_diameter(box(0, 0, 3, 4)) == 14.0 / kPi, boost::test_tools::tolerance(1e-15));
+  // A bay and a vertex on the hull's edge change nothing.
+  const Ring bay = ring(std::vector<Vec2>{{0, 0}, {1.5, 0}, {3, 0}, {3, 4}, {1.5, 1}, {0, 4}});
+  BOOST_TEST(mean_caliper_diameter(bay) == 14.0 / kPi, boost::test_tools::tolerance(1e-15));
+  // A polygon in a circle of radius 5 with 1000 sides: short by the factor sinc(pi/1000).
+  const double factor = std::sin(kPi / 1000) / (kPi / 1000);
+  BOOST_TEST(mean_caliper_diameter(disc({1, 2}, 5, 1000)) == 10.0 * factor, boost::test_tools::tolerance(1e-9));
+}
 
 BOOST_AUTO_TEST_CASE(areas_are_exact_and_signed) {
   const Ring square = box(-1.0, -1.0, 1.0, 1.0);
@@ -43,14 +59,16 @@ BOOST_AUTO_TEST_CASE(holes_are_taken_off) {
 }
 
 BOOST_AUTO_TEST_CASE(the_centroid_of_a_sliver_far_from_the_origin_lies_on_it) {
-  const Ring sliver{snap({8000, 8000}), snap({8001, 8000}), Point{snap({8000, 8000}).x, snap({8000, 8000}).y + 1}};
+  const Ring sliver{snap({8000, 8000}), snap({8001, 8000}),
+                    Point::of_units(snap({8000, 8000}).x, snap({8000, 8000}).y + 1)};
   const Vec2 c = centroid({sliver, {}});
   BOOST_TEST(c.x == 8000.0 + 1.0 / 3.0, boost::test_tools::tolerance(1e-15));
   BOOST_TEST(std::abs(c.y - 8000.0) <= 1e-9);  // the sliver is one grid unit, 0.93e-9 m, thick
 }
 
 BOOST_AUTO_TEST_CASE(a_polygon_without_area_has_no_centroid) {
-  BOOST_CHECK_THROW(centroid({{{0, 0}, {1, 1}, {2, 2}}, {}}), ContractViolation);
+  const Polygon line{{Point{}, Point::of_units(1, 1), Point::of_units(2, 2)}, {}};
+  BOOST_CHECK_THROW(centroid(line), ContractViolation);
 }
 
 BOOST_AUTO_TEST_CASE(convexity_is_decided_exactly) {

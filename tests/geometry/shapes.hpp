@@ -21,7 +21,11 @@ inline Ring reversed(Ring r) {
 }
 
 /// Integer grid units: for cases where every unit counts.
-inline Ring units(std::initializer_list<Point> points) { return Ring(points); }
+inline Ring units(std::initializer_list<std::pair<std::int64_t, std::int64_t>> points) {
+  Ring ring;
+  for (const auto& [x, y] : points) ring.push_back(Point::of_units(x, y));
+  return ring;
+}
 
 /// A number in [0, 1) that is the same on every machine; std::uniform_real_distribution is not.
 inline double uniform(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11) * 0x1p-53; }

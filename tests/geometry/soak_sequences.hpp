@@ -35,12 +35,15 @@ struct Event {
 };
 
 inline Ring moved(Ring ring, Point by) {
-  for (Point& p : ring) p = {p.x + by.x, p.y + by.y};
+  for (Point& p : ring) p = p + by;
   return ring;
 }
 
 /// The point, or one of its eight neighbours on the grid.
-inline Point nudged(Random& random, Point p) { return {p.x + random.below(3) - 1, p.y + random.below(3) - 1}; }
+inline Point nudged(Random& random, Point p) {
+  const auto x = random.below(3) - 1;
+  return p + Point::of_units(x, random.below(3) - 1);
+}
 
 /// One to five components of 3 to 64 sides, ragged, round or square, each with up to three holes, 16 m apart.
 inline std::vector<Polygon> make_sheet(Random& random) {
@@ -82,7 +85,7 @@ class Events {
       event = crack_event(random, ice);
     } else if (kind < 14) {
       // Again, or one unit beside.
-      event.region = moved(random.of(past_), random.one_in(2) ? Point{} : nudged(random, {0, 0}));
+      event.region = moved(random.of(past_), random.one_in(2) ? Point{} : nudged(random, Point{}));
     } else if (kind < 16) {
       event.region = beside_edge(random, ice);
     } else if (kind < 18) {
@@ -92,7 +95,7 @@ class Events {
     } else {
       // A whole part, or all of it but a unit.
       const Ring& outline = random.of(ice).outline;
-      event.region = moved(outline, random.one_in(2) ? Point{} : nudged(random, {0, 0}));
+      event.region = moved(outline, random.one_in(2) ? Point{} : nudged(random, Point{}));
       if (outline.size() > 24 || !random.one_in(4)) event = crack_event(random, ice);
     }
     if (event.region.size() < 3 || signed_area(event.region) <= ExactArea{}) event = crack_event(random, ice);
@@ -142,7 +145,7 @@ class Events {
       // Tangent: a vertex of the disc on a vertex of the ice.
       const Point touched = random.of(any_ring(random, ice));
       const Point own = random.of(event.region);
-      event.region = moved(event.region, {touched.x - own.x, touched.y - own.y});
+      event.region = moved(event.region, touched - own);
     }
     const int n_cracks = random.below(6);
     for (int k = 0; k < n_cracks; ++k) event.cracks.push_back({centre, random.of(event.region)});
@@ -157,8 +160,8 @@ class Events {
     const Point b = ring[(i + 1) % ring.size()];
     const double width = random.log_uniform(2.0 * kGridUnit, 1.0) * (random.one_in(2) ? 1.0 : -1.0);
     const Vec2 across = width * normalized(perpendicular(metres(b) - metres(a)));
-    const Point by{std::llround(across.x / kGridUnit), std::llround(across.y / kGridUnit)};
-    Ring region{a, b, {b.x + by.x, b.y + by.y}, {a.x + by.x, a.y + by.y}};
+    const Point by = Point::of_units(std::llround(across.x / kGridUnit), std::llround(across.y / kGridUnit));
+    Ring region{a, b, b + by, a + by};
     if (signed_area(region) < ExactArea{}) std::reverse(region.begin(), region.end());
     return region;
   }

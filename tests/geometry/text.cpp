@@ -21,8 +21,9 @@ std::vector<Polygon> awkward_polygons() {
     if (i % 3 == 0) p = {disc({-7000, 12}, 3, 40), {reversed(shapes::star(generator, 9, 0.2, {-7000.5, 12}))}};
     polygons.push_back(p);
   }
-  polygons.push_back({{{0, 0}, {1, 0}, {0, 1}}, {}});
-  polygons.push_back({{{-(1LL << 43), -(1LL << 43)}, {1LL << 43, (1LL << 43) - 1}, {1LL << 43, 1LL << 43}}, {}});
+  polygons.push_back({shapes::units({{0, 0}, {1, 0}, {0, 1}}), {}});
+  polygons.push_back(
+      {shapes::units({{-(1LL << 43), -(1LL << 43)}, {1LL << 43, (1LL << 43) - 1}, {1LL << 43, 1LL << 43}}), {}});
   return polygons;
 }
 
@@ -165,7 +166,7 @@ BOOST_AUTO_TEST_CASE(the_text_is_json_with_the_exact_area) {
   const auto json = nlohmann::json::parse(to_geojson(features));
   BOOST_TEST(json["type"] == "FeatureCollection");
   const auto& feature = json["features"].at(0);
-  BOOST_TEST(feature["properties"].dump() == R"({"area":"7","id":7,"kind":"floe"})");
+  BOOST_TEST(feature["properties"].dump() == R"({"area":7,"area_exact":"7","id":7,"kind":"floe"})");
   BOOST_TEST(feature["geometry"]["type"] == "Polygon");
   BOOST_TEST(feature["geometry"]["coordinates"].at(1).dump() == "[[1,0.5],[1,1.5],[2,1.5],[2,0.5],[1,0.5]]");
 }

@@ -136,7 +136,7 @@ void Chart::history(const std::vector<double>& times, const std::vector<double>&
 }
 
 void Chart::words(double x, double y, const std::string& text, const std::string& colour) {
-  content_ += text_at(page_x(x), page_y(y), text, fmt::format("fill=\"{}\"", colour));
+  content_ += text_at(page_x(x), page_y(y), text, fmt::format("style=\"fill:{}\"", colour));
 }
 
 std::string Chart::frame() const {

@@ -66,10 +66,16 @@ class Row {
     return value;
   }
 
-  CrackEvent event() const {
+  /// Metres from the origin; the difference is exact before it is rounded to a double.
+  double metres_from(std::size_t column, const geometry::Decimal& zero) const {
+    const double value = number<double>(column, fields_[column], "a number of metres");
+    const auto decimal = geometry::Decimal::parse(fields_[column]);
+    return decimal ? (*decimal - zero).nearest_double() : value;  // what is no decimal lies outside of every circle
+  }
+
+  CrackEvent event(const geometry::Origin& origin) const {
     CrackEvent event;
-    event.centre = {number<double>(0, fields_[0], "a number of metres"),
-                    number<double>(1, fields_[1], "a number of metres")};
+    event.centre = {metres_from(0, origin.x), metres_from(1, origin.y)};
     const auto metres = fmt::format("a number of metres, at least {:.3g}", kLeastRadius);
     event.radius = number<double>(2, fields_[2], metres);
     if (!(event.radius >= kLeastRadius)) refuse(2, metres);
@@ -77,7 +83,8 @@ class Row {
       const double at = axis == 0 ? event.centre.x : event.centre.y;
       // A NaN fails the comparison.
       if (std::abs(at) + event.radius <= geometry::kMaxCoordinate) continue;
-      refuse(axis, fmt::format("the circle must stay within +-{} m", geometry::kMaxCoordinate));
+      const std::string centre = origin == geometry::Origin{} ? "" : " of the origin " + to_string(origin);
+      refuse(axis, fmt::format("the circle must stay within +-{} m{}", geometry::kMaxCoordinate, centre));
     }
     if (fields_.size() == 5 && !fields_[4].empty()) event.angles = angles();
     if (event.angles && fields_[3].empty()) return event;
@@ -119,14 +126,15 @@ bool is_header(std::string_view line) {
 
 }  // namespace
 
-std::vector<CrackEvent> read_crack_events(const std::string& name, const std::string& text) {
+std::vector<CrackEvent> read_crack_events(const std::string& name, const std::string& text,
+                                          const geometry::Origin& origin) {
   std::vector<CrackEvent> events;
   bool is_first = true;
   int line = 0;
   for (const std::string_view row : split_at(text, "\n")) {
     ++line;
     if (row.empty() || row.front() == '#') continue;
-    if (!std::exchange(is_first, false) || !is_header(row)) events.push_back(Row(name, line, row).event());
+    if (!std::exchange(is_first, false) || !is_header(row)) events.push_back(Row(name, line, row).event(origin));
   }
   return events;
 }

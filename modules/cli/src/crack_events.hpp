@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "brash/core/vec.hpp"
+#include "brash/geometry/origin.hpp"
 
 namespace brash::cli {
 
 /// One circumferential crack with its radial cracks.
 struct CrackEvent {
-  /// Collision point B [m].
+  /// Collision point B, from the origin [m].
   Vec2 centre;
   /// Breaking length [m], > 0.
   double radius = 0.0;
@@ -25,8 +26,10 @@ struct CrackEvent {
 /// start with # are passed over. The angles of a row are separated by spaces or semicolons; `wedges` is then empty or
 /// one more than the angles, or as many (a full circle).
 ///
-/// @param name  of the file, for messages.
+/// @param name    of the file, for messages.
+/// @param origin  of the grid in the coordinates of the file; centres are relative to it.
 /// @throws InputError naming file, line, column's name, value and the allowed values.
-std::vector<CrackEvent> read_crack_events(const std::string& name, const std::string& text);
+std::vector<CrackEvent> read_crack_events(const std::string& name, const std::string& text,
+                                          const geometry::Origin& origin = {});
 
 }  // namespace brash::cli

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,6 +19,7 @@
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/results.hpp"
 #include "crack_events.hpp"
+#include "map_file.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
@@ -28,36 +28,8 @@ namespace {
 using geometry::ExactArea;
 using geometry::Feature;
 using geometry::IceSheet;
+using geometry::Origin;
 using geometry::Polygon;
-
-/// The largest text that is read [MiB]. Parsed polygons take some twenty times the memory of their text; this much text
-/// holds a million vertices.
-constexpr std::size_t kMostMebibytes = 64;
-
-[[noreturn]] void refuse_polygons(const std::string& where, const std::string& what) {
-  throw InputError(Complaint{where, what,
-                             "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON: closed rings of finite metres "
-                             "that neither cross nor overlap, holes inside their outline",
-                             "correct what is named; docs/reference/command.md describes such files"});
-}
-
-/// The features of a GeoJSON text, or the polygons of a WKT text as sheet.
-std::vector<Feature> read_features(const std::string& path) {
-  const std::string text = read_text_file(path, "a sheet (WKT or GeoJSON)", kMostMebibytes);
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first != std::string::npos && text[first] == '{') {
-    auto features = geometry::from_geojson(text);
-    if (!features) refuse_polygons(path, features.error().what);
-    return *std::move(features);
-  }
-  auto polygons = geometry::from_wkt(text);
-  if (!polygons) refuse_polygons(path, polygons.error().what);
-  std::vector<Feature> features;
-  for (Polygon& p : *polygons) {
-    features.push_back({std::move(p), "sheet", static_cast<std::int64_t>(features.size())});
-  }
-  return features;
-}
 
 IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features) {
   std::vector<Polygon> ice;
@@ -70,13 +42,16 @@ IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features)
 }
 
 /// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
-std::vector<Polygon> read_cutters(const std::string& path) {
-  auto polygons = geometry::from_wkt(read_text_file(path, "cutters (WKT)", kMostMebibytes));
-  if (!polygons)
-    throw InputError(Complaint{path, polygons.error().what, "POLYGON or MULTIPOLYGON (WKT) in plan metres",
-                               "correct the polygon; lines that split the ice go to --cracks"});
-  for (std::size_t i = 0; i < polygons->size(); ++i) {
-    const Polygon& cutter = (*polygons)[i];
+std::vector<Polygon> read_cutters(const std::string& path, const Origin& origin) {
+  const auto map = geometry::read_map(read_text_file(path, "cutters (WKT or GeoJSON)", kMostMebibytes), origin);
+  if (!map)
+    throw InputError(Complaint{path, map.error().what,
+                               "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON, in plan metres",
+                               "correct the polygon; lines that split the ice go to --along"});
+  std::vector<Polygon> polygons;
+  for (const Feature& f : map->features) polygons.push_back(f.polygon);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const Polygon& cutter = polygons[i];
     const std::string name = fmt::format("cutter {}", i + 1);
     if (!cutter.holes.empty()) {
       throw InputError(
@@ -86,7 +61,7 @@ std::vector<Polygon> read_cutters(const std::string& path) {
       refuse_polygons(path, fmt::format("{} is not simple: {}", name, alone.error().what));
     }
   }
-  return *std::move(polygons);
+  return polygons;
 }
 
 /// The rectangle around all ice of the sheet, which is not empty.
@@ -158,7 +133,7 @@ class CrackRun {
   std::int64_t next_id_ = 0;
 };
 
-std::string ledger_text(const CrackRun& run) {
+std::string ledger_text(const CrackRun& run, const Origin& origin) {
   const geometry::Ledger ledger = run.ledger();
   nlohmann::ordered_json json;
   const auto put = [&](const char* name, ExactArea area) { json[name] = area.to_string(); };
@@ -174,11 +149,12 @@ std::string ledger_text(const CrackRun& run) {
   json["n_rounded"] = ledger.n_rounded;
   json["n_sheet_parts"] = run.sheet().size();
   json["n_floes"] = run.n_floes();
+  if (origin != Origin{}) json["origin"] = {origin.x.to_string(), origin.y.to_string()};
   return json.dump(2);
 }
 
 struct CrackOptions {
-  std::string sheet, events, cutters, cracks, output;
+  std::string sheet, events, cutters, lines, output, origin;
   int sides = 16;
   bool release_detached = false;
 };
@@ -191,50 +167,49 @@ void refuse_small_circle(const std::string& path, double radius, int sides) {
                              fmt::format("at least {:.3g} m", least), "enlarge the radius, or take fewer sides"});
 }
 
-std::vector<geometry::Crack> read_cracks(const std::string& path) {
-  auto cracks = geometry::cracks_from_wkt(read_text_file(path, "cracks (WKT)", kMostMebibytes));
-  if (cracks) return *std::move(cracks);
-  throw InputError(Complaint{path, cracks.error().what, "LINESTRING or MULTILINESTRING (WKT) in plan metres",
-                             "correct the line; areas to take out are polygons and go to --cutters"});
-}
-
 void refuse_other_than_one_cut(const CrackOptions& options) {
-  const auto n_given = !options.events.empty() + !options.cutters.empty() + !options.cracks.empty();
+  const auto n_given = !options.events.empty() + !options.cutters.empty() + !options.lines.empty();
   if (n_given == 1) return;
   throw InputError(Complaint{"crack", n_given == 0 ? "nothing to cut with" : "two things to cut with",
-                             "one of --events FILE.csv, --cutters FILE.wkt and --cracks FILE.wkt",
+                             "one of --events FILE.csv, --cutters FILE.wkt and --along LINES.wkt",
                              "give one of the three"});
+}
+
+void apply_cuts(const CrackOptions& options, const Origin& origin, CrackRun& run) {
+  if (!options.lines.empty()) return run.apply(read_lines_file(options.lines, origin));
+  if (!options.cutters.empty()) {
+    for (const Polygon& cutter : read_cutters(options.cutters, origin)) {
+      run.apply(cutter);
+      if (options.release_detached) run.release();
+    }
+    return;
+  }
+  const std::string text = read_text_file(options.events, "crack events (CSV)", kMostMebibytes);
+  for (const CrackEvent& event : read_crack_events(options.events, text, origin)) {
+    refuse_small_circle(options.events, event.radius, options.sides);
+    run.apply(event, options.sides);
+    if (options.release_detached) run.release();
+  }
 }
 
 void crack(const CrackOptions& options) {
   refuse_other_than_one_cut(options);
-  refuse_overwriting(options.output, {options.sheet, options.events, options.cutters, options.cracks});
-  const std::vector<Feature> features = read_features(options.sheet);
-  CrackRun run(sheet_of(options.sheet, features), features);
-  if (!options.events.empty()) {
-    for (const CrackEvent& event :
-         read_crack_events(options.events, read_text_file(options.events, "crack events (CSV)", kMostMebibytes))) {
-      refuse_small_circle(options.events, event.radius, options.sides);
-      run.apply(event, options.sides);
-      if (options.release_detached) run.release();
-    }
-  } else if (!options.cracks.empty()) {
-    run.apply(read_cracks(options.cracks));
-  } else {
-    for (const Polygon& cutter : read_cutters(options.cutters)) {
-      run.apply(cutter);
-      if (options.release_detached) run.release();
-    }
-  }
-  if (!options.output.empty()) write_file(options.output, geometry::to_geojson(run.features()));
-  print_data(ledger_text(run) + "\n");
+  refuse_overwriting(options.output, {options.sheet, options.events, options.cutters, options.lines});
+  if (!options.output.empty()) check_map_name(options.output);
+  geometry::Map map = read_map_file(options.sheet, origin_option("crack", options.origin));
+  CrackRun run(sheet_of(options.sheet, map.features), map.features);
+  apply_cuts(options, map.origin, run);
+  map.features = run.features();
+  if (!options.output.empty()) write_map_file(options.output, map);
+  print_data(ledger_text(run, map.origin) + "\n");
+  say_place(options.sheet, map, !options.origin.empty());
   if (!run.ledger().closes()) {
     throw RunError(fmt::format("crack: the ledger misses {} m2", run.ledger().missing().to_string()));
   }
 }
 
 struct FitOptions {
-  std::string sheet, at, towards;
+  std::string sheet, at, towards, origin;
   double contact_length = 0.0;
   double reach = 3.0;
 };
@@ -245,19 +220,14 @@ struct FitOptions {
       Complaint{"fit", fmt::format("{} = '{}' {}", option, printable(value), what), allowed, "change the option"});
 }
 
-/// Reads "X,Y".
-Vec2 to_vector(const std::string& option, const std::string& text) {
-  Vec2 result;
-  const char* const end = text.data() + text.size();
-  const auto [comma, first] = std::from_chars(text.data(), end, result.x);
-  if (first == std::errc{} && comma != end && *comma == ',') {
-    const auto [stop, second] = std::from_chars(comma + 1, end, result.y);
-    if (second == std::errc{} && stop == end && std::abs(result.x) <= geometry::kMaxCoordinate &&
-        std::abs(result.y) <= geometry::kMaxCoordinate) {
-      return result;
-    }
+/// Reads "X,Y" and takes the origin away.
+Vec2 to_vector(const std::string& option, const std::string& text, const Origin& origin) {
+  if (const auto place = geometry::origin_from_text(text)) {
+    const Vec2 result{(place->x - origin.x).nearest_double(), (place->y - origin.y).nearest_double()};
+    if (std::abs(result.x) <= geometry::kMaxCoordinate && std::abs(result.y) <= geometry::kMaxCoordinate) return result;
   }
-  refuse_option(option, text, "is no place", fmt::format("X,Y within +-{} m", geometry::kMaxCoordinate));
+  const std::string centre = origin == Origin{} ? "" : " of the origin " + to_string(origin);
+  refuse_option(option, text, "is no place", fmt::format("X,Y within +-{} m{}", geometry::kMaxCoordinate, centre));
 }
 
 void fit(const FitOptions& options) {
@@ -270,7 +240,8 @@ void fit(const FitOptions& options) {
     refuse_option("--contact-length", fmt::format("{}", options.contact_length), "is out of range",
                   "metres, at least 0");
   }
-  const Vec2 at = to_vector("--at", options.at), towards = to_vector("--towards", options.towards);
+  const geometry::Map map = read_map_file(options.sheet, origin_option("fit", options.origin));
+  const Vec2 at = to_vector("--at", options.at, map.origin), towards = to_vector("--towards", options.towards, {});
   if (!(norm(towards) > 0.0)) refuse_option("--towards", options.towards, "is no direction", "X,Y other than 0,0");
   for (const double way : {at.x, at.y}) {
     if (std::abs(way) + 2.0 * options.reach > geometry::kMaxCoordinate) {
@@ -279,7 +250,7 @@ void fit(const FitOptions& options) {
     }
   }
 
-  const IceSheet sheet = sheet_of(options.sheet, read_features(options.sheet));
+  const IceSheet sheet = sheet_of(options.sheet, map.features);
   if (sheet.free_edge(at, options.reach).empty()) {
     refuse_option("--at", options.at, fmt::format("has no free edge within {} m of it", options.reach),
                   "a place at an edge of the sheet");
@@ -293,6 +264,7 @@ void fit(const FitOptions& options) {
                                     {"error", found.error},  {"reidentified", found.reidentified},
                                     {"reach", options.reach}};
   print_data(json.dump(2) + "\n");
+  say_place(options.sheet, map, !options.origin.empty());
 }
 
 }  // namespace
@@ -302,9 +274,16 @@ void add_crack_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("crack", "Crack a sheet: the geometry kernel alone");
   command->add_option("--sheet", options->sheet, "sheet (GeoJSON or WKT); floes in it are passed on")->required();
   command->add_option("--events", options->events, "crack events: CSV x,y,radius,wedges[,angles] in m and rad");
-  command->add_option("--cutters", options->cutters, "polygons (WKT), the sheet loses the ice inside each, as a floe");
-  command->add_option("--cracks", options->cracks, "lines (WKT) that split the sheet; every part becomes a floe");
-  command->add_option("-o,--output", options->output, "sheet and floes to write (GeoJSON)");
+  command->add_option("--cutters", options->cutters,
+                      "polygons (WKT or GeoJSON), the sheet loses the ice inside each, as a floe");
+  command->add_option("--along,--cracks", options->lines,
+                      "lines (WKT or GeoJSON) that split the sheet; every part becomes a floe");
+  command->add_option("-o,--output", options->output,
+                      "sheet and floes to write (.geojson, or .wkt without their kinds)");
+  command->add_option(
+      "--origin", options->origin,
+      "X,Y: zero of the grid in the coordinates of the file; else the file's own, or the middle of data "
+      "that are far from 0,0");
   command->add_option("--sides", options->sides, "chords of a full circle")
       ->capture_default_str()
       ->check(CLI::Range(3, 100000));
@@ -313,7 +292,7 @@ void add_crack_command(CLI::App& app) {
   command->footer(
       "Prints the ledger as JSON, areas in m2 as exact text.\n"
       "Example: brash crack --sheet sheet.wkt --events events.csv -o pieces.geojson\n"
-      "         brash crack --sheet floes.geojson --cracks cracks.wkt -o pieces.geojson");
+      "         brash crack --sheet floes.geojson --along lines.wkt -o pieces.geojson");
   command->callback([options] { crack(*options); });
 }
 
@@ -321,6 +300,7 @@ void add_fit_command(CLI::App& app) {
   auto options = std::make_shared<FitOptions>();
   CLI::App* command = app.add_subcommand("fit", "Fit the trapezoid (b, c, theta) of the free edge at a point");
   command->add_option("--sheet", options->sheet, "sheet (GeoJSON or WKT)")->required();
+  command->add_option("--origin", options->origin, "X,Y: zero of the grid, as for brash crack");
   command->add_option("--at", options->at, "X,Y: collision point B on the free edge [m]")->required();
   command->add_option("--towards", options->towards, "X,Y: direction from B into the ice, of any length")->required();
   command->add_option("--contact-length", options->contact_length, "contact length c [m]; 0: find it")

@@ -11,5 +11,7 @@ namespace brash::cli {
 void add_crack_command(CLI::App& app);
 /// Adds `fit`: the trapezoid fit alone.
 void add_fit_command(CLI::App& app);
+/// Adds `pieces`: the size distribution of floes.
+void add_pieces_command(CLI::App& app);
 
 }  // namespace brash::cli

@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   brash::cli::add_campaign_commands(app);
   brash::cli::add_crack_command(app);
   brash::cli::add_fit_command(app);
+  brash::cli::add_pieces_command(app);
   brash::cli::add_failure_command(app);
   brash::cli::add_loads_command(app);
   brash::cli::add_stats_command(app);

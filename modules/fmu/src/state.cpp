@@ -23,7 +23,8 @@ Json tree_of(const geometry::Ring& ring) {
 
 geometry::Ring ring_from(const Json& tree) {
   geometry::Ring ring;
-  for (const Json& point : tree) ring.push_back({point.at(0), point.at(1)});
+  for (const Json& point : tree)
+    ring.push_back(geometry::Point::of_units(point.at(0).get<std::int64_t>(), point.at(1).get<std::int64_t>()));
   return ring;
 }
 

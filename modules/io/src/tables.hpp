@@ -116,7 +116,11 @@ std::vector<std::vector<Point>> read_rings(const NetcdfReader& file, const std::
   file.read(name + "_y", name + "_node", y);
   std::vector<Point> nodes;
   nodes.reserve(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) nodes.push_back({x[i], y[i]});
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Point& node = nodes.emplace_back();
+    node.x = x[i];
+    node.y = y[i];
+  }
   return split(file, name + "_part_node_count", std::move(nodes), node_counts);
 }
 

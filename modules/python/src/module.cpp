@@ -43,6 +43,7 @@ PYBIND11_MODULE(_brash, m) {
   add_simulation(m);
   add_campaign(m);
   add_geometry(m);
+  brash::python::add_maps(m);
   add_failure(m);
   add_statistics(m);
   add_load_histories(m);

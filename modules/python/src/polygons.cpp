@@ -19,16 +19,23 @@ using geometry::Polygon;
 template <typename Read>
 auto read_or_refuse(Read read, const std::string& text, const char* name) {
   auto result = read(text);
-  if (!result) throw InputError(fmt::format("{}: {}", name, result.error().what));
-  return *std::move(result);
+  if (result) return *std::move(result);
+  const bool is_far = result.error().what.find("is beyond") != std::string::npos;
+  throw InputError(fmt::format("{}: {}{}", name, result.error().what,
+                               is_far ? "; read_map() reads projected maps from an origin" : ""));
 }
 
+/// Polygons of a text. Where a map names sheet and floes, the floes are no part of the sheet, and read_map() gives
+/// them.
 std::vector<Polygon> from_text(const std::string& text, const char* name) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos || text[first] != '{') return read_or_refuse(geometry::from_wkt, text, name);
+  if (!geometry::is_json(text))
+    return read_or_refuse([](const std::string& wkt) { return geometry::from_wkt(wkt); }, text, name);
+  auto features = read_or_refuse([](const std::string& json) { return geometry::from_geojson(json); }, text, name);
+  const bool is_mixed = std::ranges::any_of(features, [](const auto& f) { return f.kind == "floe"; }) &&
+                        std::ranges::any_of(features, [](const auto& f) { return f.kind == "sheet"; });
   std::vector<Polygon> polygons;
-  for (geometry::Feature& feature : read_or_refuse(geometry::from_geojson, text, name))
-    polygons.push_back(std::move(feature.polygon));
+  for (geometry::Feature& feature : features)
+    if (!is_mixed || feature.kind == "sheet") polygons.push_back(std::move(feature.polygon));
   return polygons;
 }
 

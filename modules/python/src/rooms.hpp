@@ -21,6 +21,7 @@ void add_simulation(pybind11::module_& m);
 void add_results(pybind11::module_& m);
 void add_campaign(pybind11::module_& m);
 void add_geometry(pybind11::module_& m);
+void add_maps(pybind11::module_& m);
 void add_failure(pybind11::module_& m);
 void add_statistics(pybind11::module_& m);
 void add_load_histories(pybind11::module_& m);

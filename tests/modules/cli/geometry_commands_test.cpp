@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry_commands.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "brash/core/error.hpp"
 #include "brash/geometry/text.hpp"
@@ -41,6 +43,7 @@ void run(std::vector<std::string> arguments) {
   CLI::App app;
   add_crack_command(app);
   add_fit_command(app);
+  add_pieces_command(app);
   std::reverse(arguments.begin(), arguments.end());
   app.parse(arguments);
 }
@@ -132,6 +135,134 @@ BOOST_AUTO_TEST_CASE(cracks_split_a_map_of_floes_and_lose_nothing) {
   BOOST_TEST(n_holes == 1);
   const auto none = output_of(*this, {"crack", "--sheet", write("none.wkt", "POLYGON EMPTY"), "--cracks", cracks});
   BOOST_TEST(none["n_floes"] == 0);
+}
+
+/// The lines of `text` that begin with a position, moved by whole metres: digits after the point stay as they are.
+std::string moved(const std::string& text, int x, int y) {
+  static const std::regex position(R"((\d+)(\.\d+)? (\d+)(\.\d+)?)");
+  std::string result;
+  auto last = text.begin();
+  for (std::sregex_iterator m(text.begin(), text.end(), position), end; m != end; ++m) {
+    result.append(last, text.begin() + m->position());
+    result += std::to_string(std::stoi((*m)[1]) + x) + (*m)[2].str() + ' ' + std::to_string(std::stoi((*m)[3]) + y) +
+              (*m)[4].str();
+    last = text.begin() + m->position() + m->length();
+  }
+  return result.append(last, text.end());
+}
+
+BOOST_AUTO_TEST_CASE(the_same_case_at_northing_9_000_000_gives_the_same_pieces) {
+  // Ten decimals and more, which a double no longer holds there.
+  const std::string sheet = "POLYGON ((0.1234567891 0.3, 100.0000000007 1.1, 110.5 60.7777777777, 0.1234567891 0.3))";
+  const std::string lines = "LINESTRING (5.0000000003 70, 60.123456789123 0.1, 70.7 1.00000000001, 100 60)";
+  const auto ledger_at = [&](int x, int y, const std::string& pieces, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"crack",
+                                       "--sheet",
+                                       write("sheet.wkt", moved(sheet, x, y)),
+                                       "--along",
+                                       write("lines.wkt", moved(lines, x, y)),
+                                       "-o",
+                                       (path / pieces).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return output_of(*this, arguments);
+  };
+  const auto here = ledger_at(0, 0, "here.geojson", {});
+  auto there = ledger_at(500000, 9000000, "there.geojson", {"--origin", "500000,9000000"});
+  BOOST_TEST(there["origin"].dump() == R"(["500000","9000000"])");
+  there.erase("origin");
+  BOOST_TEST(here == there);
+  BOOST_TEST(here["n_floes"] == 4);
+  const geometry::Map near = geometry::read_map(read("here.geojson")).value();
+  const geometry::Map far = geometry::read_map(read("there.geojson")).value();
+  BOOST_TEST((near.features == far.features));
+  BOOST_TEST(to_string(far.origin) == "500000,9000000");
+  // Events and cutters too.
+  for (const auto& [option, file] : {std::pair{"--events", "40.0000000003,20.5,7.1,3\n"},
+                                     {"--cutters", "POLYGON ((40 5, 60.0000000001 5, 60 30, 40 5))"}}) {
+    std::string far_file = moved(file, 500000, 9000000);
+    if (std::string(option) == "--events") far_file = "500040.0000000003,9000020.5,7.1,3\n";
+    output_of(*this, {"crack", "--sheet", write("a.wkt", sheet), option, write("a", file), "-o",
+                      (path / "a.geojson").string()});
+    output_of(*this, {"crack", "--sheet", write("b.wkt", moved(sheet, 500000, 9000000)), option, write("b", far_file),
+                      "--origin", "500000,9000000", "-o", (path / "b.geojson").string()});
+    BOOST_TEST((geometry::read_map(read("a.geojson"))->features == geometry::read_map(read("b.geojson"))->features));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lines_that_end_touch_cross_and_overlap_split_and_lose_nothing) {
+  const std::string sheet = write("sheet.wkt", kSheet);
+  const std::pair<const char*, int> cases[] = {
+      {"LINESTRING (2 5, 8 5)", 1},                                                // ends inside: splits nothing
+      {"LINESTRING (-1 5, 5 5) LINESTRING (5 5, 11 5)", 2},                        // touch end to end
+      {"LINESTRING (-1 5, 11 5) LINESTRING (5 5, 5 11)", 3},                       // ends on another
+      {"LINESTRING (-1 5, 11 5) LINESTRING (5 -1, 5 11)", 4},                      // cross
+      {"LINESTRING (-1 5, 7 5) LINESTRING (3 5, 11 5)", 2},                        // overlap
+      {"LINESTRING (-1 5, 11 5) LINESTRING (-1 5, 11 5)", 2},                      // twice the same
+      {"LINESTRING (0 0, 10 10) LINESTRING (0 10, 10 0)", 4},                      // through corners
+      {"LINESTRING (0 0, 10 0)", 1},                                               // along an edge
+      {"LINESTRING (-1 3, 5 3, 5 7, 11 7) LINESTRING (-1 7, 5 7)", 3},             // branch at a corner
+      {"LINESTRING (3 3, 7 3, 7 7, 3 7, 3 3)", 2},                                 // a closed one
+      {"LINESTRING (-1 1, 11 9, 11 1, -1 9)", 4},                                  // crosses itself
+      {"LINESTRING (-1 3.333333333333, 11 6.1) LINESTRING (-1 7.7, 11 2.2)", 4}};  // a rounded crossing
+  for (const auto& [lines, n] : cases) {
+    const auto ledger = output_of(*this, {"crack", "--sheet", sheet, "--along", write("lines.wkt", lines)});
+    BOOST_TEST(ledger["n_floes"] == n, lines);
+    BOOST_TEST(ledger["missing"] == "0", lines);
+    BOOST_TEST(ledger["closes"] == true, lines);
+  }
+  const std::string json =
+      R"({"type":"Feature","properties":null,"geometry":{"type":"LineString","coordinates":[[-1,5],[11,5]]}})";
+  const auto ledger = output_of(*this, {"crack", "--sheet", sheet, "--along", write("lines.geojson", json)});
+  BOOST_TEST(ledger["n_floes"] == 2);
+}
+
+BOOST_AUTO_TEST_CASE(the_name_of_the_output_decides_its_format) {
+  const std::string sheet = write("sheet.wkt", kSheet), lines = write("lines.wkt", "LINESTRING (-1 5, 11 5)");
+  output_of(*this, {"crack", "--sheet", sheet, "--along", lines, "-o", (path / "p.wkt").string()});
+  BOOST_TEST(read("p.wkt") == "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))\nPOLYGON ((0 5, 10 5, 10 10, 0 10, 0 5))\n");
+  const auto refused = [&](const std::string& name) {
+    BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", sheet, "--along", lines, "-o", (path / name).string()}), InputError,
+                          [&](const InputError& e) { return names(e, "is no format that is written"); });
+    BOOST_TEST(!fs::exists(path / name));
+  };
+  refused("p.shp");
+  refused("p.gpkg");
+  const std::string degrees = write("degrees.geojson", R"({"type":"FeatureCollection","crs":{"type":"name","properties":
+{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}},"features":[]})");
+  BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", degrees, "--along", lines}), InputError,
+                        [](const InputError& e) { return names(e, "ogr2ogr -t_srs"); });
+  BOOST_CHECK_EXCEPTION(run({"crack", "--sheet", sheet, "--along", lines, "--origin", "1"}), InputError,
+                        [](const InputError& e) { return names(e, "--origin = '1' is no place"); });
+}
+
+BOOST_AUTO_TEST_CASE(pieces_are_the_floes_of_a_map_or_all_its_polygons) {
+  std::string map;
+  for (int i = 1; i <= 60; ++i) {
+    const int x = 200 * i, side = i;
+    map += fmt::format("POLYGON (({0} 0, {1} 0, {1} {2}, {0} {2}, {0} 0))\n", x - 6000, x - 6000 + side, side);
+  }
+  const std::string picture = (path / "sizes.svg").string();
+  const auto all = output_of(*this, {"pieces", write("map.wkt", map), "--json", "-o", picture});
+  BOOST_TEST(all["n"] == 60);
+  BOOST_TEST(all["area"] == 73810.0);  // 60 61 121/6
+  BOOST_TEST(all["largest"].get<double>() == 240.0 / std::acos(-1.0), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(all["quantiles_by_number"]["0.5"].get<double>() == 122.0 / std::acos(-1.0),
+             boost::test_tools::tolerance(1e-12));
+  // Half of the area lies in squares up to 60/2^(1/3) = 47.6 m, to a square.
+  BOOST_TEST(std::abs(all["quantiles_by_area"]["0.5"].get<double>() * std::acos(-1.0) / 4.0 - 47.6) < 1.0);
+  BOOST_TEST(all["fits"].size() == 3u);
+  BOOST_TEST(read("sizes.svg").starts_with("<svg"));
+  const std::string mixed = write(
+      "mixed.geojson", geometry::to_geojson(std::vector<geometry::Feature>{
+                           {geometry::from_wkt(kSheet)->front(), "sheet", 0},
+                           {geometry::from_wkt("POLYGON ((20 0, 22 0, 22 2, 20 2, 20 0))")->front(), "floe", 1}}));
+  const auto floes = output_of(*this, {"pieces", mixed, "--json"});
+  BOOST_TEST(floes["n"] == 1);
+  BOOST_TEST(floes["n_left_out"] == 1);
+  BOOST_TEST(floes["area"] == 4.0);
+  BOOST_TEST(floes["not_fitted"].size() == 3u);
+  BOOST_CHECK_EXCEPTION(run({"pieces", write("none.wkt", "POLYGON EMPTY")}), InputError,
+                        [](const InputError& e) { return names(e, "has no pieces"); });
 }
 
 BOOST_AUTO_TEST_CASE(the_fit_finds_the_trapezoid_of_a_sheet) {

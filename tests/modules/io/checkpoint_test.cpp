@@ -26,9 +26,11 @@ Checkpoint sample() {
   checkpoint.resolved.name = "cone \xc3\xa9";
   // The corners of the grid, and neighbours that a double would not tell apart.
   const std::int64_t far = std::int64_t{8192} << 30;
-  const geometry::Polygon with_hole{{{-far, -far}, {far, -far}, {far, far - 1}, {-far, far}},
-                                    {{{0, 0}, {0, 1}, {1, 1}}}};
-  const geometry::Polygon farther{{{std::numeric_limits<std::int64_t>::max(), 0}, {(1LL << 53) + 1, 1}, {2, 2}}, {}};
+  const auto point = [](std::int64_t x, std::int64_t y) { return geometry::Point::of_units(x, y); };
+  const geometry::Polygon with_hole{{point(-far, -far), point(far, -far), point(far, far - 1), point(-far, far)},
+                                    {{point(0, 0), point(0, 1), point(1, 1)}}};
+  const geometry::Polygon farther{
+      {point(std::numeric_limits<std::int64_t>::max(), 0), point((1LL << 53) + 1, 1), point(2, 2)}, {}};
   const std::int64_t most = std::numeric_limits<std::int64_t>::max();
   checkpoint.tables = {{"floe",
                         {{"outline", "1", "outline, exact", std::vector{with_hole, farther}},

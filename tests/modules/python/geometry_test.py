@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Polygons go in and out as arrays, WKT, GeoJSON and shapely geometries; cuts are exact."""
 import json
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
@@ -59,6 +61,53 @@ class Polygons(unittest.TestCase):
             brash.Polygon([[0, 0], [np.nan, 0], [1, 1]])
         with self.assertRaisesRegex(brash.InputError, r"outline: has shape \(2, 3\), must have shape \(n, 2\)"):
             brash.Polygon(np.zeros((2, 3)))
+
+
+FAR_MAP = """{"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:32633"}},
+"origin":[500000,9000000],"features":[
+{"type":"Feature","properties":{"kind":"sheet","id":0},"geometry":{"type":"Polygon","coordinates":
+[[[500000,9000000],[500004.0000000019,9000000],[500004,9000003],[500000,9000000]]]}},
+{"type":"Feature","properties":{"kind":"floe","id":5},"geometry":{"type":"Polygon","coordinates":
+[[[500010,9000000],[500011,9000000],[500011,9000001],[500010,9000000]]]}}]}"""
+
+
+class Maps(unittest.TestCase):
+    def test_a_projected_map_is_read_from_its_origin_and_written_as_it_was(self):
+        ice = brash.read_map(FAR_MAP)
+        self.assertEqual((ice.origin, ice.kinds, ice.ids), ((500000, 9000000), ["sheet", "floe"], [0, 5]))
+        self.assertEqual(ice.crs["properties"]["name"], "EPSG:32633")
+        self.assertEqual(ice.sheet[0].outline[1].tolist(), [4 + 2 / 2**30, 0])
+        self.assertEqual([p.area for p in ice.floes], [0.5])
+        self.assertEqual(brash.read_map(ice.to_geojson()).to_geojson(), ice.to_geojson())
+        self.assertEqual(ice.polygons, ice.sheet + ice.floes)
+        self.assertFalse(ice.looks_like_degrees)
+        broken = ice.with_polygons(sheet=[], floes=ice.polygons)
+        self.assertEqual((broken.kinds, broken.ids, broken.origin), (["floe", "floe"], [0, 1], ice.origin))
+        other = brash.read_map(FAR_MAP, origin=("499999.5", 9000000))
+        self.assertEqual(other.sheet[0].outline[0].tolist(), [0.5, 0])
+        for origin in (1, "ab", (1, 2, 3), ("x", 1), (float("nan"), 0)):
+            with self.assertRaises(brash.InputError):
+                brash.read_map(FAR_MAP, origin=origin)
+
+    def test_a_sheet_leaves_the_floes_of_its_map_out(self):
+        near = FAR_MAP.replace("5000", "1").replace("900000", "")
+        self.assertEqual(brash.IceSheet(near).area, 6.0 + 3 / 2**30)
+        with self.assertRaisesRegex(brash.InputError, r"is beyond .*read_map\(\) reads projected maps"):
+            brash.IceSheet(FAR_MAP)
+
+    def test_sizes_of_polygons_and_files(self):
+        squares = [[[x, 0], [x + a, 0], [x + a, a], [x, a]] for a, x in zip(range(1, 61), range(-6000, 6000, 200))]
+        sizes = brash.pieces(squares, picture=True)
+        self.assertEqual((sizes["n"], sizes["area"]), (60, 73810))
+        self.assertTrue(sizes["picture"].startswith("<svg"))
+        self.assertEqual([fit["law"] for fit in sizes["fits"]], ["log-normal", "Weibull", "power law of the tail"])
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "map.geojson"
+            path.write_text(FAR_MAP)
+            self.assertEqual(brash.pieces(path)["n"], 1)
+        for bad in ([], 7, "/none/of/this.wkt"):
+            with self.assertRaises(brash.InputError):
+                brash.pieces(bad)
 
 
 class Sheets(unittest.TestCase):

@@ -79,7 +79,7 @@ tl::expected<Ring, GeometryError> ring_from_cgal(const CGAL::Polygon_2<Kernel>& 
            << ") " << (x ? y.error() : x.error());
       return tl::unexpected(GeometryError{what.str()});
     }
-    ring.push_back({*x, *y});
+    ring.push_back(Point::of_units(*x, *y));
   }
   if (signed_area(ring) == ExactArea{}) return tl::unexpected(GeometryError{"the ring has no area"});
   return ring;

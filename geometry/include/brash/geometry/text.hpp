@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,27 +10,39 @@
 #include <vector>
 
 #include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/origin.hpp"
 
 namespace brash::geometry {
 
-/// POLYGON for one polygon, else MULTIPOLYGON, in metres with 17 significant digits: from_wkt() gives back the same
-/// grid points in the same order.
-std::string to_wkt(std::span<const Polygon> polygons);
+/// POLYGON for one polygon, else MULTIPOLYGON, in metres. from_wkt() with the same origin gives back the same grid
+/// points in the same order.
+///
+/// @param origin  where the grid has its zero in the coordinates of the text; numbers have 17 significant digits
+/// without
+///                one, else the fewest decimals that read to the same grid point.
+std::string to_wkt(std::span<const Polygon> polygons, const Origin& origin = {});
 
 /// Reads POLYGON and MULTIPOLYGON geometries, one or several after one another; lower case and EMPTY too.
 ///
-/// Coordinates are plan metres within +-kMaxCoordinate and are rounded to the grid. Rings must be closed (the last
-/// position equals the first) and keep an area on the grid; either orientation is read, outlines come out
-/// counter-clockwise and holes clockwise. IceSheet::from_polygons checks that rings neither cross nor overlap.
+/// Coordinates are plan metres within +-kMaxCoordinate of `origin`. Their difference from it is exact in decimals and
+/// is then rounded to the grid. Rings must be closed (the last position equals the first) and keep an area on the grid;
+/// either orientation is read, outlines come out counter-clockwise and holes clockwise. IceSheet::from_polygons checks
+/// that rings neither cross nor overlap.
 ///
 /// @return the polygons, or the error: "line L, column C: ...", both from 1, columns in bytes.
-tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text);
+tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text, const Origin& origin = {});
 
 /// Reads LINESTRING and MULTILINESTRING geometries, one or several after one another, as the straight cracks between
 /// their positions, in their order. Coordinates as in from_wkt(). Two positions on one grid point make no crack.
 ///
 /// @return the cracks, or the error as of from_wkt().
-tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text);
+tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text, const Origin& origin = {});
+
+/// The same from LineString and MultiLineString of a GeoJSON text, alone or in features and collections.
+tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_view text, const Origin& origin = {});
+
+/// True when `text` begins as JSON does, after a byte order mark and space.
+bool is_json(std::string_view text);
 
 /// One GeoJSON feature.
 struct Feature {
@@ -41,14 +54,39 @@ struct Feature {
   friend bool operator==(const Feature&, const Feature&) = default;
 };
 
-/// A FeatureCollection, one feature a line, with `kind`, `id` and the exact area [m2] as text in the properties.
+/// Polygons with their place on the earth.
+struct Map {
+  std::vector<Feature> features;
+  /// Where the grid has its zero, in the coordinates of the file.
+  Origin origin;
+  /// The member `crs` of a GeoJSON file as it is written; empty where there is none.
+  std::string crs;
+  /// Nothing says what the coordinates are, and all could be longitudes and latitudes beyond 40 degrees.
+  bool looks_like_degrees = false;
+
+  friend bool operator==(const Map&, const Map&) = default;
+};
+
+/// A FeatureCollection, one feature a line. Properties: `kind`, `id`, `area` [m2] and `area_exact`, every digit of the
+/// area as text.
 std::string to_geojson(std::span<const Feature> features);
+/// The same with the members `crs` and `origin`, where the map has them: read_map() gives back the same map.
+std::string map_to_geojson(const Map& map);
 
 /// Reads a FeatureCollection, Feature, Polygon, MultiPolygon or GeometryCollection, nested up to 64 deep.
 ///
-/// Rings as in from_wkt(). Without `kind` a feature is `sheet`, without `id` it has its number in the file, from 0; the
-/// members of a multi-part feature share both. Every other property and member is passed over; another geometry, a
-/// height in a position or a feature without geometry is an error, also with line and column.
-tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text);
+/// Rings as in from_wkt(). A geographic `crs`, whose coordinates are degrees, is an error. Without `kind` a feature is
+/// `sheet`, without `id` it has its number in the file, from 0; the members of a multi-part feature share both. Every
+/// other property and member is passed over; another geometry, a height in a position or a feature without geometry is
+/// an error, also with line and column.
+tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text, const Origin& origin = {});
+
+/// Reads a WKT or GeoJSON text onto the grid around an origin.
+///
+/// @param origin  in the coordinates of the text. Without one it is the member `origin` of the text, if all coordinates
+///                lie within kMaxCoordinate of it, else zero, if they lie so around it, else the middle of the data,
+///                rounded.
+/// @return the map, polygons of a WKT text as sheet; or the error as of from_wkt().
+tl::expected<Map, GeometryError> read_map(std::string_view text, const std::optional<Origin>& origin = {});
 
 }  // namespace brash::geometry

@@ -29,7 +29,7 @@ Loops difference(const std::vector<geometry::Polygon>& ice, const geometry::Ring
   Loops loops;
   for (const ClipperLib::Path& path : rest) {
     std::vector<Vec2>& loop = loops.emplace_back();
-    for (const ClipperLib::IntPoint& p : path) loop.push_back(metres(geometry::Point{p.X, p.Y}));
+    for (const ClipperLib::IntPoint& p : path) loop.push_back(metres(geometry::Point::of_units(p.X, p.Y)));
   }
   return loops;
 }

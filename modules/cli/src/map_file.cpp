@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/core/text.hpp"
+#include "brash/core/write_file.hpp"
+#include "messages.hpp"
+
+namespace brash::cli {
+namespace {
+
+using geometry::Map;
+using geometry::Origin;
+
+bool is_wkt(const std::string& path) { return std::filesystem::path(path).extension() == ".wkt"; }
+
+std::string to_lines_of_wkt(const Map& map) {
+  std::string text;
+  for (const geometry::Feature& f : map.features) text += geometry::to_wkt(std::span(&f.polygon, 1), map.origin) + '\n';
+  return text.empty() ? geometry::to_wkt({}) + '\n' : text;
+}
+
+}  // namespace
+
+void refuse_polygons(const std::string& where, const std::string& what) {
+  throw InputError(Complaint{where, what,
+                             "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON: closed rings of finite metres "
+                             "that neither cross nor overlap, holes inside their outline",
+                             "correct what is named; docs/reference/command.md describes such files"});
+}
+
+std::optional<Origin> origin_option(const std::string& command, const std::string& value) {
+  if (value.empty()) return std::nullopt;
+  const auto origin = geometry::origin_from_text(value);
+  if (!origin) {
+    throw InputError(Complaint{command, fmt::format("--origin = '{}' is no place", printable(value)),
+                               "X,Y in the coordinates of the file, such as 500000,7000000", "change the option"});
+  }
+  return origin;
+}
+
+Map read_map_file(const std::string& path, const std::optional<Origin>& origin) {
+  auto map = geometry::read_map(read_text_file(path, "a sheet (WKT or GeoJSON)", kMostMebibytes), origin);
+  if (!map) refuse_polygons(path, map.error().what);
+  return *std::move(map);
+}
+
+void say_place(const std::string& path, const Map& map, bool origin_is_given) {
+  if (map.looks_like_degrees) {
+    say("warning: degrees: {}: all coordinates could be longitudes and latitudes. They are read as metres. Project "
+        "such "
+        "a file first (ogr2ogr -t_srs EPSG:CODE), or give --origin 0,0 if they are metres\n",
+        path);
+  }
+  if (!origin_is_given && map.origin != Origin{}) say("{}: the origin is {}\n", path, to_string(map.origin));
+}
+
+std::vector<geometry::Crack> read_lines_file(const std::string& path, const Origin& origin) {
+  const std::string text = read_text_file(path, "lines (WKT or GeoJSON)", kMostMebibytes);
+  auto cracks =
+      geometry::is_json(text) ? geometry::cracks_from_geojson(text, origin) : geometry::cracks_from_wkt(text, origin);
+  if (cracks) return *std::move(cracks);
+  throw InputError(Complaint{path, cracks.error().what,
+                             "LINESTRING or MULTILINESTRING (WKT) or their like in GeoJSON, in plan metres",
+                             "correct the line; areas to take out are polygons and go to --cutters"});
+}
+
+void check_map_name(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension();
+  constexpr std::array<std::string_view, 4> kKnown{"", ".geojson", ".json", ".wkt"};
+  if (std::ranges::find(kKnown, ending) != kKnown.end()) return;
+  throw InputError(Complaint{path, fmt::format("'{}' is no format that is written", printable(ending)),
+                             "a name that ends in .geojson or .json (GeoJSON) or in .wkt (WKT)",
+                             "change the name; ogr2ogr makes other formats of GeoJSON"});
+}
+
+void write_map_file(const std::string& path, const Map& map) {
+  if (!is_wkt(path)) return write_file(path, geometry::map_to_geojson(map));
+  write_file(path, to_lines_of_wkt(map));
+  const auto is_floe = [](const geometry::Feature& f) { return f.kind == "floe"; };
+  const bool is_mixed = std::ranges::any_of(map.features, is_floe);
+  if (is_mixed || !map.crs.empty()) {
+    say("{}: WKT has no kinds, ids and coordinate reference system; every polygon is read back as sheet. GeoJSON keeps "
+        "them\n",
+        path);
+  }
+}
+
+}  // namespace brash::cli
