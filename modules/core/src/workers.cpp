@@ -179,7 +179,7 @@ class Workers::Team {
   std::vector<Share> shares_;
   Loop loop_;
   Call call_;
-  alignas(64) std::atomic<std::size_t> done_{0};  ///< chunks
+  alignas(64) std::atomic<std::size_t> done_{0};      ///< chunks
   alignas(64) std::atomic<std::uint32_t> number_{0};  ///< of the loop; goes round
   std::atomic<bool> ended_{false};
   FirstError error_;
