@@ -72,8 +72,8 @@ void ContactSet::find(const Part& part, Body& second, Search& search, std::vecto
   for (const auto& met : second.parts)
     if (within_reach(box(part), box(*met), 0.0) &&
         search.narrow_phase.find({&part, met.get()}, search.beside_first, search.beside(part, *met)))
-      contacts.push_back(
-          {part.body, &second, part.number, search.narrow_phase.normal, search.narrow_phase.patch, law(second)});
+      contacts.push_back({part.body, &second, part.number, search.narrow_phase.normal, search.narrow_phase.patch,
+                          law(second), part.body->is_free() || second.is_free()});
 }
 
 /// The parts that continue the solid of the second part. The parts of the sheet that the first part meets continue each
@@ -109,7 +109,14 @@ void ContactSet::add(std::span<const GivenContact> given, const std::function<Bo
     Body* const other = g.other == kNoBody ? &ground_ : find_body(g.other);
     Patch patch{.area = g.area, .n_points = 1};
     patch.points[0] = {g.point, g.area};
-    given_.push_back({find_body(g.body), other, 0, g.normal, patch, {g.friction, g.most_normal_force / g.area}});
+    Body* const body = find_body(g.body);
+    given_.push_back({body,
+                      other,
+                      0,
+                      g.normal,
+                      patch,
+                      {g.friction, g.most_normal_force / g.area},
+                      body->is_free() || other->is_free()});
   }
   std::sort(given_.begin(), given_.end(), [](const Contact& a, const Contact& b) {
     const Vec3 &p = a.patch.points[0].position, &q = b.patch.points[0].position;
@@ -120,21 +127,23 @@ void ContactSet::add(std::span<const GivenContact> given, const std::function<Bo
 }
 
 /// Overlap of breakable ice is crushed ice: nothing pushes it apart.
-void ContactSet::add_to(BoundedSolver& solver, double dt) const {
-  for (const Contact* const each : contacts_) {
-    const Contact& contact = *each;
-    if (!contact.moves_a_body()) continue;
+void ContactSet::add_to(BoundedSolver& solver, double dt, Workers& workers) {
+  solved_.clear();
+  for (const Contact* const contact : contacts_)
+    if (contact->moves_a_body) solved_.push_back(contact);
+  solver.add_contacts(solved_.size(), workers, [&](std::size_t i) {
+    const Contact& contact = *solved_[i];
     const ContactLaw& how = contact.law;
     const bool breakable = std::isfinite(how.crushing_pressure);
-    solver.add({.first = contact.first->in_solver,
-                .second = contact.second->in_solver,
-                .normal = contact.normal,
-                .friction = how.friction,
-                .crushing_impulse = dt * how.crushing_pressure,
-                .parting_speed =
-                    breakable ? 0.0 : kPositionCorrection * std::max(0.0, contact.patch.depth - kKeptOverlap) / dt},
-               contact.points());
-  }
+    const double excess = std::max(0.0, contact.patch.depth - kKeptOverlap);
+    return BoundedSolver::Given{{.first = contact.first->in_solver,
+                                 .second = contact.second->in_solver,
+                                 .normal = contact.normal,
+                                 .friction = how.friction,
+                                 .crushing_impulse = dt * how.crushing_pressure,
+                                 .parting_speed = breakable ? 0.0 : kPositionCorrection * excess / dt},
+                                contact.points()};
+  });
 }
 
 PointImpulse ContactSet::crushed(const Contact& contact, const PatchPoint& point, double dt) {
@@ -177,8 +186,10 @@ void ContactSet::list_by_body() {
   std::size_t number = 0, solved = 0;
   for (const Contact* const contact : contacts_) {
     const Body& other = *(contact->reported_turned() ? contact->first : contact->second);
-    listed_[of_body_[body_of(*contact)]++] = {other.id, number++, solved, contact};
-    if (contact->moves_a_body()) solved += contact->points().size();
+    // All the sheet counts as one: a resumed run lays other tiles, with other ids.
+    const BodyId listed = other.kind == BodyKind::kSheet ? kNoBody : other.id;
+    listed_[of_body_[body_of(*contact)]++] = {listed, number++, solved, contact};
+    if (contact->moves_a_body) solved += contact->points().size();
   }
 }
 
@@ -212,7 +223,7 @@ void ContactSet::report_body(std::span<Listed> listed, const BoundedSolver& solv
       for (std::size_t k = 0; k < next->contact->points().size(); ++k) {
         const Contact& contact = *next->contact;
         const PointImpulse impulse =
-            contact.moves_a_body() ? solver.impulse(next->solved + k) : crushed(contact, contact.points()[k], dt);
+            contact.moves_a_body ? solver.impulse(next->solved + k) : crushed(contact, contact.points()[k], dt);
         if (impulse.normal != 0.0 || impulse.friction != Vec3{})
           points.push_back({next->number, impulse, next->contact, &next->contact->points()[k]});
       }

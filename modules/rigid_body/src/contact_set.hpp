@@ -37,7 +37,7 @@ class ContactSet {
   /// The settled floes that another body runs into faster than WorldSettings::release_speed.
   std::vector<Body*> settled_and_hit() const;
   /// Adds all of them to a solver that knows the bodies by their Body::in_solver.
-  void add_to(BoundedSolver& solver, double dt) const;
+  void add_to(BoundedSolver& solver, double dt, Workers& workers);
   /// Fills `loads` with the load of each point that bears any after that solver, sorted by (body, other, point).
   void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads, Workers& workers);
 
@@ -46,8 +46,6 @@ class ContactSet {
   struct Contact {
     /// A pair of floes is reported from the lower id.
     bool reported_turned() const { return first->is_floe() && second->is_floe() && second->id < first->id; }
-    /// Whether its impulses move a body: the solver finds them.
-    bool moves_a_body() const { return first->is_free() || second->is_free(); }
     std::span<const PatchPoint> points() const {
       return std::span(patch.points).first(static_cast<std::size_t>(patch.n_points));
     }
@@ -58,6 +56,7 @@ class ContactSet {
     Vec3 normal;
     Patch patch;
     ContactLaw law;
+    bool moves_a_body;  ///< whether its impulses do: the solver finds them
   };
 
   /// The search of a thread: scratch space.
@@ -110,6 +109,7 @@ class ContactSet {
   std::vector<Search> searches_;  ///< of each worker
   std::vector<Found> found_;      ///< of each chunk of floes
   std::vector<Contact> given_;
+  std::vector<const Contact*> solved_;            ///< those that the solver knows
   std::vector<const Contact*> contacts_;          ///< all, in the order of the step
   std::vector<std::size_t> of_body_;              ///< scratch of report: where the contacts of each body begin
   std::vector<Listed> listed_;                    ///< scratch of report

@@ -90,13 +90,17 @@ void ExactWorld::calculateSimulationIslands() { getSimulationIslandManager()->in
 
 void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info) {
   bounded_.clear(settings().restitution);
+  in_solver_.clear();
   for (Body* body : order()) {
-    const bool fixed = body->kind == BodyKind::kSheet || body->settled;
-    body->in_solver = fixed ? BoundedSolver::kFixed : bounded_.add(to_solver(*body));
+    body->in_solver = BoundedSolver::kFixed;
+    if (body->kind == BodyKind::kSheet || body->settled) continue;
+    in_solver_.push_back(body);
+    body->in_solver = static_cast<std::uint32_t>(in_solver_.size());
   }
+  bounded_.add_bodies(in_solver_.size(), workers(), [this](std::size_t i) { return to_solver(*in_solver_[i]); });
   joints_.add_to(bounded_, constraints, info);
-  contacts_.add_to(bounded_, info.m_timeStep);
-  last_change_ = bounded_.solve(settings().iterations, kStill);
+  contacts_.add_to(bounded_, info.m_timeStep, workers());
+  last_change_ = bounded_.solve(settings().iterations, kStill, workers());
   joints_.write_back(bounded_, info.m_timeStep);
   each_body([this](Body& body) {
     if (!body.is_free()) return;

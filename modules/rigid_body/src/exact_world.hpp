@@ -30,6 +30,7 @@ class ExactWorld final : public BodyWorld {
 
   ContactSet contacts_;
   JointRows joints_;
+  std::vector<Body*> in_solver_;  ///< the bodies that the solver knows, in the order of their numbers there
   std::vector<ContactSet::Meeting> meetings_;  ///< scratch of find_contacts
   BoundedSolver bounded_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Water and world of a step against the number of floes, all of them active, then all of them settled:
-// bench_growth [--alone] [steps] [floes...]. Beside it Bullet's own world steps the same floes, set to the state before
-// each step; with --alone it does not.
+// bench_growth [--alone] [--threads=N] [steps] [floes...]. Beside it Bullet's own world steps the same floes, set to
+// the state before each step; with --alone it does not.
 //
 // Times are the process's own, of single steps; memory is the heap's. A step over few floes is over before a processor
 // that others use too has shown its speed: as many packs of them are made, one after the other, as have 10^4 floes, and
@@ -59,6 +59,7 @@ double wall_seconds() {
 /// What is measured.
 struct Options {
   int n_steps = 5;
+  int threads = 1;
   bool beside_bullet = true;
 };
 
@@ -114,9 +115,11 @@ std::string measure(int n_wanted, int layers, const Options& options) {
   std::size_t n_floes = 0, n_contacts = 0;
   double bytes = 0.0;
   StepTimes sums;
+  Workers workers(options.threads);
   for (int pack = 0; pack < n_packs; ++pack) {
     const double before = allocated();
     Field field(n_wanted, layers, {});
+    field.world.share_work(workers);
     const StepTimes times = step_times(field, n_steps, n_contacts);
     bytes = allocated() - before;
     n_floes = field.floes.floes().size();
@@ -140,9 +143,11 @@ std::string measure(int n_wanted, int layers, const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   std::vector<std::string> numbers;
-  for (const std::string word : std::vector<std::string>(argv + 1, argv + argc)) {
+  for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
     if (word == "--alone")
       options.beside_bullet = false;
+    else if (word.starts_with("--threads="))
+      options.threads = std::stoi(word.substr(word.find('=') + 1));
     else
       numbers.push_back(word);
   }

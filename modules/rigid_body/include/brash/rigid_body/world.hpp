@@ -237,8 +237,8 @@ class World {
   /// Advances all bodies by `dt` [s].
   void step(double dt);
 
-  /// The loads of the contact points in the last step, sorted by (body, other, point). Points that touch and bear
-  /// nothing are left out: most are of floes that drift apart.
+  /// The loads of the contact points in the last step, sorted by (body, other, point); parts of the sheet are one and
+  /// come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
   /// how far the contacts are from solved is more than that. Bullet does not tell it: 0.
