@@ -61,9 +61,9 @@ def real_time():
     return [line("simulated seconds per CPU second, first 10 s of the validation case, results written", samples)]
 
 
-def steps(floes, n_steps):
+def steps(floes, n_steps, *options):
     """Water and world of single steps of fields of floes, all active: rows of bench_growth."""
-    output = subprocess.run([str(BIN / "bench_growth"), str(n_steps), *map(str, floes)], cwd=ROOT, check=True,
+    output = subprocess.run([str(BIN / "bench_growth"), *options, str(n_steps), *map(str, floes)], cwd=ROOT, check=True,
                             stdout=subprocess.PIPE).stdout
     return json.loads(output)
 
@@ -92,6 +92,19 @@ def growth():
                           a + b for a, b in zip(row["water_s"], row["world_s"])) for row in largest], "<= 0.01"))
     lines.append(line("kilobytes on the heap per floe, 10^4 floes", [1e-3 * rubble[-1]["bytes"] / rubble[-1]["floes"]]))
     return lines
+
+
+def threads():
+    """2. Two threads against one, wall time of water and world: it needs two idle cores."""
+    limits = {300: ">= 1.5", 10000: ">= 1.8"}
+    times = {(n, of): [] for n in limits for of in (1, 2)}
+    for _ in range(REPETITIONS):
+        for of in (1, 2):
+            for row in steps(limits, 9, "--alone", f"--threads={of}"):
+                if row["layers"] == 3:
+                    times[min(limits, key=lambda n: abs(n - row["floes"])), of].append(statistics.median(row["wall_s"]))
+    return [line(f"wall time of a step on one thread / on two, {n} floes of rubble", ratios(times[n, 1], times[n, 2]), limit)
+            for n, limit in limits.items()]
 
 
 def length():
@@ -230,10 +243,10 @@ def build():
 
 
 LINES = {function.__name__: function
-         for function in (coupled, real_time, growth, length, channel, water, geometry, failure, plate, rigid_bodies,
-                          rigid_body_peers, campaign, workers, recording, build)}
-TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "channel": ["brash_python"], "water": ["bench_growth"],
-           "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
+         for function in (coupled, real_time, growth, threads, length, channel, water, geometry, failure, plate,
+                          rigid_bodies, rigid_body_peers, campaign, workers, recording, build)}
+TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "threads": ["bench_growth"],
+           "channel": ["brash_python"], "water": ["bench_growth"], "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
            "rigid_bodies": ["bench_rigid_bodies"], "rigid_body_peers": ["bench_rigid_bodies"]}
 
 NOT_MEASURED = """**Siconos and Yade** were not run on the pack of 174 floes that ODE steps above. Single steps show that they take a minute and

@@ -12,6 +12,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/text.hpp"
+#include "brash/core/workers.hpp"
 #include "brash/failure/criterion.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
@@ -170,8 +171,8 @@ recording::Inputs inputs_in(const Manifest& manifest, const std::string& path) {
 
 void run_into(const std::string& folder, const recording::Inputs& inputs) {
   const FolderLock lock = open_run_folder(folder);
-  const simulation::Run run =
-      run_with_progress(inputs.resolved, {.begun = [&] { recording::expect_unchanged(inputs); }});
+  const simulation::Run run = run_with_progress(
+      inputs.resolved, {.begun = [&] { recording::expect_unchanged(inputs); }, .threads = Workers::available()});
   if (!run.complete) throw Interrupted("interrupted; nothing is kept");
   write_run_folder(folder, inputs, run);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "brash/core/workers.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/report/report.hpp"
@@ -30,6 +31,7 @@ struct RunOptions {
   bool resume = false;
   bool replace = false;
   bool view = false;
+  int threads = 0;  ///< 0: one for each processor
 };
 
 void run_case(const RunOptions& options) {
@@ -49,7 +51,8 @@ void run_case(const RunOptions& options) {
                                    recording::expect_unchanged(inputs);
                                    remove_run(directory);
                                  },
-                             .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs)};
+                             .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs),
+                             .threads = options.threads > 0 ? options.threads : Workers::available()};
   std::optional<LiveView> view;
   if (options.view) {
     catch_requests_to_end();  // whoever reads the address may ask for the end
@@ -85,6 +88,11 @@ void add_run_command(CLI::App& app) {
       command->add_flag("--resume", options->resume, "go on from the newest checkpoint in the folder of the results");
   command->add_flag("--replace", options->replace, "begin at 0 s where the folder holds a run already")
       ->excludes(resume);
+  constexpr int kMostThreads = 1024;
+  command
+      ->add_option("--threads", options->threads,
+                   "how many share the work [one for each processor]; results do not depend on it")
+      ->check(CLI::Range(1, kMostThreads));
   command->add_flag("--view", options->view, "show the run in a browser on this machine while it goes on");
   command->footer("Example: brash run cone.toml -o results/cone --seed 2 --set \"ice.thickness='0.4 m'\"");
   command->callback([options, seed] {

@@ -120,8 +120,9 @@ std::string energy(const simulation::EnergyBalance& e) {
 }
 
 std::string speed(const model::Case& resolved, const simulation::Run& run) {
-  std::string text = fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s):",
-                                 (resolved.time.duration - run.resumed_from) / run.wall_seconds, run.wall_seconds);
+  std::string text = fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s, {} thread{}):",
+                                 (resolved.time.duration - run.resumed_from) / run.wall_seconds, run.wall_seconds,
+                                 run.threads, run.threads == 1 ? "" : "s");
   simulation::visit_stages(run.stage_times, [&](const char* name, double seconds) {
     text += fmt::format(" {} {:.0f} %", name, 100.0 * seconds / run.wall_seconds);
   });

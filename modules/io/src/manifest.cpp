@@ -63,6 +63,7 @@ void write_manifest(const std::string& directory, const model::Case& resolved, c
   manifest["volatile"] = {{"started_at", context.started_at},
                           {"wall_seconds", context.wall_seconds},
                           {"stage_seconds", context.stage_seconds},
+                          {"threads", context.threads},
                           {"host_cpu", context.host_cpu.empty() ? cpu_name() : context.host_cpu}};
   write_file((folder / "manifest.json").string(), manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

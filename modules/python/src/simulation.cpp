@@ -48,10 +48,19 @@ std::array<Array, 2> pair_of_arrays(const py::object& pair, const char* name) {
   return {numbers(items[0], name), numbers(items[1], name)};
 }
 
+/// @throws InputError unless it is a number of threads.
+int checked(int threads) {
+  constexpr int kMost = 1024;
+  if (threads < 1 || threads > kMost)
+    throw InputError(fmt::format("threads = {}: a number from 1 to {} is expected", threads, kMost));
+  return threads;
+}
+
 /// A simulation, the records of its floes, and the flag that keeps a second thread out while it steps.
 class LiveSimulation {
  public:
-  explicit LiveSimulation(const Case& c) : simulation_(c.resolved), records_(by_id(simulation_.initial_births())) {}
+  LiveSimulation(const Case& c, int threads)
+      : simulation_(c.resolved, checked(threads)), records_(by_id(simulation_.initial_births())) {}
 
   Steps step(py::ssize_t n, const py::object& pose, const py::object& twist) {
     if (n < 0) throw InputError(fmt::format("n = {}: a number of steps is expected", n));
@@ -143,7 +152,7 @@ recording::Inputs inputs_of(const Case& c) {
   return recording::inputs_of("case.toml", io::to_toml(c.resolved), c.resolved);
 }
 
-simulation::Run run(const Case& c, const py::object& output, bool resume, bool replace) {
+simulation::Run run(const Case& c, const py::object& output, bool resume, bool replace, int threads) {
   if (resume && output.is_none()) throw InputError("resume: name the folder of the interrupted run as output");
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
@@ -156,6 +165,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
       cli::remove_run(directory);
     }
   };
+  options.threads = checked(threads);
   SignalPoll poll;
   options.interrupted = [&] { return poll.raised(); };
   simulation::Run finished;
@@ -190,9 +200,10 @@ void add_run(py::module_& m) {
       .def_readonly("wall_seconds", &Run::wall_seconds);
   m.attr("Case").attr("run") = py::cpp_function(
       &run, py::name("run"), py::is_method(m.attr("Case")), py::arg("output") = py::none(), py::arg("resume") = false,
-      py::arg("replace") = false,
+      py::arg("replace") = false, py::arg("threads") = 1,
       "Runs the case to its end and returns a Run; with `output` it leaves there what `brash run` leaves.\n\n"
       "A folder that holds a run already is refused without replace=True. "
+      "threads share out the work of a step; results do not depend on their number. "
       "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there.");
 }
 
@@ -215,7 +226,9 @@ void add_simulation(py::module_& m) {
 >>> steps = simulation.step(100)
 >>> steps.loads["Fx"].max()                                     # [N]
 >>> [floe.rings[0] for floe in simulation.frame().floes]        # outlines, shape (n, 3) [m])")
-      .def(py::init<const Case&>(), py::arg("case"), "Lays the sheet, cuts the initial crack, places the structure.")
+      .def(py::init<const Case&, int>(), py::arg("case"), py::arg("threads") = 1,
+           "Lays the sheet, cuts the initial crack, places the structure.\n\n"
+           "threads share out the work of a step; results do not depend on their number.")
       .def(
           "step", &LiveSimulation::step, py::arg("n") = 1, py::kw_only(), py::arg("pose") = py::none(),
           py::arg("twist") = py::none(),

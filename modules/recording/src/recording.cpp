@@ -93,7 +93,8 @@ void write_run(const std::string& directory, const Inputs& inputs, const simulat
                      {.started_at = run.started_at,
                       .wall_seconds = run.wall_seconds,
                       .host_cpu = {},
-                      .stage_seconds = std::move(stage_seconds)});
+                      .stage_seconds = std::move(stage_seconds),
+                      .threads = run.threads});
 }
 
 void remove_results(const std::string& directory) {

@@ -61,6 +61,7 @@ struct Body {
   Box box;                        ///< of its parts where it is now
   bool box_is_known = false;      ///< to Bullet's broad phase
   bool sought = false;            ///< its neighbours are, just now
+  std::vector<Body*> beside;      ///< scratch of the search: bodies whose boxes are within reach
   std::vector<const Part*> near;  ///< scratch of the search for neighbours
   std::vector<std::unique_ptr<Part>> parts;
   std::vector<std::unique_ptr<btConvexHullShape>> hulls;  ///< one for each part, or none
@@ -80,6 +81,12 @@ struct Body {
   /// Brings the parts and Bullet's body to the present pose.
   void place();
   double kinetic_energy() const;
+};
+
+/// Two bodies whose boxes overlap, in the order in which a contact between them is handled.
+struct BodyPair {
+  Body* first;  ///< a floe
+  Body* second;
 };
 
 /// Pose after moving with `twist` for `dt` [s], Eqs. 9, 10: the rotation at constant angular velocity.

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "brash/core/contract.hpp"
@@ -137,34 +138,34 @@ void BodyWorld::step(double dt) {
 }
 
 void BodyWorld::predictUnconstraintMotion(btScalar dt) {
-  for (Body* body : order_) {
-    if (body->kind == BodyKind::kStructure && !body->is_free() && !body->moved) body->twist = {};
-    btRigidBody& b = *body->bullet;
-    b.setLinearVelocity(to_bullet(body->twist.linear));
-    b.setAngularVelocity(to_bullet(body->twist.angular));
-    body->loaded_twist = body->twist;
-    if (!body->is_free()) continue;
+  each_body([dt](Body& body) {
+    if (body.kind == BodyKind::kStructure && !body.is_free() && !body.moved) body.twist = {};
+    btRigidBody& b = *body.bullet;
+    b.setLinearVelocity(to_bullet(body.twist.linear));
+    b.setAngularVelocity(to_bullet(body.twist.angular));
+    body.loaded_twist = body.twist;
+    if (!body.is_free()) return;
     b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
     b.clearForces();
-    b.applyCentralForce(to_bullet(body->load.force));
-    b.applyTorque(to_bullet(body->load.moment));
+    b.applyCentralForce(to_bullet(body.load.force));
+    b.applyTorque(to_bullet(body.load.moment));
     b.integrateVelocities(dt);
     b.clearForces();
-    if (body->mass.added_across > 0.0)
-      b.setLinearVelocity(to_bullet(body->twist.linear + dt * velocity_of(body->mass, body->pose, body->load.force)));
-    body->loaded_twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
-  }
+    if (body.mass.added_across > 0.0)
+      b.setLinearVelocity(to_bullet(body.twist.linear + dt * velocity_of(body.mass, body.pose, body.load.force)));
+    body.loaded_twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
+  });
 }
 
 void BodyWorld::average_velocities() {
-  for (Body* body : order_) {
-    body->start_twist = body->twist;
-    body->mean_twist = body->twist;
-    if (!body->is_free()) continue;
-    const Vec3 linear = from_bullet(body->bullet->getLinearVelocity());
-    const Vec3 angular = from_bullet(body->bullet->getAngularVelocity());
-    body->mean_twist = {0.5 * (body->twist.linear + linear), 0.5 * (body->twist.angular + angular)};
-  }
+  each_body([](Body& body) {
+    body.start_twist = body.twist;
+    body.mean_twist = body.twist;
+    if (!body.is_free()) return;
+    const Vec3 linear = from_bullet(body.bullet->getLinearVelocity());
+    const Vec3 angular = from_bullet(body.bullet->getAngularVelocity());
+    body.mean_twist = {0.5 * (body.twist.linear + linear), 0.5 * (body.twist.angular + angular)};
+  });
 }
 
 void BodyWorld::finish(Body& body, const Pose& pose) {
@@ -192,18 +193,41 @@ void BodyWorld::updateAabbs() {
   }
 }
 
-const std::vector<BodyWorld::Pair>& BodyWorld::sorted_pairs() {
-  pairs_.clear();
-  btBroadphasePairArray& known = tree.getOverlappingPairCache()->getOverlappingPairArray();
-  for (int i = 0; i < known.size(); ++i) {
-    Body* first = &body_of(*known[i].m_pProxy0);
-    Body* second = &body_of(*known[i].m_pProxy1);
-    if (!within_reach(first->box, second->box, 0.0)) continue;
-    if (place(*second) < place(*first)) std::swap(first, second);
-    pairs_.push_back({first, second, &known[i]});
-  }
-  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
-    return std::pair(p.first->rank, p.second->rank) < std::pair(q.first->rank, q.second->rank);
+/// @param task  takes the two bodies, and the list that its chunk of the pairs fills for the caller; lists come in the
+///              order of the pairs.
+template <typename Task>
+void BodyWorld::each_known_pair(Task&& task) {
+  constexpr std::size_t kPairs = 1024;  // at some 10 ns for each
+  const btBroadphasePairArray& known = tree.getOverlappingPairCache()->getOverlappingPairArray();
+  const auto n = static_cast<std::size_t>(known.size());
+  some_pairs_.resize(n / kPairs + 1);
+  for (std::vector<BodyPair>& list : some_pairs_) list.clear();
+  workers_->chunks(n, kPairs, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const btBroadphasePair& pair = known[static_cast<int>(i)];
+      task(body_of(*pair.m_pProxy0), body_of(*pair.m_pProxy1), some_pairs_[begin / kPairs]);
+    }
+  });
+}
+
+/// Pairs are dealt out to their first bodies and sorted there.
+const std::vector<BodyPair>& BodyWorld::sorted_pairs() {
+  each_known_pair([](Body& a, Body& b, std::vector<BodyPair>& pairs) {
+    if (!within_reach(a.box, b.box, 0.0)) return;
+    const bool turn = place(b) < place(a);
+    pairs.push_back({turn ? &b : &a, turn ? &a : &b});
+  });
+  of_first_.assign(order_.size() + 1, 0);
+  for (const std::vector<BodyPair>& list : some_pairs_)
+    for (const BodyPair& pair : list) ++of_first_[static_cast<std::size_t>(pair.first->rank) + 1];
+  std::partial_sum(of_first_.begin(), of_first_.end(), of_first_.begin());
+  pairs_.resize(of_first_.back());
+  for (const std::vector<BodyPair>& list : some_pairs_)
+    for (const BodyPair& pair : list) pairs_[of_first_[static_cast<std::size_t>(pair.first->rank)]++] = pair;
+  workers_->each(order_.size(), kBodies, [&](std::size_t rank) {
+    const auto at = [&](std::size_t i) { return pairs_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(at(rank == 0 ? 0 : of_first_[rank - 1]), at(of_first_[rank]),
+              [](const BodyPair& p, const BodyPair& q) { return p.second->rank < q.second->rank; });
   });
   return pairs_;
 }
@@ -217,17 +241,21 @@ void BodyWorld::find_near(std::span<const BodyId> floes, double reach) {
     get(id).near.clear();
     get(id).sought = true;
   }
-  const btBroadphasePairArray& known = tree.getOverlappingPairCache()->getOverlappingPairArray();
-  for (int i = 0; i < known.size(); ++i) {
-    Body &a = body_of(*known[i].m_pProxy0), &b = body_of(*known[i].m_pProxy1);
-    if (!(a.sought || b.sought) || !within_reach(a.box, b.box, reach)) continue;
-    if (a.sought) collect_near(a, b, reach);
-    if (b.sought) collect_near(b, a, reach);
-  }
-  for (const BodyId id : floes) {
-    get(id).sought = false;
-    sort_by_place(get(id).near);
-  }
+  each_known_pair([reach](Body& a, Body& b, std::vector<BodyPair>& pairs) {
+    if ((a.sought || b.sought) && within_reach(a.box, b.box, reach)) pairs.push_back({&a, &b});
+  });
+  for (const std::vector<BodyPair>& list : some_pairs_)
+    for (const auto& [a, b] : list) {
+      if (a->sought) a->beside.push_back(b);
+      if (b->sought) b->beside.push_back(a);
+    }
+  workers_->each(floes.size(), kBodies / 8, [&](std::size_t i) {
+    Body& body = get(floes[i]);
+    body.sought = false;
+    for (const Body* other : body.beside) collect_near(body, *other, reach);
+    body.beside.clear();
+    sort_by_place(body.near);
+  });
 }
 
 }  // namespace brash::rigid_body

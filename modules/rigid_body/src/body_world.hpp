@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "body.hpp"
+#include "brash/core/workers.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "links.hpp"
 
@@ -40,6 +41,9 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   BodyWorld& operator=(const BodyWorld&) = delete;
 
   const WorldSettings& settings() const { return settings_; }
+  /// Who shares out the loops over bodies and contacts; at first the calling thread alone.
+  void share_work(Workers& workers) { workers_ = &workers; }
+  Workers& workers() { return *workers_; }
   bool contains(BodyId id) const;
   Body& get(BodyId id);
   const std::vector<std::unique_ptr<Body>>& all() const { return bodies; }
@@ -62,15 +66,11 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   void updateAabbs() override;
 
  protected:
-  /// Two bodies whose boxes overlap, in the order in which a contact between them is handled.
-  struct Pair {
-    Body* first;  ///< a floe
-    Body* second;
-    btBroadphasePair* pair;
-  };
+  /// Bodies that a thread takes at a time, at some 0.1 us for each.
+  static constexpr std::size_t kBodies = 128;
 
   /// The pairs that Bullet's broad phase knows now, in the order of the step.
-  const std::vector<Pair>& sorted_pairs();
+  const std::vector<BodyPair>& sorted_pairs();
   /// Contacts of this step that were found outside the world.
   const std::vector<GivenContact>& given() const { return given_; }
   /// The bodies in the order of the step.
@@ -94,6 +94,11 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   static void finish(Body& body, const Pose& pose);
   /// Ends the step of any other.
   static void move_as_told(Body& body);
+  /// Calls `task` for each body in the order of the step, several at a time.
+  template <typename Task>
+  void each_body(Task&& task) {
+    workers_->each(order_.size(), kBodies, [&](std::size_t i) { task(*order_[i]); });
+  }
 
   std::vector<ContactLoad> loads_;
   double last_change_ = 0.0;
@@ -103,12 +108,20 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   void bring_into_order();
   void list_as_moving(const Body& body, bool moves);
 
+  /// Calls `task` for all pairs that Bullet's broad phase knows, several at a time.
+  template <typename Task>
+  void each_known_pair(Task&& task);
+
   WorldSettings settings_;
-  std::vector<Body*> by_index_;  ///< of every body there has been; null where it is gone
-  std::vector<BodyId> moving_;   ///< floes that are not settled, sorted
-  std::vector<Body*> order_;     ///< the order of the last step; empty when bodies came or went since
-  double reach_ = 0.0;           ///< of the last search for neighbours [m]
-  std::vector<Pair> pairs_;
+  Workers alone_{1};
+  Workers* workers_ = &alone_;
+  std::vector<Body*> by_index_;                    ///< of every body there has been; null where it is gone
+  std::vector<BodyId> moving_;                     ///< floes that are not settled, sorted
+  std::vector<Body*> order_;                       ///< the order of the last step; empty when bodies came or went since
+  double reach_ = 0.0;                             ///< of the last search for neighbours [m]
+  std::vector<std::vector<BodyPair>> some_pairs_;  ///< scratch: of each chunk of the pairs that Bullet knows
+  std::vector<std::size_t> of_first_;              ///< scratch of sorted_pairs
+  std::vector<BodyPair> pairs_;
   std::vector<GivenContact> given_;
   Links links_{*this};
 };

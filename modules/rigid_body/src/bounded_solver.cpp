@@ -13,144 +13,10 @@ namespace {
 /// (docs/theory/dynamics.md, (C3)).
 double most_momentum(int iterations) { return std::max(0.0, 1.0 - 10.0 / iterations); }
 
-Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
-  return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)};
-}
-
-/// Velocity along `direction`, unit, per impulse along it [1/kg].
-double mobility_along(const SolverBody& body, Vec3 direction) {
-  if (body.stretch == 0.0) return body.inverse_mass;
-  const Vec3 s = body.stretched(direction);
-  return body.inverse_mass * dot(s, s);
-}
-
-/// Velocity along `one` per impulse along `other`, two directions at right angles [1/kg].
-double mobility_across(const SolverBody& body, Vec3 one, Vec3 other) {
-  if (body.stretch == 0.0) return 0.0;
-  return body.inverse_mass * dot(body.stretched(one), body.stretched(other));
-}
+/// Bodies that a thread takes at a time, at some 10 ns for each.
+constexpr std::size_t kBodies = 512;
 
 }  // namespace
-
-void BoundedSolver::clear(double restitution) {
-  restitution_ = restitution;
-  bodies_.resize(1);
-  contacts_.clear();
-  normals_.clear();
-  borne_.clear();
-  bearings_.clear();
-  positions_.clear();
-  frictions_.clear();
-  partings_.clear();
-  joints_.clear();
-}
-
-std::uint32_t BoundedSolver::add(const SolverBody& body) {
-  bodies_.push_back(body);
-  return static_cast<std::uint32_t>(bodies_.size() - 1);
-}
-
-void BoundedSolver::add(const SolverContact& contact, std::span<const PatchPoint> points) {
-  contacts_.push_back({.normal = contact.normal,
-                       .direction_a = bodies_[contact.first].stretched(contact.normal),
-                       .direction_b = bodies_[contact.second].stretched(-contact.normal),
-                       .friction = contact.friction,
-                       .first = contact.first,
-                       .second = contact.second,
-                       .n_points = static_cast<std::uint32_t>(points.size())});
-  for (const PatchPoint& point : points) add_point(contact, point);
-}
-
-void BoundedSolver::add(const SolverJoint& joint) {
-  const SolverBody &a = bodies_[joint.first], &b = bodies_[joint.second];
-  const auto& [linear_a, angular_a] = joint.of_first;
-  const auto& [linear_b, angular_b] = joint.of_second;
-  const Vec3 turn_a = times(a.axes, angular_a), turn_b = times(b.axes, angular_b);
-  const Vec3 direction_a = a.stretched(linear_a), direction_b = b.stretched(linear_b);
-  const double mobility = a.inverse_mass * dot(direction_a, direction_a) + dot(turn_a, turn_a) +
-                          b.inverse_mass * dot(direction_b, direction_b) + dot(turn_b, turn_b) + joint.softness;
-  const double velocity = dot(linear_a, a.twist.linear) + dot(angular_a, a.twist.angular) +
-                          dot(linear_b, b.twist.linear) + dot(angular_b, b.twist.angular);
-  joints_.push_back({.direction_a = direction_a,
-                     .direction_b = direction_b,
-                     .row = {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
-                             .turn_b = {turn_b.x, turn_b.y, turn_b.z},
-                             .velocity = velocity - joint.velocity,
-                             .mass = mobility > 0.0 ? 1.0 / mobility : 0.0},
-                     .softness = joint.softness,
-                     .least = joint.least,
-                     .most = joint.most,
-                     .impulse = {},
-                     .first = joint.first,
-                     .second = joint.second});
-}
-
-BoundedSolver::Arms BoundedSolver::arms(std::uint32_t first, std::uint32_t second, Vec3 position) const {
-  const SolverBody &a = bodies_[first], &b = bodies_[second];
-  return {a, b, position - a.position, position - b.position};
-}
-
-/// The velocity comes from the bodies.
-BoundedSolver::Row BoundedSolver::row(const Arms& arms, Vec3 direction) {
-  const auto& [first, second, first_arm, second_arm] = arms;
-  const Vec3 moment_a = cross(first_arm, direction);
-  const Vec3 moment_b = cross(second_arm, -direction);
-  const Vec3 turn_a = times(first.axes, moment_a);
-  const Vec3 turn_b = times(second.axes, moment_b);
-  const double mobility_a = mobility_along(first, direction) + dot(turn_a, turn_a);
-  const double mobility_b = mobility_along(second, direction) + dot(turn_b, turn_b);
-  return {.turn_a = {turn_a.x, turn_a.y, turn_a.z},
-          .turn_b = {turn_b.x, turn_b.y, turn_b.z},
-          .velocity = (dot(direction, first.twist.linear) + dot(moment_a, first.twist.angular)) +
-                      (dot(-direction, second.twist.linear) + dot(moment_b, second.twist.angular)),
-          .mass = 1.0 / (mobility_a + mobility_b)};
-}
-
-void BoundedSolver::add_point(const SolverContact& contact, const PatchPoint& point) {
-  Row& normal = normals_.emplace_back(row(arms(contact.first, contact.second, point.position), contact.normal));
-  Bearing& bearing = bearings_.emplace_back();
-  borne_.push_back(0);
-  positions_.push_back(point.position);
-  if (std::isfinite(contact.crushing_impulse)) bearing.bound = contact.crushing_impulse * point.area;
-  if (contact.parting_speed > 0.0) {
-    partings_.push_back({bodies_[contact.first].stretched(contact.normal),
-                         bodies_[contact.second].stretched(-contact.normal),
-                         normal,
-                         {},
-                         contact.first,
-                         contact.second});
-    partings_.back().row.velocity = -contact.parting_speed;
-  }
-  normal.velocity *= 1.0 + restitution_;
-}
-
-/// @return its number.
-std::uint32_t BoundedSolver::add_friction(const Contact& contact, Vec3 position) {
-  Friction& friction = frictions_.emplace_back();
-  friction.first = contact.first;
-  friction.second = contact.second;
-  friction.tangents = plane_axes(contact.normal);
-  const Arms from_centres = arms(contact.first, contact.second, position);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Vec3 tangent = friction.tangents[k];
-    friction.directions_a[k] = from_centres.first.stretched(tangent);
-    friction.directions_b[k] = from_centres.second.stretched(-tangent);
-    friction.rows[k] = row(from_centres, tangent);
-    friction.rows[k].velocity *= 1.0 + restitution_;
-  }
-  auto& [first, second] = friction.rows;
-  // Slip per impulse in the first direction, in the second, and in one per impulse in the other.
-  const double give_first = 1.0 / first.mass, give_second = 1.0 / second.mass;
-  double across = mobility_across(from_centres.first, friction.tangents[0], friction.tangents[1]) +
-                  mobility_across(from_centres.second, friction.tangents[0], friction.tangents[1]);
-  for (std::size_t i = 0; i < 3; ++i) across += first.turn_a[i] * second.turn_a[i] + first.turn_b[i] * second.turn_b[i];
-  const double determinant = give_first * give_second - across * across;
-  first.mass = give_second / determinant;
-  second.mass = give_first / determinant;
-  friction.coupling = -across / determinant;
-  friction.least_mass = 2.0 / (give_first + give_second + std::hypot(give_first - give_second, 2.0 * across));
-  return static_cast<std::uint32_t>(frictions_.size() - 1);
-}
 
 BoundedSolver::Jacobian::Jacobian(Vec3 direction_a, Vec3 direction_b, const Row& row)
     : a{Pair{direction_a.x, row.turn_a[0]}, Pair{direction_a.y, row.turn_a[1]}, Pair{direction_a.z, row.turn_a[2]}},
@@ -175,6 +41,11 @@ void BoundedSolver::Sweep::add(double velocity, double impulse) {
   change += velocity * impulse;
 }
 
+void BoundedSolver::Sweep::add(const Sweep& part) {
+  largest = std::max(largest, part.largest);
+  change += part.change;
+}
+
 /// Changes a row's impulse within its limits.
 void BoundedSolver::resolve(Moved& a, Moved& b, const Jacobian& jacobian, const Row& row, Limits limits,
                             Impulse& impulse, Sweep& sweep) {
@@ -193,13 +64,14 @@ void BoundedSolver::resolve(Moved& a, Moved& b, const Jacobian& jacobian, const 
 
 /// Eq. 6 as a disc (docs/theory/dynamics.md, (C2)): the impulse that stops the slip where the disc holds it, else a
 /// step against the slip and back to the disc. Counts no less than the change of relative velocity.
-void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, Friction& friction, Sweep& sweep) {
+void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, const Tangents& tangents, Friction& friction,
+                                     Sweep& sweep) {
   auto& [first, second] = friction.impulses;
   const Vec2 before{first.go_on(sweep.momentum), second.go_on(sweep.momentum)};
   if (radius == 0.0 && before == Vec2{}) return;
   const auto& [along_first, along_second] = friction.rows;
-  const Jacobian jacobian_first(friction.directions_a[0], friction.directions_b[0], along_first);
-  const Jacobian jacobian_second(friction.directions_a[1], friction.directions_b[1], along_second);
+  const Jacobian jacobian_first(tangents.directions_a[0], tangents.directions_b[0], along_first);
+  const Jacobian jacobian_second(tangents.directions_a[1], tangents.directions_b[1], along_second);
   const Vec2 slip{along_first.velocity + jacobian_first.velocity(a, b),
                   along_second.velocity + jacobian_second.velocity(a, b)};
   Vec2 wanted = before - Vec2{along_first.mass * slip.x + friction.coupling * slip.y,
@@ -231,65 +103,85 @@ void BoundedSolver::sweep_joints(Sweep& sweep) {
   }
 }
 
-void BoundedSolver::sweep_normals(Sweep& sweep) {
-  rubbing_.clear();
-  std::size_t i = 0;
-  for (const Contact& contact : contacts_) {
-    Moved &a = moved_[contact.first], &b = moved_[contact.second];
-    for (const std::size_t end = i + contact.n_points; i < end; ++i) {
+void BoundedSolver::sweep_normals(Strip& strip) {
+  strip.rubbing.clear();
+  std::size_t i = strip.first_point;
+  for (Contact& contact : std::span(contacts_).subspan(strip.first_contact, strip.n_contacts)) {
+    Moved &a = moved_[contact.bodies.a], &b = moved_[contact.bodies.b];
+    for (std::uint32_t k = 0; k < contact.n_points; ++k, ++i) {
       const Row& row = normals_[i];
       const Jacobian jacobian(contact.direction_a, contact.direction_b, row);
       if (borne_[i] == 0 && row.velocity + jacobian.velocity(a, b) >= 0.0) continue;
       borne_[i] = 1;
       Bearing& bearing = bearings_[i];
-      resolve(a, b, jacobian, row, {0.0, bearing.bound}, bearing.impulse, sweep);
+      resolve(a, b, jacobian, row, {0.0, bearing.bound}, bearing.impulse, strip.sweep);
       const double radius = contact.friction * bearing.impulse.now;
-      if (bearing.friction == kNone && radius > 0.0) bearing.friction = add_friction(contact, positions_[i]);
-      if (bearing.friction != kNone) rubbing_.push_back({bearing.friction, radius});
+      if (bearing.friction == kNone && radius > 0.0) bearing.friction = add_friction(strip, contact, k);
+      if (bearing.friction != kNone) strip.rubbing.push_back({bearing.friction, radius});
     }
   }
 }
 
-void BoundedSolver::sweep_frictions(Sweep& sweep) {
-  for (const auto& [number, radius] : rubbing_) {
-    Friction& friction = frictions_[number];
-    resolve_friction(moved_[friction.first], moved_[friction.second], radius, friction, sweep);
+void BoundedSolver::sweep_frictions(Strip& strip) {
+  for (const auto& [number, radius] : strip.rubbing) {
+    Friction& friction = strip.frictions[number];
+    const Tangents& tangents = strip.tangents[friction.tangents];
+    resolve_friction(moved_[tangents.bodies.a], moved_[tangents.bodies.b], radius, tangents, friction, strip.sweep);
   }
 }
 
-void BoundedSolver::sweep_partings(Sweep& sweep) {
+void BoundedSolver::sweep_partings(Strip& strip) {
   constexpr Limits kPush{0.0, std::numeric_limits<double>::infinity()};
-  for (Parting& p : partings_)
-    resolve(parted_[p.first], parted_[p.second], Jacobian(p.direction_a, p.direction_b, p.row), p.row, kPush, p.impulse,
-            sweep);
+  for (Parting& p : strip.partings)
+    resolve(parted_[p.bodies.a], parted_[p.bodies.b], Jacobian(p.direction_a, p.direction_b, p.row), p.row, kPush,
+            p.impulse, strip.sweep);
+}
+
+/// Every second strip, then the others, then the rest.
+template <typename Task>
+void BoundedSolver::each_strip(Workers& workers, Task&& task) {
+  const std::size_t n = order_.n();
+  workers.each((n + 1) / 2, 1, [&](std::size_t i) { task(strips_[2 * i]); });
+  workers.each(n / 2, 1, [&](std::size_t i) { task(strips_[2 * i + 1]); });
+  task(strips_[n]);
 }
 
 /// Sweeps with `rows` over impulses that move `bodies`. @return the largest change of a relative velocity in the last
 /// sweep [m/s].
 template <typename Rows>
-double BoundedSolver::iterate(std::vector<Moved>& bodies, int iterations, double still, Rows&& rows) {
-  velocities_before_.assign(bodies.size(), {});
+double BoundedSolver::iterate(std::vector<Moved>& bodies, int iterations, double still, Workers& workers, Rows&& rows) {
+  velocities_before_.assign(bodies_.size(), {});
   Sweep last{.largest = std::numeric_limits<double>::infinity(), .change = 0.0};
   double momentum = 0.0;
   for (int i = 0; i < iterations && last.largest > still; ++i) {
     Sweep sweep{.momentum = momentum};
-    for (std::size_t body = 0; body < bodies.size(); ++body) bodies[body].go_on(momentum, velocities_before_[body]);
+    for (std::size_t k = 0; k <= order_.n(); ++k) strips_[k].sweep = sweep;
+    workers.each(bodies_.size(), kBodies,
+                 [&](std::size_t body) { bodies[body].go_on(momentum, velocities_before_[body]); });
     rows(sweep);
+    for (std::size_t k = 0; k <= order_.n(); ++k) sweep.add(strips_[k].sweep);
     momentum = sweep.change < last.change ? most_momentum(iterations) : 0.0;
     last = sweep;
   }
   return last.largest;
 }
 
-double BoundedSolver::solve(int iterations, double still) {
-  moved_.clear();
-  for (const SolverBody& body : bodies_) moved_.push_back({.velocity = {}, .inverse_mass = body.inverse_mass});
+double BoundedSolver::solve(int iterations, double still, Workers& workers) {
+  divide_into_strips();
+  const std::size_t n_strips = order_.n() + 1;
+  workers.each(n_strips, 1, [this](std::size_t i) { fill(i); });
+  moved_.assign(bodies_.size() + n_strips, {});
+  for (std::size_t i = 0; i < bodies_.size(); ++i) moved_[i].inverse_mass = bodies_[i].inverse_mass;
   parted_ = moved_;
-  if (!partings_.empty()) iterate(parted_, iterations, still, [this](Sweep& sweep) { sweep_partings(sweep); });
-  return iterate(moved_, iterations, still, [this](Sweep& sweep) {
+  const bool parts = std::any_of(strips_.begin(), strips_.begin() + static_cast<std::ptrdiff_t>(n_strips),
+                                 [](const Strip& strip) { return !strip.partings.empty(); });
+  if (parts)
+    iterate(parted_, iterations, still, workers,
+            [&](Sweep&) { each_strip(workers, [this](Strip& strip) { sweep_partings(strip); }); });
+  return iterate(moved_, iterations, still, workers, [&](Sweep& sweep) {
     sweep_joints(sweep);
-    sweep_normals(sweep);
-    sweep_frictions(sweep);
+    each_strip(workers, [this](Strip& strip) { sweep_normals(strip); });
+    each_strip(workers, [this](Strip& strip) { sweep_frictions(strip); });
   });
 }
 
@@ -316,11 +208,13 @@ Twist BoundedSolver::twist(std::uint32_t body) const {
 Twist BoundedSolver::parting(std::uint32_t body) const { return parted_[body].twist(bodies_[body]); }
 
 PointImpulse BoundedSolver::impulse(std::size_t point) const {
-  const Bearing& bearing = bearings_[point];
+  const Place& place = places_[point];
+  const Bearing& bearing = bearings_[place.point];
   PointImpulse result{.normal = bearing.impulse.now, .at_bound = bearing.impulse.now >= bearing.bound};
   if (bearing.friction == kNone) return result;
-  const Friction& friction = frictions_[bearing.friction];
-  for (std::size_t k = 0; k < 2; ++k) result.friction += friction.impulses[k].now * friction.tangents[k];
+  const Friction& friction = strips_[place.strip].frictions[bearing.friction];
+  const std::array<Vec3, 2> tangents = plane_axes(given_[place.contact].contact.normal);
+  for (std::size_t k = 0; k < 2; ++k) result.friction += friction.impulses[k].now * tangents[k];
   return result;
 }
 

@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "brash/core/vec.hpp"
+#include "brash/core/workers.hpp"
 #include "overlap.hpp"
+#include "strips.hpp"
 
 namespace brash::rigid_body {
 
@@ -61,9 +64,11 @@ struct PointImpulse {
 /// Sequential impulses (projected Gauss-Seidel) with an upper bound on each normal impulse (Eq. 16) and Coulomb's disc
 /// for friction.
 ///
-/// An iteration goes through the joints, then through the normal rows of all points, then through their friction, in
-/// the order in which they were added, and starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)).
-/// There is no warm start: the result is a function of the added bodies, contacts and joints.
+/// An iteration goes through the joints, then through the normal rows of all points, then through their friction, and
+/// starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)). Joints come in the order in which they
+/// were added. Contacts come by strips of bodies that follow each other as they were added: every second strip, then
+/// the others, and several of them at a time. There is no warm start: the result is a function of the added bodies,
+/// contacts and joints, and of their order.
 ///
 /// Contacts obey Moreau's impact law with one coefficient of restitution e (docs/theory/dynamics.md, (C5)). So they
 /// never gain energy, if e is at most 1 (docs/theory/dynamics.md, (C6)).
@@ -79,11 +84,34 @@ class BoundedSolver {
   std::uint32_t add(const SolverBody& body);
   /// Points are numbered as they come.
   void add(const SolverContact& contact, std::span<const PatchPoint> points);
+  /// A contact whose points stay where they are until the step has been reported.
+  struct Given {
+    SolverContact contact;
+    std::span<const PatchPoint> points;
+  };
+  /// Adds many at a time.
+  /// @param body, contact  give body or contact i, called for several at a time.
+  template <typename Get>
+  void add_bodies(std::size_t n, Workers& workers, Get&& body) {
+    const std::size_t before = bodies_.size();
+    bodies_.resize(before + n);
+    workers.each(n, kAtATime, [&](std::size_t i) { bodies_[before + i] = body(i); });
+  }
+  template <typename Get>
+  void add_contacts(std::size_t n, Workers& workers, Get&& contact) {
+    const std::size_t before = given_.size();
+    given_.resize(before + n);
+    workers.each(n, kAtATime, [&](std::size_t i) { given_[before + i] = contact(i); });
+  }
   /// Joints are numbered as they come.
   void add(const SolverJoint& joint);
   /// Iterates until no row changes a relative velocity by more than `still` [m/s], or `iterations` times.
   /// @return by how much the last iteration changed one at most [m/s].
-  double solve(int iterations, double still);
+  double solve(int iterations, double still, Workers& workers);
+  double solve(int iterations, double still) {
+    Workers alone(1);
+    return solve(iterations, still, alone);
+  }
 
   /// As it was added.
   Twist twist_before(std::uint32_t body) const { return bodies_[body].twist; }
@@ -94,6 +122,8 @@ class BoundedSolver {
   double joint_impulse(std::size_t joint) const { return joints_[joint].impulse.now; }  ///< [N s]
 
  private:
+  static constexpr std::size_t kAtATime = 256;  ///< bodies or contacts that a thread takes, at some 50 ns for each
+
   /// A linear and an angular number side by side.
   using Pair = double __attribute__((vector_size(16)));
   /// A linear and an angular vector: x, y, z.
@@ -110,15 +140,27 @@ class BoundedSolver {
     double velocity = 0.0;  ///< relative velocity before contacts, which is to vanish [m/s]
     double mass = 0.0;      ///< impulse per relative velocity [kg]
   };
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  /// Two bodies by their numbers in `moved_`.
+  struct Bodies {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+  };
   /// The points of a contact follow the points of the contact before.
   struct Contact {
-    Vec3 normal{};
     Vec3 direction_a{};  ///< the normal as the first body's velocities take it, (M2)
     Vec3 direction_b{};  ///< and its opposite as the second's
     double friction = 0.0;
-    std::uint32_t first = kFixed;
-    std::uint32_t second = kFixed;
+    Bodies bodies;
     std::uint32_t n_points = 0;
+    std::uint32_t number = 0;        ///< as it was added
+    std::uint32_t tangents = kNone;  ///< number in Strip::tangents
+  };
+  /// Two directions of a contact that bears, at right angles to the normal and to each other.
+  struct Tangents {
+    std::array<Vec3, 2> directions_a{};  ///< as Contact::direction_a
+    std::array<Vec3, 2> directions_b{};
+    Bodies bodies;
   };
   /// Of one row [N s].
   struct Impulse {
@@ -134,33 +176,28 @@ class BoundedSolver {
       return start;
     }
   };
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   /// The impulse of a point so far, and its bound.
   struct Bearing {
     Impulse impulse;
     double bound = std::numeric_limits<double>::infinity();  ///< of the impulse [N s]
-    std::uint32_t friction = kNone;                          ///< its number in `frictions_`
+    std::uint32_t friction = kNone;                          ///< its number in Strip::frictions
   };
   /// The friction of a point that bears, or did in this step: two rows whose masses are the diagonal of the matrix [kg]
   /// that tells the impulse from the slip.
   struct Friction {
-    std::array<Vec3, 2> tangents{};      ///< unit, at right angles to the normal and to each other
-    std::array<Vec3, 2> directions_a{};  ///< as Contact::direction_a
-    std::array<Vec3, 2> directions_b{};
     std::array<Row, 2> rows;
     double coupling = 0.0;    ///< off the diagonal [kg]
     double least_mass = 0.0;  ///< impulse per slip in the direction in which the bodies give way most [kg]
     std::array<Impulse, 2> impulses;
-    std::uint32_t first = kFixed;
-    std::uint32_t second = kFixed;
+    std::uint32_t tangents = 0;  ///< number in Strip::tangents
   };
   /// Friction on its way from the normals' half of a sweep to its own.
   struct Rubbing {
     std::uint32_t friction = kNone;
     double radius = 0.0;  ///< of the disc [N s]
   };
-  /// The numbers of a body that an iteration changes.
-  struct Moved {
+  /// The numbers of a body that an iteration changes, in a line of the cache.
+  struct alignas(64) Moved {
     Spatial velocity{};         ///< y of the velocity S y (M2), and spins, change so far
     double inverse_mass = 0.0;  ///< [1/kg]
 
@@ -174,8 +211,7 @@ class BoundedSolver {
     Vec3 direction_b{};
     Row row;
     Impulse impulse;
-    std::uint32_t first = kFixed;
-    std::uint32_t second = kFixed;
+    Bodies bodies;
   };
   /// A joint's row. Its bodies may move in different directions.
   struct Joint {
@@ -196,6 +232,25 @@ class BoundedSolver {
     double change = 0.0;    ///< sum over rows of change of impulse times change of relative velocity [J]
 
     void add(double velocity, double impulse);
+    void add(const Sweep& part);
+  };
+  /// Contacts that one thread solves one after the other. Most points bear nothing; an iteration reads only their
+  /// normal rows. A point gets its friction when it first bears something, and frictions lie side by side.
+  struct alignas(64) Strip {
+    std::size_t first_contact = 0;
+    std::size_t first_point = 0;
+    std::size_t n_contacts = 0;
+    std::vector<Tangents> tangents;
+    std::vector<Friction> frictions;
+    std::vector<Rubbing> rubbing;  ///< in the order of the points
+    std::vector<Parting> partings;
+    Sweep sweep;
+  };
+  /// Of a point as it was added.
+  struct Place {
+    std::uint32_t point = 0;    ///< among the points strip by strip
+    std::uint32_t strip = 0;    ///< its number
+    std::uint32_t contact = 0;  ///< as it was added
   };
   struct Limits {
     double lower = 0.0;  ///< [N s]
@@ -219,35 +274,45 @@ class BoundedSolver {
   };
 
   static Row row(const Arms& arms, Vec3 direction);
-  Arms arms(std::uint32_t first, std::uint32_t second, Vec3 position) const;
-  void add_point(const SolverContact& contact, const PatchPoint& point);
-  std::uint32_t add_friction(const Contact& contact, Vec3 position);
+  Arms arms(const SolverContact& contact, Vec3 position) const;
+  bool is_moved(std::uint32_t body) const;
+  void divide_into_strips();
+  void fill(std::size_t number);
+  void fill_point(std::size_t point, Strip& strip, const SolverContact& contact, Bodies bodies, const PatchPoint& at);
+  std::uint32_t add_friction(Strip& strip, Contact& contact, std::size_t point) const;
   static void resolve(Moved& a, Moved& b, const Jacobian& jacobian, const Row& row, Limits limits, Impulse& impulse,
                       Sweep& sweep);
-  static void resolve_friction(Moved& a, Moved& b, double radius, Friction& friction, Sweep& sweep);
+  static void resolve_friction(Moved& a, Moved& b, double radius, const Tangents& tangents, Friction& friction,
+                               Sweep& sweep);
   void sweep_joints(Sweep& sweep);
-  void sweep_normals(Sweep& sweep);
-  void sweep_frictions(Sweep& sweep);
-  void sweep_partings(Sweep& sweep);
+  void sweep_normals(Strip& strip);
+  void sweep_frictions(Strip& strip);
+  void sweep_partings(Strip& strip);
+  template <typename Task>
+  void each_strip(Workers& workers, Task&& task);
   template <typename Rows>
-  double iterate(std::vector<Moved>& bodies, int iterations, double still, Rows&& rows);
+  double iterate(std::vector<Moved>& bodies, int iterations, double still, Workers& workers, Rows&& rows);
 
   double restitution_ = 0.0;
+  // As they were added.
   std::vector<SolverBody> bodies_{1};
+  std::vector<Joint> joints_;
+  std::vector<Given> given_;
+  std::deque<std::vector<PatchPoint>> copies_;  ///< of the points of contacts that were added one by one
+  std::vector<std::size_t> first_points_;       ///< of each contact
+  /// The bodies, and behind them one for each strip that stands for all that its contacts do not move.
   std::vector<Moved> moved_;
+  std::vector<Moved> parted_;               ///< likewise, as far as their positions part
   std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one
+  // Strip by strip. The cost of an iteration is the memory that it goes through.
+  std::vector<Ends> ends_;
+  Strips order_;
+  std::vector<Strip> strips_;  ///< the last is of the contacts that are left for the end
   std::vector<Contact> contacts_;
-  // The cost of an iteration is the memory that it goes through. Most points bear nothing; an iteration reads only
-  // their normal rows. A point gets its friction when it first bears something, and frictions lie side by side.
   std::vector<Row> normals_;
   std::vector<std::uint8_t> borne_;  ///< for each point: 1 once it has borne something
   std::vector<Bearing> bearings_;
-  std::vector<Vec3> positions_;  ///< of the points
-  std::vector<Friction> frictions_;
-  std::vector<Rubbing> rubbing_;  ///< in the order of the points
-  std::vector<Parting> partings_;
-  std::vector<Joint> joints_;
-  std::vector<Moved> parted_;  ///< the bodies, as far as their positions part
+  std::vector<Place> places_;  ///< of each point as added
 };
 
 }  // namespace brash::rigid_body

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "contact_load.hpp"
@@ -16,6 +17,9 @@ constexpr double kPositionCorrection = 0.2;
 /// Without an overlap there is no contact, and a body at rest on another would begin to fall [m].
 constexpr double kKeptOverlap = 5e-4;
 
+/// Floes or bodies that a thread takes at a time, at some 5 us for each.
+constexpr std::size_t kFloes = 16;
+
 /// The other parts of the part's body.
 void collect_others(const Part& part, std::vector<const Part*>& others) {
   others.clear();
@@ -25,97 +29,121 @@ void collect_others(const Part& part, std::vector<const Part*>& others) {
 
 }  // namespace
 
-void ContactSet::begin(Body& first) {
-  first_ = &first;
-  first_contact_ = contacts_.size();
-  near_sheet_.clear();
+void ContactSet::find(std::span<const Meeting> meetings, btDispatcher& dispatcher, Workers& workers) {
+  searches_.resize(static_cast<std::size_t>(workers.count()));
+  found_.resize(meetings.size() / kFloes + 1);
+  for (Found& found : found_) {
+    found.contacts.clear();
+    found.hit.clear();
+  }
+  workers.chunks(meetings.size(), kFloes, [&](std::size_t begin, std::size_t end, int worker) {
+    for (std::size_t i = begin; i < end; ++i)
+      find(meetings[i], dispatcher, searches_[static_cast<std::size_t>(worker)], found_[begin / kFloes]);
+  });
+  given_.clear();
+  contacts_.clear();
+  for (const Found& found : found_)
+    for (const Contact& contact : found.contacts) contacts_.push_back(&contact);
 }
 
-void ContactSet::meet(const Body& second) {
-  if (second.kind == BodyKind::kSheet)
-    for (const auto& part : second.parts) near_sheet_.push_back(part.get());
+/// Contacts of one part of the floe come in a row.
+void ContactSet::find(const Meeting& meeting, btDispatcher& dispatcher, Search& search, Found& found) const {
+  const Body& first = *meeting.first;
+  std::vector<Contact>& contacts = found.contacts;
+  const auto n_before = static_cast<std::ptrdiff_t>(contacts.size());
+  search.near_sheet.clear();
+  for (const BodyPair& pair : meeting.pairs)
+    if (pair.second->kind == BodyKind::kSheet)
+      for (const auto& part : pair.second->parts) search.near_sheet.push_back(part.get());
+  for (const BodyPair& pair : meeting.pairs) {
+    if (!dispatcher.needsCollision(first.bullet.get(), pair.second->bullet.get())) continue;
+    for (const auto& part : first.parts)
+      if (within_reach(box(*part), pair.second->box, 0.0)) find(*part, *pair.second, search, contacts);
+  }
+  if (first.parts.size() > 1)
+    std::stable_sort(contacts.begin() + n_before, contacts.end(),
+                     [](const Contact& a, const Contact& b) { return a.first_part < b.first_part; });
+  for (auto contact = contacts.begin() + n_before; contact != contacts.end(); ++contact)
+    if (hits_settled(*contact)) found.hit.push_back(contact->first->settled ? contact->first : contact->second);
 }
 
-void ContactSet::find(Body& one, Body& other) {
-  Body& second = first_ == &one ? other : one;
-  for (const auto& part : first_->parts)
-    if (within_reach(box(*part), second.box, 0.0)) find(*part, second);
-}
-
-void ContactSet::find(const Part& part, Body& second) {
-  collect_others(part, beside_first_);
+void ContactSet::find(const Part& part, Body& second, Search& search, std::vector<Contact>& contacts) const {
+  collect_others(part, search.beside_first);
   for (const auto& met : second.parts)
     if (within_reach(box(part), box(*met), 0.0) &&
-        narrow_phase_.find({&part, met.get()}, beside_first_, beside(part, *met)))
-      contacts_.push_back({first_, &second, part.number, narrow_phase_.normal, narrow_phase_.patch, law(second)});
+        search.narrow_phase.find({&part, met.get()}, search.beside_first, search.beside(part, *met)))
+      contacts.push_back({part.body, &second, part.number, search.narrow_phase.normal, search.narrow_phase.patch,
+                          law(second), part.body->is_free() || second.is_free()});
 }
 
 /// The parts that continue the solid of the second part. The parts of the sheet that the first part meets continue each
 /// other.
-std::span<const Part* const> ContactSet::beside(const Part& part, const Part& of_second) {
+std::span<const Part* const> ContactSet::Search::beside(const Part& part, const Part& of_second) {
   if (of_second.body->kind != BodyKind::kSheet) {
-    collect_others(of_second, beside_second_);
-    return beside_second_;
+    collect_others(of_second, beside_second);
+    return beside_second;
   }
-  beside_second_.clear();
-  for (const Part* tile : near_sheet_)
-    if (tile != &of_second && within_reach(box(part), box(*tile), 0.0)) beside_second_.push_back(tile);
-  return beside_second_;
+  beside_second.clear();
+  for (const Part* tile : near_sheet)
+    if (tile != &of_second && within_reach(box(part), box(*tile), 0.0)) beside_second.push_back(tile);
+  return beside_second;
 }
 
-/// Contacts of one part of the floe come in a row.
-void ContactSet::end() {
-  if (first_->parts.size() > 1)
-    std::stable_sort(contacts_.begin() + static_cast<std::ptrdiff_t>(first_contact_), contacts_.end(),
-                     [](const Contact& a, const Contact& b) { return a.first_part < b.first_part; });
+bool ContactSet::hits_settled(const Contact& c) const {
+  if (!c.first->settled && !c.second->settled) return false;
+  return std::ranges::any_of(c.points(), [&](const PatchPoint& p) {
+    const Vec3 first = velocity_at(c.first->twist, p.position - c.first->pose.position);
+    const Vec3 second = velocity_at(c.second->twist, p.position - c.second->pose.position);
+    return dot(c.normal, second - first) > release_speed_;
+  });
+}
+
+std::vector<Body*> ContactSet::settled_and_hit() const {
+  std::vector<Body*> hit;
+  for (const Found& found : found_) hit.insert(hit.end(), found.hit.begin(), found.hit.end());
+  return hit;
 }
 
 void ContactSet::add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body) {
-  const std::size_t n_found = contacts_.size();
   for (const GivenContact& g : given) {
     Body* const other = g.other == kNoBody ? &ground_ : find_body(g.other);
     Patch patch{.area = g.area, .n_points = 1};
     patch.points[0] = {g.point, g.area};
-    contacts_.push_back({find_body(g.body), other, 0, g.normal, patch, {g.friction, g.most_normal_force / g.area}});
+    Body* const body = find_body(g.body);
+    given_.push_back({body,
+                      other,
+                      0,
+                      g.normal,
+                      patch,
+                      {g.friction, g.most_normal_force / g.area},
+                      body->is_free() || other->is_free()});
   }
-  std::sort(contacts_.begin() + static_cast<std::ptrdiff_t>(n_found), contacts_.end(),
-            [](const Contact& a, const Contact& b) {
-              const Vec3 &p = a.patch.points[0].position, &q = b.patch.points[0].position;
-              return std::tie(a.first->rank, a.second->rank, p.x, p.y, p.z) <
-                     std::tie(b.first->rank, b.second->rank, q.x, q.y, q.z);
-            });
-}
-
-std::vector<Body*> ContactSet::settled_and_hit(double speed) const {
-  std::vector<Body*> hit;
-  for (const Contact& c : contacts_) {
-    Body* const settled = c.first->settled ? c.first : c.second->settled ? c.second : nullptr;
-    if (settled == nullptr) continue;
-    const bool fast = std::ranges::any_of(c.points(), [&](const PatchPoint& p) {
-      const Vec3 first = velocity_at(c.first->twist, p.position - c.first->pose.position);
-      const Vec3 second = velocity_at(c.second->twist, p.position - c.second->pose.position);
-      return dot(c.normal, second - first) > speed;
-    });
-    if (fast) hit.push_back(settled);
-  }
-  return hit;
+  std::sort(given_.begin(), given_.end(), [](const Contact& a, const Contact& b) {
+    const Vec3 &p = a.patch.points[0].position, &q = b.patch.points[0].position;
+    return std::tie(a.first->rank, a.second->rank, p.x, p.y, p.z) <
+           std::tie(b.first->rank, b.second->rank, q.x, q.y, q.z);
+  });
+  for (const Contact& contact : given_) contacts_.push_back(&contact);
 }
 
 /// Overlap of breakable ice is crushed ice: nothing pushes it apart.
-void ContactSet::add_to(BoundedSolver& solver, double dt) const {
-  for (const Contact& contact : contacts_) {
-    if (!contact.moves_a_body()) continue;
+void ContactSet::add_to(BoundedSolver& solver, double dt, Workers& workers) {
+  solved_.clear();
+  for (const Contact* const contact : contacts_)
+    if (contact->moves_a_body) solved_.push_back(contact);
+  solver.add_contacts(solved_.size(), workers, [&](std::size_t i) {
+    const Contact& contact = *solved_[i];
     const ContactLaw& how = contact.law;
     const bool breakable = std::isfinite(how.crushing_pressure);
-    solver.add({.first = contact.first->in_solver,
-                .second = contact.second->in_solver,
-                .normal = contact.normal,
-                .friction = how.friction,
-                .crushing_impulse = dt * how.crushing_pressure,
-                .parting_speed =
-                    breakable ? 0.0 : kPositionCorrection * std::max(0.0, contact.patch.depth - kKeptOverlap) / dt},
-               contact.points());
-  }
+    const double excess = std::max(0.0, contact.patch.depth - kKeptOverlap);
+    return BoundedSolver::Given{{.first = contact.first->in_solver,
+                                 .second = contact.second->in_solver,
+                                 .normal = contact.normal,
+                                 .friction = how.friction,
+                                 .crushing_impulse = dt * how.crushing_pressure,
+                                 .parting_speed = breakable ? 0.0 : kPositionCorrection * excess / dt},
+                                contact.points()};
+  });
 }
 
 PointImpulse ContactSet::crushed(const Contact& contact, const PatchPoint& point, double dt) {
@@ -144,37 +172,68 @@ ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, co
   return load;
 }
 
-void ContactSet::report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads) {
-  listed_.clear();
-  std::size_t number = 0, unsolved = 0;
-  for (const Contact& contact : contacts_) {
-    const bool turn = contact.reported_turned();
-    listed_.push_back({(turn ? contact.second : contact.first)->id, (turn ? contact.first : contact.second)->id,
-                       contact.moves_a_body() ? number : unsolved, &contact});
-    (contact.moves_a_body() ? number : unsolved) += contact.points().size();
+/// Deals the contacts out to the bodies from which they are reported.
+void ContactSet::list_by_body() {
+  const auto body_of = [](const Contact& c) { return (c.reported_turned() ? c.second : c.first)->id.index; };
+  of_body_.clear();
+  for (const Contact* const contact : contacts_) {
+    const std::size_t body = body_of(*contact);
+    if (body + 1 >= of_body_.size()) of_body_.resize(body + 2, 0);
+    ++of_body_[body + 1];
   }
-  const auto pair = [](const Listed& l) { return std::tie(l.body, l.other); };
-  std::ranges::sort(listed_, [&](const Listed& a, const Listed& b) {
-    return pair(a) != pair(b) ? pair(a) < pair(b) : a.number < b.number;
+  std::partial_sum(of_body_.begin(), of_body_.end(), of_body_.begin());
+  listed_.resize(contacts_.size());
+  std::size_t number = 0, solved = 0;
+  for (const Contact* const contact : contacts_) {
+    const Body& other = *(contact->reported_turned() ? contact->first : contact->second);
+    // All the sheet counts as one: a resumed run lays other tiles, with other ids.
+    const BodyId listed = other.kind == BodyKind::kSheet ? kNoBody : other.id;
+    listed_[of_body_[body_of(*contact)]++] = {listed, number++, solved, contact};
+    if (contact->moves_a_body) solved += contact->points().size();
+  }
+}
+
+void ContactSet::report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads, Workers& workers) {
+  list_by_body();
+  const std::size_t n_bodies = of_body_.size();
+  points_.resize(static_cast<std::size_t>(workers.count()));
+  loads_.resize(n_bodies / kFloes + 1);
+  workers.chunks(n_bodies, kFloes, [&](std::size_t begin, std::size_t end, int worker) {
+    std::vector<ContactLoad>& some = loads_[begin / kFloes];
+    some.clear();
+    for (std::size_t body = begin; body < end; ++body) {
+      const std::size_t first = body == 0 ? 0 : of_body_[body - 1];
+      report_body(std::span(listed_).subspan(first, of_body_[body] - first), solver, dt,
+                  points_[static_cast<std::size_t>(worker)], some);
+    }
   });
   loads.clear();
-  for (auto next = listed_.begin(); next != listed_.end();) {
-    points_.clear();
-    for (const Listed& first = *next; next != listed_.end() && pair(*next) == pair(first); ++next)
+  for (std::size_t i = 0; i * kFloes < n_bodies; ++i) loads.insert(loads.end(), loads_[i].begin(), loads_[i].end());
+}
+
+/// Adds the loads of the contacts of a body.
+void ContactSet::report_body(std::span<Listed> listed, const BoundedSolver& solver, double dt,
+                             std::vector<ListedPoint>& points, std::vector<ContactLoad>& loads) const {
+  std::ranges::sort(listed, [&](const Listed& a, const Listed& b) {
+    return std::tie(a.other, a.number) < std::tie(b.other, b.number);
+  });
+  for (auto next = listed.begin(); next != listed.end();) {
+    points.clear();
+    for (const BodyId other = next->other; next != listed.end() && next->other == other; ++next)
       for (std::size_t k = 0; k < next->contact->points().size(); ++k) {
         const Contact& contact = *next->contact;
         const PointImpulse impulse =
-            contact.moves_a_body() ? solver.impulse(next->number + k) : crushed(contact, contact.points()[k], dt);
+            contact.moves_a_body ? solver.impulse(next->solved + k) : crushed(contact, contact.points()[k], dt);
         if (impulse.normal != 0.0 || impulse.friction != Vec3{})
-          points_.push_back({next->number + k, impulse, next->contact, &next->contact->points()[k]});
+          points.push_back({next->number, impulse, next->contact, &next->contact->points()[k]});
       }
     // Points in one place, of two parts of a floe, keep the order of the step: how many contacts there are besides,
     // which a resumed run may divide otherwise, must not change it.
-    std::ranges::sort(points_, [](const ListedPoint& a, const ListedPoint& b) {
+    std::ranges::sort(points, [](const ListedPoint& a, const ListedPoint& b) {
       const Vec3 &p = a.point->position, &q = b.point->position;
-      return std::tie(p.x, p.y, p.z, a.number) < std::tie(q.x, q.y, q.z, b.number);
+      return std::tie(p.x, p.y, p.z, a.number, a.point) < std::tie(q.x, q.y, q.z, b.number, b.point);
     });
-    for (const ListedPoint& p : points_) loads.push_back(load(*p.contact, *p.point, p.impulse, dt));
+    for (const ListedPoint& p : points) loads.push_back(load(*p.contact, *p.point, p.impulse, dt));
   }
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+
 #include <functional>
 #include <span>
 #include <vector>
 
 #include "bounded_solver.hpp"
+#include "brash/core/workers.hpp"
 #include "narrow_phase.hpp"
 
 namespace brash::rigid_body {
@@ -15,37 +18,34 @@ namespace brash::rigid_body {
 class ContactSet {
  public:
   explicit ContactSet(const WorldSettings& settings)
-      : ice_structure_(settings.ice_structure), ice_ice_(settings.ice_ice) {
+      : ice_structure_(settings.ice_structure), ice_ice_(settings.ice_ice), release_speed_(settings.release_speed) {
     ground_.id = kNoBody;
     ground_.kind = BodyKind::kSheet;
   }
 
-  /// Forgets all contacts.
-  void clear() { contacts_.clear(); }
-  /// Contacts of `first`, a floe, come next, until end(). Floes come in the order of the step.
-  void begin(Body& first);
-  /// Its box and the box of `second` overlap. All these bodies are told before the first of its contacts is found.
-  void meet(const Body& second);
-  /// Finds the contacts of the floe with one of those bodies. The two may come either way round, the bodies in the
-  /// order of the step.
-  void find(Body& one, Body& other);
-  void end();
+  /// A floe and the bodies whose boxes overlap its own, in the order of the step; all have it first.
+  struct Meeting {
+    Body* first;
+    std::span<const BodyPair> pairs;
+  };
+  /// Forgets the contacts of the step before and finds the contacts of these floes, which come in the order of the
+  /// step.
+  /// @param dispatcher  says which bodies do not collide: two that are linked, for one.
+  void find(std::span<const Meeting> meetings, btDispatcher& dispatcher, Workers& workers);
   /// Adds contacts that were found elsewhere; of bodies in the order of the step.
   void add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body);
-  /// The settled floes that another body runs into faster than `speed` [m/s].
-  std::vector<Body*> settled_and_hit(double speed) const;
+  /// The settled floes that another body runs into faster than WorldSettings::release_speed.
+  std::vector<Body*> settled_and_hit() const;
   /// Adds all of them to a solver that knows the bodies by their Body::in_solver.
-  void add_to(BoundedSolver& solver, double dt) const;
+  void add_to(BoundedSolver& solver, double dt, Workers& workers);
   /// Fills `loads` with the load of each point that bears any after that solver, sorted by (body, other, point).
-  void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads);
+  void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads, Workers& workers);
 
  private:
   /// A contact of two parts, or one that was given.
   struct Contact {
     /// A pair of floes is reported from the lower id.
     bool reported_turned() const { return first->is_floe() && second->is_floe() && second->id < first->id; }
-    /// Whether its impulses move a body: the solver finds them.
-    bool moves_a_body() const { return first->is_free() || second->is_free(); }
     std::span<const PatchPoint> points() const {
       return std::span(patch.points).first(static_cast<std::size_t>(patch.n_points));
     }
@@ -56,22 +56,39 @@ class ContactSet {
     Vec3 normal;
     Patch patch;
     ContactLaw law;
+    bool moves_a_body;  ///< whether its impulses do: the solver finds them
+  };
+
+  /// The search of a thread: scratch space.
+  struct Search {
+    std::span<const Part* const> beside(const Part& part, const Part& of_second);
+
+    NarrowPhase narrow_phase;
+    std::vector<const Part*> near_sheet;  ///< the parts of the sheet that the floe meets
+    std::vector<const Part*> beside_first;
+    std::vector<const Part*> beside_second;
+  };
+  /// The contacts of some floes that follow each other.
+  struct Found {
+    std::vector<Contact> contacts;
+    std::vector<Body*> hit;  ///< settled_and_hit()
   };
 
   const ContactLaw& law(const Body& second) const {
     return second.kind == BodyKind::kStructure ? ice_structure_ : ice_ice_;
   }
-  void find(const Part& part, Body& second);
-  std::span<const Part* const> beside(const Part& part, const Part& of_second);
+  void find(const Meeting& meeting, btDispatcher& dispatcher, Search& search, Found& found) const;
+  void find(const Part& part, Body& second, Search& search, std::vector<Contact>& contacts) const;
+  bool hits_settled(const Contact& contact) const;
   /// The impulse of a point between bodies that nothing moves, in a step of `dt` [s]: its bound, while they close up.
   static PointImpulse crushed(const Contact& contact, const PatchPoint& point, double dt);
   static ContactLoad load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt);
 
   /// A contact on its way into the order of the report.
   struct Listed {
-    BodyId body;
     BodyId other;
-    std::size_t number;  ///< of its first point, in the solver if that knows it
+    std::size_t number;  ///< in the order of the step
+    std::size_t solved;  ///< number of its first point in the solver, if that knows it
     const Contact* contact;
   };
   /// A point of two bodies, likewise.
@@ -81,19 +98,23 @@ class ContactSet {
     const Contact* contact;
     const PatchPoint* point;
   };
+  void list_by_body();
+  void report_body(std::span<Listed> listed, const BoundedSolver& solver, double dt, std::vector<ListedPoint>& points,
+                   std::vector<ContactLoad>& loads) const;
 
   ContactLaw ice_structure_;
   ContactLaw ice_ice_;
-  Body ground_;  ///< bears a given contact without another body
-  NarrowPhase narrow_phase_;
-  std::vector<Contact> contacts_;
-  std::vector<Listed> listed_;              ///< scratch of report
-  std::vector<ListedPoint> points_;         ///< scratch of report: of one pair of bodies
-  Body* first_ = nullptr;                   ///< whose contacts come
-  std::size_t first_contact_ = 0;           ///< of that floe
-  std::vector<const Part*> near_sheet_;     ///< the parts of the sheet that it meets
-  std::vector<const Part*> beside_first_;   ///< scratch of find
-  std::vector<const Part*> beside_second_;  ///< scratch of find
+  double release_speed_;          ///< [m/s]
+  Body ground_;                   ///< bears a given contact without another body
+  std::vector<Search> searches_;  ///< of each worker
+  std::vector<Found> found_;      ///< of each chunk of floes
+  std::vector<Contact> given_;
+  std::vector<const Contact*> solved_;            ///< those that the solver knows
+  std::vector<const Contact*> contacts_;          ///< all, in the order of the step
+  std::vector<std::size_t> of_body_;              ///< scratch of report: where the contacts of each body begin
+  std::vector<Listed> listed_;                    ///< scratch of report
+  std::vector<std::vector<ListedPoint>> points_;  ///< scratch of report: of one pair of bodies, of each worker
+  std::vector<std::vector<ContactLoad>> loads_;   ///< scratch of report: of each chunk of bodies
 };
 
 }  // namespace brash::rigid_body

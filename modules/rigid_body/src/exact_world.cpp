@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_world.hpp"
 
-#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
-#include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 
 #include <cmath>
-#include <new>
 
 #include "turning.hpp"
 
@@ -38,40 +35,6 @@ SolverBody to_solver(const Body& body) {
           .stretch = stretch(body.mass)};
 }
 
-/// Finds the exact overlaps of two bodies. No manifold: a step's overlaps are gone with it.
-class OverlapAlgorithm final : public btCollisionAlgorithm {
- public:
-  OverlapAlgorithm(const btCollisionAlgorithmConstructionInfo& info, ContactSet& contacts)
-      : btCollisionAlgorithm(info), contacts_(contacts) {}
-
-  void processCollision(const btCollisionObjectWrapper* one, const btCollisionObjectWrapper* other,
-                        const btDispatcherInfo&, btManifoldResult*) override {
-    contacts_.find(body_of(*one->getCollisionObject()), body_of(*other->getCollisionObject()));
-  }
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                 btManifoldResult*) override {
-    return 1.0;
-  }
-  void getAllContactManifolds(btManifoldArray&) override {}
-
-  struct CreateFunc final : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper*,
-                                                   const btCollisionObjectWrapper*) override {
-      void* const place = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(OverlapAlgorithm));
-      return new (place) OverlapAlgorithm(info, *contacts);
-    }
-    ContactSet* contacts = nullptr;
-  };
-
- private:
-  ContactSet& contacts_;
-};
-
-bool is_solid(int shape_type) {
-  return shape_type == CONVEX_HULL_SHAPE_PROXYTYPE || shape_type == COMPOUND_SHAPE_PROXYTYPE;
-}
-
 btDefaultCollisionConstructionInfo without_manifolds() {
   btDefaultCollisionConstructionInfo info;
   info.m_defaultMaxPersistentManifoldPoolSize = 1;
@@ -79,18 +42,6 @@ btDefaultCollisionConstructionInfo without_manifolds() {
 }
 
 }  // namespace
-
-/// Which algorithm finds the contacts of two bodies.
-class ExactWorld::Rules final : public btDefaultCollisionConfiguration {
- public:
-  Rules() : btDefaultCollisionConfiguration(without_manifolds()) {}
-  btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int one, int other) override {
-    if (is_solid(one) && is_solid(other)) return &overlaps;
-    return btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(one, other);
-  }
-
-  OverlapAlgorithm::CreateFunc overlaps;
-};
 
 /// The bounded solver as Bullet calls one: once for all bodies together, and once more for the rows that islands have
 /// left, which are none.
@@ -108,14 +59,15 @@ class ExactWorld::Rows final : public btConstraintSolver {
 };
 
 ExactWorld::ExactWorld(const WorldSettings& settings)
-    : BodyWorld(settings, std::make_unique<Rules>(), std::make_unique<Rows>()), contacts_(settings) {
-  static_cast<Rules&>(*configuration).overlaps.contacts = &contacts_;
+    : BodyWorld(settings, std::make_unique<btDefaultCollisionConfiguration>(without_manifolds()),
+                std::make_unique<Rows>()),
+      contacts_(settings) {
   static_cast<Rows&>(*solver).world = this;
 }
 
 void ExactWorld::performDiscreteCollisionDetection() {
   find_contacts();
-  const std::vector<Body*> hit = contacts_.settled_and_hit(settings().release_speed);
+  const std::vector<Body*> hit = contacts_.settled_and_hit();
   for (Body* body : hit) set_settled(*body, false);
   if (!hit.empty()) find_contacts();
   contacts_.add(given(), [this](BodyId id) { return &get(id); });
@@ -124,44 +76,50 @@ void ExactWorld::performDiscreteCollisionDetection() {
 void ExactWorld::find_contacts() {
   updateAabbs();
   computeOverlappingPairs();  // forgets some of the pairs that have parted
-  contacts_.clear();
-  const std::vector<Pair>& pairs = sorted_pairs();
+  const std::vector<BodyPair>& pairs = sorted_pairs();
+  meetings_.clear();
   for (auto next = pairs.begin(); next != pairs.end();) {
-    auto end = next;
-    contacts_.begin(*next->first);
-    for (; end != pairs.end() && end->first == next->first; ++end) contacts_.meet(*end->second);
-    for (; next != end; ++next) dispatcher.getNearCallback()(*next->pair, dispatcher, getDispatchInfo());
-    contacts_.end();
+    const auto first = next;
+    while (next != pairs.end() && next->first == first->first) ++next;
+    meetings_.push_back({first->first, {first, next}});
   }
+  contacts_.find(meetings_, dispatcher, workers());
 }
+
+void ExactWorld::calculateSimulationIslands() { getSimulationIslandManager()->initUnionFind(0); }
 
 void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info) {
   bounded_.clear(settings().restitution);
+  in_solver_.clear();
   for (Body* body : order()) {
-    const bool fixed = body->kind == BodyKind::kSheet || body->settled;
-    body->in_solver = fixed ? BoundedSolver::kFixed : bounded_.add(to_solver(*body));
+    body->in_solver = BoundedSolver::kFixed;
+    if (body->kind == BodyKind::kSheet || body->settled) continue;
+    in_solver_.push_back(body);
+    body->in_solver = static_cast<std::uint32_t>(in_solver_.size());
   }
+  bounded_.add_bodies(in_solver_.size(), workers(), [this](std::size_t i) { return to_solver(*in_solver_[i]); });
   joints_.add_to(bounded_, constraints, info);
-  contacts_.add_to(bounded_, info.m_timeStep);
-  last_change_ = bounded_.solve(settings().iterations, kStill);
+  contacts_.add_to(bounded_, info.m_timeStep, workers());
+  last_change_ = bounded_.solve(settings().iterations, kStill, workers());
   joints_.write_back(bounded_, info.m_timeStep);
-  for (Body* body : order()) {
-    if (!body->is_free()) continue;
-    const Twist after = bounded_.twist(body->in_solver);
-    body->bullet->setLinearVelocity(to_bullet(after.linear));
-    body->bullet->setAngularVelocity(to_bullet(after.angular));
-  }
+  each_body([this](Body& body) {
+    if (!body.is_free()) return;
+    const Twist after = bounded_.twist(body.in_solver);
+    body.bullet->setLinearVelocity(to_bullet(after.linear));
+    body.bullet->setAngularVelocity(to_bullet(after.angular));
+  });
 }
 
 void ExactWorld::integrateTransforms(btScalar dt) {
   average_velocities();
-  contacts_.report(bounded_, dt, loads_);
+  contacts_.report(bounded_, dt, loads_, workers());
   links().report(dt);
-  for (Body* body : order())
-    if (body->is_free())
-      advance(*body, dt);
+  each_body([this, dt](Body& body) {
+    if (body.is_free())
+      advance(body, dt);
     else
-      move_as_told(*body);
+      move_as_told(body);
+  });
 }
 
 void ExactWorld::advance(Body& body, double dt) {

@@ -8,8 +8,8 @@
 
 namespace brash::rigid_body {
 
-/// The engine of this program at Bullet's extension points: contacts are exact overlaps of the parts, a bounded solver
-/// takes the place of Bullet's, and a step is a function of the bodies' states.
+/// The engine of this program in Bullet's world: contacts are exact overlaps of the parts that Bullet's broad phase and
+/// dispatcher let meet, a bounded solver takes the place of Bullet's, and a step is a function of the bodies' states.
 class ExactWorld final : public BodyWorld {
  public:
   explicit ExactWorld(const WorldSettings& settings);
@@ -18,9 +18,10 @@ class ExactWorld final : public BodyWorld {
   void performDiscreteCollisionDetection() override;
 
  private:
-  class Rules;
   class Rows;
 
+  /// The rows of all bodies are solved together.
+  void calculateSimulationIslands() override;
   void find_contacts();
   void solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info);
   /// New velocities from the solver, then Eqs. 9 and 10.
@@ -29,6 +30,8 @@ class ExactWorld final : public BodyWorld {
 
   ContactSet contacts_;
   JointRows joints_;
+  std::vector<Body*> in_solver_;  ///< the bodies that the solver knows, in the order of their numbers there
+  std::vector<ContactSet::Meeting> meetings_;  ///< scratch of find_contacts
   BoundedSolver bounded_;
 };
 

@@ -36,6 +36,9 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
+void World::share_work(Workers& workers) { world_->share_work(workers); }
+Workers& World::workers() const { return world_->workers(); }
+
 BodyId World::add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist) {
   expect_positive(mass);
   BRASH_EXPECTS(mass.added_across == 0.0 || world_->settings().engine == Engine::kBrash,
@@ -144,12 +147,15 @@ void World::visit_neighbours(std::span<const BodyId> floes, double reach, const 
   BRASH_EXPECTS(reach >= 0.0, reach);
   for (const BodyId id : floes) BRASH_EXPECTS(world_->get(id).is_free(), id.index);
   world_->find_near(floes, reach);
-  std::vector<Solid> solids;
-  for (const BodyId id : floes) {
-    solids.clear();
-    for (const Part* part : world_->get(id).near) solids.emplace_back(part->now.planes);
-    visit(id, solids);
-  }
+  constexpr std::size_t kFloes = 8;  // of some 10 us each
+  world_->workers().chunks(floes.size(), kFloes, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<Solid> solids;
+    for (const BodyId id : floes.subspan(begin, end - begin)) {
+      solids.clear();
+      for (const Part* part : world_->get(id).near) solids.emplace_back(part->now.planes);
+      visit(id, solids);
+    }
+  });
 }
 
 BodyKind World::kind(BodyId id) const { return world_->get(id).kind; }

@@ -20,7 +20,8 @@ ice::Field field_of(const model::Case& resolved, const model::Checkpoint& checkp
 
 }  // namespace
 
-Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint) : Impl(c, field_of(c, checkpoint)) {
+Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint, int threads)
+    : Impl(c, field_of(c, checkpoint), threads) {
   model::restore(checkpoint, "progress", *this);
   model::restore(checkpoint, "energy", energy);
   motion->restore(checkpoint);

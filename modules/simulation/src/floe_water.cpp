@@ -13,6 +13,9 @@ namespace {
 
 using hydrodynamics::DragLaw;
 
+/// Floes that a thread takes at a time, at some 0.5 us for each, and 10 us where drag is computed.
+constexpr std::size_t kFloes = 16;
+
 /// Water::shading_gap of a case [m].
 double shading_gap(const model::Case& resolved) {
   const model::HydrodynamicsSection& h = resolved.hydrodynamics;
@@ -107,22 +110,30 @@ void FloeWater::apply_to(rigid_body::World& world, BodyId body, Floe& floe, doub
   floe.skin_friction = load.skin_friction;
 }
 
-void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure) {
-  due_.clear();
-  for (const BodyId body : world.moving()) {
-    Floe& floe = floes.at(body);
-    meet(world, body, floe, dt, structure);
-    const Pose pose = world.pose(body);
-    if (displaced(floe, pose).volume <= 0.0) {
-      floe.kept_drag = {};
-      apply_to(world, body, floe, dt, {});
-    } else if (const auto drag = floe.kept_drag.follow(
-                   floe.inertia, hydrodynamics::against_water(pose, world.twist(body), around(floe)), dt)) {
-      apply_to(world, body, floe, dt, *drag);
-    } else {
-      due_.push_back(body);
-    }
+bool FloeWater::load(rigid_body::World& world, BodyId body, Floe& floe, double dt,
+                     const structure::State& structure) const {
+  meet(world, body, floe, dt, structure);
+  const Pose pose = world.pose(body);
+  if (displaced(floe, pose).volume <= 0.0) {
+    floe.kept_drag = {};
+    apply_to(world, body, floe, dt, {});
+    return false;
   }
+  const auto drag =
+      floe.kept_drag.follow(floe.inertia, hydrodynamics::against_water(pose, world.twist(body), around(floe)), dt);
+  if (drag) apply_to(world, body, floe, dt, *drag);
+  return !drag;
+}
+
+void FloeWater::apply(rigid_body::World& world, FloePopulation& floes, double dt, const structure::State& structure) {
+  const std::vector<BodyId>& moving = world.moving();
+  is_due_.assign(moving.size(), 0);
+  world.workers().each(moving.size(), kFloes, [&](std::size_t i) {
+    is_due_[i] = load(world, moving[i], floes.at(moving[i]), dt, structure) ? 1 : 0;
+  });
+  due_.clear();
+  for (std::size_t i = 0; i < moving.size(); ++i)
+    if (is_due_[i] != 0) due_.push_back(moving[i]);
   renew_drag(world, floes, dt);
 }
 
@@ -140,7 +151,7 @@ void FloeWater::renew_drag(rigid_body::World& world, FloePopulation& floes, doub
   if (water_.shading_gap > 0.0)
     world.visit_neighbours(due_, reach(), renew);
   else
-    for (const BodyId body : due_) renew(body, {});
+    world.workers().each(due_.size(), kFloes, [&](std::size_t i) { renew(due_[i], {}); });
 }
 
 }  // namespace brash::simulation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,8 @@ class FloeWater {
   void meet(rigid_body::World& world, BodyId body, Floe& floe, double dt, const structure::State& structure) const;
   /// The water that a floe meets.
   hydrodynamics::Water around(const Floe& floe) const;
+  /// Loads a floe, if its drag follows from the kept one. @return whether it is to be computed.
+  bool load(rigid_body::World& world, BodyId body, Floe& floe, double dt, const structure::State& structure) const;
   /// Applies weight and the load of the water to a floe that has `drag` at its velocity.
   void apply_to(rigid_body::World& world, BodyId body, Floe& floe, double dt, const hydrodynamics::Drag& drag) const;
   /// Computes the drag of the floes `due_`, whose neighbours are sought together.
@@ -42,8 +45,9 @@ class FloeWater {
   const model::Case* case_;
   hydrodynamics::Water water_;
   std::optional<hydrodynamics::StructureFlow> flow_;
-  Pose ellipsoid_;           ///< of the flow, hull's frame
-  std::vector<BodyId> due_;  ///< floes whose drag is to be computed
+  Pose ellipsoid_;                    ///< of the flow, hull's frame
+  std::vector<std::uint8_t> is_due_;  ///< scratch: whether the drag of each moving floe is to be computed
+  std::vector<BodyId> due_;           ///< floes whose drag is to be computed
 };
 
 }  // namespace brash::simulation

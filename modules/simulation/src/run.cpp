@@ -118,12 +118,12 @@ constexpr std::int64_t kStepsAgain = 100;
 Progress begin(const model::Case& resolved, const RunOptions& options) {
   std::optional<model::Checkpoint> saved = options.checkpoint.newest ? options.checkpoint.newest() : std::nullopt;
   if (!saved) {
-    Simulation simulation(resolved);
+    Simulation simulation(resolved, options.threads);
     Recorder recorder(resolved, simulation);
     return {std::move(simulation), std::move(recorder), {}};
   }
   try {
-    Progress progress{Simulation(resolved, *saved), Recorder(resolved, std::move(saved->results)), {}};
+    Progress progress{Simulation(resolved, *saved, options.threads), Recorder(resolved, std::move(saved->results)), {}};
     model::restore(*saved, "counts", progress.counts);
     return progress;
   } catch (const InputError& error) {
@@ -167,7 +167,7 @@ std::string keep_reproducer(const model::Case& resolved, const RunOptions& optio
                             std::int64_t n_steps) {
   if (!options.checkpoint.keep) return {};
   try {
-    Simulation again(resolved, progress.known.value());
+    Simulation again(resolved, progress.known.value(), options.threads);
     for (std::int64_t n = progress.known_steps; n < n_steps; ++n) static_cast<void>(again.step());
     keep_checkpoint(options.checkpoint, again.checkpoint(), progress);
   } catch (const std::exception& error) {
@@ -239,6 +239,7 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   finished.stage_times = progress.simulation.stage_times();
   finished.stage_times.recording = progress.recording_seconds;
   finished.wall_seconds = seconds_since(start);
+  finished.threads = options.threads;
   return finished;
 }
 

@@ -67,13 +67,14 @@ class TimedCriterion final : public failure::BendingCriterion {
 
 }  // namespace
 
-Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
+Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
     : resolved(c),
       hull(structure::make_hull(c.structure.shape)),
       motion(structure::make_motion(c, *hull)),
       field(std::move(laid)),
       edges(edge_dynamics(c, field)),
       pattern(ice::make_crack_pattern(c.failure)),
+      workers(threads),
       world(world_settings(c)),
       tiles(resolved),
       floes(resolved),
@@ -82,11 +83,13 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
       structure_body(world.add_structure(hull->parts(), motion->now().pose)),
       region_loads(structure::regions_of(c.structure.shape, *hull)),
       watchdog(resolved, hull->bounds()) {
+  world.share_work(workers);
   for (const ice::Plate& plate : field.level_ice())
     criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
 }
 
-Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c))) {
+Simulation::Impl::Impl(const model::Case& c, int threads)
+    : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c)), threads) {
   if (c.field.initial_crack) initial_crack();
   begin_watch();
 }
@@ -260,9 +263,9 @@ StepReport Simulation::Impl::step() {
   return report;
 }
 
-Simulation::Simulation(const model::Case& resolved) : impl_(std::make_unique<Impl>(resolved)) {}
-Simulation::Simulation(const model::Case& resolved, const model::Checkpoint& checkpoint)
-    : impl_(std::make_unique<Impl>(resolved, checkpoint)) {}
+Simulation::Simulation(const model::Case& resolved, int threads) : impl_(std::make_unique<Impl>(resolved, threads)) {}
+Simulation::Simulation(const model::Case& resolved, const model::Checkpoint& checkpoint, int threads)
+    : impl_(std::make_unique<Impl>(resolved, checkpoint, threads)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;

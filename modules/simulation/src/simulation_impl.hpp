@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bearings.hpp"
+#include "brash/core/workers.hpp"
 #include "brash/ice/crack_pattern.hpp"
 #include "brash/ice/field.hpp"
 #include "brash/model/checkpoint.hpp"
@@ -40,6 +41,7 @@ struct Simulation::Impl {
   std::vector<std::unique_ptr<failure::BendingCriterion>> criteria;  ///< of each level ice
   MovingEdges edges;
   std::unique_ptr<ice::CrackPattern> pattern;
+  Workers workers;
   rigid_body::World world;
   SheetTiles tiles;
   FloePopulation floes;
@@ -56,9 +58,9 @@ struct Simulation::Impl {
   std::vector<model::FloeRecord> initial_births;
 
   /// Lays the sheet, cuts the initial crack and places the structure.
-  explicit Impl(const model::Case& c);
+  Impl(const model::Case& c, int threads);
   /// Takes a run up where `checkpoint` left it.
-  Impl(const model::Case& c, const model::Checkpoint& checkpoint);
+  Impl(const model::Case& c, const model::Checkpoint& checkpoint, int threads);
 
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
@@ -99,7 +101,7 @@ struct Simulation::Impl {
   model::Checkpoint checkpoint() const;
 
  private:
-  Impl(const model::Case& c, ice::Field laid);
+  Impl(const model::Case& c, ice::Field laid, int threads);
 };
 
 }  // namespace brash::simulation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Water and world of a step against the number of floes, all of them active, then all of them settled:
-// bench_growth [steps] [floes...]. Beside it Bullet's own world steps the same floes, set to the state before each
-// step.
+// bench_growth [--alone] [--threads=N] [steps] [floes...]. Beside it Bullet's own world steps the same floes, set to
+// the state before each step; with --alone it does not.
 //
 // Times are the process's own, of single steps; memory is the heap's. A step over few floes is over before a processor
 // that others use too has shown its speed: as many packs of them are made, one after the other, as have 10^4 floes, and
@@ -11,7 +11,7 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <chrono>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -42,7 +42,7 @@ std::vector<FloeThen> state(const Field& field) {
 
 /// Times of each step but the first, which has to find neighbours and allocate memory [s].
 struct StepTimes {
-  std::vector<double> water, world, settled, bullet;
+  std::vector<double> water, world, wall, settled, bullet;  ///< `wall` of water and world, the others processor time
 };
 
 /// Adds the times of one more pack to their sums.
@@ -50,6 +50,18 @@ void add(std::vector<double>& sums, const std::vector<double>& times) {
   sums.resize(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) sums[i] += times[i];
 }
+
+/// Seconds since a moment of the past.
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What is measured.
+struct Options {
+  int n_steps = 5;
+  int threads = 1;
+  bool beside_bullet = true;
+};
 
 /// Times of Bullet's steps from the state before each step of the program but the first.
 std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
@@ -76,11 +88,13 @@ std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
 StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
   StepTimes times;
   for (int i = 0; i <= n_steps; ++i) {
+    const double began = wall_seconds();
     const double start = process_seconds();
     field.water.apply(field.world, field.floes, kStep, {});
     const double between = process_seconds();
     field.world.step(kStep);
     if (i == 0) continue;
+    times.wall.push_back(wall_seconds() - began);
     times.water.push_back(between - start);
     times.world.push_back(process_seconds() - between);
   }
@@ -95,37 +109,51 @@ StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
   return times;
 }
 
-std::string measure(int n_wanted, int layers, int n_steps) {
+std::string measure(int n_wanted, int layers, const Options& options) {
+  const int n_steps = options.n_steps;
   const int n_packs = std::max(1, 10000 / n_wanted);
   std::size_t n_floes = 0, n_contacts = 0;
   double bytes = 0.0;
   StepTimes sums;
+  Workers workers(options.threads);
   for (int pack = 0; pack < n_packs; ++pack) {
     const double before = allocated();
     Field field(n_wanted, layers, {});
+    field.world.share_work(workers);
     const StepTimes times = step_times(field, n_steps, n_contacts);
     bytes = allocated() - before;
     n_floes = field.floes.floes().size();
     add(sums.water, times.water);
     add(sums.world, times.world);
     add(sums.settled, times.settled);
-    add(sums.bullet, bullet_seconds(n_wanted, layers, n_steps));
+    add(sums.wall, times.wall);
+    if (options.beside_bullet) add(sums.bullet, bullet_seconds(n_wanted, layers, n_steps));
   }
-  for (std::vector<double>* times : {&sums.water, &sums.world, &sums.settled, &sums.bullet})
+  for (std::vector<double>* times : {&sums.water, &sums.world, &sums.wall, &sums.settled, &sums.bullet})
     for (double& seconds : *times) seconds /= n_packs;
   return fmt::format(
       "{{\"layers\": {}, \"floes\": {}, \"contacts\": {}, \"bytes\": {}, \"water_s\": [{}], \"world_s\": [{}], "
-      "\"settled_s\": [{}], \"bullet_s\": [{}]}}",
+      "\"wall_s\": [{}], \"settled_s\": [{}], \"bullet_s\": [{}]}}",
       layers, n_floes, n_contacts, bytes, fmt::join(sums.water, ", "), fmt::join(sums.world, ", "),
-      fmt::join(sums.settled, ", "), fmt::join(sums.bullet, ", "));
+      fmt::join(sums.wall, ", "), fmt::join(sums.settled, ", "), fmt::join(sums.bullet, ", "));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int n_steps = argc > 1 ? std::atoi(argv[1]) : 5;
+  Options options;
+  std::vector<std::string> numbers;
+  for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
+    if (word == "--alone")
+      options.beside_bullet = false;
+    else if (word.starts_with("--threads="))
+      options.threads = std::stoi(word.substr(word.find('=') + 1));
+    else
+      numbers.push_back(word);
+  }
+  if (!numbers.empty()) options.n_steps = std::stoi(numbers[0]);
   std::vector<std::string> rows;
-  for (int i = 2; i < argc; ++i)
-    for (const int layers : {1, 3}) rows.push_back(measure(std::atoi(argv[i]), layers, n_steps));
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+    for (const int layers : {1, 3}) rows.push_back(measure(std::stoi(numbers[i]), layers, options));
   fmt::print("[{}]\n", fmt::join(rows, ",\n "));
 }

@@ -32,6 +32,7 @@ struct Volatile {
   double wall_seconds = 0.0;
   std::string host_cpu;                           ///< empty: the name in /proc/cpuinfo
   std::map<std::string, double> stage_seconds{};  ///< wall time of each stage of the step [s]
+  int threads = 1;                                ///< that worked at the run
 };
 
 /// A file that was read.

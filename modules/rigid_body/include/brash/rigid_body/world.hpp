@@ -14,6 +14,7 @@
 #include "brash/core/plane.hpp"
 #include "brash/core/prism.hpp"
 #include "brash/core/vec.hpp"
+#include "brash/core/workers.hpp"
 
 namespace brash::rigid_body {
 
@@ -182,6 +183,11 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
+  /// Lets `workers` share out the loops over bodies and contacts from now on; they must outlive the world. Results do
+  /// not depend on their number. Without this call the calling thread does all. Not all of Engine::kBullet is shared.
+  void share_work(Workers& workers);
+  Workers& workers() const;
+
   /// Ids are given in ascending order and never again, so sorted ids are in order of birth. Parts of the prism thinner
   /// than twice the margin have mass but no collision shape.
   BodyId add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist = {});
@@ -231,8 +237,8 @@ class World {
   /// Advances all bodies by `dt` [s].
   void step(double dt);
 
-  /// The loads of the contact points in the last step, sorted by (body, other, point). Points that touch and bear
-  /// nothing are left out: most are of floes that drift apart.
+  /// The loads of the contact points in the last step, sorted by (body, other, point); parts of the sheet are one and
+  /// come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
   /// how far the contacts are from solved is more than that. Bullet does not tell it: 0.
@@ -240,8 +246,8 @@ class World {
 
   using VisitNeighbours = std::function<void(BodyId, std::span<const Solid>)>;
   /// Calls `visit` for each of `floes`, which are not settled, with the convex parts of other bodies whose boxes come
-  /// within `reach` [m] of the boxes of its own parts, where they are now; in an order that their places give. Ask for
-  /// one reach: another reach repeats the search.
+  /// within `reach` [m] of the boxes of its own parts, where they are now; in an order that their places give.
+  /// Workers call it for several floes at a time. Ask for one reach: another reach repeats the search.
   void visit_neighbours(std::span<const BodyId> floes, double reach, const VisitNeighbours& visit);
 
   BodyKind kind(BodyId id) const;

@@ -78,6 +78,7 @@ struct Run {
   RunSummary summary;
   StageTimes stage_times;
   double wall_seconds = 0.0;
+  int threads = 1;            ///< that worked at it
   double resumed_from = 0.0;  ///< simulated time that an earlier run had reached [s]; the times above are without it
   std::string started_at;     ///< ISO 8601, UTC
   bool complete = false;      ///< false: interrupted; there are results so far, and no summary
@@ -100,6 +101,8 @@ struct RunOptions {
   CheckpointStore checkpoint{};
   /// Asked after every step; when true the run keeps a checkpoint and stops.
   std::function<bool()> interrupted{};
+  /// Threads that share out the loops over floes and contacts, >= 1. Results do not depend on their number.
+  int threads = 1;
 };
 
 /// Runs `resolved` to its end, or to where it is interrupted.

@@ -85,11 +85,13 @@ void visit_stages(Times& times, Visitor&& visit) {
 class Simulation {
  public:
   /// Lays the sheet, cuts the initial crack and places the structure.
+  /// @param threads  that share out the loops over floes and contacts, the calling one among them, >= 1. Results do not
+  ///                 depend on their number.
   /// @throws InputError when the failure model cannot be read.
-  explicit Simulation(const model::Case& resolved);
+  explicit Simulation(const model::Case& resolved, int threads = 1);
   /// Takes a run of the same case up where `checkpoint` left it; it goes on as if it had not been interrupted.
   /// @throws InputError when the checkpoint is of another case.
-  Simulation(const model::Case& resolved, const model::Checkpoint& checkpoint);
+  Simulation(const model::Case& resolved, const model::Checkpoint& checkpoint, int threads = 1);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+namespace brash {
+
+/// Threads that share out the items of a loop. No result depends on their number, if every item writes only what is its
+/// own and reads nothing that another item of the loop writes.
+///
+/// The calling thread works too. With one worker there is no other thread, and a program without threads works. The
+/// others look for work for some microseconds after a loop, then they sleep. A thread takes one chunk of items after
+/// another, first its own part of the loop, then what others have left: a thread that the system does not run holds
+/// nobody up unless it has begun a chunk. A loop inside an item of another loop is a broken contract.
+class Workers {
+ public:
+  /// @param n  how many, the calling thread among them, >= 1.
+  explicit Workers(int n = 1);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// Logical processors that this process may use, >= 1.
+  static int available();
+
+  int count() const { return count_; }
+
+  /// Calls `task(begin, end, worker)` for chunks that together are [0, n), each of `chunk` items, the last of the rest.
+  ///
+  /// @param task  `worker` is a number below count(): no two calls with the same one run at a time.
+  /// @throws what the task threw, of the earliest chunk that threw; all other chunks are done nevertheless.
+  template <typename Task>
+  void chunks(std::size_t n, std::size_t chunk, Task&& task) {
+    using Type = std::remove_reference_t<Task>;
+    share_out({n, chunk}, {[](void* context, std::size_t begin, std::size_t end, int worker) {
+                             (*static_cast<Type*>(context))(begin, end, worker);
+                           },
+                           const_cast<void*>(static_cast<const void*>(std::addressof(task)))});
+  }
+
+  /// Calls `task(i)` for each i in [0, n), `chunk` of them at a time.
+  template <typename Task>
+  void each(std::size_t n, std::size_t chunk, Task&& task) {
+    chunks(n, chunk, [&task](std::size_t begin, std::size_t end, int) {
+      for (std::size_t i = begin; i < end; ++i) task(i);
+    });
+  }
+
+ private:
+  struct Loop {
+    std::size_t n = 0;
+    std::size_t chunk = 1;
+  };
+  /// A task without its type.
+  struct Call {
+    void (*function)(void* context, std::size_t begin, std::size_t end, int worker) = nullptr;
+    void* context = nullptr;
+  };
+  class Team;
+
+  void share_out(Loop loop, Call call);
+
+  int count_;
+  std::unique_ptr<Team> team_;  ///< none with one worker
+};
+
+}  // namespace brash

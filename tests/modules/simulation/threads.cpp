@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brash/core/sha256.hpp"
+#include "brash/io/case.hpp"
+#include "brash/io/results.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace {
+
+using namespace brash;
+namespace fs = std::filesystem;
+
+/// The validation case, cut short: it sees dozens of breaks.
+model::Case short_case() {
+  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", {"time.duration=5"});
+}
+
+/// Of the files that a run leaves.
+std::vector<std::string> hashes(const model::Case& resolved, const simulation::Run& run) {
+  const fs::path folder = fs::temp_directory_path() / "brash-test-threads";
+  fs::create_directories(folder);
+  io::write_results(folder.string(), resolved, run.results);
+  std::vector<std::string> all{sha256(simulation::to_json(run.summary))};
+  for (const char* const name : {"history.csv", "events.csv", "run.nc"})
+    all.push_back(sha256_of_file((folder / name).string()));
+  fs::remove_all(folder);
+  return all;
+}
+
+/// Runs on `first` threads until it is killed after `steps`, then on `second`.
+simulation::Run run_in_two(const model::Case& resolved, int first, int second, int steps) {
+  std::optional<model::Checkpoint> kept;
+  const simulation::CheckpointStore store{
+      .name = "memory", .keep = [&](const model::Checkpoint& c) { kept = c; }, .newest = [&] { return kept; }};
+  int done = 0;
+  const simulation::Run killed = simulation::run(
+      resolved, {.checkpoint = store, .interrupted = [&] { return ++done == steps; }, .threads = first});
+  BOOST_TEST(!killed.complete);
+  return simulation::run(resolved, {.checkpoint = store, .threads = second});
+}
+
+BOOST_AUTO_TEST_CASE(no_byte_of_a_run_depends_on_the_number_of_threads) {
+  const model::Case resolved = short_case();
+  const simulation::Run alone = simulation::run(resolved);
+  BOOST_TEST(alone.summary.n_breaks > 5);
+  const std::vector<std::string> expected = hashes(resolved, alone);
+  for (const int threads : {2, 3, 8}) {
+    const simulation::Run run = simulation::run(resolved, {.threads = threads});
+    BOOST_TEST(run.threads == threads);
+    BOOST_TEST(hashes(resolved, run) == expected, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_with_another_number_of_threads_to_the_same_bytes) {
+  const model::Case resolved = short_case();
+  const std::vector<std::string> expected = hashes(resolved, simulation::run(resolved));
+  for (const auto& [first, second] : {std::pair{1, 3}, {8, 2}})
+    BOOST_TEST(hashes(resolved, run_in_two(resolved, first, second, 333)) == expected,
+               boost::test_tools::per_element());
+}
+
+}  // namespace
