@@ -111,6 +111,7 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
 }  // namespace
 
 void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  if (c.field.kind == model::FieldKind::kFloes) return;  // floes drift, and end where they end
   const Course course = course_of(c);
   const double gap = -course.bow;
   const double way = course.end - course.bow;

@@ -8,6 +8,7 @@
 
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
+#include "borders.hpp"
 #include "load_axes.hpp"
 #include "simulation_impl.hpp"
 
@@ -81,12 +82,16 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
       sleep(resolved),
       structure_body(world.add_structure(hull->parts(), motion->now().pose)),
       watchdog(resolved, hull->bounds()) {
+  lay_borders(c, world);
   for (const ice::Plate& plate : field.level_ice())
     criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
 }
 
 Simulation::Impl::Impl(const model::Case& c) : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c))) {
-  if (c.field.initial_crack) initial_crack();
+  if (c.field.kind == model::FieldKind::kFloes)
+    lay_floes();
+  else if (c.field.initial_crack)
+    initial_crack();
   begin_watch();
 }
 
