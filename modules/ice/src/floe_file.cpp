@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -45,7 +46,7 @@ std::vector<geometry::Polygon> polygons_of(const std::string& text, const std::s
   if (polygons.empty()) refuse(path, "holds no polygon", kAllowed, "name another file");
   const auto sheet = geometry::IceSheet::from_polygons(polygons);
   if (!sheet)
-    refuse(path, sheet.error().what + ", counted from 0", "simple outlines that do not overlap",
+    refuse(path, sheet.error().what + " (polygons count from 0)", "simple outlines that do not overlap",
            "move or cut one of them; outlines may touch");
   return polygons;
 }

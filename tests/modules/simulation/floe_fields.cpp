@@ -23,7 +23,8 @@ namespace tt = boost::test_tools;
 model::Case field_case(const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides{"field.length=60",      "field.width=60",         "field.concentration=0.6",
                                      "field.size.least=4",   "field.size.largest=12",  "time.duration=3",
-                                     "time.step=0.01",       "structure.start_distance=7", "output.frames_per_second=1"};
+                                     "time.step=0.01",       "structure.start_distance=7", "output.frames_per_second=1",
+                                     "output.statistics_from=0"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return io::read_case(BRASH_SOURCE_DIR "/experiments/fields/cone.toml", overrides);
 }
