@@ -32,8 +32,7 @@ constexpr int kSeedSides = 8;
 /// Steps of the concentration in which the reachable one is sought.
 constexpr double kConcentrationStep = 0.05;
 
-
-/// The cells of a power diagram, each shrunk about its centroid to its floe (F5).
+/// The cells of a power diagram, each shrunk about its centroid to its floe: docs/theory/floe-fields.md, (F5).
 std::vector<Ring> eroded_cells(const Domain& domain, const std::vector<double>& areas,
                                statistics::RandomStream& random) {
   double sum = 0.0;
@@ -126,7 +125,8 @@ tl::expected<FloePacking, FloeFieldError> pack_floes(const model::FieldSection& 
   const bool at_random = field.floes.shape != model::FloeShape::kVoronoi;
   const double free = field.length * field.width - (at_random ? covered({field.length, field.width}, keep_out) : 0.0);
   const auto error = [](std::string what, std::string allowed, std::string remedy) {
-    return tl::unexpected(FloeFieldError{"field.concentration", std::move(what), std::move(allowed), std::move(remedy)});
+    return tl::unexpected(
+        FloeFieldError{"field.concentration", std::move(what), std::move(allowed), std::move(remedy)});
   };
   for (double concentration = asked; concentration > 0.0; concentration -= kConcentrationStep) {
     const auto areas = draw_areas(field.floes.size, concentration * free, kMostFloes, random);

@@ -15,8 +15,8 @@ namespace brash::ice {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel,
-                                                               CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
+using VertexBase =
+    CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, CGAL::Regular_triangulation_face_base_2<Kernel>>;
 using Triangulation = CGAL::Regular_triangulation_2<Kernel, Structure>;
 

@@ -53,7 +53,6 @@ class PlacedRings {
 /// @param keep_out  convex rings that none may meet.
 /// @return the rings in the order of `areas`; none when one of them found no place.
 std::vector<geometry::Ring> place_at_random(const Domain& domain, std::span<const double> areas, int sides,
-                                            std::span<const geometry::Ring> keep_out,
-                                            statistics::RandomStream& random);
+                                            std::span<const geometry::Ring> keep_out, statistics::RandomStream& random);
 
 }  // namespace brash::ice

@@ -126,7 +126,8 @@ constexpr const char* kStyle =
     "<style>text{font:13px sans-serif;fill:#222}.title{font-weight:600}.scale{text-anchor:end}"
     ".hull{fill:#d98032;fill-opacity:.35;stroke:#7a3f0c;stroke-width:1.6}.thin{fill:none;stroke:#7a3f0c;stroke-width:."
     "6}"
-    ".ice{fill:#dbe9f0;stroke:#5b7c8d}.floe{stroke-width:.4;fill-rule:evenodd}.water{fill:#2c5f7c}.surface{stroke:#1d6fa5;stroke-width:1.2}"
+    ".ice{fill:#dbe9f0;stroke:#5b7c8d}.floe{stroke-width:.4;fill-rule:evenodd}.water{fill:#2c5f7c}.surface{stroke:#"
+    "1d6fa5;stroke-width:1.2}"
     ".way{stroke:#7a3f0c;stroke-dasharray:6 4}.end{fill:none;stroke:#7a3f0c;stroke-dasharray:4 3}"
     ".bar{stroke:#222;stroke-width:3}</style>\n";
 

@@ -24,9 +24,9 @@ void lay_borders(const model::Case& resolved, rigid_body::World& world) {
   const double height = kHeight * resolved.ice.thickness;
   const model::FloeFieldSection& floes = resolved.field.floes;
   if (floes.border == model::Border::kWalls) {
-    for (const auto& wall : {box({0.0, -half - kThick}, {length + kThick, -half}),
-                             box({0.0, half}, {length + kThick, half + kThick}),
-                             box({length, -half}, {length + kThick, half})})
+    for (const auto& wall :
+         {box({0.0, -half - kThick}, {length + kThick, -half}), box({0.0, half}, {length + kThick, half + kThick}),
+          box({length, -half}, {length + kThick, half})})
       world.add_sheet_part(wall, -height, height);
   }
   if (floes.shore.empty()) return;

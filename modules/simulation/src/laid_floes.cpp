@@ -52,9 +52,8 @@ std::vector<ice::GivenFloe> floes_of_file(const model::Case& resolved, const std
 }
 
 std::vector<ice::GivenFloe> packed_floes(const model::Case& resolved, const std::vector<Ring>& keep_out) {
-  auto packing =
-      ice::pack_floes(resolved.field, keep_out,
-                      {resolved.random.seed, resolved.name, resolved.random.replicate, "floe-field"});
+  auto packing = ice::pack_floes(resolved.field, keep_out,
+                                 {resolved.random.seed, resolved.name, resolved.random.replicate, "floe-field"});
   if (!packing) {
     const ice::FloeFieldError& error = packing.error();
     throw InputError(Complaint{fmt::format("{} = {}", error.key, resolved.field.floes.concentration.value_or(0.0)),
@@ -104,7 +103,7 @@ InitialField initial_field(const model::Case& resolved) {
   return field;
 }
 
-/// Floes drift with the water that they begin in.
+/// Floes drift with the water that they begin in: docs/theory/floe-fields.md, (F7).
 void Simulation::Impl::lay_floes() {
   const Twist drift{{resolved.water.current.x, resolved.water.current.y, 0.0}, {}};
   for (ice::Plate& plate : laid_floes(resolved, *hull, field.variation())) {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "borders.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
-#include "borders.hpp"
 #include "load_axes.hpp"
 #include "simulation_impl.hpp"
 

@@ -90,9 +90,9 @@ BOOST_AUTO_TEST_CASE(the_concentration_is_reached_to_the_area_of_a_floe) {
 
 BOOST_AUTO_TEST_CASE(floes_do_not_overlap_and_keep_their_area_by_cgal_s_exact_polygons) {
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-  for (const auto& [shape, concentration] : {std::pair(model::FloeShape::kVoronoi, 0.85),
-                                             std::pair(model::FloeShape::kSquares, 0.5),
-                                             std::pair(model::FloeShape::kDiscs, 0.5)}) {
+  for (const auto& [shape, concentration] :
+       {std::pair(model::FloeShape::kVoronoi, 0.85), std::pair(model::FloeShape::kSquares, 0.5),
+        std::pair(model::FloeShape::kDiscs, 0.5)}) {
     const FloePacking packing = packed(field_of(shape, concentration, 150.0));
     CGAL::Polygon_set_2<Kernel> all;
     std::vector<CGAL::Polygon_2<Kernel>> polygons;
@@ -117,7 +117,8 @@ BOOST_AUTO_TEST_CASE(floes_do_not_overlap_and_keep_their_area_by_cgal_s_exact_po
 }
 
 BOOST_AUTO_TEST_CASE(the_sizes_follow_their_law) {
-  for (const model::FloeShape shape : {model::FloeShape::kVoronoi, model::FloeShape::kSquares, model::FloeShape::kDiscs})
+  for (const model::FloeShape shape :
+       {model::FloeShape::kVoronoi, model::FloeShape::kSquares, model::FloeShape::kDiscs})
     for (const model::FloeSizes& law :
          {model::FloeSizes{.kind = model::SizeLaw::kPowerLaw, .exponent = 1.5, .least = 4.0, .largest = 40.0},
           model::FloeSizes{.kind = model::SizeLaw::kLogNormal, .median = 8.0, .deviation = 0.3}}) {

@@ -57,9 +57,9 @@ BOOST_AUTO_TEST_CASE(wkt_gives_outlines_in_their_order) {
 }
 
 BOOST_AUTO_TEST_CASE(geojson_gives_each_floe_its_ice) {
-  const auto floes =
-      read(collection(feature("MultiPolygon", "[" + kSquare + "," + kOther + "]", R"({"thickness":0.5})") + "," +
-                      feature("Polygon", "[[[0,5],[4,5],[4,9],[0,5]]]", R"({"flexural_strength":4e5,"thickness":null})")));
+  const auto floes = read(
+      collection(feature("MultiPolygon", "[" + kSquare + "," + kOther + "]", R"({"thickness":0.5})") + "," +
+                 feature("Polygon", "[[[0,5],[4,5],[4,9],[0,5]]]", R"({"flexural_strength":4e5,"thickness":null})")));
   BOOST_REQUIRE(floes.size() == 3u);
   BOOST_TEST(floes[0].thickness.value() == 0.5);
   BOOST_TEST(floes[1].thickness.value() == 0.5);
@@ -69,8 +69,10 @@ BOOST_AUTO_TEST_CASE(geojson_gives_each_floe_its_ice) {
 
 BOOST_AUTO_TEST_CASE(faults_are_refused_with_their_place) {
   refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 0, 8 0, 8 4, 2 4, 2 0))", "overlaps at (2, 0)");
-  refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 1, 8 1, 8 3, 2 3, 2 1))", "polygon 0 crosses polygon 1 at (4,");
-  refuses("POLYGON((0 0, 8 0, 8 8, 0 8, 0 0)) POLYGON((2 2, 4 2, 4 4, 2 4, 2 2))", "overlaps at (2, 2)");  // one in the other
+  refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 1, 8 1, 8 3, 2 3, 2 1))",
+          "polygon 0 crosses polygon 1 at (4,");
+  refuses("POLYGON((0 0, 8 0, 8 8, 0 8, 0 0)) POLYGON((2 2, 4 2, 4 4, 2 4, 2 2))",
+          "overlaps at (2, 2)");  // one in the other
   refuses("POLYGON((0 0, 30 0, 30 4, 0 4, 0 0))", "field.length = 20");
   refuses(collection(feature("Polygon", kSquare, R"({"thickness":"thick"})")), "feature 0");
   refuses(collection(feature("Polygon", kSquare, R"({"thickness":-1})")), "has the thickness -1");

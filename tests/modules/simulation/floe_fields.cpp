@@ -21,21 +21,29 @@ namespace tt = boost::test_tools;
 
 /// A short run through some dozens of floes.
 model::Case field_case(const std::vector<std::string>& more = {}) {
-  std::vector<std::string> overrides{"field.length=60",      "field.width=60",         "field.concentration=0.6",
-                                     "field.size.least=4",   "field.size.largest=12",  "time.duration=3",
-                                     "time.step=0.01",       "structure.start_distance=7", "output.frames_per_second=1",
+  std::vector<std::string> overrides{"field.length=60",
+                                     "field.width=60",
+                                     "field.concentration=0.6",
+                                     "field.size.least=4",
+                                     "field.size.largest=12",
+                                     "time.duration=3",
+                                     "time.step=0.01",
+                                     "structure.start_distance=7",
+                                     "output.frames_per_second=1",
                                      "output.statistics_from=0"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return io::read_case(BRASH_SOURCE_DIR "/experiments/fields/cone.toml", overrides);
 }
 
-/// A square floe of side `l` that a wind U and a current along it drive: where water and wind balance, (F9). Besides
+/// A square floe of side `l` that a wind U and a current along it drive: where water and wind balance,
+/// floe-fields.md, (F9). Besides
 /// friction on the bottom and two sides there is form drag on one end.
 double free_drift(const model::Case& c, double l, double wind, double current) {
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   const model::HydrodynamicsSection& h = c.hydrodynamics;
   const double air = c.wind.density * c.wind.skin_friction * l * l;
-  const double water = 0.5 * c.water.density * (h.skin_friction * (l * l + 2.0 * l * draught) + h.form_drag * l * draught);
+  const double water =
+      0.5 * c.water.density * (h.skin_friction * (l * l + 2.0 * l * draught) + h.form_drag * l * draught);
   const double nansen = std::sqrt(air / water);
   return current + nansen / (1.0 + nansen) * (wind - current);
 }
@@ -111,7 +119,8 @@ BOOST_AUTO_TEST_CASE(a_jam_presses_on_the_wall_with_the_wind_on_all_its_floes) {
       impulse -= kStep * (contact.normal_force * contact.normal.x + contact.friction_force.x);
     }
   }
-  // (F10): the wall bears the wind on 8 floes, each 9 m2, as a mean over 30 s. What is left is their last motion.
+  // floe-fields.md, (F10): the wall bears the wind on 8 floes, each 9 m2, as a mean over 30 s. What is left is their
+  // last motion.
   const double wind = 1.3 * 0.0015 * 400.0 * 8.0 * 9.0;
   BOOST_TEST(impulse / (kCount * kStep) == wind, tt::tolerance(0.01));
 }
