@@ -219,6 +219,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   const StageTimer::Scope clock(timer, times.contacts);
   expect_on_the_plane();
   Wrench crushing;
+  region_loads.begin_step();
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
@@ -229,6 +230,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
     for (const EdgeContact& contact : contacts) {
       const Vec3 arm = contact.point - motion->now().pose.position, force = -contact.on_ice;
       crushing += {share * force, share * cross(arm, force)};
+      region_loads.add_crushing(motion->now().pose, contact.point, contact.normal, share * force);
     }
     if (done >= 1.0) add_contacts_of_floes(contacts);
     judge(contacts, report);

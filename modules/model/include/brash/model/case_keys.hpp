@@ -158,7 +158,7 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
   visit("field", "file", floes.file);
   visit("field", "concentration", floes.concentration);
   visit("field", "shape", floes.shape);
-  visit("field", "border", floes.border);
+  visit("field", "walls", floes.walls);
   visit("field", "shore", floes.shore);
   auto& size = floes.size;
   visit("field.size", "kind", size.kind);

@@ -31,11 +31,6 @@ enum class FieldKind {
 enum class FloeShape { kVoronoi, kSquares, kDiscs };
 /// [field.size] kind: how the sizes of generated floes are distributed.
 enum class SizeLaw { kPowerLaw, kLogNormal, kList };
-/// [field] border: what bounds the floes of a field.
-enum class Border {
-  kOpen,  ///< nothing: floes may drift away
-  kWalls  ///< fixed walls along both sides and at the far end
-};
 /// [failure] model: the criterion that says whether the ice fails in bending, failure::make_criterion().
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
@@ -119,9 +114,6 @@ template <>
 inline constexpr auto kNames<SizeLaw> = std::to_array<Named<SizeLaw>>({{SizeLaw::kPowerLaw, "power-law"},
                                                                        {SizeLaw::kLogNormal, "log-normal"},
                                                                        {SizeLaw::kList, "list"}});
-template <>
-inline constexpr auto kNames<Border> = std::to_array<Named<Border>>({{Border::kOpen, "open"},
-                                                                     {Border::kWalls, "walls"}});
 template <>
 inline constexpr auto kNames<FailureModel> =
     std::to_array<Named<FailureModel>>({{FailureModel::kNetwork, "network"},
