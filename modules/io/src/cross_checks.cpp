@@ -346,6 +346,12 @@ void check_floes(const model::Case& c, Checks& checks) {
   };
   check_file(floes.file, "file");
   check_file(floes.shore, "shore");
+  const Key concentration{"field", "concentration"}, kind{"field", "kind"};
+  checks.require(floes.concentration.has_value() || !floes.file.empty(), concentration, kind,
+                 "is missing: floes are generated, or read from a file", "a concentration, or field.file",
+                 "write field.concentration = 0.7 or the like, or name a file");
+  checks.require(!floes.concentration.has_value() || floes.file.empty(), concentration, kind,
+                 "stands beside field.file, whose floes have their own", "one of the two", "remove one of the two");
   if (floes.file.empty()) check_sizes(c, checks);
 }
 
