@@ -128,13 +128,15 @@ tl::expected<FloePacking, FloeFieldError> pack_floes(const model::FieldSection& 
     return tl::unexpected(
         FloeFieldError{"field.concentration", std::move(what), std::move(allowed), std::move(remedy)});
   };
-  for (double concentration = asked; concentration > 0.0; concentration -= kConcentrationStep) {
+  const int n_steps = static_cast<int>(asked / kConcentrationStep) + 1;
+  for (int step = 0; step < n_steps; ++step) {
+    const double concentration = asked - step * kConcentrationStep;
     const auto areas = draw_areas(field.floes.size, concentration * free, kMostFloes, random);
     if (!areas)
       return error("takes too many floes of these sizes", fmt::format("at most {} floes", kMostFloes),
                    "raise field.size, or make the field smaller");
     std::optional<FloePacking> packing = try_to_pack(field, *areas, keep_out, random);
-    if (packing && concentration == asked) return std::move(*packing);
+    if (packing && step == 0) return std::move(*packing);
     if (packing)
       return error("is more than floes of this shape and these sizes reach at random places",
                    fmt::format("at most {:.3g}, which was reached", packing->concentration),
