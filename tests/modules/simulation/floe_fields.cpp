@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_run_through_a_field_closes_its_ledger_and_its_energies) {
   BOOST_TEST(s.initial_floes->size_quantiles.back() <= 12.0);
   BOOST_TEST(run.results.loads.back().n_floes > 20);
   for (const model::Warning& warning : s.warnings) BOOST_TEST(warning.id != "no-breaks");  // floes alone bear
-  BOOST_TEST(s.horizontal.maximum > 0.0);  // the cone has met floes
+  BOOST_TEST(s.horizontal.maximum > 0.0);                                                  // the cone has met floes
 }
 
 BOOST_AUTO_TEST_CASE(a_resumed_run_ends_with_the_same_bytes) {
