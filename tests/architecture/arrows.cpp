@@ -34,7 +34,7 @@ const std::map<std::string, Room> kRooms{
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},
     {"standards", {"modules/standards", {"core"}, {"gsl"}}},
-    {"ice", {"modules/ice", {"core", "geometry", "failure", "model", "statistics"}, {}}},
+    {"ice", {"modules/ice", {"core", "geometry", "failure", "model", "statistics"}, {"CGAL", "Eigen", "json"}}},
     {"io",
      {"modules/io",
       {"core", "geometry", "model", "netcdf", "structure"},

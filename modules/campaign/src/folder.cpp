@@ -113,7 +113,7 @@ void Folder::refuse_files_of_others() const {
       refuse_folder(directory_ + "/" + name, "holds files, but none of this campaign");
 }
 
-/// The plan, the base case, the models and the meshes as they were read.
+/// The plan, the base case, the models, the meshes and the files of floes as they were read.
 void Folder::write_inputs() const {
   const fs::path inputs = fs::path(directory_) / "inputs";
   const auto write = [](const fs::path& copy, const std::string& text) {
@@ -125,6 +125,10 @@ void Folder::write_inputs() const {
       write(inputs / "model" / model.filename(), read_text_file(model.string(), "the file of a failure model"));
     if (const auto* const mesh = std::get_if<model::Mesh>(&setting.resolved.structure.shape))
       write(inputs / "hull" / fs::path(mesh->file).filename(), read_text_file(mesh->file, "a mesh", kMostOfMesh));
+    const model::FloeFieldSection& floes = setting.resolved.field.floes;
+    for (const auto& [name, file] : {std::pair("field", floes.file), std::pair("shore", floes.shore)})
+      if (!file.empty())
+        write(inputs / name / fs::path(file).filename(), read_text_file(file, "a file of outlines", kMostOfMesh));
   }
 }
 

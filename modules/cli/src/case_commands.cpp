@@ -11,6 +11,7 @@
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
 #include "brash/report/case_picture.hpp"
+#include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/mesh_file.hpp"
@@ -66,11 +67,16 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
   print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
   print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
-  print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
+  const simulation::InitialField field = simulation::initial_field(resolved);
+  if (resolved.field.kind == model::FieldKind::kLevelIce)
+    print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
+  else
+    print("# floes                          {}, {:.4g} m2, concentration {:.4g}\n", field.floes.size(), field.area,
+          field.area / (resolved.field.length * resolved.field.width));
   if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
   print_hull(resolved);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) print_mesh(*mesh);
-  if (!picture.empty()) write_file(picture, report::case_picture(resolved));
+  if (!picture.empty()) write_file(picture, report::case_picture(resolved, field.floes));
   print_warnings(scales.warnings);
 }
 

@@ -51,7 +51,7 @@ std::vector<fmu::Parameter> parameters_of(const model::Case& resolved) {
   return parameters;
 }
 
-/// The models and the mesh that the case reads, in the resources.
+/// The models, the mesh and the ice that the case reads, in the resources.
 std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
   constexpr std::size_t kMostMebibytes = 64;
   const std::string& own = inputs.resolved.failure.file;
@@ -59,6 +59,9 @@ std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
   if (const auto* const mesh = std::get_if<model::Mesh>(&inputs.resolved.structure.shape))
     for (const recording::InputFile& file : inputs.files)
       if (file.path == mesh->file) entries.push_back({"resources/" + file.copy, file.bytes});
+  const model::FloeFieldSection& floes = inputs.resolved.field.floes;
+  for (const recording::InputFile& file : inputs.files)
+    if (file.path == floes.file || file.path == floes.shore) entries.push_back({"resources/" + file.copy, file.bytes});
   for (const std::string& file : failure::model_files(inputs.resolved.failure)) {
     const std::string name = file == own ? inputs.recorded().failure.file
                                          : std::string(fmu::kModelFolder) + "/" + fs::path(file).filename().string();

@@ -18,8 +18,10 @@ geometry::Polygon rectangle(double length, double width) {
 }
 
 std::vector<Plate> laid(const model::FieldSection& section, const failure::IceProperties& ice) {
+  std::vector<geometry::Polygon> outline;
+  if (section.kind == model::FieldKind::kLevelIce) outline.push_back(rectangle(section.length, section.width));
   std::vector<Plate> plates;
-  plates.emplace_back(0, Hold::kFast, ice, std::vector{rectangle(section.length, section.width)});
+  plates.emplace_back(0, Hold::kFast, ice, std::move(outline));
   return plates;
 }
 
@@ -171,6 +173,11 @@ std::vector<Plate> Field::split(const Plate& floe, Vec2 from, Vec2 to, double sm
   for (const geometry::Polygon& part : parts.pieces) book_piece(floe, part, smallest_floe, pieces);
   BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
   return pieces;
+}
+
+void Field::add_floe(const Plate& floe) {
+  ledger_.initial += floe.area();
+  ledger_.floes += floe.area();
 }
 
 void Field::to_brash(const Plate& piece) {

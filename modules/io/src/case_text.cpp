@@ -114,6 +114,13 @@ std::string other_kinds(const OrderedJson& keys, const OrderedJson& key_schema) 
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
+/// Whether the section around this one has it by default.
+bool has_by_default(const Schema& schema, const std::string& section) {
+  const std::string around = section.substr(0, section.rfind('.'));
+  if (around == section || !schema.keys(around).contains("kind")) return true;
+  return schema.has_section(section, schema.keys(around).at("kind").at("default").get<std::string>());
+}
+
 /// The first kind that has a key; the default kind of the section where all kinds have it, or "".
 std::string first_kind(const OrderedJson& keys, const OrderedJson& key_schema) {
   if (key_schema.contains("x-kinds")) return key_schema.at("x-kinds").front().get<std::string>();
@@ -137,7 +144,7 @@ std::string case_template() {
       text += commented((required ? "Required" : "Optional") + of_kinds + ": " + allowed_values(key_schema) + ".");
       const bool has_default = key_schema.contains("default");
       const std::string value = toml_text(has_default ? key_schema.at("default") : key_schema.at("examples").front());
-      const bool is_live = kinds.empty() && (required || has_default);
+      const bool is_live = kinds.empty() && (required || has_default) && has_by_default(schema, section);
       text += fmt::format("{}{} = {}\n", is_live ? "" : "# ", key, value);
     }
   }

@@ -189,6 +189,7 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
                    "lower ice.friction_structure or structure.angle");
     return;
   }
+  if (c.field.kind != model::FieldKind::kLevelIce) return;
   checks.require(!c.field.initial_crack || c.field.initial_crack_radius > 0.0, {"field", "initial_crack"},
                  {"structure", "kind"}, "the structure's front is vertical and bends no ice",
                  "false, or a field.initial_crack_radius", "write false: the ice is whole when the structure comes");
@@ -196,13 +197,13 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
 
 void check_way(const model::Case& c, double reach, Checks& checks) {
   const model::StructureSection& s = c.structure;
-  checks.require(s.start_distance > reach, {"structure", "start_distance"}, {"structure", "waterline_width"},
-                 "the structure starts inside the ice",
+  checks.require(s.start_distance > reach || c.field.kind == model::FieldKind::kFloes, {"structure", "start_distance"},
+                 {"structure", "waterline_width"}, "the structure starts inside the ice",
                  fmt::format("more than its largest radius in the ice, {:.6g} m", reach),
                  "start the structure further from the ice edge");
   const double farthest = kFarthest - reach;
-  checks.require(s.start_distance <= farthest, {"structure", "start_distance"}, {"structure", "waterline_width"},
-                 "the structure starts outside the plane of the ice",
+  checks.require(std::abs(s.start_distance) <= farthest, {"structure", "start_distance"},
+                 {"structure", "waterline_width"}, "the structure starts outside the plane of the ice",
                  fmt::format("at most {} m less its largest radius in the ice, {:.6g} m", kFarthest, farthest),
                  "start the structure nearer to the ice edge");
   const double speed = model::speed(s.motion);
@@ -239,6 +240,7 @@ bool check_rows(const model::Case& c, const std::vector<model::Waypoint>& path, 
 
 /// The structure begins its path beside the ice.
 void check_start(const model::Case& c, const structure::Hull& hull, double draught, double freeboard, Checks& checks) {
+  if (c.field.kind == model::FieldKind::kFloes) return;  // a field of floes keeps out of its way
   const Pose start = structure::unresisted(c.structure, 0.0);
   const auto reach = [&](Vec2 way) { return structure::foremost(hull, start, -draught, freeboard, way).reach; };
   const bool beside = reach({1.0, 0.0}) < 0.0 || -reach({-1.0, 0.0}) > c.field.length ||
@@ -286,8 +288,8 @@ void check_structure(const model::Case& c, Checks& checks) {
     check_start(c, *hull, draught, freeboard, checks);
   const double width = structure::foremost(*hull, {}, 0.0, 0.0, {0.0, 1.0}).reach +
                        structure::foremost(*hull, {}, 0.0, 0.0, {0.0, -1.0}).reach;
-  checks.require(c.field.width > width, {"field", "width"}, {"structure", "waterline_width"},
-                 "the sheet is narrower than the structure",
+  checks.require(c.field.width > width || c.field.kind == model::FieldKind::kFloes, {"field", "width"},
+                 {"structure", "waterline_width"}, "the sheet is narrower than the structure",
                  fmt::format("more than the structure's width at the waterline, {:.6g} m", width), "widen the sheet");
 }
 
@@ -300,6 +302,57 @@ void check_field(const model::Case& c, Checks& checks) {
                  fmt::format("less than the sheet's length and half its width, {} m",
                              std::min(c.field.length, c.field.width / 2.0)),
                  "lower the radius, or write 0 for the ice's own breaking length");
+}
+
+/// Each law of sizes needs its own keys, and floes that fit in the field.
+void check_sizes(const model::Case& c, Checks& checks) {
+  const model::FloeSizes& size = c.field.floes.size;
+  const auto needs = [&](bool given, const char* key) {
+    checks.require(given, {"field.size", key}, {"field", "kind"}, "is missing: generated floes need a size",
+                   "the keys of one law of sizes", "write it under [field.size], or name a field.file");
+  };
+  double largest = 0.0;
+  switch (size.kind) {
+    case model::SizeLaw::kPowerLaw:
+      needs(size.least.has_value(), "least");
+      needs(size.largest.has_value(), "largest");
+      largest = size.largest.value_or(0.0);
+      checks.require(size.least.value_or(0.0) < size.largest.value_or(1e9), {"field.size", "least"},
+                     {"field.size", "largest"}, "is no less than the largest size", "less than field.size.largest",
+                     "lower it; floes of one size are kind = \"list\" with one value");
+      break;
+    case model::SizeLaw::kLogNormal:
+      needs(size.median.has_value(), "median");
+      largest = size.median.value_or(0.0);
+      break;
+    case model::SizeLaw::kList:
+      needs(!size.values.empty(), "values");
+      for (const double value : size.values) largest = std::max(largest, value);
+      break;
+  }
+  checks.require(largest < std::min(c.field.length, c.field.width), {"field", "length"}, {"field", "width"},
+                 fmt::format("floes of {:.4g} m do not fit in the field", largest),
+                 fmt::format("length and width above {:.4g} m", largest), "enlarge the field, or lower field.size");
+}
+
+void check_floes(const model::Case& c, Checks& checks) {
+  if (c.field.kind != model::FieldKind::kFloes) return;
+  const model::FloeFieldSection& floes = c.field.floes;
+  const auto check_file = [&](const std::string& file, const char* key) {
+    std::error_code ignored;
+    checks.require(file.empty() || std::filesystem::is_regular_file(file, ignored), {"field", key}, {"field", key},
+                   fmt::format("there is no file {}", file), "a file in WKT or GeoJSON, relative to the case file",
+                   "correct the path");
+  };
+  check_file(floes.file, "file");
+  check_file(floes.shore, "shore");
+  const Key concentration{"field", "concentration"}, kind{"field", "kind"};
+  checks.require(floes.concentration.has_value() || !floes.file.empty(), concentration, kind,
+                 "is missing: floes are generated, or read from a file", "a concentration, or field.file",
+                 "write field.concentration = 0.7 or the like, or name a file");
+  checks.require(!floes.concentration.has_value() || floes.file.empty(), concentration, kind,
+                 "stands beside field.file, whose floes have their own", "one of the two", "remove one of the two");
+  if (floes.file.empty()) check_sizes(c, checks);
 }
 
 /// A circle of a few units of the geometry's grid has no shape.
@@ -408,6 +461,7 @@ std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& 
   check_structure(resolved, checks);
   check_field(resolved, checks);
   check_initial_crack(resolved, checks);
+  check_floes(resolved, checks);
   check_hull(resolved, checks);
   check_contact(resolved, checks);
   check_water(resolved, checks);

@@ -29,9 +29,11 @@ struct FileKey {
   Place place(const CaseSource& source) const { return place_of(source, section, key); }
 };
 
-/// The file keys of a case: the model of the failure, and the mesh of the structure.
+/// The file keys of a case: the model of the failure, the floes and the shore of a field, the mesh of the structure.
 std::vector<FileKey> file_keys(model::Case& c) {
-  std::vector<FileKey> keys{{.section = "failure", .value = &c.failure.file}};
+  std::vector<FileKey> keys{{.section = "failure", .value = &c.failure.file},
+                            {.section = "field", .value = &c.field.floes.file},
+                            {.section = "field", .key = "shore", .value = &c.field.floes.shore}};
   if (auto* const mesh = std::get_if<model::Mesh>(&c.structure.shape))
     keys.push_back({.section = "structure", .value = &mesh->file});
   return keys;

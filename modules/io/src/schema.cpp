@@ -42,6 +42,11 @@ Schema::Schema(std::string kind, const char* text) : kind_(std::move(kind)), tre
   tree_.at("properties") = std::move(sections);
 }
 
+bool Schema::has_section(const std::string& section, const std::string& kind_around) const {
+  const OrderedJson& part = sections().at(section);
+  return !part.contains("x-kinds") || holds(part, "x-kinds", kind_around);
+}
+
 bool Schema::has_key(const std::string& section, const std::string& key, const std::string& kind) const {
   const OrderedJson& key_schema = keys(section).at(key);
   return !key_schema.contains("x-kinds") || holds(key_schema, "x-kinds", kind);

@@ -34,6 +34,8 @@ class Schema {
   bool requires_key(const std::string& section, const std::string& key, const std::string& kind) const;
   /// The keys that take the place of a key, section and name.
   std::vector<std::string> in_place_of(const std::string& section, const std::string& key) const;
+  /// Whether a section within another one belongs to the one around it, where the key `kind` of that has this value.
+  bool has_section(const std::string& section, const std::string& kind_around) const;
   /// Whether the key belongs to a section whose key `kind` has this value.
   bool has_key(const std::string& section, const std::string& key, const std::string& kind) const;
 

@@ -210,7 +210,7 @@ class Reader {
       if (!source_.tree.contains(section) && !schema_.requires_section(section)) continue;
       for (const auto& [key, key_schema] : schema_.keys(section).items()) {
         const bool written = source_.tree[section][key].node() != nullptr;
-        if (written && !schema_.has_key(section, key, kind_of(section)))
+        if (written && !has_key(section, key))
           problems_.push_back(of_another_kind(section, key));
         else if (const std::string other = written_instead(section, key); written && !other.empty())
           problems_.push_back(stands_beside(section, key, other));
@@ -245,7 +245,7 @@ class Reader {
   }
 
   bool is_missing(const std::string& section, const std::string& key) const {
-    return schema_.requires_key(section, key, kind_of(section)) && schema_.has_key(section, key, kind_of(section)) &&
+    return schema_.requires_key(section, key, kind_of(section)) && has_key(section, key) &&
            !is_written(long_form(schema_.keys(section).at(key))) && written_instead(section, key).empty();
   }
 
@@ -270,11 +270,23 @@ class Reader {
             fmt::format("add `{} = {}` or the like under `[{}]`", key, example, section)};
   }
 
+  /// The section whose kind decides about a key: a part that only some kinds of the section around it have is theirs.
+  std::string decides(const std::string& section) const {
+    const std::string around = section.substr(0, section.rfind('.'));
+    if (around == section || !schema_.sections().at(section).contains("x-kinds")) return section;
+    return schema_.has_section(section, kind_of(around)) ? section : around;
+  }
+
+  bool has_key(const std::string& section, const std::string& key) const {
+    return decides(section) == section && schema_.has_key(section, key, kind_of(section));
+  }
+
   Problem of_another_kind(const std::string& section, const std::string& key) const {
+    const std::string owner = decides(section);
     std::vector<std::string> keys;
-    for (const std::string& name : names(schema_.keys(section)))
-      if (schema_.has_key(section, name, kind_of(section))) keys.push_back(name);
-    const std::string kind = fmt::format("{}.kind = {}", section, toml_string(kind_of(section)));
+    for (const std::string& name : names(schema_.keys(owner)))
+      if (has_key(owner, name)) keys.push_back(name);
+    const std::string kind = fmt::format("{}.kind = {}", owner, toml_string(kind_of(owner)));
     return {place_of(source_, section, key),         section + "." + key,
             value_text(source_, section, key),       "is no key of " + kind,
             fmt::format("its keys: {}", list(keys)), "",
@@ -394,8 +406,7 @@ class Reader {
     for (const std::string& section : names(schema_.sections())) {
       if (!has_keys(section)) continue;
       for (const auto& [key, key_schema] : schema_.keys(section).items())
-        if (!document_[section].contains(key) && key_schema.contains("default") &&
-            schema_.has_key(section, key, kind_of(section)))
+        if (has_key(section, key) && !document_[section].contains(key) && key_schema.contains("default"))
           document_[section][key] = Json::parse(Schema::default_in(key_schema, preset).dump());
     }
   }

@@ -36,12 +36,22 @@ void add_model(const model::Case& resolved, std::vector<InputFile>& files) {
   files.back().bytes = std::move(bytes);
 }
 
+/// A file that the case names, with its copy in the run's folder.
+void add_file(const char* what, const char* kind, const std::string& path, std::vector<InputFile>& files) {
+  std::string bytes = read_text_file(path, kind, kMostMebibytesOfMesh);
+  files.push_back({path, sha256(bytes), bytes.size(), copy_of(what, path)});
+  files.back().bytes = std::move(bytes);
+}
+
 }  // namespace
 
 model::Case Inputs::recorded() const {
   model::Case recorded = resolved;
   if (!recorded.failure.file.empty()) recorded.failure.file = copy_of_model(resolved);
   if (auto* const mesh = std::get_if<model::Mesh>(&recorded.structure.shape)) mesh->file = copy_of("hull", mesh->file);
+  model::FloeFieldSection& floes = recorded.field.floes;
+  if (!floes.file.empty()) floes.file = copy_of("field", floes.file);
+  if (!floes.shore.empty()) floes.shore = copy_of("shore", floes.shore);
   return recorded;
 }
 
@@ -50,11 +60,11 @@ Inputs inputs_of(const std::string& case_file, const std::string& case_text, con
   inputs.files.push_back(
       {case_file, sha256(case_text), case_text.size(), kFolder + fs::path(case_file).filename().string(), case_text});
   add_model(resolved, inputs.files);
-  if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) {
-    std::string bytes = read_text_file(mesh->file, "a mesh", kMostMebibytesOfMesh);
-    inputs.files.push_back({mesh->file, sha256(bytes), bytes.size(), copy_of("hull", mesh->file)});
-    inputs.files.back().bytes = std::move(bytes);
-  }
+  if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape))
+    add_file("hull", "a mesh", mesh->file, inputs.files);
+  const model::FloeFieldSection& floes = resolved.field.floes;
+  if (!floes.file.empty()) add_file("field", "a file of floes", floes.file, inputs.files);
+  if (!floes.shore.empty()) add_file("shore", "a file of outlines", floes.shore, inputs.files);
   return inputs;
 }
 

@@ -59,7 +59,12 @@ View view_of(const std::vector<structure::Outline>& waterline, const model::RunR
     for (const Vec2 vertex : outline) view.include(vertex);
   for (const std::vector<Vec2>& ring : results.initial_sheet)
     for (const Vec2 vertex : ring) view.include(vertex);
-  for (const model::FloePose& floe : results.frames.back().floes) view.include(plan(floe.pose.position));
+  for (const model::FloePose& floe : results.frames.back().floes) {
+    view.include(plan(floe.pose.position));
+    if (!results.initial_sheet.empty()) continue;  // in level ice no floe lies farther out than the sheet
+    for (const auto& ring : seen_from_above(results.floes[static_cast<std::size_t>(floe.floe)], floe.pose))
+      for (const Vec2 vertex : ring) view.include(vertex);
+  }
   view.grow(kBorder);
   return view;
 }

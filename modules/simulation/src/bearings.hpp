@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,7 @@ class Bearings {
   /// @param level_ice_of  number of the level ice that a body of the sheet belongs to.
   void average(const rigid_body::World& world, const FloePopulation& floes,
                const std::vector<const rigid_body::ContactLoad*>& contacts,
-               const std::function<int(BodyId)>& level_ice_of, double dt);
+               const std::function<std::optional<int>(BodyId)>& level_ice_of, double dt);
 
   /// The floe is no more.
   void forget(BodyId floe);

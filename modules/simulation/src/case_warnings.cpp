@@ -111,6 +111,7 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
 }  // namespace
 
 void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  if (c.field.kind == model::FieldKind::kFloes) return;  // floes drift, and end where they end
   const Course course = course_of(c);
   const double gap = -course.bow;
   const double way = course.end - course.bow;
@@ -225,7 +226,7 @@ Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const 
 
 Warnings warnings_of(const RunSummary& s) {
   Warnings warnings;
-  if (s.n_breaks == 0)
+  if (s.n_breaks == 0 && !s.initial_floes)  // the loads of a field are of its floes
     warnings.push_back({"no-breaks",
                         "the ice has not broken in this run: the loads are of crushing and floes alone; "
                         "run longer, or check the strengths of the ice"});

@@ -76,7 +76,8 @@ bool FloePopulation::complete(Floe& floe) const {
   return true;
 }
 
-std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, ice::Plate&& plate, double time) {
+std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, ice::Plate&& plate, double time,
+                                                     const Twist& twist) {
   // Afloat, one face of a plate is wet.
   const bool plate_law = case_->hydrodynamics.added_mass_law == model::AddedMassLaw::kPlate;
   Floe floe{.plate = std::move(plate), .wet_share = plate_law ? 0.5 : 1.0};
@@ -85,7 +86,7 @@ std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, i
     return std::nullopt;
   }
   const Pose pose = floe.laid;
-  return launch(world, std::move(floe), pose, {}, time);
+  return launch(world, std::move(floe), pose, twist, time);
 }
 
 std::optional<model::FloeRecord> FloePopulation::add_piece(rigid_body::World& world, ice::Plate&& plate,

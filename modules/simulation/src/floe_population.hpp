@@ -90,9 +90,10 @@ class FloePopulation {
  public:
   explicit FloePopulation(const model::Case& resolved) : case_(&resolved) {}
 
-  /// Gives `plate` a body at rest in the level ice.
+  /// Gives `plate` a body that floats where its outline is, at rest or with `twist`.
   /// @return its record; nothing when it is too thin for a body, and `plate` is then left as it is.
-  std::optional<model::FloeRecord> add(rigid_body::World& world, ice::Plate&& plate, double time);
+  std::optional<model::FloeRecord> add(rigid_body::World& world, ice::Plate&& plate, double time,
+                                       const Twist& twist = {});
   /// Gives `plate`, a piece of the floe `parent`, a body that moves on as the parent did.
   /// @param pose, twist  of the parent's body, which is gone.
   /// @return as add().

@@ -39,7 +39,10 @@ FloeWater::FloeWater(const model::Case& resolved)
              .rotational_drag = resolved.hydrodynamics.rotational_drag,
              .skin_friction = resolved.hydrodynamics.skin_friction,
              .shading_gap = shading_gap(resolved),
-             .form_drag_along = resolved.hydrodynamics.form_drag_along} {
+             .form_drag_along = resolved.hydrodynamics.form_drag_along},
+      wind_{.velocity = {resolved.wind.velocity.x, resolved.wind.velocity.y, 0.0},
+            .density = resolved.wind.density,
+            .skin_friction = resolved.wind.skin_friction} {
   if (!resolved.hydrodynamics.structure_flow) return;
   const auto body = structure::fitted_ellipsoid(*structure::make_hull(resolved.structure.shape));
   flow_.emplace(body.semi_axes);
@@ -78,6 +81,7 @@ void FloeWater::meet(rigid_body::World& world, BodyId body, Floe& floe, double d
     const double dry = 1.0 - floe.flooded;
     floe.pressure = {-dry * top.pressure.force, -dry * top.pressure.moment};
   }
+  if (wind_.velocity != Vec3{}) floe.pressure += hydrodynamics::wind_load(floe.prism, pose, world.twist(body), wind_);
   take_added_mass(world, body, floe, *case_, floe.stream);
   world.set_stream(body, floe.stream);
   if (flow_)

@@ -7,6 +7,7 @@
 
 #include "brash/hydrodynamics/structure_flow.hpp"
 #include "brash/hydrodynamics/water.hpp"
+#include "brash/hydrodynamics/wind.hpp"
 #include "brash/structure/motion.hpp"
 #include "floe_population.hpp"
 
@@ -44,6 +45,7 @@ class FloeWater {
 
   const model::Case* case_;
   hydrodynamics::Water water_;
+  hydrodynamics::Wind wind_;
   std::optional<hydrodynamics::StructureFlow> flow_;
   Pose ellipsoid_;                    ///< of the flow, hull's frame
   std::vector<std::uint8_t> is_due_;  ///< scratch: whether the drag of each moving floe is to be computed

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,8 +24,11 @@ class SheetTiles {
   /// Renews the tiles that are laid and meet the part of `plate` that has changed.
   void renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed);
 
-  /// Number of the level ice that a body of its shape belongs to.
-  int level_ice_of(BodyId part) const { return level_ice_of_.at(part); }
+  /// Number of the level ice that a body of its shape belongs to; nothing of another fixed body.
+  std::optional<int> level_ice_of(BodyId part) const {
+    const auto found = level_ice_of_.find(part);
+    return found == level_ice_of_.end() ? std::nullopt : std::optional(found->second);
+  }
 
  private:
   using Cell = std::pair<int, int>;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "borders.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
 #include "load_axes.hpp"
@@ -84,13 +85,17 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       region_loads(structure::regions_of(c.structure.shape, *hull)),
       watchdog(resolved, hull->bounds()) {
   world.share_work(workers);
+  lay_borders(c, world);
   for (const ice::Plate& plate : field.level_ice())
     criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
 }
 
 Simulation::Impl::Impl(const model::Case& c, int threads)
     : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c)), threads) {
-  if (c.field.initial_crack) initial_crack();
+  if (c.field.kind == model::FieldKind::kFloes)
+    lay_floes();
+  else if (c.field.initial_crack)
+    initial_crack();
   begin_watch();
 }
 

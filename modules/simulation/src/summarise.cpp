@@ -171,6 +171,22 @@ nlohmann::ordered_json json_of(const EnergyBalance& e) {
           {"largest_step_error", e.largest_step_error}};
 }
 
+/// A field of floes at the start: all that were there before the first step.
+InitialFloes floes_at_start(const model::Case& resolved, std::span<const model::FloeRecord> floes) {
+  std::vector<double> sizes;
+  double area = 0.0;
+  for (const model::FloeRecord& floe : floes) {
+    if (floe.birth > 0.0) continue;
+    area += floe.area;
+    sizes.push_back(std::sqrt(floe.area));
+  }
+  InitialFloes at_start{.n = static_cast<int>(sizes.size()),
+                        .concentration = area / (resolved.field.length * resolved.field.width),
+                        .size_quantiles = {}};
+  at_start.size_quantiles = statistics::quantiles(std::move(sizes), kQuantiles);
+  return at_start;
+}
+
 }  // namespace
 
 RunSummary summarise(const model::Case& resolved, const model::RunResults& results, RunSummary s) {
@@ -209,6 +225,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
     s.n_floes_present += floe.end == model::FloeEnd::kAlive ? 1 : 0;
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
+  if (resolved.field.kind == model::FieldKind::kFloes) s.initial_floes = floes_at_start(resolved, results.floes);
   s.mean_last_change =
       results.loads.empty() ? kUnknown : s.sum_of_last_changes / static_cast<double>(results.loads.size());
   s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);
@@ -222,7 +239,7 @@ namespace {
 /// When the structure's origin passes the initial edge, where nothing resists it; at the latest the end of the run [s].
 double time_at_edge(const model::Case& c) {
   const double speed = model::speed(c.structure.motion);
-  if (speed > 0.0) return std::min(c.structure.start_distance / speed, c.time.duration);
+  if (speed > 0.0) return std::clamp(c.structure.start_distance / speed, 0.0, c.time.duration);
   const auto n_steps = std::llround(c.time.duration / c.time.step);
   for (long long i = 0; i < n_steps; ++i)
     if (structure::unresisted(c.structure, static_cast<double>(i) * c.time.step).position.x >= 0.0)
@@ -265,6 +282,10 @@ std::string to_json(const RunSummary& s) {
       {"fastest_floe", s.fastest_floe ? nlohmann::ordered_json(*s.fastest_floe) : nlohmann::ordered_json()},
       {"ledger", json_of(s.ledger)},
       {"energy", json_of(s.energy)}};
+  if (s.initial_floes)
+    json["initial_floes"] = {{"n", s.initial_floes->n},
+                             {"concentration", s.initial_floes->concentration},
+                             {"size_quantiles", s.initial_floes->size_quantiles}};
   if (!s.regions.empty()) json["mean_by_region"] = json_of(s.regions);
   return json.dump(2) + "\n";
 }

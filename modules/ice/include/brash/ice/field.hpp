@@ -21,7 +21,8 @@ struct Broken {
 /// The level ice, and the ledger of all ice: every operation moves area from one account to another, exactly.
 class Field {
  public:
-  /// Level ice as the case lays it, all of `ice`: a rectangle, x from 0 to `length`, |y| <= width/2 [m].
+  /// Level ice as the case lays it, all of `ice`: a rectangle, x from 0 to `length`, |y| <= width/2 [m]. The level ice
+  /// of a field of floes is empty.
   /// @param variation  of its thickness and strength. A piece that breaks off has the means over itself, and is even.
   Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation = {});
   /// The field of a run that goes on.
@@ -53,6 +54,8 @@ class Field {
   /// @return the parts that are left.
   std::vector<Plate> split(const Plate& floe, Vec2 from, Vec2 to, double smallest_floe);
 
+  /// Books a floe that is there from the start.
+  void add_floe(const Plate& floe);
   /// Books a piece that has no body as brash.
   void to_brash(const Plate& piece);
   /// Books a crushed floe as deleted.

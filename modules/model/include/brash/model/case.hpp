@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "brash/core/vec.hpp"
 #include "brash/model/choices.hpp"
@@ -53,6 +54,40 @@ struct WaterSection {
   friend bool operator==(const WaterSection&, const WaterSection&) = default;
 };
 
+/// [wind]
+struct WindSection {
+  Vec2 velocity{};
+  double density = 1.3;
+  double skin_friction = 0.0015;  ///< drag coefficient of a floe's top [-]
+
+  friend bool operator==(const WindSection&, const WindSection&) = default;
+};
+
+/// [field.size]: sizes L of generated floes, the square roots of their areas. Each law has its own keys.
+struct FloeSizes {
+  SizeLaw kind = SizeLaw::kPowerLaw;
+  double exponent = 2.0;          ///< of the power law: the number of floes above L falls as L^-exponent
+  std::optional<double> least;    ///< size of the power law
+  std::optional<double> largest;  ///< likewise
+  std::optional<double> median;   ///< size of the log-normal law
+  double deviation = 0.4;         ///< of the logarithm of its sizes
+  std::vector<double> values;     ///< of the list, each as likely as the others
+
+  friend bool operator==(const FloeSizes&, const FloeSizes&) = default;
+};
+
+/// The keys of [field] with `kind = "floes"`.
+struct FloeFieldSection {
+  std::string file;                     ///< of outlines, absolute; empty: floes are generated
+  std::optional<double> concentration;  ///< of generated floes: their area over the area of the field
+  FloeShape shape = FloeShape::kVoronoi;
+  FloeSizes size;
+  bool walls = false;  ///< fixed ones along both sides and at the far end
+  std::string shore;   ///< file of fixed outlines, absolute; empty: none
+
+  friend bool operator==(const FloeFieldSection&, const FloeFieldSection&) = default;
+};
+
 /// [field]
 struct FieldSection {
   FieldKind kind = FieldKind::kLevelIce;
@@ -60,6 +95,7 @@ struct FieldSection {
   double width = 0.0;
   bool initial_crack = true;
   double initial_crack_radius = 0.0;  ///< 0: the breaking length of a straight edge
+  FloeFieldSection floes{};
 
   friend bool operator==(const FieldSection&, const FieldSection&) = default;
 };
@@ -155,6 +191,7 @@ struct Case {
   AlgorithmSection algorithm;
   IceSection ice;
   WaterSection water;
+  WindSection wind;
   StructureSection structure;
   FieldSection field;
   FailureSection failure;

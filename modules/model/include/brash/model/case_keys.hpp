@@ -135,6 +135,9 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("ice.variation", "correlation_length", c.ice.variation.correlation_length);
   visit("water", "density", c.water.density);
   visit("water", "current", c.water.current);
+  visit("wind", "velocity", c.wind.velocity);
+  visit("wind", "density", c.wind.density);
+  visit("wind", "skin_friction", c.wind.skin_friction);
   visit_kind("structure", c.structure.shape, visit);
   std::visit([&](auto& shape) { visit_keys_of(shape, visit); }, c.structure.shape);
   visit_kind("structure.motion", c.structure.motion, visit);
@@ -143,14 +146,45 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   if (!has_path(c.structure)) visit("structure", "start_distance", c.structure.start_distance);
 }
 
+/// Keys of each kind of field.
+template <typename AnyField, typename Visitor>
+void visit_keys_of_field(AnyField& field, Visitor&& visit) {
+  if (field.kind == FieldKind::kLevelIce) {
+    visit("field", "initial_crack", field.initial_crack);
+    visit("field", "initial_crack_radius", field.initial_crack_radius);
+    return;
+  }
+  auto& floes = field.floes;
+  visit("field", "file", floes.file);
+  visit("field", "concentration", floes.concentration);
+  visit("field", "shape", floes.shape);
+  visit("field", "walls", floes.walls);
+  visit("field", "shore", floes.shore);
+  auto& size = floes.size;
+  visit("field.size", "kind", size.kind);
+  switch (size.kind) {
+    case SizeLaw::kPowerLaw:
+      visit("field.size", "exponent", size.exponent);
+      visit("field.size", "least", size.least);
+      visit("field.size", "largest", size.largest);
+      return;
+    case SizeLaw::kLogNormal:
+      visit("field.size", "median", size.median);
+      visit("field.size", "deviation", size.deviation);
+      return;
+    case SizeLaw::kList:
+      visit("field.size", "values", size.values);
+      return;
+  }
+}
+
 template <typename AnyCase, typename Visitor>
 void visit_keys(AnyCase& c, Visitor&& visit) {
   visit_material_keys(c, visit);
   visit("field", "kind", c.field.kind);
   visit("field", "length", c.field.length);
   visit("field", "width", c.field.width);
-  visit("field", "initial_crack", c.field.initial_crack);
-  visit("field", "initial_crack_radius", c.field.initial_crack_radius);
+  visit_keys_of_field(c.field, visit);
   visit("failure", "model", c.failure.model);
   visit("failure", "file", c.failure.file);
   visit("failure", "order", c.failure.order);
@@ -206,9 +240,9 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hull", "stern_angle", c.hull.stern_angle);
 }
 
-/// The members of a case that name files: the model of the failure, and the mesh of the structure.
+/// The members of a case that name files: the model of the failure, the mesh of the structure, floes and shore.
 inline std::vector<std::string*> files_of(Case& c) {
-  std::vector<std::string*> files{&c.failure.file};
+  std::vector<std::string*> files{&c.failure.file, &c.field.floes.file, &c.field.floes.shore};
   if (auto* const mesh = std::get_if<Mesh>(&c.structure.shape)) files.push_back(&mesh->file);
   return files;
 }

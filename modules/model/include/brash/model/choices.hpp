@@ -23,7 +23,14 @@ enum class MotionFrame {
   kIceDriftsThroughStillWater  ///< past a structure at rest: the water comes along with the structure
 };
 /// [field] kind
-enum class FieldKind { kLevelIce };
+enum class FieldKind {
+  kLevelIce,  ///< one fast sheet
+  kFloes      ///< broken ice, afloat from the start
+};
+/// [field] shape: of the floes of a generated field, ice::make_floe_field().
+enum class FloeShape { kVoronoi, kSquares, kDiscs };
+/// [field.size] kind: how the sizes of generated floes are distributed.
+enum class SizeLaw { kPowerLaw, kLogNormal, kList };
 /// [failure] model: the criterion that says whether the ice fails in bending, failure::make_criterion().
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
@@ -97,7 +104,16 @@ inline constexpr auto kNames<MotionFrame> =
                                        {MotionFrame::kIceDrifts, "ice-drifts"},
                                        {MotionFrame::kIceDriftsThroughStillWater, "ice-drifts-through-still-water"}});
 template <>
-inline constexpr auto kNames<FieldKind> = std::to_array<Named<FieldKind>>({{FieldKind::kLevelIce, "level-ice"}});
+inline constexpr auto kNames<FieldKind> = std::to_array<Named<FieldKind>>({{FieldKind::kLevelIce, "level-ice"},
+                                                                           {FieldKind::kFloes, "floes"}});
+template <>
+inline constexpr auto kNames<FloeShape> = std::to_array<Named<FloeShape>>({{FloeShape::kVoronoi, "voronoi"},
+                                                                           {FloeShape::kSquares, "squares"},
+                                                                           {FloeShape::kDiscs, "discs"}});
+template <>
+inline constexpr auto kNames<SizeLaw> = std::to_array<Named<SizeLaw>>({{SizeLaw::kPowerLaw, "power-law"},
+                                                                       {SizeLaw::kLogNormal, "log-normal"},
+                                                                       {SizeLaw::kList, "list"}});
 template <>
 inline constexpr auto kNames<FailureModel> =
     std::to_array<Named<FailureModel>>({{FailureModel::kNetwork, "network"},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "brash/model/case.hpp"
 
@@ -9,6 +10,7 @@ namespace brash::report {
 
 /// A case before its run, as SVG: lengthwise sections of the hull at the water and the ice, its waterlines from above,
 /// and the field with the way of the structure.
-std::string case_picture(const model::Case& resolved);
+/// @param floes  of a field of floes: outline and holes of each, sheet frame [m].
+std::string case_picture(const model::Case& resolved, const std::vector<std::vector<std::vector<Vec2>>>& floes = {});
 
 }  // namespace brash::report

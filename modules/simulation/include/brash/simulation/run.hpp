@@ -39,6 +39,13 @@ struct EnergyBalance {
   double largest_step_error = 0.0;  ///< of all steps, in magnitude
 };
 
+/// A field of floes at the start.
+struct InitialFloes {
+  int n = 0;
+  double concentration = 0.0;          ///< area of the floes over the area of the field [-]
+  std::vector<double> size_quantiles;  ///< of the square roots of their areas, 5, 25, 50, 75, 95 % [m]
+};
+
 /// The summary of a run. Everything here follows from the case and its seed.
 struct RunSummary {
   double statistics_from = 0.0;    ///< loads are summarised from here on [s]; after the run's end: not a number
@@ -67,6 +74,7 @@ struct RunSummary {
   double mean_last_change = 0.0;       ///< [m/s]
   double largest_last_change = 0.0;    ///< likewise [m/s]
   std::optional<double> fastest_floe;  ///< largest speed of any floe between two frames [m/s]; absent without frames
+  std::optional<InitialFloes> initial_floes;  ///< absent: the ice is level
   geometry::Ledger ledger;
   EnergyBalance energy;
   std::vector<model::Warning> warnings;  ///< of the case, then of the result: warnings.hpp

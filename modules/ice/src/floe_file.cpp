@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/ice/floe_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "brash/core/error.hpp"
+#include "brash/core/input_file.hpp"
+#include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/text.hpp"
+
+namespace brash::ice {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kAllowed = "POLYGON or MULTIPOLYGON in WKT, or a GeoJSON FeatureCollection, in metres";
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& allowed,
+                         const std::string& remedy) {
+  throw InputError(Complaint{where, what, allowed, remedy});
+}
+
+bool is_json(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string::npos && text[first] == '{';
+}
+
+/// The polygons of a text, in its order.
+std::vector<geometry::Polygon> polygons_of(const std::string& text, const std::string& path) {
+  std::vector<geometry::Polygon> polygons;
+  if (is_json(text)) {
+    auto features = geometry::from_geojson(text);
+    if (!features) refuse(path, features.error().what, kAllowed, "correct the file");
+    for (geometry::Feature& feature : *features) polygons.push_back(std::move(feature.polygon));
+  } else {
+    auto read = geometry::from_wkt(text);
+    if (!read) refuse(path, read.error().what, kAllowed, "correct the file");
+    polygons = std::move(*read);
+  }
+  if (polygons.empty()) refuse(path, "holds no polygon", kAllowed, "name another file");
+  const auto sheet = geometry::IceSheet::from_polygons(polygons);
+  if (!sheet)
+    refuse(path, sheet.error().what + " (polygons count from 0)", "simple outlines that do not overlap",
+           "move or cut one of them; outlines may touch");
+  return polygons;
+}
+
+/// How many polygons a geometry has.
+std::size_t n_polygons(const Json& geometry) {
+  const std::string type = geometry.value("type", "");
+  if (type == "MultiPolygon") return geometry.at("coordinates").size();
+  if (type != "GeometryCollection") return 1;
+  std::size_t sum = 0;
+  for (const Json& part : geometry.at("geometries")) sum += n_polygons(part);
+  return sum;
+}
+
+std::optional<double> property(const Json& feature, std::size_t number, const char* name, double least, double most,
+                               const char* unit, const std::string& path) {
+  if (!feature.contains("properties") || !feature.at("properties").is_object()) return std::nullopt;
+  const Json& properties = feature.at("properties");
+  if (!properties.contains(name) || properties.at(name).is_null()) return std::nullopt;
+  const Json& value = properties.at(name);
+  const bool is_good = value.is_number() && value.get<double>() >= least && value.get<double>() <= most;
+  if (!is_good)
+    refuse(fmt::format("{}, feature {}", path, number), fmt::format("has the {} {}", name, value.dump()),
+           fmt::format("a number from {:g} to {:g} in {}", least, most, unit),
+           fmt::format("correct the property, or remove it to take the {} of the case", name));
+  return value.get<double>();
+}
+
+/// Adds the properties of the features of a text that from_geojson() has read.
+void add_properties(const std::string& text, const std::string& path, std::vector<GivenFloe>& floes) {
+  const Json root = Json::parse(text);
+  const std::string type = root.value("type", "");
+  if (type != "FeatureCollection" && type != "Feature") return;
+  const Json features = type == "Feature" ? Json::array({root}) : root.at("features");
+  std::size_t floe = 0, number = 0;
+  for (const Json& feature : features) {
+    const auto thickness = property(feature, number, "thickness", 1e-3, 10.0, "m", path);
+    const auto strength = property(feature, number, "flexural_strength", 1e-3, 1e8, "Pa", path);
+    for (std::size_t n = n_polygons(feature.at("geometry")); n > 0 && floe < floes.size(); --n, ++floe) {
+      floes[floe].thickness = thickness;
+      floes[floe].flexural_strength = strength;
+    }
+    ++number;
+  }
+}
+
+void expect_in_field(const std::vector<GivenFloe>& floes, const model::FieldSection& field, const std::string& path) {
+  for (std::size_t i = 0; i < floes.size(); ++i) {
+    const auto [lower, upper] = geometry::extent(floes[i].outline);
+    if (lower.x >= 0.0 && upper.x <= field.length && std::max(-lower.y, upper.y) <= 0.5 * field.width) continue;
+    refuse(fmt::format("{}, polygon {} (counted from 0)", path, i),
+           fmt::format("reaches from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m, out of the field", lower.x, lower.y,
+                       upper.x, upper.y),
+           fmt::format("x from 0 to field.length = {} m, y within +-field.width/2 = {} m", field.length,
+                       0.5 * field.width),
+           "move the floes, or enlarge the field");
+  }
+}
+
+}  // namespace
+
+std::vector<geometry::Polygon> read_outlines(const std::string& path) {
+  return polygons_of(read_text_file(path, "file of outlines"), path);
+}
+
+std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field) {
+  const std::string text = read_text_file(path, "file of floes");
+  std::vector<GivenFloe> floes;
+  for (geometry::Polygon& polygon : polygons_of(text, path)) floes.push_back({std::move(polygon), {}, {}});
+  if (is_json(text)) add_properties(text, path, floes);
+  expect_in_field(floes, field, path);
+  return floes;
+}
+
+}  // namespace brash::ice

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "floe_sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/core/contract.hpp"
+#include "brash/ice/floe_field.hpp"
+
+namespace brash::ice {
+namespace {
+
+/// docs/theory/floe-fields.md, (F2): P(size <= L) = (l^-a - L^-a) / (l^-a - m^-a) between the limits l and m, inverted.
+double power_law(const model::FloeSizes& law, double share) {
+  const double a = law.exponent, least = law.least.value(), largest = law.largest.value();
+  if (a == 0.0) return least * std::pow(largest / least, share);
+  const double span = 1.0 - std::pow(largest / least, -a);
+  return least * std::pow(1.0 - share * span, -1.0 / a);
+}
+
+double draw(const model::FloeSizes& law, statistics::RandomStream& random) {
+  switch (law.kind) {
+    case model::SizeLaw::kPowerLaw:
+      return power_law(law, random.uniform());
+    case model::SizeLaw::kLogNormal:
+      return law.median.value() * std::exp(law.deviation * random.normal());  // floe-fields.md, (F3)
+    case model::SizeLaw::kList:
+      return law.values[static_cast<std::size_t>(random.uniform_int(0, static_cast<int>(law.values.size()) - 1))];
+  }
+  BRASH_EXPECTS(false, static_cast<int>(law.kind));
+  return 0.0;
+}
+
+}  // namespace
+
+double share_up_to(const model::FloeSizes& law, double size) {
+  switch (law.kind) {
+    case model::SizeLaw::kPowerLaw: {
+      const double a = law.exponent, least = law.least.value(), largest = law.largest.value();
+      if (size <= least) return 0.0;
+      if (size >= largest) return 1.0;
+      if (a == 0.0) return std::log(size / least) / std::log(largest / least);
+      return (1.0 - std::pow(size / least, -a)) / (1.0 - std::pow(largest / least, -a));
+    }
+    case model::SizeLaw::kLogNormal:
+      return 0.5 * std::erfc(-std::log(size / law.median.value()) / (law.deviation * std::sqrt(2.0)));
+    case model::SizeLaw::kList:
+      return static_cast<double>(std::ranges::count_if(law.values, [&](double v) { return v <= size; })) /
+             static_cast<double>(law.values.size());
+  }
+  return 0.0;
+}
+
+std::optional<std::vector<double>> draw_areas(const model::FloeSizes& law, double area, std::size_t most,
+                                              statistics::RandomStream& random) {
+  std::vector<double> areas;
+  for (double sum = 0.0; areas.size() <= most;) {
+    const double size = draw(law, random), next = size * size;
+    const bool is_nearer = sum + 0.5 * next <= area;  // with it than without it
+    if (!is_nearer && !areas.empty()) return areas;
+    areas.push_back(next);
+    sum += next;
+    if (!is_nearer) return areas;
+  }
+  return std::nullopt;
+}
+
+}  // namespace brash::ice

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "brash/model/case.hpp"
+#include "brash/rigid_body/world.hpp"
+
+namespace brash::simulation {
+
+/// Lays the fixed walls and the shore of a field of floes into `world`: ice to the floes that meet them, and nothing to
+/// the structure.
+/// @throws InputError when the file of the shore cannot be read.
+void lay_borders(const model::Case& resolved, rigid_body::World& world);
+
+}  // namespace brash::simulation
