@@ -138,7 +138,7 @@ void ExactWorld::find_contacts() {
 void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info) {
   bounded_.clear(settings().restitution);
   for (Body* body : order()) {
-    const bool fixed = body->kind == BodyKind::kSheet || body->settled;
+    const bool fixed = (body->kind == BodyKind::kSheet && body->twist == Twist{}) || body->settled;
     body->in_solver = fixed ? BoundedSolver::kFixed : bounded_.add(to_solver(*body));
   }
   joints_.add_to(bounded_, constraints, info);

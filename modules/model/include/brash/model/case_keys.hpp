@@ -127,6 +127,7 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("ice", "poisson_ratio", c.ice.poisson_ratio);
   visit("ice", "flexural_strength", c.ice.flexural_strength);
   visit("ice", "compressive_strength", c.ice.compressive_strength);
+  visit("ice", "fracture_toughness", c.ice.fracture_toughness);
   visit("ice", "crushing_factor", c.ice.crushing_factor);
   visit("ice", "friction_structure", c.ice.friction_structure);
   visit("ice", "friction_ice", c.ice.friction_ice);
@@ -151,6 +152,8 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("field", "width", c.field.width);
   visit("field", "initial_crack", c.field.initial_crack);
   visit("field", "initial_crack_radius", c.field.initial_crack_radius);
+  visit("field", "border", c.field.border);
+  visit("field", "smallest_plate", c.field.smallest_plate);
   visit("failure", "model", c.failure.model);
   visit("failure", "file", c.failure.file);
   visit("failure", "order", c.failure.order);

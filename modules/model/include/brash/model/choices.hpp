@@ -24,6 +24,11 @@ enum class MotionFrame {
 };
 /// [field] kind
 enum class FieldKind { kLevelIce };
+/// [field] border: how the borders of the level ice are held.
+enum class Border {
+  kFixed,  ///< by land, for ever: the paper's
+  kFree    ///< by nothing: the sheet is a body afloat, which drifts and splits
+};
 /// [failure] model: the criterion that says whether the ice fails in bending, failure::make_criterion().
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
@@ -98,6 +103,9 @@ inline constexpr auto kNames<MotionFrame> =
                                        {MotionFrame::kIceDriftsThroughStillWater, "ice-drifts-through-still-water"}});
 template <>
 inline constexpr auto kNames<FieldKind> = std::to_array<Named<FieldKind>>({{FieldKind::kLevelIce, "level-ice"}});
+template <>
+inline constexpr auto kNames<Border> = std::to_array<Named<Border>>({{Border::kFixed, "fixed"},
+                                                                     {Border::kFree, "free"}});
 template <>
 inline constexpr auto kNames<FailureModel> =
     std::to_array<Named<FailureModel>>({{FailureModel::kNetwork, "network"},
