@@ -97,7 +97,7 @@ class Plate:
         return np.polyfit(distance[near], apparent, 1)[1]
 
     def by_j_integral(self, u, share, inertia=0.0):
-        """K from J along a rectangle about the tip, with the work of the body force inside it."""
+        """K from J along a rectangle about the tip, without the work of a body force `inertia` along x inside it."""
         reach = share * min(self.crack, 1 - self.crack, self.y[-1])
         even = lambda grid, at: 2 * (np.argmin(np.abs(grid[0::2] - at)))
         left, right, top = even(self.x, self.crack - reach), even(self.x, self.crack + reach), even(self.y, reach)
@@ -128,7 +128,7 @@ class Plate:
                     for s, w1 in zip(GAUSS, WEIGHTS):
                         for t, w2 in zip(GAUSS, WEIGHTS):
                             by_x, _, _ = at(i, j, s, t)
-                            total += inertia * w1 * w2 * by_x[0] * 0.25 * (self.x[i + 2] - self.x[i]) * (
+                            total -= inertia * w1 * w2 * by_x[0] * 0.25 * (self.x[i + 2] - self.x[i]) * (
                                 self.y[j + 2] - self.y[j])
         return np.sqrt(max(0.0, 2 * total))
 
