@@ -46,8 +46,7 @@ class Recorder {
     results_.loads.push_back(report.loads);
     std::ranges::copy(report.events, std::back_inserter(results_.events));
     // Half a nanosecond absorbs the rounding of step times.
-    const bool has_frame =
-        simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size());
+    const bool has_frame = simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size());
     if (!report.events.empty() || (sheets_drift_ && has_frame))
       results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);

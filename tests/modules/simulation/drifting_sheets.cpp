@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(a_structure_is_seen_from_a_sheet_that_drifts_and_turns_as_i
   const structure::State seen = sheets.seen_from(0, structure);
   // A finite difference of what is seen, both moved on for a moment.
   const double moment = 1e-6;
-  const structure::State then = sheets.seen_from(
-      0, {{structure.pose.position + moment * structure.twist.linear, {}}, structure.twist}, moment);
+  const structure::State then =
+      sheets.seen_from(0, {{structure.pose.position + moment * structure.twist.linear, {}}, structure.twist}, moment);
   // The way curves: half the moment times the acceleration of what is seen, some 0.2 m/s2.
   BOOST_TEST(norm((then.pose.position - seen.pose.position) / moment - seen.twist.linear) < 0.2 * moment);
   BOOST_TEST(seen.twist.angular.z == -0.07, boost::test_tools::tolerance(1e-12));
@@ -193,10 +193,9 @@ BOOST_AUTO_TEST_CASE(the_structure_gives_a_sheet_the_momentum_that_the_sheet_tak
 
 BOOST_AUTO_TEST_CASE(a_sheet_with_far_borders_has_the_loads_of_the_fixed_sheet_up_to_the_first_break) {
   const auto start = [](const std::string& border) {
-    return simulation::Simulation(
-        io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
-                      {"time.duration=3", "field.initial_crack=false", "field.border=" + border, "field.length=4000",
-                       "field.width=4000"}));
+    return simulation::Simulation(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                                                {"time.duration=3", "field.initial_crack=false",
+                                                 "field.border=" + border, "field.length=4000", "field.width=4000"}));
   };
   simulation::Simulation fixed = start("fixed"), drifting = start("free");
   double largest = 0.0, apart = 0.0;
@@ -212,9 +211,10 @@ BOOST_AUTO_TEST_CASE(a_sheet_with_far_borders_has_the_loads_of_the_fixed_sheet_u
 }
 
 BOOST_AUTO_TEST_CASE(a_resumed_run_of_a_sheet_that_drifts_goes_on_to_the_bit_and_its_ledgers_close) {
-  const model::Case c = free_case({"time.duration=6", "field.length=30", "field.width=30", "failure.model=wedge",
-                                   "failure.pattern=disc", "failure.judged=centre-line", "failure.order=circumferential-first",
-                                   "failure.edge=static", "failure.second_order=false", "failure.joint_loads=false"});
+  const model::Case c =
+      free_case({"time.duration=6", "field.length=30", "field.width=30", "failure.model=wedge", "failure.pattern=disc",
+                 "failure.judged=centre-line", "failure.order=circumferential-first", "failure.edge=static",
+                 "failure.second_order=false", "failure.joint_loads=false"});
   simulation::Simulation whole(c);
   step_through(whole, 450, [](const simulation::StepReport&) {});
   simulation::Simulation resumed(c, whole.checkpoint());
