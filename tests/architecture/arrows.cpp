@@ -29,7 +29,7 @@ const std::map<std::string, Room> kRooms{
     {"database", {"failure/database", {"core", "netcdf", "plate"}, {"gsl", "netcdf", "toml", "json"}}},
     {"failure", {"failure/criterion", {"core", "model", "plate", "meta_model"}, {}}},
     {"model", {"modules/model", {"core", "geometry"}, {}}},
-    {"structure", {"modules/structure", {"core", "model", "hydrodynamics"}, {"CGAL", "clipper"}}},
+    {"structure", {"modules/structure", {"core", "model", "hydrodynamics"}, {"CGAL", "Eigen", "clipper"}}},
     {"hydrodynamics", {"modules/hydrodynamics", {"core", "model"}, {}}},
     {"rigid_body", {"modules/rigid_body", {"core"}, {"Bullet"}}},
     {"statistics", {"modules/statistics", {"core"}, {"gsl"}}},

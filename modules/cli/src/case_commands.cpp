@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 
+#include "brash/core/constants.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/campaign_plan.hpp"
@@ -12,6 +14,7 @@
 #include "brash/simulation/scales.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/mesh_file.hpp"
+#include "brash/structure/motion.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
 #include "table.hpp"
@@ -41,6 +44,13 @@ void print_hull(const model::Case& resolved) {
   print("# centre of buoyancy             {:.4g} m ahead, {:.4g} m to port, {:.4g} m under water\n", wet.centre.x,
         wet.centre.y, -wet.centre.z);
   print("# waterplane                     {:.5g} m2\n", wet.waterplane.area);
+  for (const structure::NaturalMode& mode : structure::make_motion(resolved, *hull)->natural_modes()) {
+    if (mode.squared_frequency > 0.0)
+      print("# natural period                 {:.4g} s, mostly {}\n", 2.0 * kPi / std::sqrt(mode.squared_frequency),
+            mode.motion);
+    else
+      print("# no way back                    mostly {}: the structure is not stable there\n", mode.motion);
+  }
 }
 
 void check_case(const std::string& path, const std::vector<std::string>& overrides, const std::string& picture) {

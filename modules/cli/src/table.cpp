@@ -42,6 +42,17 @@ std::string loads(const simulation::RunSummary& s) {
   return text + whole;
 }
 
+/// Of a ship or a mesh: where its hull bears the load.
+std::string regions(const simulation::RunSummary& s) {
+  if (s.regions.empty()) return "";
+  std::string text =
+      "mean load by region of the hull [kN]\n                 horizontal  vertical   crushing, horizontal\n";
+  for (const auto& [region, load] : s.regions)
+    text += fmt::format("  {:<13}{:>12.1f}{:>10.1f}{:>12.1f}\n", region, load.total.x / kKilo, load.total.z / kKilo,
+                        load.crushing.x / kKilo);
+  return text;
+}
+
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
 std::string comparison(const model::Case& resolved) {
   std::string text = "for comparison, horizontal [kN]\n";
@@ -133,8 +144,8 @@ void print_warnings(const std::vector<model::Warning>& warnings) {
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
-         warnings_text(run.summary.warnings) + loads(run.summary) + comparison(resolved) + ice(run.summary) +
-         ledger(run.summary.ledger) + energy(run.summary.energy) + speed(resolved, run);
+         warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) + comparison(resolved) +
+         ice(run.summary) + ledger(run.summary.ledger) + energy(run.summary.energy) + speed(resolved, run);
 }
 
 }  // namespace brash::cli

@@ -253,6 +253,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   expect_on_the_plane();
   sheets.begin_step();
   Wrench crushing;
+  region_loads.begin_step();
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
@@ -266,6 +267,8 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
       const Vec3 arm = point - motion->now().pose.position;
       crushing += {share * force, share * cross(arm, force)};
       sheets.push(contact.level_ice, -share * force, point, true);
+      const Vec3 normal = sheets.turned(contact.level_ice, contact.normal);
+      region_loads.add_crushing(motion->now().pose, point, normal, share * force);
     }
     const std::vector<EdgeContact> of_structure = sheets.any() ? contacts : std::vector<EdgeContact>{};
     if (done >= 1.0) add_contacts_of_floes(contacts);

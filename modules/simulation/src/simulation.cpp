@@ -81,6 +81,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid)
       water(resolved),
       sleep(resolved),
       structure_body(world.add_structure(hull->parts(), motion->now().pose)),
+      region_loads(structure::regions_of(c.structure.shape, *hull)),
       watchdog(resolved, hull->bounds()) {
   for (const ice::Plate& plate : field.level_ice()) {
     add_judge(plate);
@@ -120,6 +121,7 @@ Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, 
     const Vec3 friction = -contact.friction_force;
     floe_normal += {normal, cross(arm, normal)};
     floe_friction += {friction, cross(arm, friction)};
+    region_loads.add_floe(motion->now().pose, contact.point, contact.normal, normal + friction);
     ++row.n_contacts;
   }
   Wrench total = crushing;
@@ -131,6 +133,7 @@ Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, 
   row.floe_normal = in_load_axes(floe_normal);
   row.floe_friction = in_load_axes(floe_friction);
   row.total = in_load_axes(total);
+  row.regions = region_loads.in(in_load_axes);
   const double dt = resolved.time.step;
   Wrench floe_load = floe_normal;
   floe_load += floe_friction;

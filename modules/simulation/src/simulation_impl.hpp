@@ -16,6 +16,7 @@
 #include "floe_population.hpp"
 #include "floe_water.hpp"
 #include "moving_edges.hpp"
+#include "region_loads.hpp"
 #include "sheet_tiles.hpp"
 #include "sleep.hpp"
 #include "stage_timer.hpp"
@@ -49,6 +50,7 @@ struct Simulation::Impl {
   FloeBending bending;
   Sleep sleep;
   BodyId structure_body;
+  RegionLoadSums region_loads;
   std::int64_t n_steps = 0;
   std::uint64_t n_breaks = 0;  ///< keys the random stream of each break
   EnergyLedger energy;

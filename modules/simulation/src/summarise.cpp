@@ -54,6 +54,30 @@ LoadSplit split(std::span<const model::LoadRow> rows, Axis axis) {
           mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_friction.force); })};
 }
 
+std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows) {
+  std::vector<RegionMean> means;
+  bool any = false;
+  model::RegionLoads::visit([&](const char* region, const char*, std::size_t i) {
+    const auto mean_of = [&](Vec3 model::RegionLoad::*force) {
+      const auto along = [&](double Vec3::*axis) {
+        return mean(rows, [&](const model::LoadRow& row) { return row.regions[i].*force.*axis; });
+      };
+      return Vec3{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)};
+    };
+    means.push_back({region, {mean_of(&model::RegionLoad::total), mean_of(&model::RegionLoad::crushing)}});
+    any = any || means.back().load != model::RegionLoad{};
+  });
+  if (rows.empty() || !any) means.clear();
+  return means;
+}
+
+nlohmann::ordered_json json_of(const std::vector<RegionMean>& means) {
+  const auto of = [](Vec3 force) { return nlohmann::ordered_json{{"Fx", force.x}, {"Fy", force.y}, {"Fz", force.z}}; };
+  nlohmann::ordered_json json;
+  for (const auto& [region, load] : means) json[region] = {{"total", of(load.total)}, {"crushing", of(load.crushing)}};
+  return json;
+}
+
 /// The largest speed of a floe between two frames [m/s]; nothing without them.
 std::optional<double> fastest(std::span<const model::Frame> frames) {
   if (frames.size() < 2) return std::nullopt;
@@ -162,6 +186,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   s.vertical = summarise_component(window, resolved.time.step, total_z);
   s.horizontal_split = split(window, x);
   s.vertical_split = split(window, z);
+  s.regions = mean_by_region(window);
   s.mean_horizontal_whole = mean(results.loads, total_x);
   s.mean_vertical_whole = mean(results.loads, total_z);
 
@@ -214,7 +239,7 @@ double statistics_from(const model::Case& resolved) {
 std::string to_json(const RunSummary& s) {
   nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
   for (const model::Warning& warning : s.warnings) warnings.push_back({{"id", warning.id}, {"text", warning.text}});
-  const nlohmann::ordered_json json{
+  nlohmann::ordered_json json{
       {"warnings", std::move(warnings)},
       {"units", "SI; Fx positive against the structure's motion, Fz positive upwards on the structure"},
       {"statistics_from", s.statistics_from},
@@ -240,6 +265,7 @@ std::string to_json(const RunSummary& s) {
       {"fastest_floe", s.fastest_floe ? nlohmann::ordered_json(*s.fastest_floe) : nlohmann::ordered_json()},
       {"ledger", json_of(s.ledger)},
       {"energy", json_of(s.energy)}};
+  if (!s.regions.empty()) json["mean_by_region"] = json_of(s.regions);
   return json.dump(2) + "\n";
 }
 

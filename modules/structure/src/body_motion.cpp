@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -182,13 +183,11 @@ Vec2 BodyMotion::course() const {
   return plan(rotate(now_.pose.rotation, {1.0, 0.0, 0.0}));
 }
 
-/// The leapfrog is stable below 2 / omega (B4), with the highest frequency of the restoring loads. It is bounded by the
-/// rows of the stiffness over the masses (Gershgorin 1931).
-void BodyMotion::expect_stable(double time_step) const {
+std::array<std::array<double, 6>, 6> BodyMotion::stiffness_over_mass() const {
   const std::array<double, 6> inertia{mass_.x, mass_.y, mass_.z, moments_.x, moments_.y, moments_.z};
   const double size = std::cbrt(inertia_.mass / density_), small = 1e-4;
   const Pose& at = now_.pose;
-  double largest = 0.0;
+  std::array<std::array<double, 6>, 6> stiffness{};
   for (std::size_t j = 0; j < 6; ++j) {
     std::array<double, 6> step{};
     step[j] = j < 3 ? small * size : small;
@@ -201,8 +200,41 @@ void BodyMotion::expect_stable(double time_step) const {
     const Vec3 force = (more.force - less.force) / (2.0 * step[j]),
                moment = (more.moment - less.moment) / (2.0 * step[j]);
     const std::array<double, 6> column{force.x, force.y, force.z, moment.x, moment.y, moment.z};
+    for (std::size_t i = 0; i < 6; ++i) stiffness[i][j] = -column[i] / std::sqrt(inertia[i] * inertia[j]);
+  }
+  return stiffness;
+}
+
+/// The loads have a potential, so their stiffness about a pose of rest is symmetric; the rest of it is left out (B12).
+std::vector<NaturalMode> BodyMotion::natural_modes() const {
+  constexpr std::array<const char*, 6> kMotions{"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  constexpr double kNothing = 1e-7;  // of the largest: what the differences leave of a stiffness of 0
+  const auto stiffness = stiffness_over_mass();
+  Eigen::Matrix<double, 6, 6> symmetric;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      symmetric(i, j) = 0.5 * (stiffness[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] +
+                               stiffness[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solved(symmetric);
+  const double largest = solved.eigenvalues().cwiseAbs().maxCoeff();
+  std::vector<NaturalMode> modes;
+  for (int i = 0; i < 6; ++i) {
+    if (std::abs(solved.eigenvalues()[i]) <= kNothing * largest) continue;
+    Eigen::Index most = 0;
+    solved.eigenvectors().col(i).cwiseAbs().maxCoeff(&most);
+    modes.push_back({kMotions[static_cast<std::size_t>(most)], solved.eigenvalues()[i]});
+  }
+  return modes;
+}
+
+/// The leapfrog is stable below 2 / omega (B4), with the highest frequency of the restoring loads. It is bounded by the
+/// columns of the stiffness over the masses (Gershgorin 1931).
+void BodyMotion::expect_stable(double time_step) const {
+  const auto stiffness = stiffness_over_mass();
+  double largest = 0.0;
+  for (std::size_t j = 0; j < 6; ++j) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < 6; ++i) sum += std::abs(column[i]) / std::sqrt(inertia[i] * inertia[j]);
+    for (std::size_t i = 0; i < 6; ++i) sum += std::abs(stiffness[i][j]);
     largest = std::max(largest, sum);
   }
   const double limit = 2.0 / std::sqrt(largest);

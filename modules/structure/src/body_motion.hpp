@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "brash/structure/floating_body.hpp"
 #include "brash/structure/motion.hpp"
@@ -31,6 +33,7 @@ class BodyMotion final : public Motion {
   void bear(const Wrench& load) override;
   Vec2 course() const override;
   model::BodyEnergy energy() const override { return energy_; }
+  std::vector<NaturalMode> natural_modes() const override;
   void save(model::Checkpoint& checkpoint) const override;
   void restore(const model::Checkpoint& checkpoint) override;
 
@@ -71,6 +74,9 @@ class BodyMotion final : public Motion {
   void leave_with(const Momenta& p);
   /// Works of the step that ends.
   void book_works(const Loads& loads);
+  /// Stiffness of the restoring loads about the present pose, over the roots of the masses of its row and column:
+  /// surge, sway, heave, roll, pitch, yaw; sheet axes [1/s2].
+  std::array<std::array<double, 6>, 6> stiffness_over_mass() const;
   void expect_stable(double time_step) const;
 
   const Hull* hull_;

@@ -108,6 +108,10 @@ class Compliant final : public Motion {
     now_.twist.linear = {mean.x, mean.y, 0.0};
   }
   Vec2 course() const override { return {compliant_.speed, 0.0}; }
+  std::vector<NaturalMode> natural_modes() const override {
+    const double stiff = compliant_.stiffness / compliant_.mass;
+    return {{"surge", stiff}, {"sway", stiff}};
+  }
   void save(model::Checkpoint& checkpoint) const override {
     Motion::save(checkpoint);
     model::save(checkpoint, "compliance", *this);

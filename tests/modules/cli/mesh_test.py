@@ -11,6 +11,7 @@ import unittest
 import xml.etree.ElementTree
 
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+REGIONS = ("bow", "shoulders", "sides", "stern", "bottom")
 SHIPS = SOURCE / "experiments/ships"
 CASE = """
 [algorithm]
@@ -172,7 +173,19 @@ class Ships(unittest.TestCase):
                 done = brash("run", SHIPS / f"{name}.toml", "-o", folder, "--set", "time.duration=1.5", "--set",
                              "output.statistics_from=0.5", "--set", "algorithm.preset=paper")
                 self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertGreater(max(columns(pathlib.Path(folder))["Fx"]), 1e3)
+                loads = columns(pathlib.Path(folder))
+                self.assertGreater(max(loads["Fx"]), 1e3)
+                self.check_regions(loads)
+
+    def check_regions(self, loads):
+        """The regions' loads add up to the whole, and a ship that has just touched the ice bears it at her bow."""
+        for axis in ("Fx", "Fy", "Fz"):
+            for part, whole in (("", axis), ("_crushing", f"crushing_{axis}")):
+                zero = [0.0] * len(loads["Fx"])
+                parts = [loads.get(f"{axis}_{name}{part}", zero) for name in REGIONS]
+                for row, total in zip(zip(*parts), loads[whole]):
+                    self.assertAlmostEqual(sum(row), total, delta=1e-9 * (1.0 + max(map(abs, loads["Fx"]))))
+        self.assertFalse({"Fx_sides", "Fx_stern"} & set(loads))  # columns without a load are left out
 
     def test_a_ship_without_particulars_and_one_that_ends_before_its_keel_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "brash/core/error.hpp"
 #include "motions.hpp"
@@ -89,6 +91,30 @@ BOOST_AUTO_TEST_CASE(a_box_with_its_weight_to_one_side_rolls_and_pitches_at_the_
   BOOST_TEST(off_pitch < 1e-3 * std::abs(trim));
 }
 
+BOOST_AUTO_TEST_CASE(natural_periods_are_those_of_waterplane_and_metacentre_and_a_high_centre_turns_over) {
+  model::Free free{0.0,
+                   {.centre_of_gravity = Vec3{0.0, 0.0, -1.0},
+                    .radii_of_gyration = Vec3{3.0, 6.0, 6.5},
+                    .added_mass = kNoWater,
+                    .added_inertia = kNoWater}};
+  // Of the box: BM = I / V, and the centre of buoyancy lies 1.5 m under water.
+  const double to_roll = 8.0 * 8.0 / 12.0 / 3.0 - 0.5, to_pitch = 20.0 * 20.0 / 12.0 / 3.0 - 0.5;
+  const std::vector<structure::NaturalMode> modes = Moving(box(), free, 0.01)->natural_modes();
+  BOOST_REQUIRE(modes.size() == 3);  // a free body drifts and turns in plan
+  const auto near = boost::test_tools::tolerance(1e-6);
+  BOOST_TEST(modes[0].motion == std::string("roll"));
+  BOOST_TEST(modes[0].squared_frequency == kGravity * to_roll / 9.0, near);
+  BOOST_TEST(modes[1].motion == std::string("pitch"));
+  BOOST_TEST(modes[1].squared_frequency == kGravity * to_pitch / 36.0, near);
+  BOOST_TEST(modes[2].motion == std::string("heave"));
+  BOOST_TEST(modes[2].squared_frequency == kGravity / 3.0, near);
+
+  free.body.centre_of_gravity = Vec3{0.0, 0.0, 0.5};  // above the metacentre of the roll
+  const structure::NaturalMode slowest = Moving(box(), free, 0.01)->natural_modes().front();
+  BOOST_TEST(slowest.motion == std::string("roll"));
+  BOOST_TEST(slowest.squared_frequency < 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(a_cone_heaves_and_pitches_at_the_closed_forms_periods) {
   const double radius = 6.8, keel = radius - 5.68 / std::tan(radians(61.4));
   const double area = kPi * radius * radius, squares = radius * radius + radius * keel + keel * keel;
@@ -96,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_cone_heaves_and_pitches_at_the_closed_forms_periods) {
   // The centre of buoyancy lies below the waterplane by the depth of a frustum's centroid.
   const double buoyancy = -5.68 * 0.25 * (radius * radius + 2.0 * radius * keel + 3.0 * keel * keel) / squares;
   const double metacentric = buoyancy + 0.25 * kPi * std::pow(radius, 4) / volume;
-  const double dt = 0.01, offset = 1e-4, excess = 1e-4;
+  const double dt = 0.01, offset = 1e-4, excess = 1e-3;
   Moving heaving(cone(), model::Free{0.0, {.mass = (1.0 + excess) * mass, .added_mass = kNoWater}}, dt);
   Moving pitching(cone(),
                   model::Free{0.0,
@@ -117,8 +143,8 @@ BOOST_AUTO_TEST_CASE(a_cone_heaves_and_pitches_at_the_closed_forms_periods) {
   }
   BOOST_TEST_MESSAGE("heave " << 2.0 * kPi / in_heave << " s, pitch " << 2.0 * kPi / in_pitch << " s, off by "
                               << off_heave / depth << " and " << off_pitch / trim);
-  // 1024 facets displace 6e-6 less, a tenth of the excess; ten periods of the step's error of 2e-5.
-  BOOST_TEST(off_heave < 0.15 * depth);
+  // 1024 facets displace 6e-6 less, 0.6 % of the excess; the waterplane grows by 0.06 % over the depth.
+  BOOST_TEST(off_heave < 0.015 * depth);
   BOOST_TEST(off_pitch < 5e-3 * trim);
 }
 

@@ -30,13 +30,14 @@ struct Columns<model::LoadRow> {
     visit_wrench("floe_normal_", "normal contact forces of floes", &model::LoadRow::floe_normal, visit);
     visit_wrench("floe_friction_", "friction of floes", &model::LoadRow::floe_friction, visit);
     visit_state(visit);
-    visit_motion(visit);
+    visit_optional(visit);
   }
 
-  /// A history has such a column only if some row of it has a value there: the structure turns, or is a body.
+  /// A history has such a column only if some row of it has a value there: the structure turns, is a body or a hull
+  /// with regions.
   static bool is_optional(std::string_view name) {
     bool found = false;
-    visit_motion([&](const std::string& optional, const auto&...) { found = found || name == optional; });
+    visit_optional([&](const std::string& optional, const auto&...) { found = found || name == optional; });
     return found;
   }
 
@@ -118,6 +119,29 @@ struct Columns<model::LoadRow> {
     visit(
         "structure_vy", "m s-1", "velocity of the structure's origin, mean over the step",
         [](auto& row) -> auto& { return row.velocity.y; });
+  }
+
+  template <typename Visit>
+  static void visit_optional(Visit&& visit) {
+    visit_motion(visit);
+    model::RegionLoads::visit([&](const std::string& region, const std::string& meaning, std::size_t i) {
+      visit_force("_" + region, "load on " + meaning, i, &model::RegionLoad::total, visit);
+      visit_force("_" + region + "_crushing", "load of the sheet's edge on " + meaning, i, &model::RegionLoad::crushing,
+                  visit);
+    });
+  }
+
+  template <typename Visit>
+  static void visit_force(const std::string& suffix, const std::string& meaning, std::size_t i,
+                          Vec3 model::RegionLoad::*force, Visit&& visit) {
+    const auto part = [&](const std::string& axis, double Vec3::*along) {
+      visit(
+          "F" + (axis + suffix), "N", meaning + ", force along " + axis,
+          [ i, force, along ](auto& row) -> auto& { return row.regions[i].*force.*along; });
+    };
+    part("x", &Vec3::x);
+    part("y", &Vec3::y);
+    part("z", &Vec3::z);
   }
 
   template <typename Visit>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -75,6 +76,32 @@ struct BodyEnergy {
   friend bool operator==(const BodyEnergy&, const BodyEnergy&) = default;
 };
 
+/// Regions of a ship's hull, from the stem to the stern, then below: docs/theory/hulls.md, (K7).
+enum class HullRegion { kBow, kShoulders, kSides, kStern, kBottom };
+
+/// Force of the ice on a region of the hull [N], load axes.
+struct RegionLoad {
+  Vec3 total{};
+  Vec3 crushing{};  ///< the part of `total` from the edge of level ice; the rest is of floes
+
+  friend bool operator==(const RegionLoad&, const RegionLoad&) = default;
+};
+
+/// In the order of HullRegion.
+struct RegionLoads : std::array<RegionLoad, 5> {
+  RegionLoad& of(HullRegion region) { return (*this)[static_cast<std::size_t>(region)]; }
+
+  /// Calls `visit(name, meaning, index)` for each region: one list serves files and sums.
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit("bow", "the bow", 0);
+    visit("shoulders", "the shoulders", 1);
+    visit("sides", "the sides", 2);
+    visit("stern", "the stern", 3);
+    visit("bottom", "the bottom", 4);
+  }
+};
+
 /// Load on the structure over a step, in load axes: x against the structure's heading, y to starboard, z upwards;
 /// moments about the structure's origin on the waterplane. A structure that does not turn heads along x, so the ice
 /// drifts against it along the x of the loads. The energies of a row satisfy
@@ -111,6 +138,7 @@ struct LoadRow {
   Vec3 attitude{};      ///< roll, pitch and heading: turned by the heading first, by the roll last [rad]
   Vec3 spin{};          ///< angular velocity, mean over the step, sheet frame [rad/s]
   BodyEnergy body;      ///< of a free or moored structure
+  RegionLoads regions;  ///< of a ship or a mesh
 
   friend bool operator==(const LoadRow&, const LoadRow&) = default;
 };

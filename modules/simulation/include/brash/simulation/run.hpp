@@ -21,6 +21,12 @@ struct LoadSplit {
   double floe_friction = 0.0;
 };
 
+/// Mean load by region of the hull [N], load axes.
+struct RegionMean {
+  std::string region;  ///< as of model::RegionLoads::visit()
+  model::RegionLoad load;
+};
+
 /// The structure's work and where it is at the end of a run [J]; signs and terms as in model::LoadRow.
 struct EnergyBalance {
   double work = 0.0;
@@ -40,6 +46,7 @@ struct RunSummary {
   statistics::Summary vertical;    ///< Fz, upwards on the structure [N]
   LoadSplit horizontal_split;
   LoadSplit vertical_split;
+  std::vector<RegionMean> regions;     ///< of a hull with regions, empty where none of them bore a load
   double mean_horizontal_whole = 0.0;  ///< over the whole history [N]
   double mean_vertical_whole = 0.0;
   int n_breaks = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "brash/core/vec.hpp"
 #include "brash/model/case.hpp"
@@ -27,6 +28,12 @@ struct State {
 State way_to(const Pose& goal, const Pose& start, double time);
 /// At the end of `time` [s] of the motion `twist` from `start`.
 State way_at(const Twist& twist, const Pose& start, double time);
+
+/// A free oscillation of a structure on its restoring loads: small, undamped, about the pose at the start.
+struct NaturalMode {
+  const char* motion = "";         ///< that it is most of: surge, sway, heave, roll, pitch or yaw
+  double squared_frequency = 0.0;  ///< omega^2 [1/s2]; below 0: the structure does not come back
+};
 
 /// How a structure moves: a load goes in, a pose and a twist come out. Time passes in steps of one length, which may
 /// be taken in parts.
@@ -58,6 +65,9 @@ class Motion {
 
   /// Energies after the last bear(), of a structure that is a body; all zero of another.
   virtual model::BodyEnergy energy() const { return {}; }
+
+  /// The modes that something restores, the slowest first; none of a prescribed motion. docs/theory/motion.md, (B12).
+  virtual std::vector<NaturalMode> natural_modes() const { return {}; }
 
   /// Saves in a table of its own all that the motion from now on depends on.
   virtual void save(model::Checkpoint& checkpoint) const;
