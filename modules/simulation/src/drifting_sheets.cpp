@@ -46,7 +46,7 @@ Drift by_centre(Vec2 place, double angle, Vec2 velocity, double spin, const Shee
   return {place - arm, angle, velocity - spin * perpendicular(arm), spin};
 }
 
-/// (F1), (F2): even motion, about the centre.
+/// Even motion, about the centre; docs/theory/free-sheet.md, (F1), (F2).
 Drift after(const Drift& drift, const SheetBody& body, double seconds) {
   const Vec2 velocity = centre_velocity(drift, body);
   return by_centre(centre_place(drift, body) + seconds * velocity, drift.angle + seconds * drift.spin, velocity,
@@ -165,7 +165,7 @@ void DriftingSheets::push(int number, Vec3 force, Vec3 point, bool of_structure)
   push.moment += cross(plan(point) - centre_place(sheet.now, sheet.body), plan(force));
 }
 
-/// (F3), (F4).
+/// docs/theory/free-sheet.md, (F3), (F4).
 std::pair<DriftingSheets::Push, DriftingSheets::Push> DriftingSheets::water_on(const Sheet& sheet, double dt) const {
   const model::Case& c = *case_;
   const SheetBody& body = sheet.body;

@@ -60,7 +60,7 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
   }
 }
 
-/// (F5). The contacts were booked at the velocity of the sheet at the start of the step.
+/// docs/theory/free-sheet.md, (F5). The contacts were booked at the velocity of the sheet at the start of the step.
 void EnergyLedger::book_sheets(const World& world, const WorkOnSheets& work, double dt) {
   losses_.edge -= work.edge;
   double as_booked = 0.0;

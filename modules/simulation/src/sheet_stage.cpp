@@ -72,7 +72,7 @@ bool Simulation::Impl::is_plate(const std::vector<geometry::Polygon>& outlines) 
   return body.breadth() >= resolved.field.smallest_plate * l_c;
 }
 
-/// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/free-sheet.md, (F6) to (F9).
+/// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/free-sheet.md, (F6), (F7), (F8).
 void Simulation::Impl::split_sheets(const std::vector<EdgeContact>& contacts, StepReport& report) {
   if (!sheets.any()) return;
   const StageTimer::Scope clock(timer, times.cutting);

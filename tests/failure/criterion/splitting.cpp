@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/theory/free-sheet.md, (F7) to (F9).
+/// The law of docs/theory/free-sheet.md, (F7), (F8), (F9).
 #include "brash/failure/splitting.hpp"
 
 #include <boost/test/unit_test.hpp>
