@@ -211,12 +211,15 @@ BOOST_AUTO_TEST_CASE(a_sheet_with_far_borders_has_the_loads_of_the_fixed_sheet_u
 }
 
 BOOST_AUTO_TEST_CASE(a_resumed_run_of_a_sheet_that_drifts_goes_on_to_the_bit_and_its_ledgers_close) {
-  const model::Case c =
-      free_case({"time.duration=6", "field.length=30", "field.width=30", "failure.model=wedge", "failure.pattern=disc",
-                 "failure.judged=centre-line", "failure.order=circumferential-first", "failure.edge=static",
-                 "failure.second_order=false", "failure.joint_loads=false"});
+  const model::Case c = free_case({"time.duration=6", "field.length=40", "field.width=60",
+                                   "ice.fracture_toughness=20e3", "failure.model=wedge", "failure.pattern=disc",
+                                   "failure.judged=centre-line", "failure.order=circumferential-first",
+                                   "failure.edge=static", "failure.second_order=false", "failure.joint_loads=false"});
   simulation::Simulation whole(c);
-  step_through(whole, 450, [](const simulation::StepReport&) {});
+  int n_split = 0;
+  step_through(whole, 450, [&](const simulation::StepReport& report) { n_split += report.breaks.sheets_split; });
+  BOOST_TEST(n_split > 0);
+  BOOST_TEST(whole.sheet_motions().size() > 1u);
   simulation::Simulation resumed(c, whole.checkpoint());
   int n_floes = 0;
   for (int i = 0; i < 120; ++i) {
