@@ -28,6 +28,11 @@ auto with_samples(const char* function, const py::object& values, Call call) {
   return with_arguments_of(function, [&] { return call(span_of(array)); });
 }
 
+/// A UserWarning. @throws what the program's filter makes of it.
+void warn(const char* text) {
+  if (PyErr_WarnEx(PyExc_UserWarning, text, 1) < 0) throw py::error_already_set();
+}
+
 py::tuple peaks_tuple(const std::vector<Peak>& peaks) {
   std::vector<double> values;
   py::array_t<std::int64_t> index(static_cast<py::ssize_t>(peaks.size()));
@@ -177,6 +182,10 @@ void add_peaks(py::module_& m) {
   m.def(
       "return_level",
       [](const Gumbel& fit, double return_period, double confidence) {
+        warn(
+            "return_level of a Gumbel fit: the law has a fixed shape, and its interval is too short where the maxima "
+            "have "
+            "another one (docs/theory/statistics.md, coverage); extremes() finds the shape");
         return with_arguments_of("return_level", [&] { return return_level(fit, return_period, confidence); });
       },
       py::arg("fit"), py::arg("return_period"), py::arg("confidence") = 0.95,
@@ -217,9 +226,10 @@ void add_intervals(py::module_& m) {
               {.block_length = block_length, .n_resamples = n_resamples, .confidence = confidence}, stream);
         });
       },
-      py::arg("samples"), py::arg("statistic"), py::arg("block_length") = 1, py::arg("n_resamples") = 2000,
+      py::arg("samples"), py::arg("statistic"), py::arg("block_length") = 1, py::arg("n_resamples") = 1000,
       py::arg("confidence") = 0.95, py::arg("seed") = 1,
-      "Percentile interval of any statistic, a function of shape (n,) -> float, from the circular block bootstrap.");
+      "Interval of any statistic, a function of shape (m,) -> float, from the circular block bootstrap: each draw is "
+      "compared with its own error (bootstrap-t). The statistic is called up to 41 (n_resamples + 1) times.");
 }
 
 void add_tests(py::module_& m) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "brash/core/contract.hpp"
@@ -45,6 +46,69 @@ std::size_t block_length(double tau_in_samples, std::size_t n) {
   return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(length)), 1, n);
 }
 
+namespace {
+
+/// Groups of blocks of which the jackknife leaves out one after the other, at most.
+constexpr std::size_t kGroups = 40;
+
+/// A statistic of a sample, and of the sample without each of its groups.
+struct Estimate {
+  double value = 0.0;
+  std::vector<double> without;
+
+  bool is_positive() const {
+    return value > 0.0 && std::ranges::all_of(without, [](double v) { return v > 0.0; });
+  }
+  Estimate logarithm() const {
+    Estimate log{std::log(value), without};
+    for (double& v : log.without) v = std::log(v);
+    return log;
+  }
+  /// The jackknife's, for as many groups as there are.
+  double error() const {
+    const auto g = static_cast<double>(without.size());
+    const double mean = gsl_stats_mean(without.data(), 1, without.size());
+    double sum = 0.0;
+    for (const double v : without) sum += (v - mean) * (v - mean);
+    return std::sqrt((g - 1.0) / g * sum);
+  }
+};
+
+/// How far draws lie from the original, in their own errors.
+struct Studentised {
+  Estimate original;
+  std::vector<double> deviations{};
+
+  void add(const Estimate& draw) {
+    if (const double error = draw.error(); error > 0.0) deviations.push_back((draw.value - original.value) / error);
+  }
+  Interval interval(double confidence) const {
+    const std::array<double, 2> levels{0.5 - 0.5 * confidence, 0.5 + 0.5 * confidence};
+    std::vector<double> ends{0.0, 0.0};
+    if (!deviations.empty()) ends = quantiles(deviations, levels);
+    return {original.value - ends[1] * original.error(), original.value - ends[0] * original.error()};
+  }
+};
+
+/// The estimate from `samples`, a row of blocks.
+Estimate estimate(std::span<const double> samples, std::size_t block_length,
+                  const std::function<double(std::span<const double>)>& statistic) {
+  Estimate made{statistic(samples), {}};
+  const std::size_t n_blocks = std::max<std::size_t>(samples.size() / block_length, 2);
+  const std::size_t n_groups = std::min(n_blocks, kGroups);
+  std::vector<double> rest;
+  for (std::size_t g = 0; g < n_groups; ++g) {
+    const auto from = static_cast<std::ptrdiff_t>(samples.size() * g / n_groups);
+    const auto to = static_cast<std::ptrdiff_t>(samples.size() * (g + 1) / n_groups);
+    rest.assign(samples.begin(), samples.begin() + from);
+    rest.insert(rest.end(), samples.begin() + to, samples.end());
+    made.without.push_back(statistic(rest));
+  }
+  return made;
+}
+
+}  // namespace
+
 Interval bootstrap_interval(std::span<const double> samples,
                             const std::function<double(std::span<const double>)>& statistic,
                             const BootstrapSettings& settings, RandomStream& stream) {
@@ -53,9 +117,12 @@ Interval bootstrap_interval(std::span<const double> samples,
   BRASH_EXPECTS(settings.n_resamples >= 2, settings.n_resamples);
   BRASH_EXPECTS(settings.confidence > 0.0 && settings.confidence < 1.0, settings.confidence);
   BRASH_EXPECTS(all_finite(samples));
+  quiet_gsl();
 
-  std::vector<double> resample(n), values;
-  values.reserve(settings.n_resamples);
+  Studentised plain{estimate(samples, settings.block_length, statistic)};
+  std::optional<Studentised> logarithmic;
+  if (plain.original.is_positive()) logarithmic.emplace(plain.original.logarithm());
+  std::vector<double> resample(n);
   for (std::size_t r = 0; r < settings.n_resamples; ++r) {
     for (std::size_t filled = 0; filled < n;) {
       const auto start = static_cast<std::size_t>(stream.uniform() * static_cast<double>(n));
@@ -63,11 +130,14 @@ Interval bootstrap_interval(std::span<const double> samples,
         resample[filled++] = samples[(start + k) % n];
       }
     }
-    values.push_back(statistic(resample));
+    const Estimate draw = estimate(resample, settings.block_length, statistic);
+    plain.add(draw);
+    if (!draw.is_positive()) logarithmic.reset();
+    if (logarithmic) logarithmic->add(draw.logarithm());
   }
-  const std::array<double, 2> levels{0.5 - 0.5 * settings.confidence, 0.5 + 0.5 * settings.confidence};
-  const std::vector<double> ends = quantiles(std::move(values), levels);
-  return {ends[0], ends[1]};
+  if (!logarithmic) return plain.interval(settings.confidence);
+  const Interval interval = logarithmic->interval(settings.confidence);
+  return {std::exp(interval.lower), std::exp(interval.upper)};
 }
 
 }  // namespace brash::statistics

@@ -17,7 +17,7 @@ using namespace statistics;
 
 constexpr int kCycles = 100;
 constexpr double kSegment = 12.5;   // of the spectrum [s]: an eighth of a record
-constexpr int kResamples = 400;     // fewer than a user takes: the ends are a little less certain
+constexpr int kResamples = 200;     // fewer than a user takes: the ends are a little less certain
 constexpr double kBlockTimes = 10;  // autocorrelation times in a block, as in the tutorial
 
 /// Type 7 of Hyndman and Fan, without sorting all.

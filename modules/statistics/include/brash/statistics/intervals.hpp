@@ -30,15 +30,17 @@ std::size_t block_length(double tau_in_samples, std::size_t n);
 /// How to bootstrap.
 struct BootstrapSettings {
   std::size_t block_length = 1;  ///< [samples]; 1 for independent values
-  std::size_t n_resamples = 2000;
+  std::size_t n_resamples = 1000;
   double confidence = 0.95;
 };
 
-/// Percentile interval of any statistic from the circular block bootstrap, which keeps the correlation inside blocks.
+/// Interval of any statistic from the circular block bootstrap, which keeps the correlation inside blocks. Each draw is
+/// compared with its own error, from a jackknife over at most 40 groups of blocks (bootstrap-t). A statistic that is
+/// positive in every draw is taken on its logarithm. docs/theory/statistics.md, (S16).
 ///
-/// @param statistic  of a history as long as `samples`; called n_resamples times.
+/// @param statistic  of a history up to as long as `samples`; called up to 41 (n_resamples + 1) times.
 /// @param stream     draws the blocks; the result repeats with the stream's key.
-/// @see D. N. Politis, J. P. Romano, 1992.
+/// @see D. N. Politis, J. P. Romano, 1992; B. Efron, R. J. Tibshirani, 1993.
 Interval bootstrap_interval(std::span<const double> samples,
                             const std::function<double(std::span<const double>)>& statistic,
                             const BootstrapSettings& settings, RandomStream& stream);
