@@ -16,8 +16,8 @@ A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and belo
 
 - **Units.** A bare number is in the unit of the table below (SI). A string is a quantity with a unit, read by UDUNITS-2:
   `thickness = 0.33` is `thickness = "33 cm"`, an angle is `"61.4 deg"`.
-- **Differences from UDUNITS.** `nmi` is the nautical mile and `ppt` parts per thousand. Exponents must be whole numbers:
-  `"0.1 MPa m^0.5"` is refused. Angles and ratios do not convert into each other.
+- **Differences from UDUNITS.** `nmi` is the nautical mile and `ppt` parts per thousand. Exponents must be whole numbers,
+  but for a toughness: `"0.15 MPa m^0.5"`. Angles and ratios do not convert into each other.
 - **Errors.** The file is strict. An unknown, missing or doubled key ends the command with exit code 2, and so does a wrong
   unit or a value out of range. The message names file, line, column, key, value, the allowed values and the remedy.
 - **Overrides.** `--set section.key=value` on the command line wins over the file. The value is TOML, or else a plain

@@ -38,7 +38,8 @@ LiveView::LiveView(const model::Case& resolved)
     : server_(report::live_page(resolved)),
       frame_interval_(1.0 /
                       (resolved.output.frames_per_second > 0.0 ? resolved.output.frames_per_second : kFramesPerSecond)),
-      duration_(resolved.time.duration) {}
+      duration_(resolved.time.duration),
+      sheets_drift_(resolved.field.border == model::Border::kFree) {}
 
 void LiveView::watch(simulation::RunOptions& options) {
   if (options.checkpoint.newest)
@@ -77,9 +78,11 @@ void LiveView::take(const simulation::Simulation& simulation, const simulation::
   std::ranges::copy(report.births, std::back_inserter(part_.floes));
   for (const simulation::FloeDeath& death : report.deaths)
     ended_.push_back({death.floe, simulation.time(), death.cause});
-  if (!report.events.empty()) part_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
   // Half a nanosecond absorbs the rounding of step times.
-  if (simulation.time() + 5e-10 < next_frame_ && simulation.time() + 5e-10 < duration_) return;
+  const bool has_frame = simulation.time() + 5e-10 >= next_frame_ || simulation.time() + 5e-10 >= duration_;
+  if (!report.events.empty() || (sheets_drift_ && has_frame))
+    part_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
+  if (!has_frame) return;
   next_frame_ = simulation.time() + frame_interval_;
   part_.frames.push_back(simulation.frame());
   send();

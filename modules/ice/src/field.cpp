@@ -11,6 +11,11 @@
 namespace brash::ice {
 namespace {
 
+/// A region that holds all of a plate reaches this far beyond it [m].
+constexpr double kBeyond = 1.0;
+/// A crack begins this far outside the ice [m].
+constexpr double kOutside = 1e-3;
+
 geometry::Polygon rectangle(double length, double width) {
   const std::array<Vec2, 4> corners{Vec2{0.0, -0.5 * width}, Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width},
                                     Vec2{0.0, 0.5 * width}};
@@ -21,7 +26,8 @@ std::vector<Plate> laid(const model::FieldSection& section, const failure::IcePr
   std::vector<geometry::Polygon> outline;
   if (section.kind == model::FieldKind::kLevelIce) outline.push_back(rectangle(section.length, section.width));
   std::vector<Plate> plates;
-  plates.emplace_back(0, Hold::kFast, ice, std::move(outline));
+  const Hold hold = section.border == model::Border::kFree ? Hold::kDrifting : Hold::kFast;
+  plates.emplace_back(0, hold, ice, std::move(outline));
   return plates;
 }
 
@@ -65,7 +71,9 @@ Field::Field(const model::FieldSection& section, const failure::IceProperties& i
 Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
              const model::Checkpoint& checkpoint)
     : level_ice_(laid(section, ice)), variation_(std::move(variation)) {
-  std::vector<std::vector<geometry::Polygon>> outlines(level_ice_.size());
+  // Sheets that drift have split off others; some are no more, and have no outline.
+  const bool drifts = section.border == model::Border::kFree;
+  std::vector<std::vector<geometry::Polygon>> outlines(drifts ? checkpoint.table("drift").n_rows() : level_ice_.size());
   const model::Table& table = checkpoint.table("level_ice");
   for (std::size_t i = 0; i < table.n_rows(); ++i) {
     PlatePart part;
@@ -73,8 +81,11 @@ Field::Field(const model::FieldSection& section, const failure::IceProperties& i
     PlatePart::visit(part, row);
     outlines.at(static_cast<std::size_t>(part.level_ice)).push_back(std::move(part.outline));
   }
+  const Hold hold = level_ice_.front().hold();
+  const failure::IceProperties laid_ice = level_ice_.front().ice();
+  level_ice_.clear();
   for (std::size_t i = 0; i < outlines.size(); ++i)
-    level_ice_[i] = Plate(static_cast<int>(i), Hold::kFast, level_ice_[i].ice(), std::move(outlines[i]));
+    level_ice_.emplace_back(static_cast<int>(i), hold, laid_ice, std::move(outlines[i]));
   Accounts accounts;
   model::restore(checkpoint, "ledger", accounts);
   ledger_ = accounts.ledger;
@@ -113,7 +124,7 @@ geometry::Cut Field::cut(Plate& plate, std::span<const geometry::Point> region,
 }
 
 geometry::ExactArea& Field::account_of(const Plate& plate) {
-  return plate.hold() == Hold::kFast ? ledger_.sheet : ledger_.floes;
+  return plate.hold() == Hold::kAfloat ? ledger_.floes : ledger_.sheet;
 }
 
 geometry::Extent Field::crush(Plate& plate, std::span<const geometry::Point> section) {
@@ -140,7 +151,7 @@ void Field::book_piece(const Plate& plate, geometry::Polygon part, double smalle
     ledger_.brash += area;
   } else {
     ledger_.floes += area;
-    const failure::IceProperties ice = plate.hold() == Hold::kFast ? variation_.mean(plate.ice(), part) : plate.ice();
+    const failure::IceProperties ice = plate.hold() == Hold::kAfloat ? plate.ice() : variation_.mean(plate.ice(), part);
     pieces.push_back(plate.piece(std::move(part), ice));
   }
 }
@@ -178,6 +189,56 @@ std::vector<Plate> Field::split(const Plate& floe, Vec2 from, Vec2 to, double sm
 void Field::add_floe(const Plate& floe) {
   ledger_.initial += floe.area();
   ledger_.floes += floe.area();
+}
+
+Broken Field::split_sheet(Plate& plate, Vec2 from, Vec2 towards, double smallest_floe) {
+  BRASH_EXPECTS(plate.hold() == Hold::kDrifting, plate.level_ice());
+  geometry::Extent extent;
+  for (const geometry::Polygon& polygon : plate.outline()) extent.add(geometry::extent(polygon));
+  Broken result;
+  if (extent.is_empty()) return result;
+  const Vec2 beyond{kBeyond, kBeyond}, lower = extent.lower - beyond, upper = extent.upper + beyond;
+  const std::array<Vec2, 4> corners{lower, Vec2{upper.x, lower.y}, upper, Vec2{lower.x, upper.y}};
+  const geometry::Crack crack{geometry::snap(from - kOutside * towards),
+                              geometry::snap(from + (norm(upper - lower)) * towards)};
+  geometry::Cut parts = cut(plate, geometry::ring(corners), std::array{crack});
+  const auto largest =
+      std::ranges::max_element(parts.pieces, {}, [](const geometry::Polygon& p) { return geometry::area(p); });
+  std::iter_swap(parts.pieces.begin(), largest);
+  lay(plate, std::move(parts.pieces.front()));
+  for (std::size_t i = 1; i < parts.pieces.size(); ++i)
+    book_piece(plate, std::move(parts.pieces[i]), smallest_floe, result.pieces);
+  if (parts.pieces.size() > 1) result.changed = extent;
+  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  return result;
+}
+
+/// Gives level ice a new outline, and books it as a sheet.
+void Field::lay(Plate& plate, geometry::Polygon outline) {
+  const geometry::ExactArea area = geometry::area(outline);
+  plate = Plate(plate.level_ice(), plate.hold(), plate.ice(), {std::move(outline)});
+  ledger_.sheet += plate.sheet().area();  // vertices near another edge are rounded on their way in
+  ledger_.snap += area - plate.area();
+}
+
+int Field::add_level_ice(Plate&& piece) {
+  const int number = static_cast<int>(level_ice_.size());
+  ledger_.floes -= piece.area();
+  // The variation of the ice is about the mean of all of it.
+  level_ice_.emplace_back(number, Hold::kDrifting, level_ice_.front().ice(), std::vector<geometry::Polygon>{});
+  lay(level_ice_.back(), piece.outline().front());
+  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  return number;
+}
+
+std::vector<Plate> Field::release(Plate& plate, double smallest_floe) {
+  std::vector<Plate> pieces;
+  ledger_.sheet -= plate.area();
+  const std::vector<geometry::Polygon> outlines = plate.outline();
+  for (const geometry::Polygon& outline : outlines) book_piece(plate, outline, smallest_floe, pieces);
+  plate = Plate(plate.level_ice(), plate.hold(), plate.ice(), {});
+  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  return pieces;
 }
 
 void Field::to_brash(const Plate& piece) {

@@ -302,6 +302,9 @@ void check_field(const model::Case& c, Checks& checks) {
                  fmt::format("less than the sheet's length and half its width, {} m",
                              std::min(c.field.length, c.field.width / 2.0)),
                  "lower the radius, or write 0 for the ice's own breaking length");
+  checks.require(c.field.border == model::Border::kFixed || c.contact.engine == model::ContactEngine::kBrash,
+                 {"field", "border"}, {"contact", "engine"}, "Bullet knows no sheet that drifts",
+                 "free with contact.engine = \"brash\"", "take this engine, or border = \"fixed\"");
 }
 
 /// Each law of sizes needs its own keys, and floes that fit in the field.

@@ -147,6 +147,22 @@ tl::expected<double, QuantityError> convert_units(double value, const std::strin
   return convert(converter.get(), value);
 }
 
+/// The unit of a toughness. UDUNITS has no fractional exponents: the root of the metre is read here, alone.
+constexpr std::string_view kRoot = " m^0.5";
+
+/// `value` given in a unit with the root of the metre last, in the unit spelled `to`, which has it too.
+tl::expected<double, QuantityError> convert_toughness(double value, std::string_view from, const std::string& to) {
+  const std::string remedy = fmt::format("write a unit that converts to {}: kPa m^0.5, MPa m^0.5 or the like", to);
+  std::string_view pressure = from;
+  if (!pressure.ends_with(kRoot.substr(1)))
+    return error(fmt::format("the unit {} does not convert to {}", printable(std::string(from)), to), remedy);
+  pressure.remove_suffix(kRoot.size() - 1);
+  while (pressure.ends_with(' ') || pressure.ends_with('*') || pressure.ends_with('.')) pressure.remove_suffix(1);
+  if (pressure.empty() || !spelling_error(pressure).empty())
+    return error(fmt::format("the unit {} cannot be read", printable(std::string(from))), remedy);
+  return convert_units(value, std::string(pressure), to.substr(0, to.size() - kRoot.size()));
+}
+
 /// `text` with a decimal point, when it begins with a number with a decimal comma; else "".
 std::string with_decimal_point(std::string_view text) {
   const std::size_t comma = text.find_first_not_of("0123456789+-");
@@ -183,6 +199,7 @@ tl::expected<double, QuantityError> read_quantity(const std::string& text, const
   if (from.empty())
     return error("the string has no unit",
                  fmt::format("write the number without quotes (SI) or with a unit that converts to {}", unit));
+  if (unit.ends_with(kRoot)) return convert_toughness(value, from, unit);
   if (const std::string spelling = spelling_error(from); !spelling.empty())
     return error(fmt::format("the unit {} cannot be read: {}", printable(from), spelling),
                  "write the unit as symbols with whole exponents, such as kg/m3 or m s^-1");

@@ -115,6 +115,20 @@ class LiveSimulation {
   bool busy_ = false;
 };
 
+py::list motions_of(const std::vector<simulation::SheetMotion>& sheets) {
+  py::list all;
+  for (const simulation::SheetMotion& sheet : sheets) {
+    py::dict one;
+    one["mass"] = sheet.mass;
+    one["centre"] = py::make_tuple(sheet.centre.x, sheet.centre.y);
+    one["heading"] = sheet.heading;
+    one["velocity"] = py::make_tuple(sheet.velocity.x, sheet.velocity.y);
+    one["spin"] = sheet.spin;
+    all.append(std::move(one));
+  }
+  return all;
+}
+
 py::dict ledger_of(const geometry::Ledger& l) {
   py::dict out;
   out["initial"] = fraction(l.initial);
@@ -241,6 +255,11 @@ void add_simulation(py::module_& m) {
       .def_property_readonly(
           "sheet", [](const LiveSimulation& s) { return s.look().sheet(); },
           "The ice sheet's connected parts, a list of Polygon.")
+      .def_property_readonly(
+          "sheet_motions", [](const LiveSimulation& s) { return motions_of(s.look().sheet_motions()); },
+          "How sheets with free borders move (field.border = \"free\"), a list of dicts: mass [kg], centre [m], "
+          "heading "
+          "[rad], velocity of the centre [m/s], spin [rad/s]. One that is no more has no mass.")
       .def_property_readonly(
           "ledger", [](const LiveSimulation& s) { return ledger_of(s.look().ledger()); },
           "Where every square metre of ice is: Fractions [m2].")

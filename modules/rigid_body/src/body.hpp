@@ -53,7 +53,7 @@ struct Body {
   Wrench load;                     ///< for the next step
   Vec3 stream;                     ///< velocity of the water around it
   double gained_by_turning = 0.0;  ///< World::gained_by_turning() [J]
-  Pose next_pose;                  ///< of a structure that moves as it is told
+  Pose next_pose;                  ///< of a structure or a sheet that moves as it is told
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
   int rank = 0;                   ///< in the order of the step

@@ -139,7 +139,7 @@ void BodyWorld::step(double dt) {
 
 void BodyWorld::predictUnconstraintMotion(btScalar dt) {
   each_body([dt](Body& body) {
-    if (body.kind == BodyKind::kStructure && !body.is_free() && !body.moved) body.twist = {};
+    if (!body.is_floe() && !body.is_free() && !body.moved) body.twist = {};
     btRigidBody& b = *body.bullet;
     b.setLinearVelocity(to_bullet(body.twist.linear));
     b.setAngularVelocity(to_bullet(body.twist.angular));

@@ -93,7 +93,7 @@ void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const bt
   in_solver_.clear();
   for (Body* body : order()) {
     body->in_solver = BoundedSolver::kFixed;
-    if (body->kind == BodyKind::kSheet || body->settled) continue;
+    if ((body->kind == BodyKind::kSheet && body->twist == Twist{}) || body->settled) continue;
     in_solver_.push_back(body);
     body->in_solver = static_cast<std::uint32_t>(in_solver_.size());
   }

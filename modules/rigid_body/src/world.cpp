@@ -54,9 +54,11 @@ BodyId World::add_floe(const Prism& prism, const MassProperties& mass, const Pos
   return world_->insert(std::move(body));
 }
 
-BodyId World::add_sheet_part(std::span<const Vec2> ring, double bottom, double top) {
+BodyId World::add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& sheet) {
+  BRASH_EXPECTS(is_finite(sheet, {}), "place of a part of a sheet is not finite");
   auto body = std::make_unique<Body>();
   body->kind = BodyKind::kSheet;
+  body->pose = sheet;
   body->add_part(convex_prism(ring, bottom, top), world_->settings().collision_margin);
   return world_->insert(std::move(body));
 }
@@ -120,6 +122,15 @@ const std::vector<BodyId>& World::moving() const { return world_->moving(); }
 void World::move_structure(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = world_->get(id);
   BRASH_EXPECTS(body.kind == BodyKind::kStructure && !body.is_free() && is_finite(pose, twist), id.index);
+  body.next_pose = pose;
+  body.twist = twist;
+  body.moved = true;
+}
+
+void World::move_sheet_part(BodyId id, const Pose& pose, const Twist& twist) {
+  Body& body = world_->get(id);
+  BRASH_EXPECTS(world_->settings().engine == Engine::kBrash, "sheets drift with the engine kBrash");
+  BRASH_EXPECTS(body.kind == BodyKind::kSheet && is_finite(pose, twist), id.index);
   body.next_pose = pose;
   body.twist = twist;
   body.moved = true;

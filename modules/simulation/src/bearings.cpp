@@ -24,14 +24,15 @@ struct SavedBearing {
 
 void Bearings::average(const rigid_body::World& world, const FloePopulation& floes,
                        const std::vector<const rigid_body::ContactLoad*>& contacts,
-                       const std::function<std::optional<int>(BodyId)>& level_ice_of, double dt) {
+                       const std::function<std::optional<int>(BodyId)>& level_ice_of, double dt,
+                       const std::function<rigid_body::ContactLoad(int, const rigid_body::ContactLoad&)>& in_sheet) {
   std::map<Pair, Bearing> now;
   for (const rigid_body::ContactLoad* const contact : contacts) {
     if (contact->other_kind != rigid_body::BodyKind::kSheet) continue;
     const std::optional<int> level_ice = level_ice_of(contact->other);
     if (!level_ice) continue;
     const Pair pair{contact->body, *level_ice};
-    add_contact(now[pair], *contact);
+    add_contact(now[pair], in_sheet ? in_sheet(pair.second, *contact) : *contact);
     mean_.try_emplace(pair);
   }
   for (auto entry = mean_.begin(); entry != mean_.end();) {

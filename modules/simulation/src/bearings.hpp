@@ -22,9 +22,11 @@ class Bearings {
   /// Averages over a step of `dt` [s].
   /// @param contacts      contacts_by_place().
   /// @param level_ice_of  number of the level ice that a body of the sheet belongs to.
+  /// @param in_sheet  a contact with level ice, in the frame of that ice; empty: it is the world's.
   void average(const rigid_body::World& world, const FloePopulation& floes,
                const std::vector<const rigid_body::ContactLoad*>& contacts,
-               const std::function<std::optional<int>(BodyId)>& level_ice_of, double dt);
+               const std::function<std::optional<int>(BodyId)>& level_ice_of, double dt,
+               const std::function<rigid_body::ContactLoad(int, const rigid_body::ContactLoad&)>& in_sheet = {});
 
   /// The floe is no more.
   void forget(BodyId floe);

@@ -94,6 +94,14 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
              "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: raise field.width to {:.3g} m",
              beside, margin, 2.0 * (course.beside + margin))});
   const double end = course.end;
+  if (c.field.border == model::Border::kFree) {
+    warnings.push_back(
+        {"sheet-drifts",
+         fmt::format("the borders of the sheet are free: the structure, at {:.3g} m/s, pushes it ahead, and nothing "
+                     "holds it; loads fall as it comes up to that speed, and end where it has split or is broken up",
+                     course.speed)});
+    return;
+  }
   if (end > c.field.length)
     warnings.push_back(
         {"leaves-field",

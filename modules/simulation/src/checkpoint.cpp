@@ -26,6 +26,7 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
   model::restore(checkpoint, "energy", energy);
   motion->restore(checkpoint);
   world.set_state(structure_body, motion->now().pose, {});
+  sheets.restore(field.level_ice(), checkpoint);
   floes.restore(world, field.level_ice(), checkpoint);
   edges.restore(checkpoint);
   bearings.restore(floes, checkpoint);
@@ -41,6 +42,7 @@ model::Checkpoint Simulation::Impl::checkpoint() const {
   motion->save(saved);
   model::save(saved, "energy", energy);
   field.save(saved);
+  sheets.save(saved);
   floes.save(world, saved);
   edges.save(saved);
   bearings.save(floes, saved);

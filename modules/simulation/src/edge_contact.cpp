@@ -43,12 +43,15 @@ std::vector<structure::SidePiece> sides(const EdgeModel& model, const Pose& pose
 
 /// The crushing load of a contact on the ice.
 struct Crushing {
-  Vec3 force{};        ///< with friction [N]
-  Vec3 vector_area{};  ///< sum of area times normal over the surface that crushes [m2]
-  Vec3 moment{};       ///< sum of area times place [m3]
-  double area = 0.0;   ///< of that surface [m2]
+  Vec3 force{};                    ///< with friction [N]
+  Vec3 vector_area{};              ///< sum of area times normal over the surface that crushes [m2]
+  Vec3 moment{};                   ///< sum of area times place [m3]
+  double area = 0.0;               ///< of that surface [m2]
+  double left = 0.0, right = 0.0;  ///< its forces across the chord's normal, to either side [N]
 
   Crushing& operator+=(const Crushing& other) {
+    left += other.left;
+    right += other.right;
     force += other.force;
     vector_area += other.vector_area;
     moment += other.moment;
@@ -59,7 +62,8 @@ struct Crushing {
 
 /// Eq. 15 on each part of the surface inside the ice that moves into it, against its normal and its slip. The surface
 /// is as high as the case's ice is thick; where the ice is thicker, its area is larger.
-Crushing crushing(const EdgeModel& model, const structure::State& state, const geometry::Polygon& overlap,
+/// @param ahead  normal of the chord.
+Crushing crushing(const EdgeModel& model, const structure::State& state, const geometry::Polygon& overlap, Vec2 ahead,
                   double shift = 0.0) {
   const model::Case& c = model.resolved;
   const bool projected = c.contact.area == model::ContactArea::kProjected;
@@ -73,7 +77,10 @@ Crushing crushing(const EdgeModel& model, const structure::State& state, const g
     const double area = thicker * (projected ? patch.plan_area : patch.area);
     const Vec3 slip = velocity - into_ice * patch.normal;
     const Vec3 friction = norm(slip) > 0.0 ? c.ice.friction_structure * normalized(slip) : Vec3{};
-    sum.force += failure::crushing_force(model.ice, area) * (patch.normal + friction);
+    const Vec3 force = failure::crushing_force(model.ice, area) * (patch.normal + friction);
+    const double across = cross(ahead, plan(force));
+    (across > 0.0 ? sum.left : sum.right) += std::abs(across);
+    sum.force += force;
     sum.vector_area += area * patch.normal;
     sum.moment += area * patch.centroid;
     sum.area += area;
@@ -96,7 +103,7 @@ Crushing crushing_shifted(const EdgeModel& model, const geometry::IceSheet& shee
   for (const geometry::Ring& outline : on_grid(footprint(model, state.pose, shift).leading)) {
     for (geometry::ContactRegion& covered : sheet.contacts(outline)) {
       if (!holds(at_rest, geometry::extent(covered.overlap))) continue;
-      sum += crushing(model, state, covered.overlap, shift);
+      sum += crushing(model, state, covered.overlap, region.normal, shift);
       if (covered.contact_length <= longest) continue;
       longest = covered.contact_length;
       region = std::move(covered);
@@ -115,6 +122,7 @@ void load_contact(const EdgeModel& model, const Crushing& crushed, EdgeContact& 
   contact.point = crushed.moment / crushed.area;
   contact.normal = crushed.vector_area / area;
   contact.area = area;
+  contact.spread = std::min(crushed.left, crushed.right);
   contact.bound = failure::crushing_force(model.ice, area);
   contact.bends = std::abs(contact.normal.z) > std::cos(structure::kSteepestSlope);
   if (!contact.bends) return;
@@ -230,7 +238,7 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
       const EdgeModel here = local.model();
       contact.ice = local.ice();
       const double shift = shift_of ? shift_of(contact.touched) : 0.0;
-      const Crushing crushed = shift == 0.0 ? crushing(here, state, contact.region.overlap)
+      const Crushing crushed = shift == 0.0 ? crushing(here, state, contact.region.overlap, contact.region.normal)
                                             : crushing_shifted(here, sheet, state, shift, contact.region);
       fit(here, sheet, contact);
       load_contact(here, crushed, contact);

@@ -60,6 +60,18 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
   }
 }
 
+/// docs/theory/free-sheet.md, (G5). The contacts were booked at the velocity of the sheet at the start of the step.
+void EnergyLedger::book_sheets(const World& world, const WorkOnSheets& work, double dt) {
+  losses_.edge -= work.edge;
+  double as_booked = 0.0;
+  for (const ContactLoad& contact : world.contacts())
+    if (contact.other_kind == BodyKind::kSheet)
+      as_booked += dt * dot(contact.normal_force * contact.normal + contact.friction_force, contact.other_velocity);
+  losses_.sheet_contact -= work.floes + as_booked;
+  losses_.drag -= work.form;
+  losses_.skin_friction -= work.skin;
+}
+
 void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {
   received_.erase(body);
   removed_ += floes.energy(world, body, floes.at(body));
@@ -69,8 +81,9 @@ void EnergyLedger::add_piece(const World& world, const FloePopulation& floes, Bo
   removed_ -= floes.energy(world, body, floes.at(body));
 }
 
-void EnergyLedger::report(const World& world, const FloePopulation& floes, model::LoadRow& row) const {
-  row.kinetic_energy = world.kinetic_energy();
+void EnergyLedger::report(const World& world, const FloePopulation& floes, const DriftingSheets& sheets,
+                          model::LoadRow& row) const {
+  row.kinetic_energy = world.kinetic_energy() + sheets.kinetic_energy();
   row.potential_energy = floes.potential_energy(world);
   row.work = work_;
   row.birth_energy = birth_;

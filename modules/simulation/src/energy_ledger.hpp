@@ -6,6 +6,7 @@
 
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
+#include "drifting_sheets.hpp"
 #include "floe_population.hpp"
 
 namespace brash::simulation {
@@ -35,6 +36,16 @@ class EnergyLedger {
   /// the waves of the ice, and into new cracks.
   void book_bent_edges(double work);
 
+  /// Work of the step on drifting sheets: the loads of the structure and of floes gave it to their kinetic energy, and
+  /// the water took some. Call after book_structure() and book_step(), `dt` as there.
+  void book_sheets(const rigid_body::World& world, const WorkOnSheets& work, double dt);
+
+  /// Of the structure's work on the edge, this moved a sheet [J].
+  void book_pushed_sheet(double work) { losses_.edge -= work; }
+
+  /// Drifting sheets have lost or, negative, received this kinetic energy with ice that came or went [J].
+  void book_left_sheets(double kinetic) { removed_ += kinetic; }
+
   /// The floe `body` is a piece of one that has been removed, and keeps its part of the energy.
   void add_piece(const rigid_body::World& world, const FloePopulation& floes, BodyId body);
 
@@ -48,7 +59,8 @@ class EnergyLedger {
   const Taken& taken() const { return taken_; }
 
   /// Fills the energies of a row.
-  void report(const rigid_body::World& world, const FloePopulation& floes, model::LoadRow& row) const;
+  void report(const rigid_body::World& world, const FloePopulation& floes, const DriftingSheets& sheets,
+              model::LoadRow& row) const;
 
   /// Every sum.
   template <typename Self, typename Visit>

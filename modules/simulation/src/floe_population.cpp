@@ -77,7 +77,7 @@ bool FloePopulation::complete(Floe& floe) const {
 }
 
 std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, ice::Plate&& plate, double time,
-                                                     const Twist& twist) {
+                                                     const std::optional<structure::State>& ice) {
   // Afloat, one face of a plate is wet.
   const bool plate_law = case_->hydrodynamics.added_mass_law == model::AddedMassLaw::kPlate;
   Floe floe{.plate = std::move(plate), .wet_share = plate_law ? 0.5 : 1.0};
@@ -85,7 +85,10 @@ std::optional<model::FloeRecord> FloePopulation::add(rigid_body::World& world, i
     plate = std::move(floe.plate);
     return std::nullopt;
   }
-  const Pose pose = floe.laid;
+  const Pose laid = floe.laid;
+  if (!ice) return launch(world, std::move(floe), laid, {}, time);
+  const Pose pose{to_world(ice->pose, laid.position), product(ice->pose.rotation, laid.rotation)};
+  const Twist twist{velocity_at(ice->twist, pose.position - ice->pose.position), ice->twist.angular};
   return launch(world, std::move(floe), pose, twist, time);
 }
 

@@ -17,6 +17,7 @@
 #include "brash/model/checkpoint.hpp"
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
+#include "brash/structure/motion.hpp"
 #include "floe_stress.hpp"
 #include "kept_drag.hpp"
 
@@ -90,10 +91,11 @@ class FloePopulation {
  public:
   explicit FloePopulation(const model::Case& resolved) : case_(&resolved) {}
 
-  /// Gives `plate` a body that floats where its outline is, at rest or with `twist`.
+  /// Gives `plate` a body that floats where its outline is, at rest or with the ice.
+  /// @param ice  the frame of the outline, and how it moves; nothing: the world's, at rest.
   /// @return its record; nothing when it is too thin for a body, and `plate` is then left as it is.
   std::optional<model::FloeRecord> add(rigid_body::World& world, ice::Plate&& plate, double time,
-                                       const Twist& twist = {});
+                                       const std::optional<structure::State>& ice = std::nullopt);
   /// Gives `plate`, a piece of the floe `parent`, a body that moves on as the parent did.
   /// @param pose, twist  of the parent's body, which is gone.
   /// @return as add().

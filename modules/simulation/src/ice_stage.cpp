@@ -52,30 +52,57 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
   edges.forget_within(plate.level_ice(), plan.centre, plan.reach);
   sleep.wake_within(world, floes, plan.centre, plan.reach);
-  ice::Broken broken = field.break_off(plate, plan, middle_outlines(edge_model(plate), motion->now().pose),
-                                       resolved.failure.smallest_floe);
+  const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
+  ice::Broken broken =
+      field.break_off(plate, plan, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
   Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
-  for (ice::Plate& piece : broken.pieces) {
-    const double mass_per_area = resolved.ice.density * piece.ice().thickness;
-    std::optional<model::FloeRecord> record = floes.add(world, std::move(piece), time());
-    if (!record) {
-      field.to_brash(piece);
-      continue;
-    }
-    const double mass = mass_per_area * record->area;
-    if (collision_time(resolved, mass) < resolved.time.step) ++report.n_steps_too_long;
-    made.births.push_back(std::move(*record));
-  }
-  tiles.renew(plate, world, broken.changed);
+  const int level_ice = plate.level_ice();
+  for (ice::Plate& piece : broken.pieces) let_float(std::move(piece), level_ice, made.births, report);
+  follow_outline(field.level_ice(level_ice), broken.changed);
   return made;
 }
 
+/// A piece of level ice goes on as a body of its own: a floe, or a large piece of a drifting sheet as another sheet.
+void Simulation::Impl::let_float(ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births,
+                                 StepReport& report) {
+  if (sheets.any() && is_plate(piece.outline())) {
+    const ice::Plate& made = field.level_ice(field.add_level_ice(std::move(piece)));
+    sheets.add_part(made, level_ice);
+    add_judge(made);
+    edges.add_level_ice();
+    energy.book_left_sheets(-sheets.kinetic_energy(made.level_ice()));
+    return;
+  }
+  const double mass_per_area = resolved.ice.density * piece.ice().thickness;
+  std::optional<structure::State> ice;
+  if (sheets.any()) ice = structure::State{sheets.start_pose(level_ice), sheets.twist(level_ice)};
+  std::optional<model::FloeRecord> record = floes.add(world, std::move(piece), time(), ice);
+  if (!record) {
+    field.to_brash(piece);
+    return;
+  }
+  const double mass = mass_per_area * record->area;
+  if (collision_time(resolved, mass) < resolved.time.step) ++report.n_steps_too_long;
+  births.push_back(std::move(*record));
+  if (!sheets.any()) return;
+  const BodyId born = world.floes().back();
+  watchdog.add_piece(floes.energy(world, born, floes.at(born)), born, born);
+}
+
+/// The outline of level ice has changed: collision shapes and mass follow.
+void Simulation::Impl::follow_outline(const ice::Plate& plate, const geometry::Extent& changed) {
+  tiles.renew(plate, world, changed, sheets.start_pose(plate.level_ice()));
+  if (!changed.is_empty()) energy.book_left_sheets(sheets.weigh(plate));
+}
+
 /// Every contact of the structure with level ice, were the structure in `state` at `time`; not yet judged.
-std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state, double time) const {
+/// @param later  how long the sheets drift on until then [s].
+std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& state, double later, double time) const {
   std::vector<EdgeContact> contacts;
   for (const ice::Plate& plate : field.level_ice()) {
     const auto shift = [&](const Touch& touched) { return edges.shift(plate.level_ice(), touched, time); };
-    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), state, shift)) {
+    for (EdgeContact& contact :
+         edge_contacts(edge_model(plate), plate.sheet(), sheets.seen_from(plate.level_ice(), state, later), shift)) {
       contact.level_ice = plate.level_ice();
       contacts.push_back(std::move(contact));
     }
@@ -92,7 +119,9 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
 std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, double done) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
   const auto time_after = [&](double part) { return time() + (done + part) * resolved.time.step; };
-  const auto contacts_after = [&](double part) { return contacts_at(motion->after(part), time_after(part)); };
+  const auto contacts_after = [&](double part) {
+    return contacts_at(motion->after(part), part * resolved.time.step, time_after(part));
+  };
   const auto above_range = [&](const std::vector<EdgeContact>& contacts) {
     return std::ranges::any_of(contacts, [&](const EdgeContact& contact) {
       const EdgeModel sheet = edge_model(field.level_ice()[static_cast<std::size_t>(contact.level_ice)]);
@@ -108,7 +137,8 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, doub
   }
 
   motion->advance(share);
-  if (crush_passed_ice(time_after(share))) contacts = contacts_at(motion->now(), time_after(share));
+  sheets.advance(share * resolved.time.step);
+  if (crush_passed_ice(time_after(share))) contacts = contacts_at(motion->now(), 0.0, time_after(share));
   return contacts;
 }
 
@@ -151,9 +181,10 @@ bool Simulation::Impl::crush_passed_ice(double time) {
     ice::Plate& plate = field.level_ice(level.level_ice());
     geometry::Extent changed;
     const double shift = edges.largest_shift(plate.level_ice(), time);
-    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), motion->now().pose, shift))
+    const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
+    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), structure, shift))
       changed.add(field.crush(plate, outline));
-    tiles.renew(plate, world, changed);
+    follow_outline(plate, changed);
     any = any || !changed.is_empty();
   }
   return any;
@@ -164,8 +195,9 @@ bool Simulation::Impl::crush_passed_ice(double time) {
 void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
   for (const EdgeContact& contact : contacts) {
     const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
-    const bool broken_off = std::ranges::any_of(
-        report.events, [&](const model::CrackEvent& event) { return norm(event.tip - tip) < event.breaking_length; });
+    const bool broken_off = std::ranges::any_of(report.events, [&](const model::CrackEvent& event) {
+      return norm(event.tip - in_world(contact.level_ice, {.tip = tip}).tip) < event.breaking_length;
+    });
     if (!contact.assessment.fails || broken_off) continue;
     const MovingEdges::Life life = edges.life(contact);
     model::CrackEvent event{.time = time(),
@@ -188,6 +220,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .edge_deflection = life.deflection,
                             .thickness = contact.ice.thickness,
                             .flexural_strength = contact.ice.flexural_strength};
+    event = in_world(contact.level_ice, event);
     Break made = break_off(contact, report);
     event.wedges = made.n_wedges;
     const bool solves_sheet = edge_model(field.level_ice(contact.level_ice)).criterion.needs_outline();
@@ -218,6 +251,7 @@ void Simulation::Impl::expect_on_the_plane() const {
 Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   const StageTimer::Scope clock(timer, times.contacts);
   expect_on_the_plane();
+  sheets.begin_step();
   Wrench crushing;
   region_loads.begin_step();
   double done = 0.0;
@@ -228,14 +262,21 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
     done += share;
     energy.book_bent_edges(edges.follow(contacts, from, time() + done * resolved.time.step));
     for (const EdgeContact& contact : contacts) {
-      const Vec3 arm = contact.point - motion->now().pose.position, force = -contact.on_ice;
+      const Vec3 point = sheets.to_world(contact.level_ice, contact.point);
+      const Vec3 force = -sheets.turned(contact.level_ice, contact.on_ice);
+      const Vec3 arm = point - motion->now().pose.position;
       crushing += {share * force, share * cross(arm, force)};
-      region_loads.add_crushing(motion->now().pose, contact.point, contact.normal, share * force);
+      sheets.push(contact.level_ice, -share * force, point, true);
+      const Vec3 normal = sheets.turned(contact.level_ice, contact.normal);
+      region_loads.add_crushing(motion->now().pose, point, normal, share * force);
     }
+    const std::vector<EdgeContact> of_structure = sheets.any() ? contacts : std::vector<EdgeContact>{};
     if (done >= 1.0) add_contacts_of_floes(contacts);
     judge(contacts, report);
     break_ice(contacts, report);
+    split_sheets(of_structure, report);
   }
+  release_small_sheets(report);
   --report.n_substeps;
   for (model::CrackEvent& event : report.events) event.substeps = report.n_substeps;
   world.move_structure(structure_body, motion->now().pose, motion->now().twist);
@@ -248,6 +289,7 @@ BreakCounts& BreakCounts::operator+=(const BreakCounts& other) {
   true_edge += other.true_edge;
   along_stress += other.along_stress;
   buckled += other.buckled;
+  sheets_split += other.sheets_split;
   return *this;
 }
 

@@ -105,7 +105,7 @@ InitialField initial_field(const model::Case& resolved) {
 
 /// Floes drift with the water that they begin in: docs/theory/floe-fields.md, (F7).
 void Simulation::Impl::lay_floes() {
-  const Twist drift{{resolved.water.current.x, resolved.water.current.y, 0.0}, {}};
+  const structure::State drift{{}, {{resolved.water.current.x, resolved.water.current.y, 0.0}, {}}};
   for (ice::Plate& plate : laid_floes(resolved, *hull, field.variation())) {
     field.add_floe(plate);
     auto record = floes.add(world, std::move(plate), 0.0, drift);

@@ -39,6 +39,11 @@ class MovingEdges {
   /// How the edge of a contact moves.
   failure::EdgeMotion motion(const EdgeContact& contact) const;
 
+  /// There is more level ice, of the same kind.
+  void add_level_ice() {
+    if (!dynamics_.empty()) dynamics_.emplace_back(dynamics_.front());
+  }
+
   /// The level ice has broken within `radius` of `at`.
   void forget_within(int level_ice, Vec2 at, double radius);
 

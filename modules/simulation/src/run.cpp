@@ -31,18 +31,24 @@ std::vector<std::vector<Vec2>> rings_of(std::span<const geometry::Polygon> polyg
 class Recorder {
  public:
   Recorder(const model::Case& resolved, const Simulation& simulation)
-      : frame_interval_(1.0 / resolved.output.frames_per_second) {
+      : frame_interval_(1.0 / resolved.output.frames_per_second),
+        sheets_drift_(resolved.field.border == model::Border::kFree) {
     results_.initial_sheet = rings_of(simulation.sheet());
     add_births(simulation.initial_births());
     results_.frames.push_back(simulation.frame());
   }
   Recorder(const model::Case& resolved, model::RunResults so_far)
-      : frame_interval_(1.0 / resolved.output.frames_per_second), results_(std::move(so_far)) {}
+      : frame_interval_(1.0 / resolved.output.frames_per_second),
+        sheets_drift_(resolved.field.border == model::Border::kFree),
+        results_(std::move(so_far)) {}
 
   void record(const Simulation& simulation, const StepReport& report) {
     results_.loads.push_back(report.loads);
     std::ranges::copy(report.events, std::back_inserter(results_.events));
-    if (!report.events.empty()) results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
+    // Half a nanosecond absorbs the rounding of step times.
+    const bool has_frame = simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size());
+    if (!report.events.empty() || (sheets_drift_ && has_frame))
+      results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);
     for (const FloeDeath& death : report.deaths) {
       model::FloeRecord& floe = results_.floes[static_cast<std::size_t>(death.floe)];
@@ -50,9 +56,7 @@ class Recorder {
       floe.end = death.cause;
       floe.peak_stress = death.peak_stress;
     }
-    // Half a nanosecond absorbs the rounding of step times.
-    if (simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size()))
-      results_.frames.push_back(simulation.frame());
+    if (has_frame) results_.frames.push_back(simulation.frame());
   }
 
   const model::RunResults& so_far() const { return results_; }
@@ -72,6 +76,7 @@ class Recorder {
   }
 
   double frame_interval_;
+  bool sheets_drift_;  ///< so they are recorded with each frame
   model::RunResults results_;
 };
 

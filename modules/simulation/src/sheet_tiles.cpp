@@ -17,7 +17,8 @@ int index(double coordinate) { return static_cast<int>(std::floor(coordinate / k
 
 }  // namespace
 
-std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell) {
+std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell,
+                                       const Pose& frame) {
   const double x = cell.first * kTileSide;
   const double y = cell.second * kTileSide;
   const std::array<Vec2, 4> corners{Vec2{x, y}, Vec2{x + kTileSide, y}, Vec2{x + kTileSide, y + kTileSide},
@@ -26,23 +27,27 @@ std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::Worl
   std::vector<BodyId> bodies;
   for (const geometry::Polygon& ice : plate.sheet().within(geometry::ring(corners))) {
     for (const geometry::Ring& part : geometry::convex_parts(ice)) {
-      bodies.push_back(world.add_sheet_part(to_metres(part), heights.bottom, heights.top));
+      bodies.push_back(world.add_sheet_part(to_metres(part), heights.bottom, heights.top, frame));
       level_ice_of_[bodies.back()] = plate.level_ice();
     }
   }
   return bodies;
 }
 
-void SheetTiles::lay(std::span<const ice::Plate> level_ice, rigid_body::World& world, Vec2 lower, Vec2 upper) {
-  for (const ice::Plate& plate : level_ice) {
-    auto& parts = parts_[plate.level_ice()];
-    for (int i = index(lower.x); i <= index(upper.x); ++i)
-      for (int j = index(lower.y); j <= index(upper.y); ++j)
-        if (const Cell cell{i, j}; !parts.contains(cell)) parts.emplace(cell, prisms(plate, world, cell));
-  }
+void SheetTiles::lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame) {
+  auto& parts = parts_[plate.level_ice()];
+  for (int i = index(lower.x); i <= index(upper.x); ++i)
+    for (int j = index(lower.y); j <= index(upper.y); ++j)
+      if (const Cell cell{i, j}; !parts.contains(cell)) parts.emplace(cell, prisms(plate, world, cell, frame));
 }
 
-void SheetTiles::renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed) {
+void SheetTiles::move(int level_ice, rigid_body::World& world, const Pose& frame, const Twist& twist) {
+  for (const auto& [cell, bodies] : parts_[level_ice])
+    for (const BodyId body : bodies) world.move_sheet_part(body, frame, twist);
+}
+
+void SheetTiles::renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed,
+                       const Pose& frame) {
   if (changed.is_empty()) return;
   auto& parts = parts_[plate.level_ice()];
   for (int i = index(changed.lower.x); i <= index(changed.upper.x); ++i) {
@@ -53,7 +58,7 @@ void SheetTiles::renew(const ice::Plate& plate, rigid_body::World& world, const 
         world.remove(part);
         level_ice_of_.erase(part);
       }
-      laid->second = prisms(plate, world, laid->first);
+      laid->second = prisms(plate, world, laid->first, frame);
     }
   }
 }

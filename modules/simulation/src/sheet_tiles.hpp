@@ -3,7 +3,6 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,10 +18,14 @@ class SheetTiles {
  public:
   explicit SheetTiles(const model::Case& resolved) : case_(&resolved) {}
 
-  /// Lays the tiles that meet the box from `lower` to `upper` [m], where they are missing.
-  void lay(std::span<const ice::Plate> level_ice, rigid_body::World& world, Vec2 lower, Vec2 upper);
+  /// Lays the tiles that meet the box from `lower` to `upper`, frame of the plate [m], where they are missing.
+  /// @param frame  of the plate, where it is at the start of the step.
+  void lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame = {});
   /// Renews the tiles that are laid and meet the part of `plate` that has changed.
-  void renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed);
+  void renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed,
+             const Pose& frame = {});
+  /// The tiles of a sheet move in the next step: to the pose of its frame, as that moves.
+  void move(int level_ice, rigid_body::World& world, const Pose& frame, const Twist& twist);
 
   /// Number of the level ice that a body of its shape belongs to; nothing of another fixed body.
   std::optional<int> level_ice_of(BodyId part) const {
@@ -32,7 +35,7 @@ class SheetTiles {
 
  private:
   using Cell = std::pair<int, int>;
-  std::vector<BodyId> prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell);
+  std::vector<BodyId> prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell, const Pose& frame);
 
   const model::Case* case_;
   std::map<int, std::map<Cell, std::vector<BodyId>>> parts_;  ///< of each level ice

@@ -77,6 +77,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       pattern(ice::make_crack_pattern(c.failure)),
       workers(threads),
       world(world_settings(c)),
+      sheets(resolved),
       tiles(resolved),
       floes(resolved),
       water(resolved),
@@ -86,8 +87,14 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       watchdog(resolved, hull->bounds()) {
   world.share_work(workers);
   lay_borders(c, world);
-  for (const ice::Plate& plate : field.level_ice())
-    criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(c, plate.ice()), timer, times.failure));
+  for (const ice::Plate& plate : field.level_ice()) {
+    add_judge(plate);
+    sheets.add(plate);
+  }
+}
+
+void Simulation::Impl::add_judge(const ice::Plate& plate) {
+  criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(resolved, plate.ice()), timer, times.failure));
 }
 
 Simulation::Impl::Impl(const model::Case& c, int threads)
@@ -101,7 +108,7 @@ Simulation::Impl::Impl(const model::Case& c, int threads)
 
 void Simulation::Impl::begin_watch() {
   model::LoadRow row;
-  energy.report(world, floes, row);
+  energy.report(world, floes, sheets, row);
   watchdog.begin({world, floes, energy, field.ledger(), row, {}, motion->now().twist});
 }
 
@@ -140,7 +147,8 @@ Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, 
   floe_load += floe_friction;
   energy.book_structure(crushing, floe_load, {-dt * now.twist.linear, -dt * now.twist.angular});
   energy.book_step(world, floes, first_newborn, dt);
-  energy.report(world, floes, row);
+  drift_sheets();
+  energy.report(world, floes, sheets, row);
 
   const geometry::Ledger& ledger = field.ledger();
   row.area_sheet = ledger.sheet.square_metres();
@@ -171,7 +179,22 @@ void Simulation::Impl::report_motion(model::LoadRow& row) const {
 void Simulation::Impl::lay_sheet_near(BodyId body) {
   const Vec2 reach{water.reach(), water.reach()};
   const auto [lower, upper] = world.bounds(body);
-  tiles.lay(field.level_ice(), world, Vec2{lower.x, lower.y} - reach, Vec2{upper.x, upper.y} + reach);
+  const Vec2 from = plan(lower) - reach, to = plan(upper) + reach;
+  for (const ice::Plate& plate : field.level_ice()) {
+    if (!sheets.any()) {
+      tiles.lay(plate, world, from, to);
+      continue;
+    }
+    const Pose frame = sheets.start_pose(plate.level_ice());
+    const Vec2 first = plan(to_body(frame, {from.x, from.y, 0.0}));
+    Vec2 least = first, most = first;
+    for (const Vec2 corner : {Vec2{to.x, from.y}, to, Vec2{from.x, to.y}}) {
+      const Vec2 here = plan(to_body(frame, {corner.x, corner.y, 0.0}));
+      least = {std::min(least.x, here.x), std::min(least.y, here.y)};
+      most = {std::max(most.x, here.x), std::max(most.y, here.y)};
+    }
+    tiles.lay(plate, world, least, most, frame);
+  }
 }
 
 void Simulation::Impl::load_by_water() {
@@ -182,6 +205,7 @@ void Simulation::Impl::load_by_water() {
 
 void Simulation::Impl::step_bodies(StepReport& report) {
   const StageTimer::Scope clock(timer, times.world);
+  move_sheets();
   world.step(resolved.time.step);
   sleep.notice_woken(world, floes);
   report.last_change = world.last_change();
@@ -196,7 +220,7 @@ HalfPlane Simulation::Impl::astern(double distance) const {
 /// Floes fall asleep a structure's width behind it, and beyond its reach. They wake before it comes back.
 void Simulation::Impl::fall_asleep_or_wake() {
   const StageTimer::Scope clock(timer, times.loads);
-  if (resolved.time.settle_speed == 0.0) return;
+  if (resolved.time.settle_speed == 0.0 || sheets.any()) return;
   const double width = 2.0 * hull->displaced(motion->now().pose).waterplane.radius;
   double reach = 0.0;
   for (const structure::ConvexPart& part : hull->parts())
@@ -211,8 +235,15 @@ void Simulation::Impl::average_contacts() {
   const double dt = resolved.time.step;
   const auto contacts = contacts_by_place(world);
   average_stress(world, contacts, dt, floes);
+  const auto in_sheet = [&](int level_ice, const rigid_body::ContactLoad& contact) {
+    rigid_body::ContactLoad there = contact;
+    there.point = sheets.to_sheet(level_ice, contact.point);
+    there.normal = sheets.turned_back(level_ice, contact.normal);
+    there.friction_force = sheets.turned_back(level_ice, contact.friction_force);
+    return there;
+  };
   bearings.average(
-      world, floes, contacts, [&](BodyId part) { return tiles.level_ice_of(part); }, dt);
+      world, floes, contacts, [&](BodyId part) { return tiles.level_ice_of(part); }, dt, in_sheet);
   if (resolved.failure.pieces == model::Pieces::kBreak) bending.average(world, floes, contacts, dt);
 }
 
@@ -239,10 +270,11 @@ void Simulation::Impl::watch(const StepReport& report) {
 // A step goes through these stages, each a function of the state that the one before it left. All events of a step
 // happen at its end.
 //
-//  1. The structure moves. Contacts with level ice: crushing, wedges, failures, cracks. Eqs. 15, 17 to 19
+//  1. The structure moves, and sheets with free borders. Contacts with level ice: crushing, wedges, failures, cracks.
+//     Eqs. 15, 17 to 19. Sheets that drift split in their plane.
 //  2. Water loads the floes: weight, buoyancy, drag. Eqs. 13, 14
 //  3. The bodies step: contacts with bounded impulses. Eqs. 1 to 10, 16
-//  4. Loads on the structure, impulse / dt by cause, and the energies.
+//  4. Loads on the structure, impulse / dt by cause, and the energies. Drifting sheets take their loads.
 //  5. The watchdog looks at floes and accounts.
 //  6. Slow floes fall asleep, pushed ones wake.
 //  7. Contact forces are averaged: stress and bending of the floes, and their loads on level ice in the next step.
@@ -287,7 +319,8 @@ StepReport Simulation::step() { return impl_->step(); }
 model::Checkpoint Simulation::checkpoint() const { return impl_->checkpoint(); }
 double Simulation::time() const { return impl_->time(); }
 const std::vector<model::FloeRecord>& Simulation::initial_births() const { return impl_->initial_births; }
-std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->field.outlines(); }
+std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->outlines_in_world(); }
+std::vector<SheetMotion> Simulation::sheet_motions() const { return impl_->sheets.motions(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
 std::vector<model::Warning> Simulation::warnings() const {

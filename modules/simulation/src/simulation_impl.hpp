@@ -10,6 +10,7 @@
 #include "brash/ice/field.hpp"
 #include "brash/model/checkpoint.hpp"
 #include "brash/simulation/simulation.hpp"
+#include "drifting_sheets.hpp"
 #include "edge_contact.hpp"
 #include "energy_ledger.hpp"
 #include "floe_bending.hpp"
@@ -43,6 +44,7 @@ struct Simulation::Impl {
   std::unique_ptr<ice::CrackPattern> pattern;
   Workers workers;
   rigid_body::World world;
+  DriftingSheets sheets;
   SheetTiles tiles;
   FloePopulation floes;
   FloeWater water;
@@ -91,15 +93,25 @@ struct Simulation::Impl {
   void split(const Fracture& fracture, StepReport& report);
 
   std::vector<EdgeContact> move_within_range(double& share, double done);
-  std::vector<EdgeContact> contacts_at(const structure::State& state, double time) const;
+  std::vector<EdgeContact> contacts_at(const structure::State& state, double later, double time) const;
   void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
   void judge(std::vector<EdgeContact>& contacts, StepReport& report) const;
   bool crush_passed_ice(double time);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);
+  void let_float(ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births, StepReport& report);
+  void add_judge(const ice::Plate& plate);
+  void follow_outline(const ice::Plate& plate, const geometry::Extent& changed);
+  void move_sheets();
+  bool is_plate(const std::vector<geometry::Polygon>& outlines) const;
+  void split_sheets(const std::vector<EdgeContact>& contacts, StepReport& report);
+  void release_small_sheets(StepReport& report);
+  void drift_sheets();
+  model::CrackEvent in_world(int level_ice, model::CrackEvent event) const;
   void expect_on_the_plane() const;
   void lay_sheet_near(BodyId body);
   HalfPlane astern(double distance) const;
+  std::vector<geometry::Polygon> outlines_in_world() const;
   model::Checkpoint checkpoint() const;
 
  private:

@@ -98,7 +98,8 @@ void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& che
 /// structure is high; its drift in current and wind aside.
 void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
   const model::Case& c = *case_;
-  const double aside = c.field.length + c.field.width + (norm(current_past_ice(c)) + norm(c.wind.velocity)) * time;
+  double aside = c.field.length + c.field.width + (norm(current_past_ice(c)) + norm(c.wind.velocity)) * time;
+  if (c.field.border == model::Border::kFree) aside += travel_ / c.time.step * time;  // pushed along with the sheet
   const double keel = hull_.first.z, height = hull_.second.z - keel;
   const bool in_plan =
       place.x >= -aside && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;

@@ -113,6 +113,44 @@ BOOST_AUTO_TEST_CASE(a_floe_splits_along_a_line_and_the_ledger_closes) {
   BOOST_TEST(field.ledger().closes());
 }
 
+/// A field whose level ice drifts.
+Field drifting_ice(double length, double width) {
+  model::FieldSection section;
+  section.length = length;
+  section.width = width;
+  section.border = model::Border::kFree;
+  return {section, properties()};
+}
+
+BOOST_AUTO_TEST_CASE(drifting_ice_splits_from_a_contact_to_the_far_border_and_the_ledger_closes) {
+  Field field = drifting_ice(30.0, 20.0);
+  // A channel that stops in the ice: the crack goes on from its end, and leaves the ice beside it whole.
+  (void)field.crush(field.level_ice(0), geometry::ring(std::array<Vec2, 4>{Vec2{-1, 2}, {10, 2}, {10, 4}, {-1, 4}}));
+  const geometry::ExactArea before = field.ledger().sheet;
+  Broken broken = field.split_sheet(field.level_ice(0), {10.0, 3.0}, {1.0, 0.0}, 0.01);
+  BOOST_TEST(broken.pieces.size() == 1u);
+  // The upper part: 30 x 7 m beside the crack, less the channel's upper half.
+  BOOST_TEST(broken.pieces[0].area().square_metres() == 30.0 * 7.0 - 10.0, boost::test_tools::tolerance(1e-8));
+  BOOST_TEST((field.level_ice(0).area() + broken.pieces[0].area() + field.ledger().snap == before));
+  BOOST_TEST(field.ledger().closes());
+
+  BOOST_TEST(field.add_level_ice(std::move(broken.pieces[0])) == 1);
+  BOOST_TEST(field.level_ice().size() == 2u);
+  BOOST_TEST((field.ledger().floes == geometry::ExactArea{}));
+  BOOST_TEST((field.ledger().sheet == field.level_ice(0).area() + field.level_ice(1).area()));
+
+  // A crack that leaves the ice at once divides nothing.
+  const geometry::ExactArea lower = field.level_ice(0).area();
+  BOOST_TEST(field.split_sheet(field.level_ice(0), {0.0, -5.0}, {-1.0, 0.0}, 0.01).pieces.empty());
+  BOOST_TEST((field.level_ice(0).area() == lower));
+
+  const std::vector<Plate> floes = field.release(field.level_ice(1), 0.01);
+  BOOST_TEST(floes.size() == 1u);
+  BOOST_TEST(field.level_ice(1).outline().empty());
+  BOOST_TEST((field.ledger().floes == floes[0].area()));
+  BOOST_TEST(field.ledger().closes());
+}
+
 BOOST_AUTO_TEST_CASE(a_field_restores_what_it_saved) {
   Field field = level_ice(50.0, 50.0);
   (void)break_circle(field, {0.0, 0.0}, 3.0, 4);

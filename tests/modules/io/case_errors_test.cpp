@@ -136,6 +136,16 @@ BOOST_AUTO_TEST_CASE(fractional_exponents_and_numbers_in_a_unit_are_refused) {
   check_has(of("0.1 MPa/"), {"it is incomplete"});
 }
 
+BOOST_AUTO_TEST_CASE(a_toughness_has_the_root_of_the_metre) {
+  const auto of = [](const std::string& value) {
+    return message_of(with_line("thickness", "thickness = 0.33\nfracture_toughness = \"" + value + "\""));
+  };
+  check_has(of("150 kPa"), {"the unit kPa does not convert to Pa m^0.5", "MPa m^0.5"});
+  check_has(of("150 kPa m"), {"does not convert to Pa m^0.5"});
+  check_has(of("150 kg m^0.5"), {"the unit kg does not convert to Pa"});
+  check_has(of("150 m^0.5"), {"cannot be read"});
+}
+
 BOOST_AUTO_TEST_CASE(angles_and_ratios_do_not_convert_into_each_other) {
   check_has(message_of(with_line("angle", "angle = \"50 %\"")), {"the unit % does not convert to rad"});
   check_has(message_of(with_more("[contact]\nrestitution = \"10 deg\"\n")), {"the unit deg does not convert to 1"});

@@ -160,6 +160,8 @@ BOOST_AUTO_TEST_CASE(quantities_convert_to_si) {
   BOOST_TEST(thickness("330 mm") == 0.33);
   BOOST_TEST(thickness("+3.3e-1 m") == 0.33);
   BOOST_TEST(thickness("1 ft") == 0.3048);
+  BOOST_TEST(with("ice.fracture_toughness=150 kPa m^0.5").ice.fracture_toughness == 150e3);
+  BOOST_TEST(with("ice.fracture_toughness=0.15 MPa*m^0.5").ice.fracture_toughness == 150e3);
   BOOST_TEST(thickness("1 in") == 0.0254);
   BOOST_TEST(with("ice.flexural_strength=539 kPa").ice.flexural_strength == 539e3);
   BOOST_TEST(with("ice.flexural_strength=0.539 N/mm2").ice.flexural_strength == 539e3);

@@ -82,6 +82,32 @@ BOOST_AUTO_TEST_CASE(A_kinematic_structure_pushes_with_the_velocity_it_was_given
   BOOST_TEST(total_normal_force(world) * 0.01 == 0.7 * kDensity * 4 * 0.3, boost::test_tools::tolerance(1e-6));
 }
 
+BOOST_AUTO_TEST_CASE(A_sheet_that_drifts_into_a_floe_at_rest_loads_it_as_a_floe_that_drifts_into_a_sheet_at_rest) {
+  // The same in two frames, whose velocities differ by that of the sheet.
+  const double speed = 0.5, dt = 0.01;
+  const WorldSettings settings{.ice_ice = {0.3, 0.5e6}};
+  World drifts(settings), rests(settings);
+  const std::vector<Vec2> tile = rectangle({0, -5}, {4, 5}), ice = rectangle({-2.003, -1}, {-0.003, 1});
+  const BodyId sheet = drifts.add_sheet_part(tile, -0.2, 0.2);
+  rests.add_sheet_part(tile, -0.2, 0.2);
+  const BodyId still = add_floe(drifts, ice, 0.4);
+  const BodyId moving = add_floe(rests, ice, 0.4, {{speed, 0.0, 0.0}, {}});
+  for (int i = 1; i <= 20; ++i) {
+    drifts.move_sheet_part(sheet, {{-speed * dt * i, 0, 0}, {}}, {{-speed, 0, 0}, {}});
+    drifts.step(dt);
+    rests.step(dt);
+    BOOST_TEST(drifts.twist(still).linear.x == rests.twist(moving).linear.x - speed,
+               boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(drifts.contacts().size() == rests.contacts().size());
+  }
+  BOOST_TEST(drifts.twist(still).linear.x < -0.1);
+  // Without a call it stands still.
+  drifts.step(dt);
+  const double place = drifts.bounds(sheet).first.x;
+  drifts.step(dt);
+  BOOST_TEST(drifts.bounds(sheet).first.x == place);
+}
+
 BOOST_AUTO_TEST_CASE(No_force_acts_at_first_touch) {
   World world(bounded());
   const BodyId wall = add_structure(world, box({-1, -2, -1}, {0, 2, 1}));

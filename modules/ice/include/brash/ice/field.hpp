@@ -56,6 +56,18 @@ class Field {
 
   /// Books a floe that is there from the start.
   void add_floe(const Plate& floe);
+
+  /// Splits drifting level ice along a straight crack from a place on its edge to the far border.
+  ///
+  /// @param from, towards  of the crack, frame of the ice; a unit vector [m].
+  /// @return the pieces but the largest, which stays; none where the crack does not divide the ice.
+  Broken split_sheet(Plate& plate, Vec2 from, Vec2 towards, double smallest_floe);
+
+  /// A large piece of drifting level ice goes on as level ice. @return its number, the next one.
+  int add_level_ice(Plate&& piece);
+  /// Drifting level ice that has become small goes on as floes. It is empty then.
+  std::vector<Plate> release(Plate& plate, double smallest_floe);
+
   /// Books a piece that has no body as brash.
   void to_brash(const Plate& piece);
   /// Books a crushed floe as deleted.
@@ -65,6 +77,7 @@ class Field {
   geometry::Cut cut(Plate& plate, std::span<const geometry::Point> region, std::span<const geometry::Crack> cracks);
   std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Ring> structure);
   void book_piece(const Plate& plate, geometry::Polygon part, double smallest_floe, std::vector<Plate>& pieces);
+  void lay(Plate& plate, geometry::Polygon outline);
   geometry::ExactArea& account_of(const Plate& plate);
 
   std::vector<Plate> level_ice_;

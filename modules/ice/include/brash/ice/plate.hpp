@@ -11,7 +11,12 @@
 
 namespace brash::ice {
 
-enum class Hold { kFast, kAfloat };
+/// How a plate is held.
+enum class Hold {
+  kFast,      ///< level ice with fixed borders
+  kDrifting,  ///< level ice with free borders
+  kAfloat     ///< a floe
+};
 
 /// A connected polygon of a plate, as a checkpoint keeps it.
 struct PlatePart {
@@ -32,8 +37,8 @@ struct PlatePart {
 /// A piece of ice that can break: level ice or a floe. A piece that breaks off a plate is a plate
 /// again.
 ///
-/// Its outline is exact, in its own frame. Level ice is fast, and its frame is the world's. A floe keeps the frame of
-/// the level ice that it broke off; its body is the business of the caller who lets it float.
+/// Its outline is exact, in its own frame. The frame of level ice is the world's while the ice is fast. A piece keeps
+/// the frame of the level ice that it broke off; its body is the business of the caller who lets it float.
 class Plate {
  public:
   /// @param level_ice  its number among the field's level ice.

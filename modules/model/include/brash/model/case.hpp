@@ -38,6 +38,7 @@ struct IceSection {
   double poisson_ratio = 0.3;
   double flexural_strength = 0.0;
   double compressive_strength = 1.0e6;
+  double fracture_toughness = 1.5e5;  ///< K_IC [Pa m^0.5]
   double crushing_factor = 0.5;
   double friction_structure = 0.027;
   double friction_ice = 0.3;
@@ -95,6 +96,8 @@ struct FieldSection {
   double width = 0.0;
   bool initial_crack = true;
   double initial_crack_radius = 0.0;  ///< 0: the breaking length of a straight edge
+  Border border = Border::kFixed;
+  double smallest_plate = 5.0;  ///< least breadth of ice afloat that bends as a plate, in characteristic lengths
   FloeFieldSection floes{};
 
   friend bool operator==(const FieldSection&, const FieldSection&) = default;

@@ -127,6 +127,7 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("ice", "poisson_ratio", c.ice.poisson_ratio);
   visit("ice", "flexural_strength", c.ice.flexural_strength);
   visit("ice", "compressive_strength", c.ice.compressive_strength);
+  visit("ice", "fracture_toughness", c.ice.fracture_toughness);
   visit("ice", "crushing_factor", c.ice.crushing_factor);
   visit("ice", "friction_structure", c.ice.friction_structure);
   visit("ice", "friction_ice", c.ice.friction_ice);
@@ -152,6 +153,8 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
   if (field.kind == FieldKind::kLevelIce) {
     visit("field", "initial_crack", field.initial_crack);
     visit("field", "initial_crack_radius", field.initial_crack_radius);
+    visit("field", "border", field.border);
+    visit("field", "smallest_plate", field.smallest_plate);
     return;
   }
   auto& floes = field.floes;

@@ -31,6 +31,11 @@ enum class FieldKind {
 enum class FloeShape { kVoronoi, kSquares, kDiscs };
 /// [field.size] kind: how the sizes of generated floes are distributed.
 enum class SizeLaw { kPowerLaw, kLogNormal, kList };
+/// [field] border: how the borders of the level ice are held.
+enum class Border {
+  kFixed,  ///< by land, for ever: the paper's
+  kFree    ///< by nothing: the sheet is a body afloat, which drifts and splits
+};
 /// [failure] model: the criterion that says whether the ice fails in bending, failure::make_criterion().
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
@@ -114,6 +119,9 @@ template <>
 inline constexpr auto kNames<SizeLaw> = std::to_array<Named<SizeLaw>>({{SizeLaw::kPowerLaw, "power-law"},
                                                                        {SizeLaw::kLogNormal, "log-normal"},
                                                                        {SizeLaw::kList, "list"}});
+template <>
+inline constexpr auto kNames<Border> = std::to_array<Named<Border>>({{Border::kFixed, "fixed"},
+                                                                     {Border::kFree, "free"}});
 template <>
 inline constexpr auto kNames<FailureModel> =
     std::to_array<Named<FailureModel>>({{FailureModel::kNetwork, "network"},

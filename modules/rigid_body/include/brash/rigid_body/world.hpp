@@ -191,8 +191,9 @@ class World {
   /// Ids are given in ascending order and never again, so sorted ids are in order of birth. Parts of the prism thinner
   /// than twice the margin have mass but no collision shape.
   BodyId add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist = {});
-  /// A fixed convex prism of the sheet, plan ring in the sheet frame [m], between two heights [m].
-  BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top);
+  /// A convex prism of the sheet, plan ring in the sheet's frame [m], between two heights [m]. It is fixed, or moves as
+  /// move_sheet_part() says.
+  BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& sheet = {});
   /// A structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
   /// where they are coplanar to 1e-9 of the hull's size.
   ///
@@ -225,6 +226,8 @@ class World {
   /// Sets where a structure without mass is at the end of the next step and its velocity during it (of its frame's
   /// origin, and angular). Without a call it stands still.
   void move_structure(BodyId id, const Pose& pose, const Twist& twist);
+  /// Likewise of a part of a sheet that drifts, the pose of the sheet's frame. Engine::kBrash only.
+  void move_sheet_part(BodyId id, const Pose& pose, const Twist& twist);
   /// Adds a force and a moment about the centre of mass for the next step only.
   void apply(BodyId id, const Wrench& wrench);
   /// Sets the velocity of the water around a body [m/s], until the next call: MassProperties::added_across has its

@@ -30,6 +30,7 @@ struct BreakCounts {
   int true_edge = 0;     ///< judged on the sheet with its true edge; the others on a trapezoid
   int along_stress = 0;  ///< the crack followed the stress; the others cut a disc
   int buckled = 0;       ///< the sheet buckled under its in-plane load
+  int sheets_split = 0;  ///< besides: drifting sheets that split in their plane
 
   BreakCounts& operator+=(const BreakCounts& other);
 
@@ -40,6 +41,7 @@ struct BreakCounts {
     visit("true_edge", "1", "breaks judged on the true edge", self.true_edge);
     visit("along_stress", "1", "breaks whose crack followed the stress", self.along_stress);
     visit("buckled", "1", "breaks of a sheet that buckled", self.buckled);
+    visit("sheets_split", "1", "drifting sheets that split in their plane", self.sheets_split);
   }
 };
 
@@ -81,6 +83,15 @@ void visit_stages(Times& times, Visitor&& visit) {
   visit("recording", times.recording);
 }
 
+/// How a sheet with free borders moves in the plane.
+struct SheetMotion {
+  double mass = 0.0;     ///< [kg]
+  Vec2 centre{};         ///< place of its centre of mass [m]
+  double heading = 0.0;  ///< it has turned by [rad]
+  Vec2 velocity{};       ///< of the centre [m/s]
+  double spin = 0.0;     ///< [rad/s]
+};
+
 /// One structure driving into one ice sheet: the paper's algorithm.
 class Simulation {
  public:
@@ -119,6 +130,8 @@ class Simulation {
   /// Floes made by the initial crack, before the first step.
   const std::vector<model::FloeRecord>& initial_births() const;
   std::vector<geometry::Polygon> sheet() const;
+  /// The sheets with free borders, those that are no more with no mass; none where borders are fixed.
+  std::vector<SheetMotion> sheet_motions() const;
   const geometry::Ledger& ledger() const;
   /// Poses of structure and floes, now.
   model::Frame frame() const;

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drifting_sheets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "brash/core/contract.hpp"
+#include "plan.hpp"
+
+namespace brash::simulation {
+namespace {
+
+/// Area and first and second moments of a polygon about `origin`, by Green's theorem.
+struct Moments {
+  double area = 0.0;
+  Vec2 first{};
+  double polar = 0.0;
+
+  void add(const std::vector<Vec2>& ring, Vec2 origin) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i] - origin, b = ring[(i + 1) % ring.size()] - origin;
+      const double twice = cross(a, b);
+      area += 0.5 * twice;
+      first += (twice / 6.0) * (a + b);
+      polar += twice / 12.0 * (dot(a, a) + dot(a, b) + dot(b, b));
+    }
+  }
+};
+
+Vec2 turn(double angle, Vec2 v) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/// Velocity of the sheet's centre.
+Vec2 centre_velocity(const Drift& drift, const SheetBody& body) {
+  return drift.velocity + drift.spin * perpendicular(turn(drift.angle, body.centre));
+}
+
+Vec2 centre_place(const Drift& drift, const SheetBody& body) { return drift.position + turn(drift.angle, body.centre); }
+
+/// The motion of the frame whose body's centre is at a place and has a velocity.
+Drift by_centre(Vec2 place, double angle, Vec2 velocity, double spin, const SheetBody& body) {
+  const Vec2 arm = turn(angle, body.centre);
+  return {place - arm, angle, velocity - spin * perpendicular(arm), spin};
+}
+
+/// Even motion, about the centre; docs/theory/free-sheet.md, (G1), (G2).
+Drift after(const Drift& drift, const SheetBody& body, double seconds) {
+  const Vec2 velocity = centre_velocity(drift, body);
+  return by_centre(centre_place(drift, body) + seconds * velocity, drift.angle + seconds * drift.spin, velocity,
+                   drift.spin, body);
+}
+
+/// A sheet's row in a checkpoint.
+struct SavedDrift {
+  std::int64_t level_ice = 0;
+  Drift drift;
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("level_ice", "1", "number of the level ice", self.level_ice);
+    Drift::visit(self.drift, visit);
+  }
+};
+
+}  // namespace
+
+double SheetBody::breadth() const {
+  const double largest = std::max(upper.x - lower.x, upper.y - lower.y);
+  return largest > 0.0 ? area / largest : 0.0;
+}
+
+SheetBody sheet_body(const std::vector<geometry::Polygon>& outlines, double thickness, double density) {
+  SheetBody body{.thickness = thickness};
+  geometry::Extent extent;
+  for (const geometry::Polygon& polygon : outlines) extent.add(geometry::extent(polygon));
+  if (extent.is_empty()) return body;
+  body.lower = extent.lower;
+  body.upper = extent.upper;
+  Moments moments;  // about the box's middle, so that a far origin costs no digits
+  const Vec2 origin = 0.5 * (body.lower + body.upper);
+  for (const geometry::Polygon& polygon : outlines)
+    for (const std::vector<Vec2>& ring : rings_in_metres(polygon)) moments.add(ring, origin);
+  const Vec2 offset = moments.first / moments.area;
+  body.area = moments.area;
+  body.mass = density * thickness * moments.area;
+  body.centre = origin + offset;
+  body.inertia = density * thickness * (moments.polar - moments.area * dot(offset, offset));
+  return body;
+}
+
+Pose DriftingSheets::pose_of(const Drift& drift) {
+  const double half = 0.5 * drift.angle;
+  return {{drift.position.x, drift.position.y, 0.0}, {std::cos(half), 0.0, 0.0, std::sin(half)}};
+}
+
+void DriftingSheets::add(const ice::Plate& plate, const Drift& drift) {
+  if (!any()) return;
+  BRASH_EXPECTS(plate.level_ice() == static_cast<int>(sheets_.size()), plate.level_ice());
+  sheets_.push_back({.now = drift,
+                     .start = drift,
+                     .body = sheet_body(plate.outline(), plate.ice().thickness, case_->ice.density),
+                     .of_structure = {},
+                     .of_floes = {}});
+}
+
+double DriftingSheets::kinetic(const Sheet& sheet) {
+  const Vec2 velocity = centre_velocity(sheet.now, sheet.body);
+  return 0.5 * sheet.body.mass * dot(velocity, velocity) + 0.5 * sheet.body.inertia * sheet.now.spin * sheet.now.spin;
+}
+
+double DriftingSheets::weigh(const ice::Plate& plate) {
+  if (!any()) return 0.0;
+  Sheet& sheet = sheets_.at(static_cast<std::size_t>(plate.level_ice()));
+  const double before = kinetic(sheet);
+  const Vec2 old_centre = sheet.body.centre;
+  sheet.body = sheet_body(plate.outline(), plate.ice().thickness, case_->ice.density);
+  // Moments of this step's pushes about the new centre.
+  const Vec2 moved = turn(sheet.now.angle, sheet.body.centre - old_centre);
+  for (Push* push : {&sheet.of_structure, &sheet.of_floes}) push->moment -= cross(moved, push->force);
+  return before - kinetic(sheet);
+}
+
+Twist DriftingSheets::twist(int number) const {
+  if (!any()) return {};
+  const Drift& start = at(number).start;
+  return {{start.velocity.x, start.velocity.y, 0.0}, {0.0, 0.0, start.spin}};
+}
+
+structure::State DriftingSheets::seen_from(int number, const structure::State& structure, double later) const {
+  if (!any()) return structure;
+  const Sheet& sheet = at(number);
+  const Drift then = after(sheet.now, sheet.body, later);
+  const Pose frame = pose_of(then);
+  const Twist moves{{then.velocity.x, then.velocity.y, 0.0}, {0.0, 0.0, then.spin}};
+  const Quaternion back = conjugate(frame.rotation);
+  const auto& [pose, twist] = structure;
+  const auto& [a, b, c, d] = back;
+  const auto& [w, x, y, z] = pose.rotation;
+  const Quaternion rotation{a * w - b * x - c * y - d * z, a * x + b * w + c * z - d * y, a * y - b * z + c * w + d * x,
+                            a * z + b * y - c * x + d * w};
+  const Vec3 relative = twist.linear - velocity_at(moves, pose.position - frame.position);
+  return {{to_body(frame, pose.position), rotation},
+          {rotate(back, relative), rotate(back, twist.angular - moves.angular)}};
+}
+
+void DriftingSheets::begin_step() {
+  for (Sheet& sheet : sheets_) {
+    sheet.start = sheet.now;
+    sheet.of_structure = sheet.of_floes = {};
+  }
+}
+
+void DriftingSheets::advance(double seconds) {
+  for (Sheet& sheet : sheets_) sheet.now = after(sheet.now, sheet.body, seconds);
+}
+
+void DriftingSheets::push(int number, Vec3 force, Vec3 point, bool of_structure) {
+  if (!any()) return;
+  Sheet& sheet = sheets_.at(static_cast<std::size_t>(number));
+  Push& push = of_structure ? sheet.of_structure : sheet.of_floes;
+  push.force += plan(force);
+  push.moment += cross(plan(point) - centre_place(sheet.now, sheet.body), plan(force));
+}
+
+/// docs/theory/free-sheet.md, (G3), (G4).
+std::pair<DriftingSheets::Push, DriftingSheets::Push> DriftingSheets::water_on(const Sheet& sheet, double dt) const {
+  const model::Case& c = *case_;
+  const SheetBody& body = sheet.body;
+  const Vec2 past = centre_velocity(sheet.now, body) - current_past_ice(c);
+  const double spin = sheet.now.spin;
+  const double gyration = body.inertia / body.mass;  // squared [m2]
+  const double draught = body.thickness * c.ice.density / c.water.density;
+  const double speed = norm(past);
+  // Width of the box across the motion, in the sheet's frame.
+  const Vec2 across = speed > 0.0 ? perpendicular(turn(-sheet.now.angle, past)) / speed : Vec2{};
+  const Vec2 size = body.upper - body.lower;
+  const double width = std::abs(across.x) * size.x + std::abs(across.y) * size.y;
+  const double half = 0.5 * c.water.density;
+  const double form = half * c.hydrodynamics.form_drag * draught * width * speed;
+  const double skin =
+      half * c.hydrodynamics.skin_friction * body.area * std::sqrt(speed * speed + gyration * spin * spin);
+  const double along = 1.0 + dt * (form + skin) / body.mass, around = 1.0 + dt * skin / body.mass;
+  return {{(-form / along) * past, 0.0}, {(-skin / along) * past, -skin / around * gyration * spin}};
+}
+
+WorkOnSheets DriftingSheets::accelerate(double dt) {
+  WorkOnSheets work;
+  for (Sheet& sheet : sheets_) {
+    const SheetBody& body = sheet.body;
+    if (!(body.mass > 0.0)) continue;
+    const auto [form, skin] = water_on(sheet, dt);
+    const std::array<Push, 4> all{sheet.of_structure, sheet.of_floes, form, skin};
+    Vec2 force{};
+    double moment = 0.0;
+    for (const Push& push : all) {
+      force += push.force;
+      moment += push.moment;
+    }
+    const Vec2 before = centre_velocity(sheet.now, body), gain = (dt / body.mass) * force;
+    const double spin_before = sheet.now.spin, spin_gain = dt / body.inertia * moment;
+    const Vec2 mean = before + 0.5 * gain;
+    const double mean_spin = spin_before + 0.5 * spin_gain;
+    const auto work_of = [&](const Push& push) { return dt * (dot(push.force, mean) + push.moment * mean_spin); };
+    work.edge += work_of(all[0]);
+    work.floes += work_of(all[1]);
+    work.form += work_of(all[2]);
+    work.skin += work_of(all[3]);
+    sheet.now = by_centre(centre_place(sheet.now, body), sheet.now.angle, before + gain, spin_before + spin_gain, body);
+  }
+  return work;
+}
+
+double DriftingSheets::take_pushes(int number, double dt) {
+  Sheet& sheet = sheets_.at(static_cast<std::size_t>(number));
+  const double before = kinetic(sheet);
+  const auto moved_on = [&](const Drift& drift) {
+    return by_centre(centre_place(drift, sheet.body), drift.angle,
+                     centre_velocity(drift, sheet.body) + (dt / sheet.body.mass) * sheet.of_structure.force,
+                     drift.spin + dt / sheet.body.inertia * sheet.of_structure.moment, sheet.body);
+  };
+  sheet.now = moved_on(sheet.now);
+  sheet.start = moved_on(sheet.start);
+  sheet.of_structure = {};
+  return kinetic(sheet) - before;
+}
+
+void DriftingSheets::add_part(const ice::Plate& plate, int parent) {
+  const Drift now = at(parent).now, start = at(parent).start;
+  add(plate, now);
+  sheets_.back().start = start;
+}
+
+double DriftingSheets::kinetic_energy() const {
+  double sum = 0.0;
+  for (const Sheet& sheet : sheets_) sum += kinetic(sheet);
+  return sum;
+}
+
+std::vector<SheetMotion> DriftingSheets::motions() const {
+  std::vector<SheetMotion> all;
+  for (const Sheet& sheet : sheets_)
+    all.push_back({sheet.body.mass, centre_place(sheet.now, sheet.body), sheet.now.angle,
+                   centre_velocity(sheet.now, sheet.body), sheet.now.spin});
+  return all;
+}
+
+void DriftingSheets::save(model::Checkpoint& checkpoint) const {
+  if (!any()) return;
+  model::Table table{"drift", {}};
+  for (std::size_t i = 0; i < sheets_.size(); ++i) {
+    const SavedDrift saved{static_cast<std::int64_t>(i), sheets_[i].now};
+    model::SavedRow row(table);
+    SavedDrift::visit(saved, row);
+  }
+  checkpoint.tables.push_back(std::move(table));
+}
+
+void DriftingSheets::restore(std::span<const ice::Plate> level_ice, const model::Checkpoint& checkpoint) {
+  if (!any()) return;
+  sheets_.clear();
+  const model::Table& table = checkpoint.table("drift");
+  BRASH_EXPECTS(table.n_rows() == level_ice.size(), table.n_rows(), level_ice.size());
+  for (std::size_t i = 0; i < table.n_rows(); ++i) {
+    SavedDrift saved;
+    model::RestoredRow row(table, i);
+    SavedDrift::visit(saved, row);
+    add(level_ice[i], saved.drift);
+  }
+}
+
+}  // namespace brash::simulation

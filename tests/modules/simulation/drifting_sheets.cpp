@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets with free borders as bodies; docs/theory/free-sheet.md.
+#include "drifting_sheets.hpp"
+
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "brash/io/case.hpp"
+#include "brash/rigid_body/world.hpp"
+#include "brash/simulation/simulation.hpp"
+
+namespace {
+
+using namespace brash;
+using simulation::DriftingSheets;
+
+model::Case free_case(std::vector<std::string> overrides = {}) {
+  overrides.emplace_back("field.border=free");
+  return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml", overrides);
+}
+
+/// A rectangle from (0, 0) to (a, b).
+ice::Plate plate(const model::Case& c, double a, double b) {
+  const std::array<Vec2, 4> corners{Vec2{0, 0}, {a, 0}, {a, b}, {0, b}};
+  return {0, ice::Hold::kDrifting, {.thickness = c.ice.thickness}, {geometry::Polygon{geometry::ring(corners), {}}}};
+}
+
+const std::vector<std::string> kNoDrag{"hydrodynamics.form_drag=0", "hydrodynamics.skin_friction=0"};
+
+BOOST_AUTO_TEST_CASE(a_sheet_under_a_constant_force_accelerates_by_force_over_mass_and_turns_by_moment_over_inertia) {
+  const model::Case c = free_case(kNoDrag);
+  DriftingSheets sheets(c);
+  const double a = 40.0, b = 20.0, mass = c.ice.density * c.ice.thickness * a * b, dt = 0.01;
+  sheets.add(plate(c, a, b));
+  const double moment = 2e4;  // F1: about the centre, by a pair of forces
+  double work = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    sheets.begin_step();
+    sheets.advance(dt);
+    const Vec2 centre = sheets.motions()[0].centre;
+    sheets.push(0, {0, 5e4 + moment / 8.0, 0}, {centre.x + 4.0, centre.y, 0}, true);
+    sheets.push(0, {0, -moment / 8.0, 0}, {centre.x - 4.0, centre.y, 0}, false);
+    const simulation::WorkOnSheets done = sheets.accelerate(dt);
+    work += done.edge + done.floes + done.form + done.skin;
+  }
+  const simulation::SheetMotion moved = sheets.motions()[0];
+  const double t = 2.0, inertia = mass * (a * a + b * b) / 12.0;
+  BOOST_TEST(moved.mass == mass, boost::test_tools::tolerance(1e-13));
+  // 5e4 N at an arm of 4 m and a pair of 2e4 N m.
+  BOOST_TEST(moved.velocity.y == 5e4 * t / mass, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(std::abs(moved.velocity.x) < 1e-15);
+  BOOST_TEST(moved.spin == (5e4 * 4.0 + moment) * t / inertia, boost::test_tools::tolerance(1e-12));
+  // Steps of even motion: the first has none, so a share dt / t is missing.
+  BOOST_TEST(moved.centre.y - 10.0 == 0.5 * 5e4 * t * (t - dt) / mass, boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(work == sheets.kinetic_energy(), boost::test_tools::tolerance(1e-12));  // (G5)
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_that_is_pushed_through_water_reaches_the_speed_of_the_closed_form) {
+  const model::Case c = free_case();
+  DriftingSheets sheets(c);
+  const double a = 40.0, b = 20.0, mass = c.ice.density * c.ice.thickness * a * b, dt = 0.01, force = 2e5;
+  sheets.add(plate(c, a, b));
+  const double draught = c.ice.thickness * c.ice.density / c.water.density;
+  const double k =
+      0.5 * c.water.density * (c.hydrodynamics.form_drag * draught * b + c.hydrodynamics.skin_friction * a * b);
+  for (int i = 1; i <= 6000; ++i) {
+    sheets.begin_step();
+    sheets.advance(dt);
+    const Vec2 centre = sheets.motions()[0].centre;
+    sheets.push(0, {force, 0, 0}, {centre.x, centre.y, 0}, true);
+    static_cast<void>(sheets.accelerate(dt));
+    if (i % 1000 != 0) continue;
+    // m v' = F - k v^2 from rest; the step is of the first order: dt sqrt(F k) / m = 2e-4.
+    const double expected = std::sqrt(force / k) * std::tanh(std::sqrt(force * k) / mass * i * dt);
+    BOOST_TEST(sheets.motions()[0].velocity.x == expected, boost::test_tools::tolerance(1e-3));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(still_water_stops_a_drift_and_a_spin_and_a_current_carries_a_sheet_along) {
+  const model::Case c = free_case({"water.current=[0.3, -0.1]"});
+  DriftingSheets sheets(c);
+  sheets.add(plate(c, 40.0, 20.0), {.velocity = {0.0, 0.5}, .spin = 0.05});
+  for (int i = 0; i < 40000; ++i) {
+    sheets.begin_step();
+    sheets.advance(0.05);
+    static_cast<void>(sheets.accelerate(0.05));
+  }
+  const simulation::SheetMotion at_last = sheets.motions()[0];
+  // A quadratic drag leaves about m / (k t): 2.4e5 kg / (2e3 kg/m * 2000 s) at the least skin friction.
+  BOOST_TEST(norm(at_last.velocity - Vec2{0.3, -0.1}) < 0.02);
+  BOOST_TEST(std::abs(at_last.spin) < 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(ice_that_leaves_a_sheet_takes_its_momentum_along_and_the_rest_moves_on) {
+  const model::Case c = free_case(kNoDrag);
+  DriftingSheets sheets(c);
+  sheets.add(plate(c, 40.0, 20.0), {.position = {3.0, 1.0}, .angle = 0.4, .velocity = {1.0, 0.2}, .spin = 0.1});
+  const double before = sheets.kinetic_energy();
+  const Twist field = sheets.twist(0);
+  const Vec2 corner = plan(sheets.to_world(0, {30.0, 5.0, 0.0}));
+  const double lost = sheets.weigh(plate(c, 30.0, 20.0));
+  BOOST_TEST(before - lost == sheets.kinetic_energy(), boost::test_tools::tolerance(1e-13));
+  BOOST_TEST((sheets.twist(0) == field));
+  BOOST_TEST((plan(sheets.to_world(0, {30.0, 5.0, 0.0})) == corner));
+  const simulation::SheetMotion rest = sheets.motions()[0];
+  // The middle of the rest, as a point of the old sheet.
+  const Vec2 middle = plan(sheets.to_world(0, {15.0, 10.0, 0.0}));
+  const Vec3 velocity = velocity_at(field, Vec3{middle.x - 3.0, middle.y - 1.0, 0.0});
+  BOOST_TEST(norm(rest.centre - middle) < 1e-12);
+  BOOST_TEST(norm(rest.velocity - plan(velocity)) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(a_structure_is_seen_from_a_sheet_that_drifts_and_turns_as_it_moves_past) {
+  const model::Case c = free_case();
+  DriftingSheets sheets(c);
+  sheets.add(plate(c, 40.0, 20.0), {.position = {3.0, 1.0}, .angle = 0.4, .velocity = {1.0, 0.2}, .spin = 0.1});
+  const structure::State structure{{{-5.0, 2.0, 0.5}, {}}, {{1.2, 0.1, 0.0}, {0.0, 0.0, 0.03}}};
+  const structure::State seen = sheets.seen_from(0, structure);
+  // A finite difference of what is seen, both moved on for a moment.
+  const double moment = 1e-6;
+  const structure::State then =
+      sheets.seen_from(0, {{structure.pose.position + moment * structure.twist.linear, {}}, structure.twist}, moment);
+  // The way curves: half the moment times the acceleration of what is seen, some 0.2 m/s2.
+  BOOST_TEST(norm((then.pose.position - seen.pose.position) / moment - seen.twist.linear) < 0.2 * moment);
+  BOOST_TEST(seen.twist.angular.z == -0.07, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(norm(sheets.to_world(0, seen.pose.position) - structure.pose.position) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_and_a_sheet_that_meet_keep_their_momentum) {
+  const model::Case c = free_case(kNoDrag);
+  DriftingSheets sheets(c);
+  sheets.add(plate(c, 20.0, 20.0), {.velocity = {-0.4, 0.0}});
+  rigid_body::World world({.ice_structure = {0.0, 5e5}, .ice_ice = {0.3, 5e5}});
+  const std::vector<Vec2> tile{{0, 5}, {4, 5}, {4, 15}, {0, 15}};
+  const std::vector<std::vector<Vec2>> ring{{{-4, 8}, {-0.01, 8}, {-0.01, 12}, {-4, 12}}};
+  const BodyId part = world.add_sheet_part(tile, -0.2, 0.1);
+  const auto placed = rigid_body::place_prism(ring, ring, 0.3, -0.05);
+  const rigid_body::MassProperties mass = rigid_body::mass_properties(placed.prism, c.ice.density, 0.0);
+  const BodyId floe = world.add_floe(placed.prism, mass, placed.pose, {{0.6, 0.0, 0.0}, {}});
+  const auto momentum = [&] {
+    const simulation::SheetMotion sheet = sheets.motions()[0];
+    return sheet.mass * sheet.velocity + mass.mass * plan(world.twist(floe).linear);
+  };
+  const Vec2 before = momentum();
+  const double energy = sheets.kinetic_energy() + world.kinetic_energy();
+  const double dt = 0.005;
+  for (int i = 0; i < 200; ++i) {
+    sheets.begin_step();
+    sheets.advance(dt);
+    world.move_sheet_part(part, sheets.pose(0), sheets.twist(0));
+    world.step(dt);
+    for (const rigid_body::ContactLoad& contact : world.contacts())
+      sheets.push(0, -(contact.normal_force * contact.normal + contact.friction_force), contact.point, false);
+    static_cast<void>(sheets.accelerate(dt));
+  }
+  BOOST_TEST(norm(momentum() - before) < 1e-9 * norm(before));  // rounding of 200 steps
+  const double gap = world.twist(floe).linear.x - sheets.motions()[0].velocity.x;
+  BOOST_TEST(gap < 0.01);  // they have met, and do not come nearer
+  BOOST_TEST(sheets.kinetic_energy() + world.kinetic_energy() < energy);
+  BOOST_TEST(world.pose(floe).position.x > placed.pose.position.x - 1.0);
+}
+
+/// Steps a case, and tells each report.
+template <typename Tell>
+void step_through(simulation::Simulation& simulation, int n_steps, Tell&& tell) {
+  for (int i = 0; i < n_steps; ++i) tell(simulation.step());
+}
+
+BOOST_AUTO_TEST_CASE(the_structure_gives_a_sheet_the_momentum_that_the_sheet_takes_from_it) {
+  std::vector<std::string> overrides = kNoDrag;
+  overrides.insert(overrides.end(), {"time.duration=3", "field.initial_crack=false"});
+  const model::Case c = free_case(overrides);
+  simulation::Simulation simulation(c);
+  Vec2 given{};
+  bool broken = false;
+  double crushed = 0.0;
+  step_through(simulation, 300, [&](const simulation::StepReport& report) {
+    if (broken) return;
+    // Loads are along the ice's drift, against the structure's heading.
+    given += Vec2{c.time.step * report.loads.total.force.x, 0.0};
+    crushed = report.loads.area_crushed;
+    broken = !report.events.empty();
+    if (broken) return;
+    const simulation::SheetMotion sheet = simulation.sheet_motions()[0];
+    // Crushed ice leaves with the sheet's velocity.
+    const double left = c.ice.density * c.ice.thickness * crushed * norm(sheet.velocity);
+    BOOST_TEST(std::abs(sheet.mass * sheet.velocity.x - given.x) <= left + 1e-9 * given.x);
+  });
+  BOOST_TEST(broken);
+  BOOST_TEST(given.x > 1e3);
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_with_far_borders_has_the_loads_of_the_fixed_sheet_up_to_the_first_break) {
+  const auto start = [](const std::string& border) {
+    return simulation::Simulation(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                                                {"time.duration=3", "field.initial_crack=false",
+                                                 "field.border=" + border, "field.length=4000", "field.width=4000"}));
+  };
+  simulation::Simulation fixed = start("fixed"), drifting = start("free");
+  double largest = 0.0, apart = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    const simulation::StepReport at_rest = fixed.step(), adrift = drifting.step();
+    largest = std::max(largest, norm(at_rest.loads.total.force));
+    apart = std::max(apart, norm(at_rest.loads.total.force - adrift.loads.total.force));
+    if (!at_rest.events.empty() || !adrift.events.empty()) break;
+  }
+  BOOST_TEST(largest > 1e3);
+  // The sheet of 5e9 kg has moved by micrometres, and the overlap is centimetres deep.
+  BOOST_TEST(apart < 1e-3 * largest);
+}
+
+BOOST_AUTO_TEST_CASE(a_resumed_run_of_a_sheet_that_drifts_goes_on_to_the_bit_and_its_ledgers_close) {
+  const model::Case c = free_case({"time.duration=6", "field.length=40", "field.width=60",
+                                   "ice.fracture_toughness=20e3", "failure.model=wedge", "failure.pattern=disc",
+                                   "failure.judged=centre-line", "failure.order=circumferential-first",
+                                   "failure.edge=static", "failure.second_order=false", "failure.joint_loads=false"});
+  simulation::Simulation whole(c);
+  int n_split = 0;
+  step_through(whole, 450, [&](const simulation::StepReport& report) { n_split += report.breaks.sheets_split; });
+  BOOST_TEST(n_split > 0);
+  BOOST_TEST(whole.sheet_motions().size() > 1u);
+  simulation::Simulation resumed(c, whole.checkpoint());
+  int n_floes = 0;
+  for (int i = 0; i < 120; ++i) {
+    const simulation::StepReport one = whole.step(), other = resumed.step();
+    BOOST_TEST((one.loads == other.loads));
+    n_floes = std::max(n_floes, one.loads.n_floes);
+  }
+  BOOST_TEST(n_floes > 3);
+  const simulation::SheetMotion sheet = whole.sheet_motions()[0];
+  BOOST_TEST(sheet.velocity.x > 0.01);
+  BOOST_TEST(sheet.velocity.x == resumed.sheet_motions()[0].velocity.x);
+  BOOST_TEST(whole.ledger().closes());
+}
+
+}  // namespace
