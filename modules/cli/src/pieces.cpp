@@ -124,7 +124,8 @@ PieceAnalysis analyse_pieces(const PieceSizes& sizes) {
 ordered_json pieces_json(const PieceSizes& sizes, const PieceAnalysis& analysis) {
   const auto n = static_cast<double>(sizes.diameters.size());
   const auto [least, largest] = std::ranges::minmax(sizes.diameters);
-  const statistics::Moments m = statistics::moments(sizes.diameters);
+  const bool has_spread = sizes.diameters.size() > 1;
+  const double mean = std::accumulate(sizes.diameters.begin(), sizes.diameters.end(), 0.0) / n;
   const double total = std::accumulate(sizes.areas.begin(), sizes.areas.end(), 0.0);
   ordered_json out{
       {"source", sizes.source},
@@ -133,8 +134,9 @@ ordered_json pieces_json(const PieceSizes& sizes, const PieceAnalysis& analysis)
       {"area", total},
       {"mean_area", total / n},
       {"size", "mean caliper diameter [m]"},
-      {"mean", m.mean},
-      {"standard_deviation", sizes.diameters.size() > 1 ? ordered_json(std::sqrt(m.variance)) : ordered_json()},
+      {"mean", mean},
+      {"standard_deviation",
+       has_spread ? ordered_json(std::sqrt(statistics::moments(sizes.diameters).variance)) : ordered_json()},
       {"least", least},
       {"largest", largest}};
   out["quantiles_by_number"] = quantiles_json(statistics::quantiles(sizes.diameters, kLevels));
