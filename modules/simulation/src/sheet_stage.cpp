@@ -59,8 +59,10 @@ void Simulation::Impl::drift_sheets() {
   if (!sheets.any()) return;
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
     if (contact.other_kind != rigid_body::BodyKind::kSheet) continue;
+    const std::optional<int> level_ice = tiles.level_ice_of(contact.other);
+    if (!level_ice) continue;  // a wall or a shore
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
-    sheets.push(tiles.level_ice_of(contact.other), -force, contact.point, false);
+    sheets.push(*level_ice, -force, contact.point, false);
   }
   energy.book_sheets(world, sheets.accelerate(resolved.time.step), resolved.time.step);
 }
