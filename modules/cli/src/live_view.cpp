@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_view.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,46 +11,27 @@
 namespace brash::cli {
 namespace {
 
-/// A run without frames is shown so often [1/s].
-constexpr double kFramesPerSecond = 15.0;
 /// Time that browsers have to take the end of a run.
 constexpr std::chrono::seconds kFarewell{5};
 
-std::vector<Vec2> in_metres(const geometry::Ring& ring) {
-  std::vector<Vec2> vertices;
-  for (const geometry::Point point : ring) vertices.push_back(geometry::metres(point));
-  return vertices;
-}
-
-std::vector<std::vector<Vec2>> rings_of(const std::vector<geometry::Polygon>& sheet) {
-  std::vector<std::vector<Vec2>> rings;
-  for (const geometry::Polygon& polygon : sheet) {
-    rings.push_back(in_metres(polygon.outline));
-    for (const geometry::Ring& hole : polygon.holes) rings.push_back(in_metres(hole));
-  }
-  return rings;
-}
-
 }  // namespace
 
-LiveView::LiveView(const model::Case& resolved)
-    : server_(report::live_page(resolved)),
-      frame_interval_(1.0 /
-                      (resolved.output.frames_per_second > 0.0 ? resolved.output.frames_per_second : kFramesPerSecond)),
-      duration_(resolved.time.duration),
-      sheets_drift_(resolved.field.border == model::Border::kFree) {}
+LiveView::LiveView(const model::Case& resolved) : server_(report::live_page(resolved)), records_(resolved) {}
 
 void LiveView::watch(simulation::RunOptions& options) {
   if (options.checkpoint.newest)
     options.checkpoint.newest = [this, newest = std::move(options.checkpoint.newest)] {
       std::optional<model::Checkpoint> saved = newest();
-      if (saved) show_earlier(saved->results);
+      if (saved) {
+        records_.begin_with(saved->results);
+        send();
+      }
       return saved;
     };
   options.observer = [this, observer = std::move(options.observer)](const simulation::Simulation& simulation,
                                                                     const simulation::StepReport& report) {
     if (observer) observer(simulation, report);
-    take(simulation, report);
+    if (records_.take(simulation, report)) send();
   };
   options.interrupted = [this, interrupted = std::move(options.interrupted)] {
     server_.wait_while_paused(is_asked_to_end);
@@ -59,43 +39,10 @@ void LiveView::watch(simulation::RunOptions& options) {
   };
 }
 
-void LiveView::show_earlier(const model::RunResults& results) {
-  begun_ = true;
-  part_ = results;
-  for (const model::FloeRecord& floe : results.floes)
-    if (floe.end != model::FloeEnd::kAlive) ended_.push_back({floe.id, floe.death, floe.end});
-  if (!results.frames.empty()) next_frame_ = results.frames.back().time + frame_interval_;
-  send();
-}
-
-void LiveView::take(const simulation::Simulation& simulation, const simulation::StepReport& report) {
-  if (!std::exchange(begun_, true)) {
-    part_.floes = simulation.initial_births();
-    part_.initial_sheet = rings_of(simulation.sheet());
-  }
-  part_.loads.push_back(report.loads);
-  std::ranges::copy(report.events, std::back_inserter(part_.events));
-  std::ranges::copy(report.births, std::back_inserter(part_.floes));
-  for (const simulation::FloeDeath& death : report.deaths)
-    ended_.push_back({death.floe, simulation.time(), death.cause});
-  // Half a nanosecond absorbs the rounding of step times.
-  const bool has_frame = simulation.time() + 5e-10 >= next_frame_ || simulation.time() + 5e-10 >= duration_;
-  if (!report.events.empty() || (sheets_drift_ && has_frame))
-    part_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
-  if (!has_frame) return;
-  next_frame_ = simulation.time() + frame_interval_;
-  part_.frames.push_back(simulation.frame());
-  send();
-}
-
-void LiveView::send() {
-  server_.publish("records", report::live_records(part_, ended_));
-  part_ = {};
-  ended_.clear();
-}
+void LiveView::send() { server_.publish("records", records_.next()); }
 
 void LiveView::end(const std::string& text) {
-  server_.publish("end", nlohmann::json(text).dump());
+  server_.publish("end", nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   server_.finish(kFarewell);
 }
 

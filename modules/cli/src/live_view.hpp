@@ -5,8 +5,8 @@
 
 #include "brash/live/server.hpp"
 #include "brash/model/case.hpp"
-#include "brash/report/live.hpp"
 #include "brash/simulation/run.hpp"
+#include "brash/simulator/growing_records.hpp"
 
 namespace brash::cli {
 
@@ -27,18 +27,10 @@ class LiveView {
   void end(const std::string& text);
 
  private:
-  void show_earlier(const model::RunResults& results);
-  void take(const simulation::Simulation& simulation, const simulation::StepReport& report);
   void send();
 
   live::Server server_;
-  double frame_interval_;  ///< [s]
-  double duration_;        ///< [s]
-  bool sheets_drift_;      ///< so they are shown with each frame
-  double next_frame_ = 0.0;
-  bool begun_ = false;
-  model::RunResults part_;  ///< not yet sent
-  std::vector<report::EndedFloe> ended_;
+  simulator::GrowingRecords records_;
 };
 
 }  // namespace brash::cli

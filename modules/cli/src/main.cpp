@@ -17,6 +17,7 @@
 #include "failure_commands.hpp"
 #include "geometry_commands.hpp"
 #include "messages.hpp"
+#include "new_command.hpp"
 #include "stats_commands.hpp"
 #include "usage_error.hpp"
 
@@ -71,6 +72,7 @@ int main(int argc, char** argv) {
   brash::cli::add_run_command(app);
   brash::cli::add_check_command(app);
   brash::cli::add_schema_command(app);
+  brash::cli::add_new_command(app);
   brash::cli::add_campaign_commands(app);
   brash::cli::add_crack_command(app);
   brash::cli::add_fit_command(app);

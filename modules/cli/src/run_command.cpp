@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -59,7 +60,14 @@ void run_case(const RunOptions& options) {
     view.emplace(resolved).watch(how);
     say("watch at  {}\n", view->address());
   }
-  const simulation::Run run = run_with_progress(resolved, how);
+  const simulation::Run run = [&] {
+    try {
+      return run_with_progress(resolved, how);
+    } catch (const std::exception& error) {  // whoever watches reads why
+      if (view) view->end(fmt::format("The run failed. {}", error.what()));
+      throw;
+    }
+  }();
   if (!run.complete) {
     const double reached = run.results.loads.back().time;
     if (view)

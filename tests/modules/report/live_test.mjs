@@ -2,7 +2,7 @@
 // `brash run --view`: who may watch, what is seen, what can be asked, and that the run stays the same.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { readFileSync, rmSync } from "node:fs";
+import { mkdirSync, readFileSync, rmSync } from "node:fs";
 import { request } from "node:http";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -180,6 +180,18 @@ test("a browser stops the run, which is then resumed, and seen from its start", 
   assert.equal(await resumed.ended, 0);
   const times = [...text.matchAll(/^data: (\{.*)$/gm)].flatMap((found) => JSON.parse(found[1]).load.time);
   assert.deepEqual(times, readCsv(join(folder, "stopped", "history.csv")).map((row) => Number(row.time)));
+});
+
+test("a run that fails says why to those who watch", { timeout: kPatience }, async () => {
+  const run = await watched("fails", "--set", "output.checkpoint_interval=0.2");
+  await paused(run.address);
+  const checkpoint = join(folder, "fails", "checkpoint.nc");
+  rmSync(checkpoint, { force: true });
+  mkdirSync(join(checkpoint, "in-the-way"), { recursive: true });
+  assert.equal(await ask(new URL("resume", run.address), { method: "POST" }), 204);
+  const text = await stream(run.address);
+  assert.match(text, /^event: end\ndata: "The run failed\. .*checkpoint\.nc/m);
+  assert.equal(await run.ended, 1);
 });
 
 test("the page of a run asks its own server, and nobody else", () => {

@@ -88,8 +88,9 @@ export function showLive(data: LiveData, blocks: Blocks, parent: HTMLElement): L
   return report;
 }
 
-/** What is drawn of the run, made anew as far as it has grown. */
-class LiveView {
+/** What is drawn of a run that goes on, made anew as far as it has grown. */
+export class LiveView {
+  private readonly ended = new AbortController();
   private readonly choice = new LoadChoice();
   private readonly card: EventCard;
   private readonly replay: Replay;
@@ -109,10 +110,16 @@ class LiveView {
     this.plan = new PlanView(run, (event) => this.choose(event, onLook));
     this.channel.append(this.plan.element);
     this.replay.onTouch = onLook;
-    bindKeys(player, this.replay, () => run.column("frame.time"), onLook);
+    bindKeys(player, this.replay, () => run.column("frame.time"), onLook, this.ended.signal);
     parent.append(
       el("div", { class: "stage-row" }, this.replay.element, el("div", { class: "side" }, this.loads.element, this.card.element)),
       section("channel", "Channel and cracks", this.channel));
+  }
+
+  /** Takes the view out of the page's hands: another takes its place. */
+  dispose(): void {
+    this.ended.abort();
+    this.replay.dispose();
   }
 
   renew(toNewest: boolean): void {

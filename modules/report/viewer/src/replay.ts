@@ -64,6 +64,15 @@ export class Replay {
     for (const scene of this.scenes) scene.renew();
   }
 
+  /** Gives back what the browser holds for the pictures; the replay is of no further use. */
+  dispose(): void {
+    this.player.pause();
+    for (const { renderer } of this.scenes) {
+      renderer.dispose();
+      renderer.forceContextLoss();
+    }
+  }
+
   setColouring(colouring: Colouring): void {
     for (const stage of this.stages) stage.setColouring(colouring);
     for (const scene of this.scenes) scene.show(this.player.time);
@@ -145,15 +154,15 @@ export class Replay {
   }
 }
 
-/** Keys that work wherever the focus is, but in fields. */
-export function bindKeys(player: Player, replay: Replay, frames: () => ArrayLike<number>, onUse = () => {}): void {
+/** Keys that work wherever the focus is, but in fields; until `signal` ends them. */
+export function bindKeys(player: Player, replay: Replay, frames: () => ArrayLike<number>, onUse = () => {}, signal?: AbortSignal): void {
   const frame = (direction: 1 | -1) => {
     const times = Array.from(frames()).filter((time) => direction * (time - player.time) > 1e-9);
     return times.length > 0 ? (direction > 0 ? times[0] : times[times.length - 1]) : player.time + direction * player.duration;
   };
   document.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("select, input:not([type=range])")) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("select, textarea, input:not([type=range])")) return;
     const onButton = target.closest("button, a, summary") !== null;
     const actions: Record<string, () => void> = {
       ArrowLeft: () => player.seek(event.shiftKey ? player.time - 1 : frame(-1)),
@@ -170,5 +179,5 @@ export function bindKeys(player: Player, replay: Replay, frames: () => ArrayLike
     event.preventDefault();
     if (!/^\d$/.test(event.key)) onUse();
     action();
-  });
+  }, { signal });
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace brash::cli {
+
+/// As those of commands.hpp.
+void add_new_command(CLI::App& app);
+
+}  // namespace brash::cli

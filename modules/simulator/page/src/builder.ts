@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A form for every key of a case, made from its JSON Schema, beside the file that it writes.
+import { el, section } from "../../../report/viewer/src/dom";
+import { number } from "../../../report/viewer/src/format";
+import { saveText } from "../../../report/viewer/src/save";
+import { tomlOf, typedOf, valueIn } from "./case_text";
+import { type KeySchema, readSchema, type Section, sectionsOf } from "./schema";
+import type { CaseStore } from "./store";
+
+/** Sections that a new case needs are open at first. */
+const kOpen = ["ice", "structure", "field", "time"];
+
+/** What a key holds if it is not written, or how one could write it. */
+function hint(schema: KeySchema): string {
+  if (schema.default !== undefined && schema.default !== "") return `${JSON.stringify(schema.default).replace(/^"|"$/g, "")}`;
+  const [example] = schema.examples ?? [];
+  return example === undefined ? "" : `such as ${String(example)}`;
+}
+
+/** A bound for the eye. */
+const bound = (value: number | undefined): string => (value === undefined ? "…" : number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, ""));
+
+function meaning(schema: KeySchema): string {
+  const unit = schema["x-unit"] && schema["x-unit"] !== "1" ? `Unit: ${schema["x-unit"]}, or another that is written behind the number. ` : "";
+  const [least, most] = [schema.minimum ?? schema.exclusiveMinimum, schema.maximum ?? schema.exclusiveMaximum];
+  const range = least === undefined && most === undefined ? "" : `Range: ${bound(least)} to ${bound(most)}. `;
+  const usual = schema.default === undefined || schema.default === "" ? "" : `Default: ${hint(schema)}. `;
+  const presets = Object.entries(schema["x-presets"] ?? {}).map(([name, value]) => `With the preset ${name}: ${JSON.stringify(value)}. `).join("");
+  return `${unit}${range}${usual}${presets}`.trim();
+}
+
+/** One key of the form. */
+class Field {
+  readonly element: HTMLElement;
+  private readonly input: HTMLInputElement | HTMLSelectElement;
+
+  constructor(private readonly store: CaseStore, private readonly section: string, private readonly key: string, private readonly schema: KeySchema, required: boolean) {
+    const id = `key-${section}-${key}`.replace(/\./g, "-");
+    this.input = this.makeInput(id, required);
+    this.element = el("div", { class: "field" },
+      el("label", { for: id }, el("code", {}, key), required && el("b", { class: "required" }, " required")),
+      this.input,
+      el("p", { class: "meaning", id: `${id}-meaning` }, schema.description ?? "", " ", el("small", {}, meaning(schema))));
+    this.input.setAttribute("aria-describedby", `${id}-meaning`);
+    store.onChange(() => this.follow());
+  }
+
+  private makeInput(id: string, required: boolean): HTMLInputElement | HTMLSelectElement {
+    const choices = this.schema.enum ?? (this.schema.type === "boolean" ? ["true", "false"] : null);
+    const write = () => this.store.setKey(this.section, this.key, this.input.value.trim() === "" ? null : this.toml(this.input.value));
+    if (choices) {
+      const none = required ? "choose" : `default: ${hint(this.schema)}`;
+      return el("select", { id, change: write }, el("option", { value: "" }, none), ...choices.map((name) => el("option", { value: name }, name)));
+    }
+    return el("input", { id, type: "text", spellcheck: "false", autocomplete: "off", placeholder: hint(this.schema), input: write });
+  }
+
+  /** A text that looks like a number is a text where the schema has no numbers. */
+  private toml(typed: string): string {
+    return this.schema.type === "string" ? JSON.stringify(typed.trim()) : tomlOf(typed);
+  }
+
+  private follow(): void {
+    const written = valueIn(this.store.text, this.section, this.key);
+    const shown = written === null ? "" : typedOf(written);
+    if (document.activeElement !== this.input && this.input.value !== shown) this.input.value = shown;
+    const kinds = this.schema["x-kinds"];
+    const of = valueIn(this.store.text, this.section, "kind");
+    const kind = of === null ? "cone" : typedOf(of);
+    this.element.hidden = written === null && kinds !== undefined && this.section === "structure" && !kinds.includes(kind);
+    // The program names the keys that it refuses.
+    const bad = this.store.error.includes(`${this.section}.${this.key}`);
+    this.input.setAttribute("aria-invalid", String(bad));
+  }
+}
+
+function fieldset(store: CaseStore, { name, description, keys }: Section): HTMLElement {
+  return el("details", { open: kOpen.includes(name) },
+    el("summary", {}, el("code", {}, `[${name}]`), ` ${description}`),
+    ...keys.map(({ name: key, schema, required }) => new Field(store, name, key, schema, required).element));
+}
+
+/** The text of the case; whoever likes writes in it. */
+export function caseFile(store: CaseStore): { element: HTMLElement; copy: HTMLElement } {
+  const text = el("textarea", { spellcheck: "false", rows: 24, "aria-label": "Case file (TOML)", input: () => store.set(text.value) });
+  const told = el("span", { role: "status", class: "hint" });
+  const copied = async () => {
+    try {
+      await navigator.clipboard.writeText(store.text);
+    } catch {  // a page from a folder may have no clipboard
+      text.select();
+      document.execCommand("copy");
+    }
+    told.textContent = "copied";
+  };
+  const buttons = () => [
+    el("button", { type: "button", click: () => void copied() }, "Copy the case"),
+    el("button", { type: "button", click: () => saveText(store.name, store.text, "application/toml") }, "Save the case"),
+  ];
+  store.onChange(() => {
+    if (document.activeElement !== text && text.value !== store.text) text.value = store.text;
+    told.textContent = "";
+  });
+  return {
+    element: el("div", { class: "case-file", id: "case-file" }, el("div", { class: "bar" }, el("strong", {}, "Case file"), ...buttons()), text),
+    copy: el("span", {}, ...buttons(), told),
+  };
+}
+
+export function builderSection(store: CaseStore, file: HTMLElement, messages: HTMLElement, beside: HTMLElement | null): HTMLElement {
+  const form = el("div", { class: "form" }, ...sectionsOf(readSchema()).map((each) => fieldset(store, each)));
+  const note = store.core ? ["Every message is the program's own."]
+    : ["This page checks names, choices and ranges. ", el("code", {}, "brash check"), " also reads units and knows which keys go together."];
+  return section("builder", "Case builder",
+    el("p", {}, "Every key of a case, its unit, range, default and source. An empty field takes its default, which is shown in grey. ", ...note),
+    el("div", { class: "builder" }, form, el("div", { class: "file" }, file, messages, beside)));
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The JSON Schema of a case as the form needs it.
+
+export interface KeySchema {
+  type?: string | string[];
+  enum?: string[];
+  default?: unknown;
+  minimum?: number;
+  maximum?: number;
+  exclusiveMinimum?: number;
+  exclusiveMaximum?: number;
+  examples?: unknown[];
+  description?: string;
+  properties?: Record<string, KeySchema>;
+  required?: string[];
+  "x-unit"?: string;
+  "x-kinds"?: string[];
+  "x-presets"?: Record<string, unknown>;
+  "x-required"?: boolean;
+  "x-short-for"?: string;
+}
+
+export interface Section {
+  /** As in a case file: ice, ice.variation. */
+  name: string;
+  description: string;
+  keys: { name: string; schema: KeySchema; required: boolean }[];
+}
+
+/** Sections in the order of the schema; a section inside another comes behind it. */
+export function sectionsOf(schema: KeySchema, prefix = ""): Section[] {
+  return Object.entries(schema.properties ?? {}).flatMap(([name, part]) => {
+    const path = prefix + name;
+    const keys = Object.entries(part.properties ?? {}).filter(([, key]) => !key.properties)
+      .map(([key, of]) => ({ name: key, schema: of, required: (part.required ?? []).includes(key) || of["x-required"] === true }));
+    const own = part.properties && keys.length > 0 ? [{ name: path, description: part.description ?? "", keys }] : [];
+    const inner = Object.fromEntries(Object.entries(part.properties ?? {}).filter(([, key]) => key.properties));
+    return [...own, ...sectionsOf({ properties: inner }, `${path}.`)];
+  });
+}
+
+export function readSchema(): KeySchema {
+  return JSON.parse(document.getElementById("brash-schema")!.textContent!) as KeySchema;
+}

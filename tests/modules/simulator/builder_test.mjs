@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The case builder of `brash new --page`: what it writes, `brash check` reads; it is accessible and asks no network.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { browse, scratch } from "../report/browser.mjs";
+import { openPage } from "./pages.mjs";
+
+const folder = scratch();
+const page_file = join(folder, "builder.html");
+const axe = readFileSync(createRequire(join(process.env.BRASH_PACKAGES, "package.json")).resolve("axe-core/axe.min.js"), "utf8");
+const brash = (...args) => spawnSync(process.env.BRASH, args, { encoding: "utf8" });
+let browser;
+
+before(async () => {
+  execFileSync(process.env.BRASH, ["new", "--page", page_file]);
+  browser = await browse();
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test("a new case is one that brash check reads", () => {
+  for (const kind of ["cone", "plane", "ship"]) {
+    const file = join(folder, `${kind}.toml`);
+    assert.equal(brash("new", "-o", file, "--kind", kind).status, 0);
+    assert.equal(brash("check", file).status, 0, kind);
+    assert.equal(brash("new", "-o", file).status, 2, "a file that is there stays");
+  }
+  assert.match(brash("new", "--kind", "cube").stderr, /cube is no kind of structure/);
+  assert.equal(brash("new", "--page", page_file).status, 2);
+});
+
+test("the form writes a case file, and what is written shows in the form", async () => {
+  const page = await openPage(browser, page_file);
+  await page.locator("#key-ice-thickness").fill("45 cm");
+  await page.locator("#key-structure-speed").fill("1.5");
+  await page.locator("details:has(#key-failure-model) > summary").click();
+  await page.locator("#key-failure-model").selectOption("wedge");
+  await page.locator("#key-ice-friction_ice").fill("");
+  const text = await page.locator("textarea").inputValue();
+  const file = join(folder, "built.toml");
+  writeFileSync(file, text);
+  const checked = brash("check", file);
+  assert.equal(checked.status, 0, checked.stderr);
+  assert.match(checked.stdout, /^thickness = 0\.45 /m);
+  assert.match(checked.stdout, /^speed = 1\.5 /m);
+  assert.match(checked.stdout, /^model = "wedge"/m);
+  assert.match(text, /^thickness = "45 cm" {2}# Table 1$/m, "comments stay");
+  assert.ok(!/^friction_ice/m.test(text), "an empty field is no key");
+  await page.locator("textarea").fill(text.replace("1.5", "2.25"));
+  assert.equal(await page.locator("#key-structure-speed").inputValue(), "2.25");
+  // Keys of other kinds of structure are not asked for.
+  assert.equal(await page.locator("#key-structure-entrance").isVisible(), false);
+  await page.locator("#key-structure-kind").selectOption("wedge-bow");
+  assert.equal(await page.locator("#key-structure-entrance").isVisible(), true);
+  await page.close();
+});
+
+test("a value out of its range is refused at once", async () => {
+  const page = await openPage(browser, page_file);
+  await page.locator("#key-ice-density").fill("2000");
+  await page.evaluate(() => window.brashSimulator.store.checked);
+  assert.match(await page.getByRole("alert").first().innerText(), /ice\.density = 2000 is outside its range, 500 to 1000/);
+  assert.equal(await page.locator("#key-ice-density").getAttribute("aria-invalid"), "true");
+  await page.locator("#key-ice-density").fill("917 kg/m3");
+  await page.evaluate(() => window.brashSimulator.store.checked);
+  assert.equal(await page.getByRole("alert").count(), 0);
+  await page.close();
+});
+
+test("axe-core finds no fault, light, dark and narrow", async () => {
+  const page = await openPage(browser, page_file);
+  await page.evaluate("document.querySelectorAll('details').forEach((d) => (d.open = true))");
+  const faults = async () => {
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate("axe.run(document, { resultTypes: ['violations'] })");
+    return violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 160)}`));
+  };
+  for (const theme of ["light", "dark"]) {
+    await page.getByLabel("Colours").selectOption(theme);
+    assert.deepEqual(await faults(), [], theme);
+  }
+  await page.setViewportSize({ width: 390, height: 800 });
+  assert.deepEqual(await faults(), [], "narrow");
+  await page.close();
+});
+
+test("nothing is asked of a network", () => {
+  assert.deepEqual(browser.requests.filter((url) => !/^(file|data|blob|about):/.test(url)), []);
+  assert.deepEqual(browser.complaints, []);
+});
