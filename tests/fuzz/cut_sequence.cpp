@@ -51,7 +51,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes bytes(data, size);
   const int kind = bytes.next();
   const std::int64_t spacing = kind % 4 == 0 ? 1 : kind % 4 == 1 ? 3 : std::int64_t{1} << (8 + kind % 29);
-  const Polygon whole{{{0, 0}, {15 * spacing, 0}, {15 * spacing, 15 * spacing}, {0, 15 * spacing}}, {}};
+  const auto corner = [&](int x, int y) { return Point::of_units(x * spacing, y * spacing); };
+  const Polygon whole{{corner(0, 0), corner(15, 0), corner(15, 15), corner(0, 15)}, {}};
   IceSheet sheet = IceSheet::from_polygons(std::vector<Polygon>{whole}).value();
   for (int i = 0; i < 24 && !bytes.empty(); ++i) {
     const ExactArea before = sheet.area();

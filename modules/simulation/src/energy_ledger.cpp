@@ -81,9 +81,9 @@ void EnergyLedger::add_piece(const World& world, const FloePopulation& floes, Bo
   removed_ -= floes.energy(world, body, floes.at(body));
 }
 
-void EnergyLedger::report(const World& world, const FloePopulation& floes, const DriftingSheets& sheets,
-                          model::LoadRow& row) const {
-  row.kinetic_energy = world.kinetic_energy() + sheets.kinetic_energy();
+void EnergyLedger::report(const World& world, const FloePopulation& floes, model::LoadRow& row,
+                          double in_sheets) const {
+  row.kinetic_energy = world.kinetic_energy() + in_sheets;
   row.potential_energy = floes.potential_energy(world);
   row.work = work_;
   row.birth_energy = birth_;

@@ -59,8 +59,9 @@ class EnergyLedger {
   const Taken& taken() const { return taken_; }
 
   /// Fills the energies of a row.
-  void report(const rigid_body::World& world, const FloePopulation& floes, const DriftingSheets& sheets,
-              model::LoadRow& row) const;
+  /// @param in_sheets  kinetic energy of drifting sheets [J].
+  void report(const rigid_body::World& world, const FloePopulation& floes, model::LoadRow& row,
+              double in_sheets = 0.0) const;
 
   /// Every sum.
   template <typename Self, typename Visit>

@@ -108,7 +108,7 @@ Simulation::Impl::Impl(const model::Case& c, int threads)
 
 void Simulation::Impl::begin_watch() {
   model::LoadRow row;
-  energy.report(world, floes, sheets, row);
+  energy.report(world, floes, row, sheets.kinetic_energy());
   watchdog.begin({world, floes, energy, field.ledger(), row, {}, motion->now().twist});
 }
 
@@ -148,7 +148,7 @@ Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, 
   energy.book_structure(crushing, floe_load, {-dt * now.twist.linear, -dt * now.twist.angular});
   energy.book_step(world, floes, first_newborn, dt);
   drift_sheets();
-  energy.report(world, floes, sheets, row);
+  energy.report(world, floes, row, sheets.kinetic_energy());
 
   const geometry::Ledger& ledger = field.ledger();
   row.area_sheet = ledger.sheet.square_metres();

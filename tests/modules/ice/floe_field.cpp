@@ -5,8 +5,10 @@
 #include <CGAL/Polygon_set_2.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <initializer_list>
 
 #include "brash/core/constants.hpp"
 #include "brash/geometry/cgal.hpp"
@@ -68,16 +70,20 @@ BOOST_AUTO_TEST_CASE(cells_of_a_power_diagram_have_the_areas_that_were_asked_for
   BOOST_TEST(centroid_of(cells[1]).x == 2.5, boost::test_tools::tolerance(kAreaError));
 }
 
+geometry::Ring ring_of(std::initializer_list<std::array<int, 2>> corners) {
+  geometry::Ring ring;
+  for (const auto& [x, y] : corners) ring.push_back(geometry::Point::of_units(x, y));
+  return ring;
+}
+
 BOOST_AUTO_TEST_CASE(convex_rings_overlap_exactly_when_their_insides_meet) {
-  const auto square = [](std::int64_t x, std::int64_t y) {
-    return geometry::Ring{{x, y}, {x + 4, y}, {x + 4, y + 4}, {x, y + 4}};
-  };
+  const auto square = [](int x, int y) { return ring_of({{x, y}, {x + 4, y}, {x + 4, y + 4}, {x, y + 4}}); };
   BOOST_TEST(!overlap(square(0, 0), square(4, 0)));  // they touch
   BOOST_TEST(overlap(square(0, 0), square(3, 3)));
   BOOST_TEST(!overlap(square(0, 0), square(4, 4)));
-  BOOST_TEST(overlap(square(0, 0), geometry::Ring{{1, 1}, {2, 1}, {2, 2}}));
-  const geometry::Ring hull = convex_hull({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
-  BOOST_TEST((hull == geometry::Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+  BOOST_TEST(overlap(square(0, 0), ring_of({{1, 1}, {2, 1}, {2, 2}})));
+  const geometry::Ring hull = convex_hull(ring_of({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}));
+  BOOST_TEST((hull == ring_of({{0, 0}, {4, 0}, {4, 4}, {0, 4}})));
 }
 
 BOOST_AUTO_TEST_CASE(the_concentration_is_reached_to_the_area_of_a_floe) {

@@ -42,6 +42,8 @@ struct Owner {
 /// The largest and the smallest that 128 bits hold.
 constexpr geometry::Int128 kMost = ~(geometry::Int128{1} << 127);
 
+geometry::Point at(int x, int y) { return geometry::Point::of_units(x, y); }
+
 Owner sample() {
   return {.length = -5e-324,
           .id = std::numeric_limits<std::int64_t>::min(),
@@ -50,7 +52,7 @@ Owner sample() {
           .asleep = true,
           .place = {1.0 / 3.0, -0.0},
           .force = {1e300, 2.0, 3.0},
-          .outline = {{{0, 0}, {4, 0}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 1}}}},
+          .outline = {{at(0, 0), at(4, 0), at(0, 4)}, {{at(1, 1), at(1, 2), at(2, 1)}}},
           .area = geometry::ExactArea(-kMost - 1)};
 }
 

@@ -67,12 +67,12 @@ struct WindSection {
 /// [field.size]: sizes L of generated floes, the square roots of their areas. Each law has its own keys.
 struct FloeSizes {
   SizeLaw kind = SizeLaw::kPowerLaw;
-  double exponent = 2.0;          ///< of the power law: the number of floes above L falls as L^-exponent
-  std::optional<double> least;    ///< size of the power law
-  std::optional<double> largest;  ///< likewise
-  std::optional<double> median;   ///< size of the log-normal law
-  double deviation = 0.4;         ///< of the logarithm of its sizes
-  std::vector<double> values;     ///< of the list, each as likely as the others
+  double exponent = 2.0;            ///< of the power law: the number of floes above L falls as L^-exponent
+  std::optional<double> least{};    ///< size of the power law
+  std::optional<double> largest{};  ///< likewise
+  std::optional<double> median{};   ///< size of the log-normal law
+  double deviation = 0.4;           ///< of the logarithm of its sizes
+  std::vector<double> values{};     ///< of the list, each as likely as the others
 
   friend bool operator==(const FloeSizes&, const FloeSizes&) = default;
 };

@@ -35,8 +35,8 @@ enum class Engine {
 };
 
 struct WorldSettings {
-  ContactLaw ice_structure;
-  ContactLaw ice_ice;
+  ContactLaw ice_structure{};
+  ContactLaw ice_ice{};
   /// e of Eq. 5 [-], 0 to 1: one for all contacts, so that they never gain energy (docs/theory/dynamics.md, (C6)).
   /// Engine::kBullet knows 0 alone.
   double restitution = 0.0;
