@@ -96,6 +96,9 @@ PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const 
   for (const geometry::Polygon& p : polygons) {
     sizes.diameters.push_back(geometry::mean_caliper_diameter(p.outline));
     sizes.areas.push_back(geometry::area(p).square_metres());
+    if (!(sizes.areas.back() > 0.0))
+      throw InputError(Complaint{fmt::format("{}, number {}", source, sizes.areas.size()), "has no area",
+                                 "outlines counter-clockwise around their ice", "leave it out, or turn its outline"});
   }
   return sizes;
 }

@@ -10,6 +10,8 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -102,7 +104,12 @@ class Workers::Team {
  public:
   explicit Team(int n) : shares_(static_cast<std::size_t>(n)) {
     const WithoutSignals inherited;
-    for (int worker = 1; worker < n; ++worker) threads_.emplace_back([this, worker] { serve(worker); });
+    threads_.reserve(static_cast<std::size_t>(n - 1));
+    try {
+      for (int worker = 1; worker < n; ++worker) threads_.emplace_back([this, worker] { serve(worker); });
+    } catch (const std::system_error&) {  // the system gives no more; those that are there take all shares
+    } catch (const std::bad_alloc&) {
+    }
   }
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;

@@ -56,7 +56,7 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// What is measured.
+/// The measured quantity.
 struct Options {
   int n_steps = 5;
   int threads = 1;

@@ -117,11 +117,11 @@ BOOST_AUTO_TEST_CASE(a_structure_is_seen_from_a_sheet_that_drifts_and_turns_as_i
   sheets.add(plate(c, 40.0, 20.0), {.position = {3.0, 1.0}, .angle = 0.4, .velocity = {1.0, 0.2}, .spin = 0.1});
   const structure::State structure{{{-5.0, 2.0, 0.5}, {}}, {{1.2, 0.1, 0.0}, {0.0, 0.0, 0.03}}};
   const structure::State seen = sheets.seen_from(0, structure);
-  // A finite difference of what is seen, both moved on for a moment.
+  // A finite difference of the seen motion, both moved on for a moment.
   const double moment = 1e-6;
   const structure::State then =
       sheets.seen_from(0, {{structure.pose.position + moment * structure.twist.linear, {}}, structure.twist}, moment);
-  // The way curves: half the moment times the acceleration of what is seen, some 0.2 m/s2.
+  // The way curves: half the moment times the seen acceleration, some 0.2 m/s2.
   BOOST_TEST(norm((then.pose.position - seen.pose.position) / moment - seen.twist.linear) < 0.2 * moment);
   BOOST_TEST(seen.twist.angular.z == -0.07, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(norm(sheets.to_world(0, seen.pose.position) - structure.pose.position) < 1e-14);

@@ -88,7 +88,7 @@ export function showLive(data: LiveData, blocks: Blocks, parent: HTMLElement): L
   return report;
 }
 
-/** What is drawn of a run that goes on, made anew as far as it has grown. */
+/** The drawings of a run that goes on, made anew as far as it has grown. */
 export class LiveView {
   private readonly ended = new AbortController();
   private readonly choice = new LoadChoice();

@@ -70,7 +70,7 @@ function loader(store: CaseStore): HTMLElement {
   return el("span", {}, el("button", { type: "button", click: () => file.click() }, "Load a case file…"), file);
 }
 
-/** What is wrong with the case, in the program's words, and what it warns of. */
+/** The errors of the case, in the program's words, and its warnings. */
 export function messages(store: CaseStore): HTMLElement {
   const error = el("pre", { class: "complaint", role: "alert", hidden: true });
   const warnings = el("ul");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulation in the page: its buttons, and what is drawn of it, as on the page of a live run.
+// The simulation in the page: its buttons and its drawings, as on the page of a live run.
 import { Run } from "../../../report/viewer/src/data";
 import { el } from "../../../report/viewer/src/dom";
 import { number, seconds } from "../../../report/viewer/src/format";

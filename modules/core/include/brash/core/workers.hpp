@@ -7,8 +7,8 @@
 
 namespace brash {
 
-/// Threads that share out the items of a loop. No result depends on their number, if every item writes only what is its
-/// own and reads nothing that another item of the loop writes.
+/// Threads that share out the items of a loop. No result depends on their number, if every item writes only its own
+/// results and reads nothing that another item of the loop writes.
 ///
 /// The calling thread works too. With one worker there is no other thread, and a program without threads works. The
 /// others look for work for some microseconds after a loop, then they sleep. A thread takes one chunk of items after
@@ -16,7 +16,7 @@ namespace brash {
 /// nobody up unless it has begun a chunk. A loop inside an item of another loop is a broken contract.
 class Workers {
  public:
-  /// @param n  how many, the calling thread among them, >= 1.
+  /// @param n  how many, the calling thread among them, >= 1; fewer work where the system gives no more threads.
   explicit Workers(int n = 1);
   ~Workers();
   Workers(const Workers&) = delete;
