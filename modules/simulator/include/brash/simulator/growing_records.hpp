@@ -11,7 +11,8 @@
 
 namespace brash::simulator {
 
-/// The records that a simulation which goes on leaves for a page that draws it. It reads the simulation and changes nothing of it.
+/// The records that a simulation which goes on leaves for a page that draws it. It reads the simulation and changes
+/// nothing of it.
 class GrowingRecords {
  public:
   explicit GrowingRecords(const model::Case& resolved);
