@@ -56,7 +56,7 @@ export class Stage {
     if (colouring === "force")
       return [{ colour: ["--scene-calm", "--scene-loaded"], text: `contact force, 0 to ${kN(this.scene!.floes.largestForce)} kN, logarithmic` }];
     return [
-      { colour: "--scene-floe", text: "broken off" }, { colour: "--scene-initial", text: "initial crack" },
+      { colour: "--scene-floe", text: "broken off" }, { colour: "--scene-initial", text: "there at the start" },
       { colour: "--scene-newborn", text: "just born" }, { colour: "--scene-crushed", text: "crushed later, or just now" },
     ];
   }
