@@ -17,6 +17,8 @@ namespace {
 constexpr double kMargin = 6.0;
 /// A split sheet has up to 1.9 times the stress of a whole one.
 constexpr double kSplitMargin = 2.2;
+/// A sheet is solved again, with cubic elements, where quadratic ones find more than the strength over this.
+constexpr double kCoarseMargin = 1.25;
 
 /// How much a load on a straight edge, `s` l_c along it from B, bends the ice ahead of B, over the same load at B.
 double share_at(double s) { return std::exp(-std::pow(s / 1.75, 1.4)); }
@@ -34,12 +36,12 @@ class OutlineCriterion final : public BendingCriterion {
     if (load.pressure == 0.0) return unloaded(load);
     if (const auto harmless = dismiss(load)) return *harmless;
     std::optional<Assessment> answer;
-    if (!load.outline.empty()) answer = judge(load);
+    if (!load.outline.empty()) answer = screened(load);
     if (answer) return *answer;
     LoadCase alone = load;
     alone.outline.clear();
     alone.loads.clear();
-    answer = judge(alone);
+    answer = screened(alone);
     if (!answer) answer = screen_->assess(load);
     answer->outline_refused = true;
     return *answer;
@@ -64,6 +66,12 @@ class OutlineCriterion final : public BendingCriterion {
   }
 
  private:
+  /// How a sheet is solved.
+  struct How {
+    bool split = false;
+    plate::Accuracy accuracy = plate::Accuracy::kFast;
+  };
+
   /// A solved sheet and its stresses on the centre line and beside it.
   struct Solved {
     plate::LoadedSheet sheet;
@@ -79,6 +87,15 @@ class OutlineCriterion final : public BendingCriterion {
       return weakest && weakest->stress > stresses.largest ? weakest : std::nullopt;
     }
     double largest() const { return decisive() ? decisive()->stress : stresses.largest; }
+    /// Whether the sheet may fail, whole or split, if its stresses are `margin` times as large.
+    bool may_fail(double margin) const {
+      const bool may_split = margin * radial > 1.0 && margin * kSplitMargin * largest() > 1.0;
+      return margin * largest() > 1.0 || may_split;
+    }
+    double breaking_length() const {
+      const std::optional<WeakPlace> beside = decisive();
+      return l_c * (beside ? norm(beside->at) : stresses.place);
+    }
   };
 
   /// Where the ice would break under a load of this kind, however small.
@@ -89,22 +106,32 @@ class OutlineCriterion final : public BendingCriterion {
     return {.breaking_length = answer.breaking_length};
   }
 
+  /// As `judge`, with coarse elements where they can tell that the ice holds.
+  std::optional<Assessment> screened(const LoadCase& load) const {
+    if (options_.coarse_first) {
+      Assessment answer;
+      const auto coarse = solve(load, {.accuracy = plate::Accuracy::kCoarse}, answer);
+      if (coarse && !answer.buckled && !coarse->may_fail(kCoarseMargin))
+        return Assessment{.sigma_max = coarse->largest() * ice_.flexural_strength,
+                          .breaking_length = coarse->breaking_length()};
+    }
+    return judge(load);
+  }
+
   /// Nothing where the sheet cannot be meshed.
   std::optional<Assessment> judge(const LoadCase& load) const {
     Assessment answer;
-    std::optional<Solved> solved = solve(load, false, answer);
+    std::optional<Solved> solved = solve(load, {}, answer);
     if (!solved) return std::nullopt;
-    const bool may_fail = kSplitMargin * solved->largest() > 1.0;
-    if (options_.radial_first && may_fail && solved->radial > 1.0) {
-      if (auto split = solve(load, true, answer)) {
+    if (options_.radial_first && solved->radial > 1.0 && solved->may_fail(1.0)) {
+      if (auto split = solve(load, {.split = true}, answer)) {
         answer.split = true;
         solved = std::move(split);
       }
     }
     answer.sigma_max = solved->largest() * ice_.flexural_strength;
     answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
-    const std::optional<WeakPlace> beside = solved->decisive();
-    answer.breaking_length = solved->l_c * (beside ? norm(beside->at) : solved->stresses.place);
+    answer.breaking_length = solved->breaking_length();
     if (answer.fails && options_.trace_crack) trace(*solved, answer);
     return answer;
   }
@@ -125,12 +152,13 @@ class OutlineCriterion final : public BendingCriterion {
   }
 
   /// To first order if the plate buckles.
-  std::optional<Solved> solve(const LoadCase& load, bool split, Assessment& answer) const {
-    const SheetMotion& motion = split ? load.motion.split : load.motion.whole;
+  std::optional<Solved> solve(const LoadCase& load, How how, Assessment& answer) const {
+    const SheetMotion& motion = how.split ? load.motion.split : load.motion.whole;
     IceProperties ice = ice_;
     ice.water_density /= std::pow(motion.length, 4);  // l_c is shorter by `length`, and D stays
     plate::LoadedSheet sheet = loaded_sheet(load, ice, options_.second_order, motion.stress);
-    sheet.split = split;
+    sheet.split = how.split;
+    sheet.accuracy = how.accuracy;
     auto solution = plate::solve(sheet);
     if (!solution && solution.error().buckled) {
       answer.buckled = true;

@@ -27,12 +27,15 @@ using Triangulation =
 /// Smallest squared sine of an angle that needs no further refinement: 20.7 degrees, for which the mesher terminates.
 constexpr double kAspectBound = 0.125;
 
-double distance_to(Vec2 place, Vec2 from, Vec2 to) {
+/// From the nearest point of a segment to a place.
+Vec2 way_from(Vec2 from, Vec2 to, Vec2 place) {
   const Vec2 along = to - from;
   const double length2 = dot(along, along);
   const double s = length2 > 0.0 ? std::clamp(dot(place - from, along) / length2, 0.0, 1.0) : 0.0;
-  return norm(place - from - s * along);
+  return place - from - s * along;
 }
+
+double distance_to(Vec2 place, Vec2 from, Vec2 to) { return norm(way_from(from, to, place)); }
 
 Vec2 to_vec(const Kernel::Point_2& point) { return {point.x(), point.y()}; }
 
@@ -145,9 +148,14 @@ Vec2 place_in(const Mesh& mesh, int triangle, double xi, double eta) {
 }
 
 double wanted_size(const Domain& domain, Vec2 place) {
+  constexpr double kRounding = 1.0 + 1e-9;
   double size = domain.largest_size;
   for (const auto& source : domain.sizes) {
-    size = std::min(size, source.size + source.gradation * distance_to(place, source.from, source.to));
+    const Vec2 way = way_from(source.from, source.to, place);
+    // Most sources are too far off to count: they need no root.
+    const double reach = (size - source.size) * kRounding / source.gradation;
+    if (reach <= 0.0 || dot(way, way) > reach * reach) continue;
+    size = std::min(size, source.size + source.gradation * norm(way));
   }
   return size;
 }

@@ -131,6 +131,7 @@ SheetSizes sizes_of(Accuracy accuracy) {
           .tolerance = {0.02, 0.05},
           .most_vertices = 1000,
           .membrane_order = 2,
+          .bending_order = accuracy == Accuracy::kCoarse ? 2 : kOrder,
           .smallest_patch = 3};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh.hpp"
+#include "profiles.hpp"
 #include "sheet_edge.hpp"
 
 namespace brash::plate {
@@ -27,6 +28,7 @@ struct SheetSizes {
   EdgeTolerance tolerance;
   std::size_t most_vertices = 0;  ///< a mesh with more is tried again on a simpler edge, then given up
   int membrane_order = 3;
+  int bending_order = kOrder;
   /// Fewest triangles to which the stress is fitted. On a coarse mesh more of them smooth it too much.
   std::size_t smallest_patch = 3;
 };

@@ -211,6 +211,7 @@ std::unique_ptr<failure::BendingCriterion> make_criterion(const model::Case& res
                                  {.second_order = section.second_order,
                                   .radial_first = section.order == model::CrackOrder::kRadialFirst,
                                   .anywhere = section.judged == model::JudgedAt::kAnywhere,
+                                  .coarse_first = true,
                                   .trace_crack = section.pattern == model::CrackPattern::kStress});
 }
 

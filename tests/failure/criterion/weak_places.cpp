@@ -163,4 +163,37 @@ BOOST_AUTO_TEST_CASE(the_criterion_judges_the_weaker_of_line_and_sheet) {
   BOOST_TEST(judge(true, false).sigma_max == judge(false, false).sigma_max, tt::tolerance(0.02));
 }
 
+// Quadratic elements dismiss a sheet only where cubic ones do not break it, whole or split.
+BOOST_AUTO_TEST_CASE(coarse_elements_first_give_the_same_verdict) {
+  const double l_c = failure::characteristic_length(kIce);
+  const auto criterion = [&](bool coarse_first) {
+    return failure::make_criterion(
+        model::FailureModel::kPlateOutline, "", kIce,
+        {.second_order = true, .radial_first = true, .anywhere = true, .coarse_first = coarse_first});
+  };
+  const auto fine = criterion(false), coarse = criterion(true);
+  int n_dismissed = 0;
+  for (const double depth : {0.0, 0.4})
+    for (const double length : {0.1, 0.4, 1.2})
+      for (double pressure = 1e5; pressure < 2e6; pressure *= 1.15) {
+        const failure::LoadCase load{.depth = depth * l_c,
+                                     .contact_length = length * l_c,
+                                     .angle = depth > 0.0 ? 1.0 : 0.0,
+                                     .mu1 = 0.511,
+                                     .pressure = pressure};
+        const failure::Assessment exact = fine->assess(load), quick = coarse->assess(load);
+        BOOST_TEST_CONTEXT("depth " << depth << ", length " << length << ", pressure " << pressure) {
+          BOOST_TEST(quick.fails == exact.fails);
+          if (exact.fails || quick.sigma_max == exact.sigma_max) {
+            BOOST_TEST(quick.sigma_max == exact.sigma_max);
+            BOOST_TEST(quick.breaking_length == exact.breaking_length);
+          } else {
+            ++n_dismissed;
+            BOOST_TEST(quick.sigma_max == exact.sigma_max, tt::tolerance(0.1));
+          }
+        }
+      }
+  BOOST_TEST(n_dismissed > 10);
+}
+
 }  // namespace
