@@ -145,8 +145,8 @@ struct BendingOptions {
   bool radial_first = false;
   /// The stress is judged all over the sheet around B, not on the centre line alone: `plate-outline`.
   bool anywhere = false;
-  /// Where quadratic elements find less than 0.8 of the strength, the sheet is not solved with cubic ones. Stress and
-  /// breaking length are theirs then: `plate-outline`.
+  /// Where quadratic elements find less than 0.8 of the strength, for a radial crack too, the sheet is not solved with
+  /// cubic ones. Stress and breaking length are theirs then: `plate-outline`.
   bool coarse_first = false;
   /// Assessment::crack is wanted: `plate-outline`.
   bool trace_crack = false;

@@ -31,7 +31,7 @@ struct PatchLoad {
 
 /// How finely the sheet is meshed.
 enum class Accuracy {
-  /// As kFast, with quadratic elements in bending: nearly always within 7 % of it.
+  /// As kFast, with quadratic elements in bending, to screen: within 7 % of it in 98 of 100 sheets of a run.
   kCoarse,
   kFast,  ///< errs by about 1 % in the largest stress on the x-axis, by 2 % beside it
   kFine,  ///< the sizes of the production mesh: errs by about 0.1 %
