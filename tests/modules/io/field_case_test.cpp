@@ -80,6 +80,20 @@ BOOST_AUTO_TEST_CASE(keys_of_the_other_kind_of_field_are_refused_with_a_remedy) 
   refuses(field_of_floes(kSizes), {"field.file=no.wkt", "field.concentration=0.7"}, "stands beside field.file");
 }
 
+BOOST_AUTO_TEST_CASE(files_of_level_ice_leave_the_initial_crack_out) {
+  const Scratch scratch;
+  const std::string lead = scratch.write("lead.wkt", "POLYGON((1 -1, 2 -1, 2 1, 1 1, 1 -1))");
+  const Case c = read(kLeastCase, {"field.openings=" + lead});
+  BOOST_TEST(c.field.openings == lead);
+  BOOST_TEST(!c.field.initial_crack);
+  BOOST_TEST(has_ice_files(c.field));
+  BOOST_TEST(!has_ice_files(read(kLeastCase, {}).field));
+  refuses(kLeastCase, {"field.openings=" + lead, "field.initial_crack=true"}, "stands beside files of the ice");
+  refuses(kLeastCase, {"field.cracks=no.wkt"}, "there is no file");
+  refuses(field_of_floes(kSizes), {"field.concentration=0.7", "field.cracks=" + lead},
+          "is no key of field.kind = \"floes\"");
+}
+
 BOOST_AUTO_TEST_CASE(the_schema_names_the_choices_of_the_model) {
   const auto field = nlohmann::json::parse(case_schema())["properties"]["field"]["properties"];
   std::vector<std::string> shapes, laws;
