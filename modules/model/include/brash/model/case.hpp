@@ -82,8 +82,8 @@ struct FloeFieldSection {
   std::optional<double> concentration;  ///< of generated floes: their area over the area of the field
   FloeShape shape = FloeShape::kVoronoi;
   FloeSizes size;
-  bool walls = false;  ///< fixed ones along both sides and at the far end
-  std::string shore;   ///< file of fixed outlines, absolute; empty: none
+  FloeBorder border = FloeBorder::kFree;  ///< along both sides and at the far end
+  std::string shore;                      ///< file of fixed outlines, absolute; empty: none
 
   friend bool operator==(const FloeFieldSection&, const FloeFieldSection&) = default;
 };

@@ -164,7 +164,7 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
   visit("field", "file", field.file);
   visit("field", "concentration", floes.concentration);
   visit("field", "shape", floes.shape);
-  visit("field", "walls", floes.walls);
+  visit("field", "border", floes.border);
   visit("field", "shore", floes.shore);
   auto& size = floes.size;
   visit("field.size", "kind", size.kind);
