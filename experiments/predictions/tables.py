@@ -149,21 +149,38 @@ def series_lines(prediction, rows, measured, statistic):
                      f"{' | '.join(cells)} | {interval(found['model_error'])} | {'yes' if inside[-1] else 'no'} |")
     if not ratios:
         return []
-    return lines + [""] + series_summary(prediction, ratios, inside, chosen_rows, [m for _, m in ratios])
+    return lines + [""] + series_summary(prediction, statistic, ratios, inside, chosen_rows)
 
 
-def series_summary(prediction, ratios, inside, chosen_rows, measured):
-    if any(s <= 0 or m <= 0 for s, m in ratios):
+def series_summary(prediction, statistic, ratios, inside, chosen_rows):
+    """Bias, root mean square and coverage; for the mean also of the regressions, and the criterion."""
+    if any(simulated <= 0 or measured <= 0 for simulated, measured in ratios):
         return ["No logarithms: a value is not positive.", ""]
     found = series(*zip(*ratios), inside)
     low, high = found["coverage_95"]
     lines = [f"Bias (mean ln S/D): {found['bias']:+.3f} ({interval(found['bias_95'])}). Root mean square: {found['rms']:.3f}. "
              f"Inside: {found['covered']} of {found['n']} ({low:.0%} to {high:.0%}).", ""]
+    if statistic != "mean":
+        return lines
+    others = {}
     for name in prediction.criterion.get("regressions", []):
         medians = [np.median(points_and_values(rows, name)[0]) for rows in chosen_rows]
         if all(math.isfinite(value) and value > 0 for value in medians):
-            other = series(medians, measured, [False] * len(measured))
-            lines.append(f"- {name}: bias {other['bias']:+.3f}, root mean square {other['rms']:.3f}.")
+            others[name] = series(medians, [measured for _, measured in ratios], inside)
+    lines += [f"- {name}: bias {other['bias']:+.3f}, root mean square {other['rms']:.3f}." for name, other in others.items()]
+    return lines + [""] + statements(prediction, found, [other["rms"] for other in others.values()])
+
+
+def statements(prediction, found, others):
+    """The criterion of a series, one line each; `others`: root mean squares of the regressions."""
+    least = prediction.criterion["least_inside"]
+    lines = [f"- Inside their intervals: {found['covered']} of {found['n']}, {least} are needed: "
+             f"**{'yes' if found['covered'] >= least else 'no'}**."]
+    if found["n"] > 1:
+        low, high = found["bias_95"]
+        lines.append(f"- The interval of the bias holds 0: **{'yes' if low <= 0 <= high else 'no'}**.")
+    if others:
+        lines.append(f"- Root mean square below each regression: **{'yes' if found['rms'] < min(others) else 'no'}**.")
     return lines + [""]
 
 
@@ -221,9 +238,10 @@ def signs(predictions, rows_elsewhere, family):
     table = ["| sign | statement | verdict | p, Holm |", "|---|---|---|---|"]
     for name, prediction in predictions.items():
         word, p = verdicts.get(name, ("not run", math.nan))
-        table.append(f"| {name.upper()} | {prediction.table['title']} | **{word}** | {'-' if math.isnan(p) else f'{p:.2g}'} |")
+        label = prediction.criterion.get("stands_for", name.upper())
+        table.append(f"| {label} | {prediction.table['title']} | **{word}** | {'-' if math.isnan(p) else f'{p:.2g}'} |")
         if name in found:
-            lines += [f"### {name.upper()}", "", *claim_lines(found[name])]
+            lines += [f"### {label}", "", *claim_lines(found[name])]
     return "\n".join(["## Ten signs", "", *table, "", *lines]).rstrip() + "\n"
 
 
