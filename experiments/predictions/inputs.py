@@ -17,7 +17,7 @@ COLUMNS = [
     "breaking_frequency", "breaking_length_quantiles.05", "breaking_length_quantiles.50", "breaking_length_quantiles.95",
     "piece_area_quantiles.05", "piece_area_quantiles.50", "piece_area_quantiles.95",
 ]
-KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "quick", "measured"}
+KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "quick", "measured", "exponent"}
 OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "source", "why"}
 
 

@@ -5,11 +5,12 @@ import math
 import subprocess
 
 import numpy as np
+from scipy import stats
 
 import inputs
 from case_numbers import read_table
 from inputs import BadInput
-from signs import judged, tested
+from signs import judged, slopes, student, tested
 from surrogate import Chaos, held_back_error, jackknife_indices, noise_share
 from verdicts import points_and_values, prediction_interval, series, upper_bound, validation
 
@@ -193,6 +194,31 @@ def bound_lines(prediction, rows):
             f"{number(found['largest_ratio'])}.", ""]
 
 
+def exponent_lines(prediction, rows):
+    """Exponents of the program and of closed forms, with 95 % intervals over the points, and their differences in pairs."""
+    lines = ["| input | load | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
+    for wanted in prediction.table["exponent"]:
+        found = {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})
+                 for name in (prediction.criterion["statistic"], "quantile_99_0.1s", *REGRESSIONS)
+                 if any(row.get(name) is not None for row in rows)}
+        own = found[prediction.criterion["statistic"]]
+        for name, slope in found.items():
+            cells = mean_cells([value for value in slope.values() if value is not None])
+            pairs = [own[i] - slope[i] for i in own if own[i] is not None and slope.get(i) is not None]
+            other = mean_cells(pairs) if name in REGRESSIONS else ("-", "-", "-")
+            lines.append(f"| `{wanted['of']}` | {name} | {cells[0]} | {cells[1]} | {' | '.join(other)} |")
+    return lines + [""]
+
+
+def mean_cells(samples):
+    """Mean, its 95 % interval, and whether it leaves out 0."""
+    if len(samples) < 2:
+        return "-", "-", "-"
+    mean, error, freedom = student(samples)
+    half = stats.t.ppf(0.975, freedom) * error
+    return f"{mean:.2f}", f"{mean - half:.2f} to {mean + half:.2f}", "yes" if abs(mean) > half else "no"
+
+
 def claim_lines(outcomes):
     lines = ["| claim | effect | 95 % interval | points (left out) | p |", "|---|---|---|---|---|"]
     return lines + [f"| {o.claim['text']} | {number(o.effect)} | {interval(o.interval)} | {o.n} ({o.left_out}) | {o.p:.2g} |"
@@ -212,6 +238,8 @@ def verdict(prediction, rows, measured, rows_elsewhere):
     kind = prediction.criterion["kind"]
     if promised and kind == "upper-bound":
         lines += bound_lines(prediction, rows)
+    if promised and kind == "exponents":
+        lines += exponent_lines(prediction, rows)
     if promised and kind == "claims":
         outcomes = outcomes_of(prediction, rows, rows_elsewhere)
         (word, p), = judged({prediction.name: outcomes}).values()

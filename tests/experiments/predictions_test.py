@@ -291,6 +291,24 @@ class Texts(unittest.TestCase):
         self.assertRegex(text, r"\| S2 \|.*\| \*\*shown\*\* \|")
         self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\* \| - \|")
 
+    def test_exponents_are_compared_in_pairs(self):
+        prediction = predict.prediction_of("exponents")
+        random = np.random.default_rng(12)
+        rows = []
+        for i in range(16):
+            level = 10 ** random.random()
+            for arm, keys in prediction.arms.items():
+                width = keys["structure"]["waterline_width"]
+                row = {"arm": arm, "point": i + 1, "replicate": 0, "second_half_over_first": 1.0, **inputs.flat(keys),
+                       "structure.angle": math.radians(float(keys["structure"]["angle"].split()[0]))}
+                rows.append({**row, "mean": level * width**1.5 * math.exp(0.02 * random.normal()), "croasdale": level * width**0.5})
+        lines = {tuple(line.split(" | ")[:2]): line for line in tables.verdict(prediction, rows, [], None).splitlines() if line.startswith("| `")}
+        cells = lines["| `structure.waterline_width`", "croasdale"].split(" | ")
+        self.assertEqual(cells[2], "0.50")
+        self.assertAlmostEqual(float(cells[4]), 1.0, delta=0.05)
+        self.assertTrue(cells[6].startswith("yes"))
+        self.assertTrue(lines["| `ice.thickness`", "croasdale"].endswith("no |"))
+
     def test_a_run_that_failed_leaves_its_point_in_place(self):
         prediction = predict.prediction_of("m6/s2")
         rows = [{"arm": arm, "point": i, "mean": None if (arm, i) == ("light", 3) else 1.0} for i in range(1, 18) for arm in prediction.arms]
