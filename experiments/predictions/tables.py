@@ -78,7 +78,6 @@ def histories(options):
         if done.returncode:
             raise BadInput(f"{file}: brash stats refuses it: {done.stderr.strip()}")
         summary = json.loads(done.stdout)
-        summary = summary.get("summary", summary)
         found.append({"arm": "", "file": file.name, "mean": summary["mean"], "deviation": summary["standard_deviation"],
                       "largest": summary["maximum"]})
     return found
@@ -88,8 +87,12 @@ def histories(options):
 
 def heading(prediction, rows):
     n = len({row["point"] for row in rows})
+    failed = [row for row in rows if row.get("status") == "failed"]
     lines = [f"## {prediction.table['title']}", "",
              f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
+    if failed:
+        named = ", ".join(f"{row['arm'] or 'point'} {row['point']:g}" for row in failed)
+        lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** A verdict leaves them out.", ""]
     if rows and n < prediction.ensemble["points"]:
         lines += [f"**Fewer points than the {prediction.ensemble['points']} that were promised: no verdict.**", ""]
     return lines

@@ -281,6 +281,8 @@ class Texts(unittest.TestCase):
         rows = [{"arm": "", "point": i, "replicate": 0, "quantile_99_0.1s": 1e6, "mean": 3e5, "second_half_over_first": 1.0} for i in range(5)]
         self.assertIn("no verdict", tables.verdict(prediction, rows, [], None))
         whole = [{**rows[0], "point": i} for i in range(16)]
+        broken = tables.verdict(prediction, whole + [{"arm": "", "point": 16, "status": "failed"}], [], None)
+        self.assertIn("1 runs failed and have no numbers: point 16.", broken)
         self.assertIn("**holds**", tables.verdict(prediction, whole, [], None))
         self.assertIn("Largest ratio to the bound: 0.5", tables.verdict(prediction, whole, [], None))
 
@@ -365,6 +367,7 @@ points = 4
 most_points = 8
 seed = 1
 presets = ["paper"]
+keep = "run"
 [travel]
 from = 1.2
 end = 2.4
@@ -400,6 +403,24 @@ time.duration = 1
 """
 
 
+class Measured(unittest.TestCase):
+    def test_histories_of_a_folder_are_read_within_the_given_times(self):
+        with tempfile.TemporaryDirectory() as folder:
+            time = np.arange(0, 30, 0.01)
+            for k in (1, 2):
+                load = np.where(time < 10, 9e9, k * (1000 + 10 * np.sin(40 * time) + np.random.default_rng(k).normal(size=len(time))))
+                np.savetxt(f"{folder}/test{k}.csv", np.c_[time, load], delimiter=",", header="time,load", comments="")
+            words = ["--brash", BRASH, "verdict", "m5", "--data", folder, "--column", "load", "--from", "12", "--to", "28"]
+            found = tables.measured_rows(predict.prediction_of("m5"), predict.arguments().parse_args(words))
+            self.assertEqual([row["file"] for row in found], ["test1.csv", "test2.csv"])
+            self.assertAlmostEqual(found[1]["mean"], 2000, delta=1)
+            options = predict.arguments().parse_args(words[:-4] + ["--column", "nothing"])
+            with self.assertRaisesRegex(inputs.BadInput, "brash stats refuses it"):
+                tables.measured_rows(predict.prediction_of("m5"), options)
+        with self.assertRaisesRegex(inputs.BadInput, "is no folder"):
+            tables.measured_rows(predict.prediction_of("m5"), predict.arguments().parse_args(["verdict", "m5", "--data", "nowhere"]))
+
+
 class WholeWay(unittest.TestCase):
     def test_a_small_prediction_runs_resumes_grows_and_is_judged(self):
         shutil.rmtree(FOLDER, ignore_errors=True)
@@ -424,6 +445,7 @@ class WholeWay(unittest.TestCase):
         self.assertRegex(text, r"\*\*(shown|open|contradicted)\*\*")
         self.assertIn("| fast | mean | kN |", text)
         rows = tables.read_numbers(case / "recorded-paper.csv")
+        self.assertTrue(all(row.get("n_pieces") is None or row["one_mode"] in (0.0, 1.0) for row in rows))
         self.assertAlmostEqual(rows[0]["output.statistics_from"] * rows[0]["structure.speed"], 1.2, delta=1e-4)
         # More points keep the runs that are there.
         first = (FOLDER / "tiny-paper" / "cases" / "slow.s001-r0000" / "history.csv").stat().st_mtime_ns
