@@ -17,7 +17,8 @@ COLUMNS = [
     "breaking_frequency", "breaking_length_quantiles.05", "breaking_length_quantiles.50", "breaking_length_quantiles.95",
     "piece_area_quantiles.05", "piece_area_quantiles.50", "piece_area_quantiles.95",
 ]
-KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "quick", "measured", "exponent"}
+KNOWN = {"title", "case", "presets", "ensemble", "travel", "set", "arm", "unknown", "criterion", "claim", "exponent", "quick",
+         "measured"}
 OF_UNKNOWN = {"key", "factor_of", "low", "high", "choices", "unit", "source", "why"}
 
 
@@ -99,7 +100,7 @@ def setting_values(prediction, arm, point):
     ratios = []
     for unknown, place in zip(prediction.unknowns, point):
         if "choices" in unknown:
-            values[unknown["key"]] = unknown["choices"][min(int(place * len(unknown["choices"])), len(unknown["choices"]) - 1)]
+            values[unknown["key"]] = unknown["choices"][int(place * len(unknown["choices"]))]
             continue
         value = unknown["low"] + place * (unknown["high"] - unknown["low"])
         if "factor_of" in unknown:
@@ -185,5 +186,6 @@ def plan_text(prediction, points, folder):
         "[campaign]", f"case = {json.dumps(case)}", f"replicates = {prediction.ensemble.get('replicates', 1)}", "",
         "[set]", *(f"{written(key)} = {json.dumps(value)}" for key, value in fixed.items()), "",
         "[[grid]]", f"labels = {json.dumps(labels)}", *(f"{written(key)} = {json.dumps(v)}" for key, v in columns.items()), "",
-        "[output]", f"keep = {json.dumps(prediction.ensemble.get('keep', 'history'))}", f"columns = {json.dumps(COLUMNS)}", "",
+        "[output]", f"keep = {json.dumps(prediction.ensemble.get('keep', 'history'))}",
+        f"columns = {json.dumps(COLUMNS)}", "",
         "[quick]", "replicates = 1", "points = 1", *(f"set.{written(key)} = {json.dumps(value)}" for key, value in quick.items()), ""])
