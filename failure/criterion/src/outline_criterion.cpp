@@ -93,8 +93,8 @@ class OutlineCriterion final : public BendingCriterion {
       return margin * largest() > 1.0 || may_split;
     }
     double breaking_length() const {
-      const std::optional<WeakPlace> beside = decisive();
-      return l_c * (beside ? norm(beside->at) : stresses.place);
+      const std::optional<WeakPlace> place = decisive();
+      return l_c * (place ? norm(place->at) : stresses.place);
     }
   };
 

@@ -26,10 +26,10 @@ struct Foot {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// The place of `line` nearest to `point`; the first of several.
-Foot nearest(const Polyline& line, Vec2 point) {
+/// The place nearest to `point` on the segments `first` to `last` of `line`; the first of several.
+Foot nearest(const Polyline& line, Vec2 point, std::size_t first, std::size_t last) {
   Foot best;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+  for (std::size_t i = first; i <= last; ++i) {
     const Vec2 along = line[i + 1] - line[i];
     const double square = dot(along, along);
     const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
@@ -38,6 +38,9 @@ Foot nearest(const Polyline& line, Vec2 point) {
     if (distance < best.distance) best = {i, place, distance};
   }
   return best;
+}
+Foot nearest(const Polyline& line, Vec2 point) {
+  return line.size() < 2 ? Foot{} : nearest(line, point, 0, line.size() - 2);
 }
 
 bool presses(const EdgeContact& contact) { return contact.load.pressure > 0.0; }
@@ -89,11 +92,37 @@ Edge with_chords(const Polyline& chain, const std::vector<EdgeContact>& all) {
   return edge;
 }
 
-/// The edge in the frame, from y < 0 to y > 0, without the part of each arm beyond its outermost point: from there it
-/// is taken to go on sideways. Nothing where no point is on one side of B.
-std::optional<Polyline> outline_in(const Frame& frame, const Polyline& line) {
-  Polyline outline;
-  for (auto point = line.rbegin(); point != line.rend(); ++point) outline.push_back(frame.place(*point));
+/// The edge in the frame, the ice on its right.
+struct Outline {
+  Polyline whole;
+  /// From y < 0 to y > 0, without the part of each arm beyond its outermost point: from there the edge is taken to go
+  /// on sideways.
+  Polyline line;
+
+  /// Whether a place is in the ice on the right of `line`: an odd number of edges lies between it and x = -infinity.
+  bool has_inside(Vec2 place) const {
+    bool inside = (place.y < line.front().y && place.x > line.front().x) ||
+                  (place.y >= line.back().y && place.x > line.back().x);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Vec2 a = line[i], b = line[i + 1];
+      if ((a.y <= place.y) == (b.y <= place.y)) continue;
+      if (place.x > a.x + (b.x - a.x) * ((place.y - a.y) / (b.y - a.y))) inside = !inside;
+    }
+    return inside;
+  }
+  /// Whether a place lies beyond an end, where the edge is taken to go on sideways, and in front of it.
+  bool ends_before(Vec2 place) const {
+    const Vec2 front = line.front(), back = line.back();
+    return (place.y < front.y && place.x < front.x) || (place.y > back.y && place.x < back.x);
+  }
+};
+
+/// Nothing where no point is on one side of B.
+std::optional<Outline> outline_in(const Frame& frame, const Polyline& line) {
+  Outline result;
+  for (auto point = line.rbegin(); point != line.rend(); ++point) result.whole.push_back(frame.place(*point));
+  result.line = result.whole;
+  Polyline& outline = result.line;
   const Foot origin = nearest(outline, {});
   const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
   const auto after = outline.begin() + static_cast<std::ptrdiff_t>(origin.segment) + 1;
@@ -101,7 +130,7 @@ std::optional<Polyline> outline_in(const Frame& frame, const Polyline& line) {
   const auto before = outline.begin() + static_cast<std::ptrdiff_t>(origin.segment) + 1;
   outline.erase(outline.begin(), std::min_element(outline.begin(), before, by_y));
   if (outline.size() < 2 || !(outline.front().y < 0.0) || !(outline.back().y > 0.0)) return std::nullopt;
-  return outline;
+  return result;
 }
 
 /// The load of a contact in the frame, without its place.
@@ -131,27 +160,23 @@ class Resultant {
   double eccentricity_;
 };
 
-/// Whether a place lies beyond an end of the outline, where the edge is taken to go on sideways, and not behind it.
-bool is_beyond(Vec2 place, const Polyline& outline) {
-  const Vec2 front = outline.front(), back = outline.back();
-  return (place.y < front.y && place.x < front.x) || (place.y > back.y && place.x < back.x);
-}
-
-/// The load of a floe: on the edge, or on a disc where it presses inside the ice. Left out beyond the outline's ends.
-void place_floe(const EdgeContact& contact, const Resultant& load, const Frame& frame, const Polyline& outline,
+/// The load of a floe: on the edge, or on a disc where it presses inside the ice. Left out beyond the outline's ends, and
+/// on an edge that the outline leaves out.
+void place_floe(const EdgeContact& contact, const Resultant& load, const Frame& frame, const Outline& outline,
                 double thickness, std::vector<failure::SheetLoad>& loads) {
   const Vec2 middle = frame.place(contact.region.midpoint);
-  if (is_beyond(middle, outline)) return;
-  const Foot foot = nearest(outline, middle);
-  const Vec2 along = outline[foot.segment + 1] - outline[foot.segment];
-  const bool inside = cross(along, middle - outline[foot.segment]) < 0.0;
+  if (outline.ends_before(middle)) return;
+  const Polyline& line = outline.line;
+  const Foot foot = nearest(line, middle);
   const double half = 0.5 * contact.region.contact_length;
-  if (inside && foot.distance > 0.5 * thickness) {
+  if (foot.distance > 0.5 * thickness && outline.has_inside(middle)) {
     loads.push_back(load.on_disc(middle, half));
     return;
   }
-  const Vec2 side = half * normalized(along);
-  const Vec2 from = nearest(outline, foot.place - side).place, to = nearest(outline, foot.place + side).place;
+  if (nearest(outline.whole, middle).distance < foot.distance - kOnTheEdge) return;
+  const Vec2 side = half * normalized(line[foot.segment + 1] - line[foot.segment]);
+  const Vec2 from = nearest(line, foot.place - side, 0, foot.segment).place;
+  const Vec2 to = nearest(line, foot.place + side, foot.segment, line.size() - 2).place;
   if (norm(to - from) > kOnTheEdge) loads.push_back(load.on_edge(from, to));
 }
 
@@ -199,7 +224,7 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
       const EdgeContact& other = all[i];
       if (!presses(other) || (i != contact && !joint)) continue;
       const Resultant resultant(other, frame, 0.5 * (heights.top + heights.bottom), own_way);
-      const auto on_outline = [&](Vec2 end) { return nearest(*outline, end).distance < kOnTheEdge; };
+      const auto on_outline = [&](Vec2 end) { return nearest(outline->line, end).distance < kOnTheEdge; };
       if (of_structure(other)) {
         const Vec2 from = frame.place(other.region.chord_from), to = frame.place(other.region.chord_to);
         const bool is_there = std::ranges::find(edge.chords, i) != edge.chords.end();
@@ -209,7 +234,7 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
       }
     }
     drop_weak(reach, l_c, load.loads);
-    load.outline = *outline;
+    load.outline = outline->line;
     return frame;
   }
   return std::nullopt;

@@ -242,6 +242,66 @@ BOOST_AUTO_TEST_CASE(a_force_above_mid_thickness_has_a_moment_that_lifts_the_edg
   BOOST_TEST(one.moment == -(contacts[0].point.z - middle) * one.in_plane.x, boost::test_tools::tolerance(1e-9));
 }
 
+/// A scene whose sheet has a round bay, and floes that press on it.
+struct Bay : Scene {
+  Bay(Vec2 centre, double radius) {
+    brash::ice::Plate& level_ice = field.level_ice(0);
+    const brash::ice::CrackPlan plan{geometry::circumferential(level_ice.sheet(), centre, radius, 3, 64), centre, radius};
+    (void)field.break_off(level_ice, plan, {}, 0.01);
+  }
+
+  /// A floe that pushes up at a place with 90 kN.
+  simulation::EdgeContact floe(Vec2 at) const {
+    simulation::Bearing bearing;
+    for (const Vec2 corner : {Vec2{-0.1, -0.1}, Vec2{0.1, -0.1}, Vec2{0.1, 0.1}, Vec2{-0.1, 0.1}}) {
+      rigid_body::ContactLoad contact;
+      contact.point = {at.x + corner.x, at.y + corner.y, -0.29};
+      contact.normal = {0.0, 0.0, -1.0};
+      contact.normal_force = 0.25 * 9e4;
+      simulation::add_contact(bearing, contact);
+    }
+    return simulation::bearing_contact(model, sheet(), 7, bearing).value();
+  }
+
+  /// The loads around the first of `floes`.
+  failure::LoadCase load_around(const std::vector<simulation::EdgeContact>& floes) const {
+    failure::LoadCase load = floes[0].load;
+    BOOST_REQUIRE(simulation::place_loads(model, sheet(), floes, 0, true, load).has_value());
+    return load;
+  }
+
+  std::unique_ptr<failure::BendingCriterion> criterion =
+      failure::make_criterion(model::FailureModel::kPlateOutline, "", ice);
+  simulation::EdgeModel model{*hull, resolved, ice, *criterion};
+};
+
+BOOST_AUTO_TEST_CASE(a_floe_before_a_sharp_corner_of_the_ice_presses_on_its_edge) {
+  const Bay bay({2.0, 0.0}, 3.0);  // meets the edge x = 0 at y = 2.236 under 48 degrees
+  const failure::LoadCase load = bay.load_around({bay.floe({0.1, 3.5}), bay.floe({-0.4, 2.036})});
+  BOOST_REQUIRE_EQUAL(load.loads.size(), 2u);
+  BOOST_TEST(load.loads[1].radius == 0.0);
+  BOOST_TEST(!bay.criterion->assess(load).outline_refused);
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_on_an_edge_that_the_outline_leaves_out_is_left_out) {
+  const Bay bay({2.9, 0.0}, 3.0);  // seen from its side, the outline ends at its bottom and at its mouth
+  const auto near = bay.floe({2.9, 3.0}), opposite = bay.floe({2.9, -3.0});
+  BOOST_TEST(bay.load_around({near}).loads.size() == 1u);
+  BOOST_TEST(bay.load_around({near, opposite}).loads.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_load_on_the_lip_of_a_narrow_mouth_runs_along_the_edge) {
+  const Bay bay({2.9, 0.0}, 3.0);  // its mouth is 1.5 m wide
+  for (const double side : {-1.0, 1.0}) {
+    auto on_lip = bay.floe({0.1, 1.0 * side});
+    on_lip.region.contact_length = 2.6;
+    const failure::LoadCase load = bay.load_around({bay.floe({0.1, 4.0}), on_lip});
+    BOOST_REQUIRE_EQUAL(load.loads.size(), 2u);
+    BOOST_TEST(load.loads[1].radius == 0.0);
+    BOOST_TEST(!bay.criterion->assess(load).outline_refused);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_crack_inside_the_notch_that_was_cut_moves_to_the_ice_ahead) {
   simulation::EdgeContact contact;
   contact.region.chord_from = {2.0, -6.0};
