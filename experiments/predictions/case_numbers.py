@@ -162,7 +162,7 @@ def closed_forms(brash, case_file, case):
 def collect(brash, prediction, output):
     """One row a run of the campaign in `output`: arm, point, replicate, the values of the setting, and its numbers.
 
-    A run that failed has no numbers.
+    A run that failed has no numbers of its own, only its inputs and closed forms.
     """
     settings = {s["setting"]: s["case"] for s in
                 json.loads((output / "summary.json").read_text(encoding="utf-8"))["settings"]}
@@ -174,7 +174,8 @@ def collect(brash, prediction, output):
             known[row["setting"]] = case, closed_forms(brash, file, case)
         case, forms = known[row["setting"]]
         arm, point = parts_of(row["setting"])
-        named = {"arm": arm, "point": point, "replicate": int(row["replicate"]), "status": row["status"]}
+        inputs = {key: value for key, value in case.items() if key in row or key.startswith(("ice.", "water.density"))}
+        named = {"arm": arm, "point": point, "replicate": int(row["replicate"]), "status": row["status"], **inputs, **forms}
         if row["status"] != "done":
             rows.append(named)
             continue
@@ -185,7 +186,6 @@ def collect(brash, prediction, output):
         found.update(length_numbers(row, case))
         if prediction.ensemble.get("keep") == "run":
             found.update(shape_numbers(folder))
-        inputs = {key: value for key, value in case.items() if key in row or key.startswith(("ice.", "water.density"))}
-        rows.append({**named, **inputs, **forms, **found})
+        rows.append({**named, **found})
     names = list(dict.fromkeys(name for row in rows for name in row))
     return [{name: row.get(name) for name in names} for row in rows]

@@ -163,6 +163,12 @@ class WholeWay(unittest.TestCase):
         self.assertIn("Runs: 16.", call("verdict", str(case), "--preset", "paper"))
         self.assertEqual((FOLDER / "tiny-paper" / "cases" / "slow.s001-r0000" / "history.csv").stat().st_mtime_ns, first)
         self.assertIn("Error on samples held back", call("indices", str(case), "--preset", "paper", "--degree", "1"))
+        # A run that failed leaves its point out of the test, and is named.
+        table = FOLDER / "tiny-paper" / "campaign.csv"
+        table.write_text(table.read_text(encoding="utf-8").replace("fast.s008,0,done", "fast.s008,0,failed"), encoding="utf-8")
+        text = call("verdict", str(case), "--preset", "paper")
+        self.assertIn("1 runs failed and have no numbers: fast 8.", text)
+        self.assertIn("| 7 (1) |", text)
         with self.assertRaisesRegex(inputs.BadInput, "multiple of 4 up to 8"):
             call("run", str(case), "--preset", "paper", "--points", "6")
 
