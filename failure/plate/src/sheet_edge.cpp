@@ -285,13 +285,18 @@ Chain chain_of(const Polyline& line, const std::vector<double>& along, const Str
     from = to;
   };
   const auto covers = [](double s) { return [s](const auto& load) { return load.first <= s && s <= load.second; }; };
-  const double origin = project(line, along, {0.0, 0.0}).along;
+  const Station foot = project(line, along, {0.0, 0.0});
+  const double origin = foot.along;
   const auto& loads = stretches.loads;
-  for (const double mark : stretches.marks) {
+  std::vector<double> marks = stretches.marks;
+  const bool is_bare = foot.off < kOnEdge && std::none_of(loads.begin(), loads.end(), covers(origin));
+  if (is_bare) marks.insert(std::upper_bound(marks.begin(), marks.end(), origin), origin);
+  for (const double mark : marks) {
     const bool is_loaded = std::any_of(loads.begin(), loads.end(), covers(0.5 * (from.along + mark)));
-    // The contact at B stays.
-    const bool is_fixed = std::any_of(loads.begin(), loads.end(),
-                                      [&](const auto& load) { return covers(mark)(load) && covers(origin)(load); });
+    // The contact at B stays, and so does B where no load lies on it.
+    const bool is_fixed = (is_bare && mark == origin) || std::any_of(loads.begin(), loads.end(), [&](const auto& load) {
+                            return covers(mark)(load) && covers(origin)(load);
+                          });
     advance(station_at(line, along, mark), is_loaded, is_fixed ? Mark::kFixed : Mark::kLoad);
   }
   advance({line.size() - 2, along.back(), 0.0, line.back()}, false, Mark::kFixed);

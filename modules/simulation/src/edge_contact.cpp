@@ -301,24 +301,39 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry
 }
 
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
-            const std::function<failure::EdgeMotion(const EdgeContact&)>& motion_of) {
+            const MotionOf& motion_of, const ShareOut& share_out) {
+  struct Question {
+    std::size_t contact;
+    LocalIce local;
+    failure::LoadCase load;
+    std::optional<Frame> frame;
+  };
   const bool joint = model.resolved.failure.joint_loads;
-  std::vector<std::optional<Frame>> frames(contacts.size());
+  std::vector<Question> questions;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    failure::LoadCase load = contacts[i].load;
-    if (!(load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
-    const LocalIce local(model, contacts[i]);
-    const failure::BendingCriterion& criterion = local.model().criterion;
-    if (criterion.needs_outline())
-      frames[i] = place_loads(local.model(), sheet, contacts, i, joint, load);
+    if (!(contacts[i].load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
+    Question asked{i, LocalIce(model, contacts[i]), contacts[i].load, {}};
+    const EdgeModel local = asked.local.model();
+    if (local.criterion.needs_outline())
+      asked.frame = place_loads(local, sheet, contacts, i, joint, asked.load);
     else if (presses_inside(sheet, contacts[i]))
       continue;
+    questions.push_back(std::move(asked));
+  }
+  share_out(questions.size(), [&](std::size_t q) {
+    auto& [i, local, load, frame] = questions[q];
+    const failure::BendingCriterion& criterion = local.model().criterion;
     const auto harmless = criterion.dismiss(load);
     if (!harmless && motion_of) load.motion = motion_of(contacts[i]);
     contacts[i].assessment = harmless ? *harmless : criterion.assess(load);
-  }
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (frames[i]) move_to(*frames[i], contacts[i]);
+    if (frame) move_to(*frame, contacts[i]);
+  });
+}
+
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts) {
+  assess(model, sheet, contacts, {}, [](std::size_t n, const auto& judge) {
+    for (std::size_t i = 0; i < n; ++i) judge(i);
+  });
 }
 
 EdgeContact before_the_notch(EdgeContact contact) {

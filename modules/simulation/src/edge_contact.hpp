@@ -102,11 +102,17 @@ std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact
 std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry::IceSheet& sheet, std::int64_t floe,
                                            const Bearing& bearing);
 
+/// How an edge moves at a contact; empty: not at all. Threads may call it at a time.
+using MotionOf = std::function<failure::EdgeMotion(const EdgeContact&)>;
+/// Calls `judge(i)` for each i in [0, n), in any order, on any thread.
+using ShareOut = std::function<void(std::size_t n, const std::function<void(std::size_t i)>& judge)>;
+
 /// Judges contacts with the same sheet by the model's criterion. A criterion that does not solve the sheet knows loads
 /// on the edge alone: floes that press farther inside than the length of their line are not judged.
-/// @param motion_of  how the edge of a contact moves; empty: not at all.
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
-            const std::function<failure::EdgeMotion(const EdgeContact&)>& motion_of = {});
+            const MotionOf& motion_of, const ShareOut& share_out);
+/// On edges that do not move, one contact after the other.
+void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts);
 
 /// Where the ice cracks at a contact. A structure that cuts deep before the ice breaks stands in a notch, and the chord
 /// joins the notch's ends. If half the breaking length ends inside the notch, chord and crack move to the ice ahead, B.

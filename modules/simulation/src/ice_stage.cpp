@@ -158,13 +158,18 @@ void Simulation::Impl::add_contacts_of_floes(std::vector<EdgeContact>& contacts)
 
 /// Judges the contacts of each level ice together. @return the most stressed one first where loads act together: it
 /// breaks the ice first.
-void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& report) const {
+void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& report) {
+  const auto motion_of = [this](const EdgeContact& contact) { return edges.motion(contact); };
+  const auto share_out = [this](std::size_t n, const auto& judge) {
+    const StageTimer::Scope clock(timer, times.failure);
+    workers.each(n, 1, judge);
+  };
   for (const ice::Plate& plate : field.level_ice()) {
     std::vector<EdgeContact> here;
     for (EdgeContact& contact : contacts)
       if (contact.level_ice == plate.level_ice()) here.push_back(std::move(contact));
     std::erase_if(contacts, [&](const EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
-    assess(edge_model(plate), plate.sheet(), here, [this](const EdgeContact& c) { return edges.motion(c); });
+    assess(edge_model(plate), plate.sheet(), here, motion_of, share_out);
     for (const EdgeContact& contact : here) count_range(contact.assessment, report);
     std::ranges::move(here, std::back_inserter(contacts));
   }

@@ -36,36 +36,6 @@ std::vector<failure::EdgeDynamics> edge_dynamics(const model::Case& c, const ice
   return dynamics;
 }
 
-/// A criterion whose time is booked to the stage `failure`.
-class TimedCriterion final : public failure::BendingCriterion {
- public:
-  TimedCriterion(std::unique_ptr<failure::BendingCriterion> criterion, StageTimer& timer, double& seconds)
-      : criterion_(std::move(criterion)), timer_(timer), seconds_(seconds) {}
-
-  failure::Assessment assess(const failure::LoadCase& load) const override {
-    const StageTimer::Scope clock(timer_, seconds_);
-    return criterion_->assess(load);
-  }
-  std::optional<failure::Assessment> dismiss(const failure::LoadCase& load) const override {
-    const StageTimer::Scope clock(timer_, seconds_);
-    return criterion_->dismiss(load);
-  }
-  bool above_range(const failure::LoadCase& load) const override { return criterion_->above_range(load); }
-  bool needs_outline() const override { return criterion_->needs_outline(); }
-  std::optional<double> trained_thickness_over_lc() const override { return criterion_->trained_thickness_over_lc(); }
-  std::optional<std::pair<double, double>> thickness_over_lc_range() const override {
-    return criterion_->thickness_over_lc_range();
-  }
-  std::unique_ptr<failure::BendingCriterion> for_ice(const failure::IceProperties& ice) const override {
-    return std::make_unique<TimedCriterion>(criterion_->for_ice(ice), timer_, seconds_);
-  }
-
- private:
-  std::unique_ptr<failure::BendingCriterion> criterion_;
-  StageTimer& timer_;
-  double& seconds_;
-};
-
 }  // namespace
 
 Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
@@ -93,9 +63,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
   }
 }
 
-void Simulation::Impl::add_judge(const ice::Plate& plate) {
-  criteria.push_back(std::make_unique<TimedCriterion>(make_criterion(resolved, plate.ice()), timer, times.failure));
-}
+void Simulation::Impl::add_judge(const ice::Plate& plate) { criteria.push_back(make_criterion(resolved, plate.ice())); }
 
 Simulation::Impl::Impl(const model::Case& c, int threads)
     : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c)), threads) {

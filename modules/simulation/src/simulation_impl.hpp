@@ -95,7 +95,7 @@ struct Simulation::Impl {
   std::vector<EdgeContact> move_within_range(double& share, double done);
   std::vector<EdgeContact> contacts_at(const structure::State& state, double later, double time) const;
   void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
-  void judge(std::vector<EdgeContact>& contacts, StepReport& report) const;
+  void judge(std::vector<EdgeContact>& contacts, StepReport& report);
   bool crush_passed_ice(double time);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);

@@ -290,6 +290,19 @@ BOOST_AUTO_TEST_CASE(a_floe_under_the_sheet_near_the_edge_bends_it_as_on_the_fin
   }
 }
 
+// No load lies on B, and the bend of the edge there is too small to be kept for its own sake.
+BOOST_AUTO_TEST_CASE(a_sheet_splits_from_b_where_a_floe_presses_inside_the_ice) {
+  auto loaded = sheet({{0.01, -5.0}, {0.01, -0.5}, {0.0, 0.0}, {0.01, 0.5}, {0.01, 5.0}}, {});
+  auto straight = sheet(kStraight, {});
+  for (plate::LoadedSheet* const s : {&loaded, &straight}) {
+    s->patch_loads = {{{0.3, 0.0}, 0.15, 1.0}};
+    s->split = true;
+    BOOST_REQUIRE_MESSAGE(plate::solve(*s).has_value(), plate::solve(*s).error().what);
+  }
+  const double bent = solved(loaded).at({0.6, 0.2})->deflection, even = solved(straight).at({0.6, 0.2})->deflection;
+  BOOST_TEST(bent == even, boost::test_tools::tolerance(0.02));
+}
+
 namespace {
 
 /// Half an edge from the end of the contact (0, c/2) on: an arc of radius `radius` about `centre` up to `end`, then

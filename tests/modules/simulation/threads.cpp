@@ -56,6 +56,18 @@ BOOST_AUTO_TEST_CASE(no_byte_of_a_run_depends_on_the_number_of_threads) {
   }
 }
 
+/// Where several contacts are judged in a step, each by a solution of the sheet.
+BOOST_AUTO_TEST_CASE(no_byte_depends_on_the_threads_that_solve_sheets) {
+  const model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                                             {"algorithm.preset=brash", "time.duration=6"});
+  const simulation::Run alone = simulation::run(resolved);
+  BOOST_TEST(alone.summary.breaks.true_edge > 5);
+  const std::vector<std::string> expected = hashes(resolved, alone);
+  for (const int threads : {2, 3})
+    BOOST_TEST(hashes(resolved, simulation::run(resolved, {.threads = threads})) == expected,
+               boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_with_another_number_of_threads_to_the_same_bytes) {
   const model::Case resolved = short_case();
   const std::vector<std::string> expected = hashes(resolved, simulation::run(resolved));
