@@ -84,6 +84,9 @@ def page():
                 default += f"; {', '.join(optional)}: absent"
             if "x-presets" in key:
                 default += "".join(f"; {preset}: `{toml(value)}`" for preset, value in key["x-presets"].items())
+            for kind, names in key.get("x-of-kinds", {}).items():
+                if key["default"] not in names:
+                    default += f"; {kind}: `{toml(names[0])}`"
             unit = key.get("x-unit", "")
             lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {key['description']} |")
         lines.append("")

@@ -12,6 +12,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
+#include "brash/model/case_keys.hpp"
 #include "columns.hpp"
 
 namespace brash::campaign {
@@ -125,10 +126,11 @@ void Folder::write_inputs() const {
       write(inputs / "model" / model.filename(), read_text_file(model.string(), "the file of a failure model"));
     if (const auto* const mesh = std::get_if<model::Mesh>(&setting.resolved.structure.shape))
       write(inputs / "hull" / fs::path(mesh->file).filename(), read_text_file(mesh->file, "a mesh", kMostOfMesh));
-    const model::FloeFieldSection& floes = setting.resolved.field.floes;
-    for (const auto& [name, file] : {std::pair("field", floes.file), std::pair("shore", floes.shore)})
+    model::visit_files_of_field(setting.resolved.field, [&](const char* key, const std::string& file) {
+      const fs::path folder = inputs / (key == std::string_view("file") ? "field" : key);
       if (!file.empty())
-        write(inputs / name / fs::path(file).filename(), read_text_file(file, "a file of outlines", kMostOfMesh));
+        write(folder / fs::path(file).filename(), read_text_file(file, "a file of the ice", kMostOfMesh));
+    });
   }
 }
 

@@ -68,15 +68,20 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
   print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
   const simulation::InitialField field = simulation::initial_field(resolved);
-  if (resolved.field.kind == model::FieldKind::kLevelIce)
+  if (resolved.field.kind == model::FieldKind::kLevelIce && !model::has_ice_files(resolved.field))
     print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
-  else
+  if (model::has_ice_files(resolved.field)) {
+    print("# level ice                      {} sheet{}, {:.6g} m2\n", field.sheets.size(),
+          field.sheets.size() == 1 ? "" : "s", field.sheet_area);
+    print("# floes                          {}, {:.4g} m2\n", field.floes.size(), field.area);
+  }
+  if (resolved.field.kind == model::FieldKind::kFloes)
     print("# floes                          {}, {:.4g} m2, concentration {:.4g}\n", field.floes.size(), field.area,
           field.area / (resolved.field.length * resolved.field.width));
   if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
   print_hull(resolved);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) print_mesh(*mesh);
-  if (!picture.empty()) write_file(picture, report::case_picture(resolved, field.floes));
+  if (!picture.empty()) write_file(picture, report::case_picture(resolved, {field.sheets, field.floes}));
   print_warnings(scales.warnings);
 }
 

@@ -13,6 +13,7 @@
 #include "brash/failure/model_files.hpp"
 #include "brash/fmu/unit.hpp"
 #include "brash/fmu/variables.hpp"
+#include "brash/model/case_keys.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/simulation/scales.hpp"
 #include "messages.hpp"
@@ -59,9 +60,11 @@ std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
   if (const auto* const mesh = std::get_if<model::Mesh>(&inputs.resolved.structure.shape))
     for (const recording::InputFile& file : inputs.files)
       if (file.path == mesh->file) entries.push_back({"resources/" + file.copy, file.bytes});
-  const model::FloeFieldSection& floes = inputs.resolved.field.floes;
-  for (const recording::InputFile& file : inputs.files)
-    if (file.path == floes.file || file.path == floes.shore) entries.push_back({"resources/" + file.copy, file.bytes});
+  const model::Case recorded = inputs.recorded();
+  model::visit_files_of_field(recorded.field, [&](const char*, const std::string& copy) {
+    for (const recording::InputFile& file : inputs.files)
+      if (!copy.empty() && file.copy == copy) entries.push_back({"resources/" + file.copy, file.bytes});
+  });
   for (const std::string& file : failure::model_files(inputs.resolved.failure)) {
     const std::string name = file == own ? inputs.recorded().failure.file
                                          : std::string(fmu::kModelFolder) + "/" + fs::path(file).filename().string();

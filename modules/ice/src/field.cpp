@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brash/core/contract.hpp"
+#include "laid_ice.hpp"
 
 namespace brash::ice {
 namespace {
@@ -16,18 +17,18 @@ constexpr double kBeyond = 1.0;
 /// A crack begins this far outside the ice [m].
 constexpr double kOutside = 1e-3;
 
-geometry::Polygon rectangle(double length, double width) {
-  const std::array<Vec2, 4> corners{Vec2{0.0, -0.5 * width}, Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width},
-                                    Vec2{0.0, 0.5 * width}};
-  return {geometry::ring(corners), {}};
+LaidIce laid(const model::FieldSection& section, const failure::IceProperties& ice) {
+  return section.kind == model::FieldKind::kLevelIce ? lay_ice(section, ice) : LaidIce{};
 }
 
-std::vector<Plate> laid(const model::FieldSection& section, const failure::IceProperties& ice) {
-  std::vector<geometry::Polygon> outline;
-  if (section.kind == model::FieldKind::kLevelIce) outline.push_back(rectangle(section.length, section.width));
+/// A plate for each sheet, and an empty one where there is none.
+std::vector<Plate> plates_of(std::vector<geometry::Polygon> sheets, model::Border border,
+                             const failure::IceProperties& ice) {
+  const Hold hold = border == model::Border::kFree ? Hold::kDrifting : Hold::kFast;
   std::vector<Plate> plates;
-  const Hold hold = section.border == model::Border::kFree ? Hold::kDrifting : Hold::kFast;
-  plates.emplace_back(0, hold, ice, std::move(outline));
+  for (geometry::Polygon& sheet : sheets)
+    plates.emplace_back(static_cast<int>(plates.size()), hold, ice, std::vector{std::move(sheet)});
+  if (plates.empty()) plates.emplace_back(0, hold, ice, std::vector<geometry::Polygon>{});
   return plates;
 }
 
@@ -64,13 +65,21 @@ struct Accounts {
 }  // namespace
 
 Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation)
-    : level_ice_(laid(section, ice)), variation_(std::move(variation)) {
+    : variation_(std::move(variation)) {
+  LaidIce start = laid(section, ice);
+  level_ice_ = plates_of(std::move(start.sheets), section.border, ice);
+  for (GivenFloe& floe : start.floes) {
+    failure::IceProperties own = variation_.mean(ice, floe.outline);
+    own.thickness = floe.thickness.value_or(own.thickness);
+    own.flexural_strength = floe.flexural_strength.value_or(own.flexural_strength);
+    loose_.emplace_back(0, Hold::kAfloat, own, std::vector{std::move(floe.outline)});
+  }
   ledger_.initial = ledger_.sheet = total(level_ice_);
 }
 
 Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
              const model::Checkpoint& checkpoint)
-    : level_ice_(laid(section, ice)), variation_(std::move(variation)) {
+    : level_ice_(plates_of(laid(section, ice).sheets, section.border, ice)), variation_(std::move(variation)) {
   // Sheets that drift have split off others; some are no more, and have no outline.
   const bool drifts = section.border == model::Border::kFree;
   std::vector<std::vector<geometry::Polygon>> outlines(drifts ? checkpoint.table("drift").n_rows() : level_ice_.size());

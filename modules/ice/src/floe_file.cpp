@@ -26,29 +26,36 @@ constexpr const char* kAllowed = "POLYGON or MULTIPOLYGON in WKT, or a GeoJSON F
   throw InputError(Complaint{where, what, allowed, remedy});
 }
 
-bool is_json(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string::npos && text[first] == '{';
+bool is_json(const std::string& text) { return geometry::is_json(text); }
+
+/// The polygons of a text, in its order; WKT knows no kinds, and no floes.
+std::vector<geometry::Feature> features_of(const std::string& text, const std::string& path) {
+  std::vector<geometry::Feature> features;
+  if (is_json(text)) {
+    auto read = geometry::from_geojson(text);
+    if (!read) refuse(path, read.error().what, kAllowed, "correct the file");
+    features = std::move(*read);
+  } else {
+    auto read = geometry::from_wkt(text);
+    if (!read) refuse(path, read.error().what, kAllowed, "correct the file");
+    for (geometry::Polygon& polygon : *read) features.push_back({std::move(polygon), "sheet"});
+  }
+  if (features.empty()) refuse(path, "holds no polygon", kAllowed, "name another file");
+  return features;
 }
 
 /// The polygons of a text, in its order.
 std::vector<geometry::Polygon> polygons_of(const std::string& text, const std::string& path) {
   std::vector<geometry::Polygon> polygons;
-  if (is_json(text)) {
-    auto features = geometry::from_geojson(text);
-    if (!features) refuse(path, features.error().what, kAllowed, "correct the file");
-    for (geometry::Feature& feature : *features) polygons.push_back(std::move(feature.polygon));
-  } else {
-    auto read = geometry::from_wkt(text);
-    if (!read) refuse(path, read.error().what, kAllowed, "correct the file");
-    polygons = std::move(*read);
-  }
-  if (polygons.empty()) refuse(path, "holds no polygon", kAllowed, "name another file");
+  for (geometry::Feature& feature : features_of(text, path)) polygons.push_back(std::move(feature.polygon));
+  return polygons;
+}
+
+void expect_no_overlap(const std::vector<geometry::Polygon>& polygons, const std::string& path) {
   const auto sheet = geometry::IceSheet::from_polygons(polygons);
   if (!sheet)
     refuse(path, sheet.error().what + " (polygons count from 0)", "simple outlines that do not overlap",
            "move or cut one of them; outlines may touch");
-  return polygons;
 }
 
 /// How many polygons a geometry has.
@@ -109,16 +116,69 @@ void expect_in_field(const std::vector<GivenFloe>& floes, const model::FieldSect
 }  // namespace
 
 std::vector<geometry::Polygon> read_outlines(const std::string& path) {
-  return polygons_of(read_text_file(path, "file of outlines"), path);
+  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of outlines"), path);
+  expect_no_overlap(polygons, path);
+  return polygons;
 }
 
 std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field) {
   const std::string text = read_text_file(path, "file of floes");
+  std::vector<geometry::Polygon> polygons = polygons_of(text, path);
+  expect_no_overlap(polygons, path);
   std::vector<GivenFloe> floes;
-  for (geometry::Polygon& polygon : polygons_of(text, path)) floes.push_back({std::move(polygon), {}, {}});
+  for (geometry::Polygon& polygon : polygons) floes.push_back({std::move(polygon), {}, {}});
   if (is_json(text)) add_properties(text, path, floes);
   expect_in_field(floes, field, path);
   return floes;
+}
+
+GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field) {
+  const std::string text = read_text_file(path, "file of level ice");
+  const std::vector<geometry::Feature> features = features_of(text, path);
+  std::vector<geometry::Polygon> polygons;
+  std::vector<GivenFloe> all;
+  for (const geometry::Feature& feature : features) {
+    polygons.push_back(feature.polygon);
+    all.push_back({feature.polygon, {}, {}});
+  }
+  expect_no_overlap(polygons, path);
+  if (is_json(text)) add_properties(text, path, all);
+  expect_in_field(all, field, path);
+  GivenLevelIce ice;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (features[i].kind == "floe") {
+      ice.floes.push_back(std::move(all[i]));
+      continue;
+    }
+    if (all[i].thickness || all[i].flexural_strength)
+      refuse(fmt::format("{}, polygon {} (counted from 0)", path, i), "is level ice with ice properties of its own",
+             "thickness and flexural_strength of floes only",
+             "remove the property; level ice has the ice of the case, and varies by [ice.variation]");
+    ice.sheets.push_back(std::move(all[i].outline));
+  }
+  if (ice.sheets.empty())
+    refuse(path, "holds floes alone", "a polygon of level ice: one whose property kind is not \"floe\"",
+           "write field.kind = \"floes\", or add the level ice");
+  return ice;
+}
+
+std::vector<geometry::Polygon> read_openings(const std::string& path) {
+  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of openings"), path);
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    if (const auto alone = geometry::IceSheet::from_polygons(std::span(&polygons[i], 1)); !alone)
+      refuse(fmt::format("{}, polygon {} (counted from 0)", path, i), alone.error().what, "simple outlines",
+             "correct the polygon; openings may overlap each other");
+  return polygons;
+}
+
+std::vector<geometry::Crack> read_cracks(const std::string& path) {
+  const std::string text = read_text_file(path, "file of cracks");
+  auto cracks = is_json(text) ? geometry::cracks_from_geojson(text) : geometry::cracks_from_wkt(text);
+  if (!cracks)
+    refuse(path, cracks.error().what, "LINESTRING or MULTILINESTRING in WKT, or their like in GeoJSON, in metres",
+           "correct the line; areas of open water go to field.openings");
+  if (cracks->empty()) refuse(path, "holds no line", "one line or more", "name another file, or remove field.cracks");
+  return *std::move(cracks);
 }
 
 }  // namespace brash::ice

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "brash/model/case_keys.hpp"
 #include "checks.hpp"
 
 namespace brash::io {
@@ -52,24 +53,28 @@ void check_sizes(const model::Case& c, Checks& checks) {
                  fmt::format("length and width above {:.4g} m", largest), "enlarge the field, or lower field.size");
 }
 
-void check_floes(const model::Case& c, Checks& checks) {
-  if (c.field.kind != model::FieldKind::kFloes) return;
-  const model::FloeFieldSection& floes = c.field.floes;
-  const auto check_file = [&](const std::string& file, const char* key) {
+void check_files(const model::Case& c, Checks& checks) {
+  model::visit_files_of_field(c.field, [&](const char* key, const std::string& file) {
     std::error_code ignored;
     checks.require(file.empty() || std::filesystem::is_regular_file(file, ignored), {"field", key}, {"field", key},
                    fmt::format("there is no file {}", file), "a file in WKT or GeoJSON, relative to the case file",
                    "correct the path");
-  };
-  check_file(floes.file, "file");
-  check_file(floes.shore, "shore");
+  });
+  checks.require(!model::has_ice_files(c.field) || !c.field.initial_crack, {"field", "initial_crack"},
+                 {"field", "file"}, "stands beside files of the ice, which may have any edge",
+                 "false with field.file, openings or cracks", "remove it, or draw the broken part into field.openings");
+}
+
+void check_floes(const model::Case& c, Checks& checks) {
+  if (c.field.kind != model::FieldKind::kFloes) return;
+  const model::FloeFieldSection& floes = c.field.floes;
   const Key concentration{"field", "concentration"}, kind{"field", "kind"};
-  checks.require(floes.concentration.has_value() || !floes.file.empty(), concentration, kind,
+  checks.require(floes.concentration.has_value() || !c.field.file.empty(), concentration, kind,
                  "is missing: floes are generated, or read from a file", "a concentration, or field.file",
                  "write field.concentration = 0.7 or the like, or name a file");
-  checks.require(!floes.concentration.has_value() || floes.file.empty(), concentration, kind,
+  checks.require(!floes.concentration.has_value() || c.field.file.empty(), concentration, kind,
                  "stands beside field.file, whose floes have their own", "one of the two", "remove one of the two");
-  if (floes.file.empty()) check_sizes(c, checks);
+  if (c.field.file.empty()) check_sizes(c, checks);
 }
 
 /// A circle of a few units of the geometry's grid has no shape.
@@ -87,6 +92,7 @@ void check_initial_crack(const model::Case& c, Checks& checks) {
 void check_field(const model::Case& c, Checks& checks) {
   check_extent(c, checks);
   check_initial_crack(c, checks);
+  check_files(c, checks);
   check_floes(c, checks);
 }
 

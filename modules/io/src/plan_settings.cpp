@@ -7,6 +7,8 @@
 #include <cctype>
 #include <tuple>
 
+#include "schema.hpp"
+
 namespace brash::io {
 namespace {
 
@@ -36,6 +38,9 @@ std::string label_of(const toml::node& value) {
     if (c != ' ') label += belongs_in_a_name(c) ? c : '-';
   return label;
 }
+
+/// Whether a case has this section, such as field.size within field.
+bool is_section(const std::string& name) { return schema_of_cases().sections().contains(name); }
 
 /// Reads one [[grid]].
 class AxisReader {
@@ -79,7 +84,9 @@ class AxisReader {
     for (const auto& [key, values] : *keys) {
       const std::string name = section + "." + std::string(key.str());
       const toml::array* const array = values.as_array();
-      if (array == nullptr || array->empty()) {
+      if (is_section(name) && values.is_table()) {
+        add_section(name, values);
+      } else if (array == nullptr || array->empty()) {
         report(values, "grid." + name, value_text(values), "is no array of values", "an array of at least one value",
                "write the values in brackets");
       } else {
@@ -140,6 +147,22 @@ class AxisReader {
 
 }  // namespace
 
+namespace {
+
+/// The keys of a section and of the sections within it.
+void add_assignments(const std::string& file, const std::string& section, const toml::table& keys,
+                     std::vector<Assignment>& all) {
+  for (const auto& [key, value] : keys) {
+    const std::string name(key.str());
+    if (const toml::table* const inner = value.as_table(); inner != nullptr && is_section(section + "." + name))
+      add_assignments(file, section + "." + name, *inner, all);
+    else
+      all.push_back({section, name, &value, place_of(file, value)});
+  }
+}
+
+}  // namespace
+
 std::vector<Assignment> read_assignments(const std::string& file, const std::string& path, const toml::node* node,
                                          std::vector<Problem>& problems) {
   std::vector<Assignment> all;
@@ -159,8 +182,7 @@ std::vector<Assignment> read_assignments(const std::string& file, const std::str
       report(keys, path + "." + name);
       continue;
     }
-    for (const auto& [key, value] : *keys.as_table())
-      all.push_back({name, std::string(key.str()), &value, place_of(file, value)});
+    add_assignments(file, name, *keys.as_table(), all);
   }
   std::ranges::sort(all, [](const Assignment& a, const Assignment& b) { return stands_before(*a.value, *b.value); });
   return all;

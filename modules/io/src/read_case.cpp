@@ -29,11 +29,12 @@ struct FileKey {
   Place place(const CaseSource& source) const { return place_of(source, section, key); }
 };
 
-/// The file keys of a case: the model of the failure, the floes and the shore of a field, the mesh of the structure.
+/// The file keys of a case: the model of the failure, the ice and the shore of a field, the mesh of the structure.
 std::vector<FileKey> file_keys(model::Case& c) {
-  std::vector<FileKey> keys{{.section = "failure", .value = &c.failure.file},
-                            {.section = "field", .value = &c.field.floes.file},
-                            {.section = "field", .key = "shore", .value = &c.field.floes.shore}};
+  std::vector<FileKey> keys{{.section = "failure", .value = &c.failure.file}};
+  model::visit_files_of_field(c.field, [&](const char* key, std::string& file) {
+    keys.push_back({.section = "field", .key = key, .value = &file});
+  });
   if (auto* const mesh = std::get_if<model::Mesh>(&c.structure.shape))
     keys.push_back({.section = "structure", .value = &mesh->file});
   return keys;
@@ -121,6 +122,12 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
+/// The initial crack belongs to the straight edge of a rectangle.
+void drop_initial_crack_of_files(model::Case& c, const CaseSource& source) {
+  if (model::has_ice_files(c.field) && source.tree["field"]["initial_crack"].node() == nullptr)
+    c.field.initial_crack = false;
+}
+
 }  // namespace
 
 model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
@@ -131,6 +138,7 @@ model::Case resolve(const CaseSource& source, const std::string& name, ModelFile
   for (const FileKey& file : file_keys(result)) resolve_file(file, source);
   drop_options_not_taken(result, source);
   drop_water_laws_not_taken(result, source);
+  drop_initial_crack_of_files(result, source);
   std::vector<Problem> problems;
   if (model_file == ModelFile::kInItsFolder)
     for (const FileKey& file : file_keys(result)) add_leads_out(file, source, problems);

@@ -25,6 +25,7 @@ class Check {
   void results(const model::RunResults& r) const {
     rows("load", r.loads);
     rows("event", r.events);
+    rows("split", r.splits);
     rows("floe", r.floes);
     for (const model::CrackEvent& event : r.events) {
       const bool cuts = event.breaking_length > 0.0 && event.breaking_length <= kFarthestNode && event.wedges >= 1 &&

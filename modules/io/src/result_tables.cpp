@@ -56,6 +56,7 @@ std::vector<model::Frame> read_frames(const NetcdfReader& file) {
 void write_tables(NetcdfWriter& file, const model::RunResults& results) {
   write_rows(file, results.loads);
   write_rows(file, results.events);
+  if (!results.splits.empty()) write_rows(file, results.splits);
   write_rows(file, results.floes);
   write_outlines(file, results.floes);
   write_frames(file, results.frames);
@@ -69,6 +70,7 @@ model::RunResults read_tables(const NetcdfReader& file) {
   model::RunResults results;
   results.loads = read_rows<model::LoadRow>(file);
   results.events = read_rows<model::CrackEvent>(file);
+  if (file.has("split_time")) results.splits = read_rows<model::SheetSplit>(file);
   results.floes = read_rows<model::FloeRecord>(file);
   auto outlines = read_polygons<Vec2>(file, "floe_outline", "floe");
   for (std::size_t i = 0; i < results.floes.size(); ++i) results.floes[i].rings = std::move(outlines[i]);

@@ -70,6 +70,20 @@ const OrderedJson& Schema::default_in(const OrderedJson& key_schema, const std::
   return key_schema.at("default");
 }
 
+OrderedJson Schema::of_kind(const OrderedJson& key_schema, const std::string& kind) {
+  OrderedJson narrowed = key_schema;
+  if (!key_schema.contains("x-of-kinds") || !key_schema.at("x-of-kinds").contains(kind)) return narrowed;
+  const OrderedJson& names = key_schema.at("x-of-kinds").at(kind);
+  narrowed["enum"] = names;
+  if (std::find(names.begin(), names.end(), narrowed.at("default")) == names.end()) narrowed["default"] = names.front();
+  return narrowed;
+}
+
+std::string Schema::successor(const std::string& section, const std::string& key) const {
+  const OrderedJson& part = sections().at(section);
+  return part.contains("x-renamed") ? part.at("x-renamed").value(key, "") : "";
+}
+
 bool Schema::requires_section(const std::string& section) const { return lists(tree_, section); }
 
 bool Schema::requires_key(const std::string& section, const std::string& key, const std::string& kind) const {

@@ -157,8 +157,9 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
 
 void check_way(const model::Case& c, double reach, Checks& checks) {
   const model::StructureSection& s = c.structure;
-  checks.require(s.start_distance > reach || c.field.kind == model::FieldKind::kFloes, {"structure", "start_distance"},
-                 {"structure", "waterline_width"}, "the structure starts inside the ice",
+  checks.require(s.start_distance > reach || c.field.kind == model::FieldKind::kFloes || model::has_ice_files(c.field),
+                 {"structure", "start_distance"}, {"structure", "waterline_width"},
+                 "the structure starts inside the ice",
                  fmt::format("more than its largest radius in the ice, {:.6g} m", reach),
                  "start the structure further from the ice edge");
   const double farthest = kFarthest - reach;
@@ -201,6 +202,7 @@ bool check_rows(const model::Case& c, const std::vector<model::Waypoint>& path, 
 /// The structure begins its path beside the ice.
 void check_start(const model::Case& c, const structure::Hull& hull, double draught, double freeboard, Checks& checks) {
   if (c.field.kind == model::FieldKind::kFloes) return;  // a field of floes keeps out of its way
+  if (model::has_ice_files(c.field)) return;             // the ice itself tells when it is laid
   const Pose start = structure::unresisted(c.structure, 0.0);
   const auto reach = [&](Vec2 way) { return structure::foremost(hull, start, -draught, freeboard, way).reach; };
   const bool beside = reach({1.0, 0.0}) < 0.0 || -reach({-1.0, 0.0}) > c.field.length ||

@@ -107,6 +107,7 @@ class Reader {
     }
     add_missing();
     if (problems_.size() < kMostProblems) check_schema();
+    if (problems_.empty()) check_names_of_kinds();
     if (!problems_.empty()) refuse(std::move(problems_));
     shorten();
     add_defaults();
@@ -196,6 +197,11 @@ class Reader {
                     nearest.empty() ? fmt::format("remove it; `brash schema{}` lists the keys",
                                                   schema_.kind() == "plan" ? " --plan" : "")
                                     : "rename it, or remove it"};
+    if (const std::string successor = schema_.successor(section, name); !successor.empty()) {
+      problem.what = "is no longer a key";
+      problem.nearest = "";
+      problem.remedy = fmt::format("write {} in its place, or remove it", successor);
+    }
     if (problem.place.override_text.empty() && key.source().begin.line > 0) {
       problem.place.line = static_cast<int>(key.source().begin.line);
       problem.place.column = static_cast<int>(key.source().begin.column);
@@ -331,6 +337,22 @@ class Reader {
     BRASH_EXPECTS(!problems_.empty(), "the schema refuses what no key explains");
   }
 
+  /// Reports names that only another kind of the section takes.
+  void check_names_of_kinds() {
+    for (const std::string& section : names(schema_.sections())) {
+      if (!has_keys(section) || !document_.contains(section)) continue;
+      for (const auto& [key, key_schema] : schema_.keys(section).items()) {
+        if (!key_schema.contains("x-of-kinds") || !document_[section].contains(key)) continue;
+        const OrderedJson of_kind = Schema::of_kind(key_schema, kind_of(section));
+        const OrderedJson& known = of_kind.at("enum");
+        if (std::find(known.begin(), known.end(), document_[section][key].get<std::string>()) != known.end()) continue;
+        problems_.push_back({place_of(source_, section, key), section + "." + key, value_text(source_, section, key),
+                             fmt::format("is no choice of {}.kind = {}", section, toml_string(kind_of(section))),
+                             allowed_values(of_kind), "", "change the value, or the kind"});
+      }
+    }
+  }
+
   Problem wrong_value(const std::string& section, const std::string& key) const {
     const OrderedJson& key_schema = schema_.keys(section).at(key);
     const Json& value = document_[section][key];
@@ -407,7 +429,8 @@ class Reader {
       if (!has_keys(section)) continue;
       for (const auto& [key, key_schema] : schema_.keys(section).items())
         if (has_key(section, key) && !document_[section].contains(key) && key_schema.contains("default"))
-          document_[section][key] = Json::parse(Schema::default_in(key_schema, preset).dump());
+          document_[section][key] =
+              Json::parse(Schema::default_in(Schema::of_kind(key_schema, kind_of(section)), preset).dump());
     }
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include "brash/core/version.hpp"
@@ -83,9 +84,31 @@ struct EventLine {
   std::string text;
 };
 
+/// The cells of a split: the columns that it shares with a crack, by their names, and nothing in the others.
+std::string split_cells(const model::SheetSplit& split) {
+  const std::map<std::string, double> known{{"time", split.time},
+                                            {"x", split.at.x},
+                                            {"y", split.at.y},
+                                            {"area_before", split.area_before},
+                                            {"area_after", split.area_after},
+                                            {"pieces", split.pieces},
+                                            {"towards_x", split.towards.x},
+                                            {"towards_y", split.towards.y},
+                                            {"thickness", split.thickness}};
+  std::string text;
+  Columns<model::CrackEvent>::visit([&](const std::string& name, const auto&...) {
+    if (const auto cell = known.find(name); cell != known.end()) append(text, cell->second);
+    text += ',';
+  });
+  return text;
+}
+
 std::string events_csv(const model::RunResults& results) {
   std::vector<EventLine> lines;
   for (const model::CrackEvent& event : results.events) lines.push_back({event.time, cells(event) + "break,,,,\n"});
+
+  for (const model::SheetSplit& split : results.splits)
+    lines.push_back({split.time, split_cells(split) + "split,toughness,,,\n"});
 
   // The end of a floe has a time, and no crack of the sheet: the cells between stay empty.
   const std::string names = header<model::CrackEvent>();

@@ -92,6 +92,9 @@ void add_results(py::module_& m) {
       .def_property_readonly(
           "events", [](const RunResults& r) { return table(std::span<const model::CrackEvent>(r.events)); },
           "Crack events: a structured array with the columns of events.csv; shape (n_events,).")
+      .def_property_readonly(
+          "splits", [](const RunResults& r) { return table(std::span<const model::SheetSplit>(r.splits)); },
+          "Drifting sheets that split: a structured array with the columns split_... of run.nc; shape (n_splits,).")
       .def_readonly("floes", &RunResults::floes, "A list of FloeRecord.")
       .def_property_readonly(
           "initial_sheet", [](const RunResults& r) { return rings_of(r.initial_sheet); },

@@ -8,6 +8,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/failure/criterion.hpp"
+#include "brash/model/case_keys.hpp"
 
 namespace brash::recording {
 namespace {
@@ -24,6 +25,9 @@ std::string copy_of(const char* what, const std::string& file) {
   return kFolder + (what + ("/" + fs::path(file).filename().string()));
 }
 std::string copy_of_model(const model::Case& resolved) { return copy_of("model", resolved.failure.file); }
+
+/// The folder of the copy of a file of [field].
+const char* folder_of(const char* key) { return key == std::string_view("file") ? "field" : key; }
 
 /// A model that comes with the program is hashed and not copied.
 void add_model(const model::Case& resolved, std::vector<InputFile>& files) {
@@ -49,9 +53,9 @@ model::Case Inputs::recorded() const {
   model::Case recorded = resolved;
   if (!recorded.failure.file.empty()) recorded.failure.file = copy_of_model(resolved);
   if (auto* const mesh = std::get_if<model::Mesh>(&recorded.structure.shape)) mesh->file = copy_of("hull", mesh->file);
-  model::FloeFieldSection& floes = recorded.field.floes;
-  if (!floes.file.empty()) floes.file = copy_of("field", floes.file);
-  if (!floes.shore.empty()) floes.shore = copy_of("shore", floes.shore);
+  model::visit_files_of_field(recorded.field, [](const char* key, std::string& file) {
+    if (!file.empty()) file = copy_of(folder_of(key), file);
+  });
   return recorded;
 }
 
@@ -62,9 +66,9 @@ Inputs inputs_of(const std::string& case_file, const std::string& case_text, con
   add_model(resolved, inputs.files);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape))
     add_file("hull", "a mesh", mesh->file, inputs.files);
-  const model::FloeFieldSection& floes = resolved.field.floes;
-  if (!floes.file.empty()) add_file("field", "a file of floes", floes.file, inputs.files);
-  if (!floes.shore.empty()) add_file("shore", "a file of outlines", floes.shore, inputs.files);
+  model::visit_files_of_field(resolved.field, [&](const char* key, const std::string& file) {
+    if (!file.empty()) add_file(folder_of(key), "a file of the ice", file, inputs.files);
+  });
   return inputs;
 }
 

@@ -104,8 +104,7 @@ Panel plan(const structure::Hull& hull, double top) {
   return panel;
 }
 
-Panel field(const model::Case& c, const structure::Hull& hull, const std::vector<std::vector<Outline>>& floes,
-            double top) {
+Panel field(const model::Case& c, const structure::Hull& hull, const PicturedIce& ice, double top) {
   const double start = -c.structure.start_distance, half = 0.5 * c.field.width;
   const double way = model::speed(c.structure.motion) * c.time.duration;
   const auto [least, most] = hull.bounds();
@@ -113,8 +112,8 @@ Panel field(const model::Case& c, const structure::Hull& hull, const std::vector
   const Vec2 upper{std::max(c.field.length, start + way + most.x) + 2.0, std::max(half, most.y) + 2.0};
   Panel panel(top, lower, upper, "The field; the structure at the start, and without resistance at the end");
   panel.box(lower, upper, "water");
-  if (c.field.kind == model::FieldKind::kLevelIce) panel.box({0.0, -half}, {c.field.length, half}, "ice");
-  for (const std::vector<Outline>& floe : floes) panel.rings(floe, "ice floe");
+  for (const std::vector<Outline>& sheet : ice.sheets) panel.rings(sheet, "ice sheet");
+  for (const std::vector<Outline>& floe : ice.floes) panel.rings(floe, "ice floe");
   panel.rings(hull.footprint({{start, 0.0, 0.0}, {}}, 0.0, 0.0).leading, "hull");
   panel.line({start, 0.0}, {start + way, 0.0}, "way");
   panel.rings(hull.footprint({{start + way, 0.0, 0.0}, {}}, 0.0, 0.0).leading, "end");
@@ -126,18 +125,19 @@ constexpr const char* kStyle =
     "<style>text{font:13px sans-serif;fill:#222}.title{font-weight:600}.scale{text-anchor:end}"
     ".hull{fill:#d98032;fill-opacity:.35;stroke:#7a3f0c;stroke-width:1.6}.thin{fill:none;stroke:#7a3f0c;stroke-width:."
     "6}"
-    ".ice{fill:#dbe9f0;stroke:#5b7c8d}.floe{stroke-width:.4;fill-rule:evenodd}.water{fill:#2c5f7c}.surface{stroke:#"
+    ".ice{fill:#dbe9f0;stroke:#5b7c8d}.sheet{fill-rule:evenodd}.floe{stroke-width:.4;fill-rule:evenodd}.water{fill:#"
+    "2c5f7c}.surface{stroke:#"
     "1d6fa5;stroke-width:1.2}"
     ".way{stroke:#7a3f0c;stroke-dasharray:6 4}.end{fill:none;stroke:#7a3f0c;stroke-dasharray:4 3}"
     ".bar{stroke:#222;stroke-width:3}</style>\n";
 
 }  // namespace
 
-std::string case_picture(const model::Case& resolved, const std::vector<std::vector<Outline>>& floes) {
+std::string case_picture(const model::Case& resolved, const PicturedIce& of_start) {
   const auto hull = structure::make_hull(resolved.structure.shape);
   const Panel side = side_view(resolved, *hull, 10.0);
   const Panel above = plan(*hull, side.bottom());
-  const Panel ice = field(resolved, *hull, floes, above.bottom());
+  const Panel ice = field(resolved, *hull, of_start, above.bottom());
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
              "height=\"{1:.0f}\">\n{2}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",

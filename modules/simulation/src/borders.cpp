@@ -23,7 +23,7 @@ void lay_borders(const model::Case& resolved, rigid_body::World& world) {
   const double length = resolved.field.length, half = 0.5 * resolved.field.width;
   const double height = kHeight * resolved.ice.thickness;
   const model::FloeFieldSection& floes = resolved.field.floes;
-  if (floes.walls) {
+  if (floes.border == model::FloeBorder::kWalls) {
     for (const auto& wall :
          {box({0.0, -half - kThick}, {length + kThick, -half}), box({0.0, half}, {length + kThick, half + kThick}),
           box({length, -half}, {length + kThick, half})})

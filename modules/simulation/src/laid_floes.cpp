@@ -8,6 +8,7 @@
 #include "brash/core/error.hpp"
 #include "brash/ice/floe_field.hpp"
 #include "brash/ice/floe_file.hpp"
+#include "brash/model/case_keys.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/structure/motion.hpp"
 #include "edge_contact.hpp"
@@ -30,24 +31,40 @@ std::vector<Ring> structure_at_start(const model::Case& resolved, const structur
   return rings;
 }
 
-/// Refuses ice under `window`, which is `name`.
-void expect_clear(const geometry::IceSheet& ice, const Ring& window, const std::string& where, const std::string& name,
+/// Refuses ice under `window`; `what` is the fault then.
+void expect_clear(const geometry::IceSheet& ice, const Ring& window, const std::string& where, const std::string& what,
                   const std::string& remedy) {
   const std::vector<Polygon> under = ice.within(window);
   if (under.empty()) return;
   const Vec2 at = geometry::centroid(under.front());
-  throw InputError(Complaint{where, fmt::format("{} starts inside a floe, at ({:.6g}, {:.6g}) m", name, at.x, at.y),
-                             "open water there", remedy});
+  throw InputError(
+      Complaint{where, fmt::format("{}, at ({:.6g}, {:.6g}) m", what, at.x, at.y), "open water there", remedy});
+}
+
+/// Level ice of files does not lie under the structure at the start, nor do its floes.
+void expect_clear_start(const model::Case& resolved, const structure::Hull& hull,
+                        const std::vector<Polygon>& outlines) {
+  std::string files;
+  model::visit_files_of_field(resolved.field, [&](const char* key, const std::string& file) {
+    if (!file.empty()) files += fmt::format("{}field.{} = {}", files.empty() ? "" : ", ", key, file);
+  });
+  for (const Polygon& outline : outlines) {
+    const auto ice = geometry::IceSheet::from_polygons(std::span(&outline, 1));
+    for (const Ring& ring : structure_at_start(resolved, hull))
+      expect_clear(*ice, ring, files, "the structure starts inside the ice",
+                   "change structure.start_distance, or take the ice away there");
+  }
 }
 
 std::vector<ice::GivenFloe> floes_of_file(const model::Case& resolved, const std::vector<Ring>& structure) {
-  const std::string& file = resolved.field.floes.file;
+  const std::string& file = resolved.field.file;
   std::vector<ice::GivenFloe> floes = ice::read_floes(file, resolved.field);
   std::vector<Polygon> outlines;
   for (const ice::GivenFloe& floe : floes) outlines.push_back(floe.outline);
   const auto all = geometry::IceSheet::from_polygons(outlines);
   for (const Ring& ring : structure)
-    expect_clear(*all, ring, file, "the structure", "change structure.start_distance, or remove the floe");
+    expect_clear(*all, ring, file, "the structure starts inside a floe",
+                 "change structure.start_distance, or remove the floe");
   return floes;
 }
 
@@ -78,7 +95,7 @@ std::vector<Ring> land_of(const model::Case& resolved) {
 std::vector<ice::Plate> laid_floes(const model::Case& resolved, const structure::Hull& hull,
                                    const ice::Variation& variation) {
   std::vector<Ring> keep_out = structure_at_start(resolved, hull);
-  const bool from_file = !resolved.field.floes.file.empty();
+  const bool from_file = !resolved.field.file.empty();
   for (Ring& part : land_of(resolved)) keep_out.push_back(std::move(part));
   std::vector<ice::Plate> plates;
   const failure::IceProperties ice = ice_properties(resolved);
@@ -91,23 +108,47 @@ std::vector<ice::Plate> laid_floes(const model::Case& resolved, const structure:
   return plates;
 }
 
-InitialField initial_field(const model::Case& resolved) {
-  InitialField field;
-  if (resolved.field.kind != model::FieldKind::kFloes) return field;
-  const auto hull = structure::make_hull(resolved.structure.shape);
-  for (const ice::Plate& plate : laid_floes(resolved, *hull, ice::Variation(resolved)))
-    for (const Polygon& outline : plate.outline()) {
-      field.floes.push_back(rings_in_metres(outline));
-      field.area += geometry::area(outline).square_metres();
-    }
-  return field;
+std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structure::Hull& hull, ice::Field& field) {
+  std::vector<ice::Plate> floes = field.take_loose();
+  if (!model::has_ice_files(resolved.field)) return floes;
+  std::vector<Polygon> outlines = field.outlines();
+  for (const ice::Plate& floe : floes) outlines.push_back(floe.outline().front());
+  expect_clear_start(resolved, hull, outlines);
+  return floes;
 }
 
-/// Floes drift with the water that they begin in: docs/theory/floe-fields.md, (F7).
+InitialField initial_field(const model::Case& resolved) {
+  InitialField start;
+  const auto hull = structure::make_hull(resolved.structure.shape);
+  ice::Field field(resolved.field, ice_properties(resolved), ice::Variation(resolved));
+  const std::vector<ice::Plate> floes = resolved.field.kind == model::FieldKind::kFloes
+                                            ? laid_floes(resolved, *hull, field.variation())
+                                            : floes_beside(resolved, *hull, field);
+  for (const ice::Plate& plate : floes)
+    for (const Polygon& outline : plate.outline()) {
+      start.floes.push_back(rings_in_metres(outline));
+      start.area += geometry::area(outline).square_metres();
+    }
+  for (const Polygon& outline : field.outlines()) {
+    start.sheets.push_back(rings_in_metres(outline));
+    start.sheet_area += geometry::area(outline).square_metres();
+  }
+  return start;
+}
+
+/// Floes of a field drift with the water that they begin in: docs/theory/floe-fields.md, (F7). Floes beside level ice
+/// begin at rest, as that does.
 void Simulation::Impl::lay_floes() {
-  const structure::State drift{{}, {{resolved.water.current.x, resolved.water.current.y, 0.0}, {}}};
-  for (ice::Plate& plate : laid_floes(resolved, *hull, field.variation())) {
+  const bool of_field = resolved.field.kind == model::FieldKind::kFloes;
+  const Vec2 current = of_field ? resolved.water.current : Vec2{};
+  const structure::State drift{{}, {{current.x, current.y, 0.0}, {}}};
+  for (ice::Plate& plate :
+       of_field ? laid_floes(resolved, *hull, field.variation()) : floes_beside(resolved, *hull, field)) {
     field.add_floe(plate);
+    if (!of_field && plate.area().square_metres() < resolved.failure.smallest_floe) {
+      field.to_brash(plate);
+      continue;
+    }
     auto record = floes.add(world, std::move(plate), 0.0, drift);
     if (record)
       initial_births.push_back(std::move(*record));

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "brash/ice/plate.hpp"
+#include "brash/ice/field.hpp"
 #include "brash/ice/variation.hpp"
 #include "brash/model/case.hpp"
 #include "brash/structure/hull.hpp"
@@ -17,5 +17,10 @@ namespace brash::simulation {
 ///         floe: the key or the place.
 std::vector<ice::Plate> laid_floes(const model::Case& resolved, const structure::Hull& hull,
                                    const ice::Variation& variation);
+
+/// The floes beside the level ice of `field`, which takes them from there. It has some where files say where the ice
+/// is.
+/// @throws InputError naming files and place when the structure begins in ice of files.
+std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structure::Hull& hull, ice::Field& field);
 
 }  // namespace brash::simulation

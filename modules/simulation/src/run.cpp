@@ -47,7 +47,8 @@ class Recorder {
     std::ranges::copy(report.events, std::back_inserter(results_.events));
     // Half a nanosecond absorbs the rounding of step times.
     const bool has_frame = simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size());
-    if (!report.events.empty() || (sheets_drift_ && has_frame))
+    std::ranges::copy(report.splits, std::back_inserter(results_.splits));
+    if (!report.events.empty() || !report.splits.empty() || (sheets_drift_ && has_frame))
       results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);
     for (const FloeDeath& death : report.deaths) {

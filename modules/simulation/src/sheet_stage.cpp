@@ -86,7 +86,9 @@ void Simulation::Impl::split_sheets(const std::vector<EdgeContact>& contacts, St
     const std::optional<failure::SplitPlate> ahead = rectangle_ahead(plate.sheet(), *force);
     if (!ahead) continue;
     const failure::SplittingLoad load{force->opening, force->push, plate.ice().thickness};
-    if (failure::least_intensity(load, *ahead) < resolved.ice.fracture_toughness) continue;
+    const double intensity = failure::least_intensity(load, *ahead);
+    if (intensity < resolved.ice.fracture_toughness) continue;
+    const double area_before = field.ledger().sheet.square_metres();
     ice::Broken broken =
         field.split_sheet(field.level_ice(number), force->at, force->towards, resolved.failure.smallest_floe);
     if (broken.pieces.empty()) continue;
@@ -94,8 +96,22 @@ void Simulation::Impl::split_sheets(const std::vector<EdgeContact>& contacts, St
     bearings.forget_within(number, force->at, reach);
     edges.forget_within(number, force->at, reach);
     report.breaks.sheets_split += 1;
+    const Vec2 at = plan(sheets.to_world(number, {force->at.x, force->at.y, 0.0}));
+    const Vec2 towards = plan(sheets.turned(number, {force->towards.x, force->towards.y, 0.0}));
+    report.splits.push_back({.time = time(),
+                             .at = at,
+                             .towards = towards,
+                             .length = ahead->length,
+                             .breadth = ahead->breadth,
+                             .opening = load.opening,
+                             .push = load.push,
+                             .stress_intensity = intensity,
+                             .thickness = load.thickness,
+                             .area_before = area_before,
+                             .pieces = static_cast<int>(broken.pieces.size()) + 1});
     for (ice::Plate& piece : broken.pieces) let_float(std::move(piece), number, report.births, report);
     follow_outline(field.level_ice(number), broken.changed);
+    report.splits.back().area_after = field.ledger().sheet.square_metres();
   }
 }
 

@@ -67,10 +67,8 @@ void Simulation::Impl::add_judge(const ice::Plate& plate) { criteria.push_back(m
 
 Simulation::Impl::Impl(const model::Case& c, int threads)
     : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c)), threads) {
-  if (c.field.kind == model::FieldKind::kFloes)
-    lay_floes();
-  else if (c.field.initial_crack)
-    initial_crack();
+  lay_floes();
+  if (c.field.kind == model::FieldKind::kLevelIce && c.field.initial_crack) initial_crack();
   begin_watch();
 }
 

@@ -74,7 +74,7 @@ struct Simulation::Impl {
   EdgeModel edge_model(const ice::Plate& plate) const;
 
   void initial_crack();
-  /// The floes of a field of floes, at rest in the water.
+  /// The floes that are there at the start.
   void lay_floes();
   /// The watchdog starts from the present state.
   void begin_watch();

@@ -98,6 +98,16 @@ BOOST_AUTO_TEST_CASE(the_base_case_may_stand_in_the_plan) {
   BOOST_TEST(plan.settings[0].resolved.ice.thickness == 0.4);
 }
 
+BOOST_AUTO_TEST_CASE(keys_of_a_section_within_a_section_vary_and_are_set) {
+  const CampaignPlan plan =
+      read(kBase + "[set]\nice.variation.thickness = 0.1\n[[grid]]\nice.variation.correlation_length = [\"3 m\", 5]\n");
+  BOOST_TEST(names(plan) == (std::vector<std::string>{"correlation_length-3m", "correlation_length-5"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(plan.settings[1].resolved.ice.variation.thickness == 0.1);
+  BOOST_TEST(plan.settings[0].resolved.ice.variation.correlation_length == 3.0);
+  BOOST_TEST(plan.keys[0].name == "ice.variation.correlation_length");
+}
+
 BOOST_AUTO_TEST_CASE(labels_name_the_values) {
   const CampaignPlan plan = read(kBase + "[[grid]]\nlabels = [\"few\", \"many\"]\nfailure.wedges = [[3, 3], [3, 5]]\n");
   BOOST_TEST(names(plan) == (std::vector<std::string>{"few", "many"}), boost::test_tools::per_element());

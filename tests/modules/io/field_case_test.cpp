@@ -80,9 +80,41 @@ BOOST_AUTO_TEST_CASE(keys_of_the_other_kind_of_field_are_refused_with_a_remedy) 
   refuses(field_of_floes(kSizes), {"field.file=no.wkt", "field.concentration=0.7"}, "stands beside field.file");
 }
 
+BOOST_AUTO_TEST_CASE(one_key_names_the_borders_of_each_kind_of_field) {
+  const std::vector<std::string> filled{"field.concentration=0.7"};
+  const auto more = [&](const std::string& key) { return std::vector<std::string>{"field.concentration=0.7", key}; };
+  BOOST_TEST((read(field_of_floes(kSizes), filled).field.floes.border == FloeBorder::kFree));
+  BOOST_TEST((read(field_of_floes(kSizes), more("field.border=walls")).field.floes.border == FloeBorder::kWalls));
+  BOOST_TEST((read(kLeastCase, {}).field.border == Border::kFixed));
+  BOOST_TEST((read(kLeastCase, {"field.border=free"}).field.border == Border::kFree));
+  refuses(kLeastCase, {"field.border=walls"}, "is no choice of field.kind = \"level-ice\"");
+  refuses(field_of_floes(kSizes), more("field.border=fixed"), "is no choice of field.kind = \"floes\"");
+  refuses(field_of_floes(kSizes), more("field.border=open"), "is not a known name");
+  // The key of an earlier version names its successor.
+  refuses(field_of_floes(kSizes), more("field.walls=true"), "write border = \"walls\" in its place");
+}
+
+BOOST_AUTO_TEST_CASE(files_of_level_ice_leave_the_initial_crack_out) {
+  const Scratch scratch;
+  const std::string lead = scratch.write("lead.wkt", "POLYGON((1 -1, 2 -1, 2 1, 1 1, 1 -1))");
+  const Case c = read(kLeastCase, {"field.openings=" + lead});
+  BOOST_TEST(c.field.openings == lead);
+  BOOST_TEST(!c.field.initial_crack);
+  BOOST_TEST(has_ice_files(c.field));
+  BOOST_TEST(!has_ice_files(read(kLeastCase, {}).field));
+  refuses(kLeastCase, {"field.openings=" + lead, "field.initial_crack=true"}, "stands beside files of the ice");
+  refuses(kLeastCase, {"field.cracks=no.wkt"}, "there is no file");
+  refuses(field_of_floes(kSizes), {"field.concentration=0.7", "field.cracks=" + lead},
+          "is no key of field.kind = \"floes\"");
+}
+
 BOOST_AUTO_TEST_CASE(the_schema_names_the_choices_of_the_model) {
   const auto field = nlohmann::json::parse(case_schema())["properties"]["field"]["properties"];
-  std::vector<std::string> shapes, laws;
+  std::vector<std::string> shapes, laws, of_sheets, of_floes;
+  for (const auto& entry : kNames<Border>) of_sheets.emplace_back(entry.name);
+  for (const auto& entry : kNames<FloeBorder>) of_floes.emplace_back(entry.name);
+  BOOST_TEST(field["border"]["x-of-kinds"]["level-ice"].get<std::vector<std::string>>() == of_sheets);
+  BOOST_TEST(field["border"]["x-of-kinds"]["floes"].get<std::vector<std::string>>() == of_floes);
   for (const auto& entry : kNames<FloeShape>) shapes.emplace_back(entry.name);
   for (const auto& entry : kNames<SizeLaw>) laws.emplace_back(entry.name);
   BOOST_TEST(field["shape"]["enum"].get<std::vector<std::string>>() == shapes);

@@ -141,6 +141,17 @@ BOOST_AUTO_TEST_CASE(events_have_breaks_and_the_ends_of_floes_in_the_order_of_ti
   BOOST_TEST(lines[4] == "0.04,,,,,,,,,,,,,,,,,,,,,,,,,,,broken,bending,7,4,0");
 }
 
+BOOST_AUTO_TEST_CASE(a_split_of_a_sheet_is_an_event_and_is_read_again) {
+  const Scratch scratch;
+  RunResults results = sample_results();
+  results.splits.push_back({0.03, {1.5, -2.0}, {1.0, 0.0}, 40.0, 30.0, 5e5, 1e5, 2e5, 0.375, 2495.5, 1200.25, 2});
+  write_results(scratch.folder().string(), validation(), results);
+  BOOST_TEST((read_results(scratch.path("run.nc")) == results));
+  const std::vector<std::string> lines = lines_of(scratch.path("events.csv"));
+  BOOST_REQUIRE(lines.size() == 6u);
+  BOOST_TEST(lines[2] == "0.03,1.5,-2,,,,,,,,,,,,2495.5,1200.25,,2,,,1,0,,,,0.375,,split,toughness,,,");
+}
+
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_no_file_under_its_name) {
   for (const rlim_t n_bytes : {0u, 2000u, 20000u}) {
     const Scratch scratch;

@@ -217,8 +217,19 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_of_a_sheet_that_drifts_goes_on_to_the_bit_and
                                    "failure.edge=static", "failure.second_order=false", "failure.joint_loads=false"});
   simulation::Simulation whole(c);
   int n_split = 0;
-  step_through(whole, 450, [&](const simulation::StepReport& report) { n_split += report.breaks.sheets_split; });
+  std::vector<model::SheetSplit> splits;
+  step_through(whole, 450, [&](const simulation::StepReport& report) {
+    n_split += report.breaks.sheets_split;
+    splits.insert(splits.end(), report.splits.begin(), report.splits.end());
+  });
   BOOST_TEST(n_split > 0);
+  BOOST_TEST(splits.size() == static_cast<std::size_t>(n_split));
+  for (const model::SheetSplit& split : splits) {
+    BOOST_TEST(split.stress_intensity >= c.ice.fracture_toughness);
+    BOOST_TEST(split.pieces >= 2);
+    BOOST_TEST(split.area_after <= split.area_before);  // small pieces become floes
+    BOOST_TEST(norm(split.towards) == 1.0, boost::test_tools::tolerance(1e-12));
+  }
   BOOST_TEST(whole.sheet_motions().size() > 1u);
   simulation::Simulation resumed(c, whole.checkpoint());
   int n_floes = 0;

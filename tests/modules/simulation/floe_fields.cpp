@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_jam_presses_on_the_wall_with_the_wind_on_all_its_floes) {
   pool.resolved.field.kind = model::FieldKind::kFloes;
   pool.resolved.field.length = 20.0;
   pool.resolved.field.width = 10.0;
-  pool.resolved.field.floes.walls = true;
+  pool.resolved.field.floes.border = model::FloeBorder::kWalls;
   lay_borders(pool.resolved, pool.world);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 2; ++j) {
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_jam_presses_on_the_wall_with_the_wind_on_all_its_floes) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_through_a_field_closes_its_ledger_and_its_energies) {
-  const Run run = simulation::run(field_case({"field.walls=true", "wind.velocity=[10, 5]"}));
+  const Run run = simulation::run(field_case({"field.border=walls", "wind.velocity=[10, 5]"}));
   BOOST_TEST(run.complete);
   const RunSummary& s = run.summary;
   BOOST_TEST(s.ledger.closes());

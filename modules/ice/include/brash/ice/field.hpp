@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "brash/geometry/ledger.hpp"
@@ -21,14 +22,18 @@ struct Broken {
 /// The level ice, and the ledger of all ice: every operation moves area from one account to another, exactly.
 class Field {
  public:
-  /// Level ice as the case lays it, all of `ice`: a rectangle, x from 0 to `length`, |y| <= width/2 [m]. The level ice
-  /// of a field of floes is empty.
+  /// Level ice as the case lays it, all of `ice`: a rectangle, x from 0 to `length`, |y| <= width/2 [m], or the ice of
+  /// files, in one sheet or several. The level ice of a field of floes is empty.
   /// @param variation  of its thickness and strength. A piece that breaks off has the means over itself, and is even.
+  /// @throws InputError naming file and place, where a file of the ice is at fault.
   Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation = {});
   /// The field of a run that goes on.
   Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
         const model::Checkpoint& checkpoint);
   void save(model::Checkpoint& checkpoint) const;
+
+  /// Takes the floes of the files of the level ice, and the parts of it that nothing holds. They are not booked yet.
+  std::vector<Plate> take_loose() { return std::exchange(loose_, {}); }
 
   /// The level ice, each in the place of its number.
   std::span<const Plate> level_ice() const { return level_ice_; }
@@ -81,6 +86,7 @@ class Field {
   geometry::ExactArea& account_of(const Plate& plate);
 
   std::vector<Plate> level_ice_;
+  std::vector<Plate> loose_;
   Variation variation_;
   geometry::Ledger ledger_;
 };

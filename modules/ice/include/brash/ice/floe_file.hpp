@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brash/geometry/polygon.hpp"
+#include "brash/geometry/ice_sheet.hpp"
 #include "brash/model/case.hpp"
 
 namespace brash::ice {
@@ -24,6 +24,23 @@ struct GivenFloe {
 /// @throws InputError naming file and place when the text is at fault, floes overlap, a floe leaves the field, or a
 ///         property is out of range.
 std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field);
+
+/// Level ice of a file.
+struct GivenLevelIce {
+  std::vector<geometry::Polygon> sheets;
+  std::vector<GivenFloe> floes;  ///< beside the sheets
+};
+
+/// Reads level ice from such a file. Features of GeoJSON with the property `kind` = "floe" are floes, as
+/// geometry::to_geojson() writes them; all others are sheets.
+/// @throws InputError likewise; and where a sheet has a thickness or a strength, or there is no sheet.
+GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field);
+
+/// Reads polygons that may overlap and lie anywhere, each simple. @throws InputError likewise.
+std::vector<geometry::Polygon> read_openings(const std::string& path);
+
+/// Reads the straight pieces of lines from WKT or GeoJSON. @throws InputError naming file and place.
+std::vector<geometry::Crack> read_cracks(const std::string& path);
 
 /// Reads outlines from such a file. @throws InputError likewise; they may lie anywhere.
 std::vector<geometry::Polygon> read_outlines(const std::string& path);

@@ -258,6 +258,45 @@ struct Columns<model::CrackEvent> {
   }
 };
 
+template <>
+struct Columns<model::SheetSplit> {
+  static constexpr const char* dimension = "split";
+  static constexpr const char* prefix = "split_";
+
+  template <typename Visit>
+  static void visit(Visit&& visit) {
+    visit(
+        "time", "s", "time at which a drifting sheet split", [](auto& row) -> auto& { return row.time; });
+    visit(
+        "x", "m", "beginning of the crack on the edge, x", [](auto& row) -> auto& { return row.at.x; });
+    visit(
+        "y", "m", "beginning of the crack on the edge, y", [](auto& row) -> auto& { return row.at.y; });
+    visit(
+        "towards_x", "1", "unit vector along the crack, x", [](auto& row) -> auto& { return row.towards.x; });
+    visit(
+        "towards_y", "1", "unit vector along the crack, y", [](auto& row) -> auto& { return row.towards.y; });
+    visit(
+        "length", "m", "length of the ice ahead along the crack", [](auto& row) -> auto& { return row.length; });
+    visit(
+        "breadth", "m", "twice the narrower side of the crack", [](auto& row) -> auto& { return row.breadth; });
+    visit(
+        "opening", "N", "pair of forces across the crack", [](auto& row) -> auto& { return row.opening; });
+    visit(
+        "push", "N", "force along the crack", [](auto& row) -> auto& { return row.push; });
+    visit(
+        "stress_intensity", "Pa m^0.5", "least stress intensity on the crack's way",
+        [](auto& row) -> auto& { return row.stress_intensity; });
+    visit(
+        "thickness", "m", "thickness of the sheet", [](auto& row) -> auto& { return row.thickness; });
+    visit(
+        "area_before", "m2", "area of all sheets before", [](auto& row) -> auto& { return row.area_before; });
+    visit(
+        "area_after", "m2", "area of all sheets after", [](auto& row) -> auto& { return row.area_after; });
+    visit(
+        "pieces", "1", "parts of the sheet", [](auto& row) -> auto& { return row.pieces; });
+  }
+};
+
 /// The seven numbers of a pose: place of the centre of mass, and unit quaternion from body to world.
 template <typename Visit, typename PoseOf>
 void visit_pose(const std::string& of, Visit&& visit, PoseOf pose) {

@@ -79,12 +79,11 @@ struct FloeSizes {
 
 /// The keys of [field] with `kind = "floes"`.
 struct FloeFieldSection {
-  std::string file;                     ///< of outlines, absolute; empty: floes are generated
   std::optional<double> concentration;  ///< of generated floes: their area over the area of the field
   FloeShape shape = FloeShape::kVoronoi;
   FloeSizes size;
-  bool walls = false;  ///< fixed ones along both sides and at the far end
-  std::string shore;   ///< file of fixed outlines, absolute; empty: none
+  FloeBorder border = FloeBorder::kFree;  ///< along both sides and at the far end
+  std::string shore;                      ///< file of fixed outlines, absolute; empty: none
 
   friend bool operator==(const FloeFieldSection&, const FloeFieldSection&) = default;
 };
@@ -96,6 +95,9 @@ struct FieldSection {
   double width = 0.0;
   bool initial_crack = true;
   double initial_crack_radius = 0.0;  ///< 0: the breaking length of a straight edge
+  std::string file;                   ///< of outlines, absolute; empty: level ice is a rectangle, floes are generated
+  std::string openings;               ///< file of open water in level ice, absolute; empty: none
+  std::string cracks;                 ///< file of lines that part level ice, absolute; empty: none
   Border border = Border::kFixed;
   double smallest_plate = 5.0;  ///< least breadth of ice afloat that bends as a plate, in characteristic lengths
   FloeFieldSection floes{};
@@ -187,6 +189,11 @@ struct ReferenceSection {
 
   friend bool operator==(const ReferenceSection&, const ReferenceSection&) = default;
 };
+
+/// Whether files say where the level ice is at the start.
+inline bool has_ice_files(const FieldSection& field) {
+  return field.kind == FieldKind::kLevelIce && !(field.file.empty() && field.openings.empty() && field.cracks.empty());
+}
 
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.
 struct Case {

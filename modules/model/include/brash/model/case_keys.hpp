@@ -155,13 +155,16 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
     visit("field", "initial_crack_radius", field.initial_crack_radius);
     visit("field", "border", field.border);
     visit("field", "smallest_plate", field.smallest_plate);
+    visit("field", "file", field.file);
+    visit("field", "openings", field.openings);
+    visit("field", "cracks", field.cracks);
     return;
   }
   auto& floes = field.floes;
-  visit("field", "file", floes.file);
+  visit("field", "file", field.file);
   visit("field", "concentration", floes.concentration);
   visit("field", "shape", floes.shape);
-  visit("field", "walls", floes.walls);
+  visit("field", "border", floes.border);
   visit("field", "shore", floes.shore);
   auto& size = floes.size;
   visit("field.size", "kind", size.kind);
@@ -243,9 +246,19 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("hull", "stern_angle", c.hull.stern_angle);
 }
 
-/// The members of a case that name files: the model of the failure, the mesh of the structure, floes and shore.
+/// Calls `visit(key, file)` for each file that [field] may name; an empty one names none.
+template <typename AnyField, typename Visitor>
+void visit_files_of_field(AnyField& field, Visitor&& visit) {
+  visit("file", field.file);
+  visit("openings", field.openings);
+  visit("cracks", field.cracks);
+  visit("shore", field.floes.shore);
+}
+
+/// The members of a case that name files: the model of the failure, the mesh of the structure, the ice and the shore.
 inline std::vector<std::string*> files_of(Case& c) {
-  std::vector<std::string*> files{&c.failure.file, &c.field.floes.file, &c.field.floes.shore};
+  std::vector<std::string*> files{&c.failure.file};
+  visit_files_of_field(c.field, [&](const char*, std::string& file) { files.push_back(&file); });
   if (auto* const mesh = std::get_if<Mesh>(&c.structure.shape)) files.push_back(&mesh->file);
   return files;
 }

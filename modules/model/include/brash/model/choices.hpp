@@ -36,6 +36,11 @@ enum class Border {
   kFixed,  ///< by land, for ever: the paper's
   kFree    ///< by nothing: the sheet is a body afloat, which drifts and splits
 };
+/// [field] border, of floes: how the sides and the far end of the field are closed.
+enum class FloeBorder {
+  kFree,  ///< by nothing: floes may drift away
+  kWalls  ///< by fixed walls
+};
 /// [failure] model: the criterion that says whether the ice fails in bending, failure::make_criterion().
 enum class FailureModel { kNetwork, kDeepNetwork, kSuperposition, kPlate, kPlateOutline, kWedge };
 /// [failure] order: which crack may come first.
@@ -122,6 +127,9 @@ inline constexpr auto kNames<SizeLaw> = std::to_array<Named<SizeLaw>>({{SizeLaw:
 template <>
 inline constexpr auto kNames<Border> = std::to_array<Named<Border>>({{Border::kFixed, "fixed"},
                                                                      {Border::kFree, "free"}});
+template <>
+inline constexpr auto kNames<FloeBorder> = std::to_array<Named<FloeBorder>>({{FloeBorder::kFree, "free"},
+                                                                             {FloeBorder::kWalls, "walls"}});
 template <>
 inline constexpr auto kNames<FailureModel> =
     std::to_array<Named<FailureModel>>({{FailureModel::kNetwork, "network"},

@@ -176,6 +176,24 @@ struct CrackEvent {
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };
 
+/// A drifting sheet that split in its plane; docs/theory/free-sheet.md, (G6), (G7).
+struct SheetSplit {
+  double time = 0.0;
+  Vec2 at{};                      ///< on the edge, where the crack began [m]
+  Vec2 towards{};                 ///< unit vector along the crack
+  double length = 0.0;            ///< W: ice ahead along the crack [m]
+  double breadth = 0.0;           ///< B: twice the narrower side [m]
+  double opening = 0.0;           ///< P [N]
+  double push = 0.0;              ///< N [N]
+  double stress_intensity = 0.0;  ///< the least K_I on the crack's way [Pa m^0.5]
+  double thickness = 0.0;         ///< [m]
+  double area_before = 0.0;       ///< of all sheets [m2]
+  double area_after = 0.0;
+  int pieces = 0;  ///< parts of the sheet, the largest among them
+
+  friend bool operator==(const SheetSplit&, const SheetSplit&) = default;
+};
+
 enum class FloeEnd { kAlive, kCrushed, kBroken };
 
 constexpr const char* name_of(FloeEnd end) {
@@ -236,6 +254,7 @@ struct CrackedSheet {
 struct RunResults {
   std::vector<LoadRow> loads;
   std::vector<CrackEvent> events;
+  std::vector<SheetSplit> splits;
   std::vector<FloeRecord> floes;
   std::vector<Frame> frames;
   std::vector<CrackedSheet> cracked_sheets;

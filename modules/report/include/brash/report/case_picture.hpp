@@ -8,9 +8,14 @@
 
 namespace brash::report {
 
+/// The ice of a case at the start: outline and holes of each piece, sheet frame [m].
+struct PicturedIce {
+  std::vector<std::vector<std::vector<Vec2>>> sheets;
+  std::vector<std::vector<std::vector<Vec2>>> floes;
+};
+
 /// A case before its run, as SVG: lengthwise sections of the hull at the water and the ice, its waterlines from above,
 /// and the field with the way of the structure.
-/// @param floes  of a field of floes: outline and holes of each, sheet frame [m].
-std::string case_picture(const model::Case& resolved, const std::vector<std::vector<std::vector<Vec2>>>& floes = {});
+std::string case_picture(const model::Case& resolved, const PicturedIce& of_start);
 
 }  // namespace brash::report

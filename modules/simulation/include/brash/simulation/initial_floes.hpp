@@ -8,13 +8,16 @@
 
 namespace brash::simulation {
 
-/// The floes of a field at the start of a run.
+/// The ice of a field at the start of a run, before an initial crack. Each outline comes with its holes, sheet frame
+/// [m].
 struct InitialField {
-  std::vector<std::vector<std::vector<Vec2>>> floes;  ///< outline and holes of each, sheet frame [m]
-  double area = 0.0;                                  ///< of all [m2]
+  std::vector<std::vector<std::vector<Vec2>>> floes;
+  double area = 0.0;                                   ///< of all floes [m2]
+  std::vector<std::vector<std::vector<Vec2>>> sheets;  ///< level ice in its connected parts
+  double sheet_area = 0.0;                             ///< [m2]
 };
 
-/// The floes that a run of the case would begin with; none in level ice.
+/// The ice that a run of the case would begin with.
 /// @throws InputError when they cannot be laid: file, key or place.
 InitialField initial_field(const model::Case& resolved);
 

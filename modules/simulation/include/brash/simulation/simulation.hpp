@@ -49,6 +49,7 @@ struct BreakCounts {
 struct StepReport {
   model::LoadRow loads;
   std::vector<model::CrackEvent> events;
+  std::vector<model::SheetSplit> splits;
   std::vector<model::FloeRecord> births;
   std::vector<FloeDeath> deaths;
   int n_substeps = 1;  ///< parts the structure's move was cut into (Sec. 2.2.2)

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tension and energy of the lines of a moored structure over a run, from its motion: docs/theory/motion.md, (B11)."""
+import numpy as np
+from scipy import optimize
+
+
+def upper_end(horizontal, vertical, length, weight, stiffness):
+    """Place of the upper end of an elastic line from its anchor on the bed: span and height [m]."""
+    total = np.hypot(horizontal, vertical)
+    below = vertical - weight * length  # vertical pull at the anchor; none while a part lies on the bed
+    if below >= 0.0:
+        low = np.hypot(horizontal, below)
+        span = horizontal / weight * (np.arcsinh(vertical / horizontal) - np.arcsinh(below / horizontal))
+        height = (total - low) / weight + (vertical - 0.5 * weight * length) * length / stiffness
+    else:
+        hanging = vertical / weight
+        span = length - hanging + horizontal / weight * np.arcsinh(vertical / horizontal)
+        height = (total - horizontal) / weight + 0.5 * vertical * hanging / stiffness
+    return np.array([span + horizontal * length / stiffness, height])
+
+
+def pull(span, height, line, guess):
+    """Horizontal and vertical pull [N] of a line whose upper end lies there."""
+    length, weight, stiffness = line
+
+    def miss(logarithms):
+        return upper_end(*np.exp(logarithms), length, weight, stiffness) - (span, height)
+
+    found = optimize.root(miss, np.log(guess), tol=1e-10)
+    if not found.success:
+        raise ValueError(f"no catenary for span {span} m and height {height} m: {found.message}")
+    return np.exp(found.x)
+
+
+def energy(horizontal, vertical, span, height, line):
+    """H x + V z - U* [J]."""
+    length, weight, stiffness = line
+    s = (np.arange(4000) + 0.5) / 4000 * length
+    tension = np.hypot(horizontal, np.maximum(0.0, vertical - weight * (length - s)))
+    return horizontal * span + vertical * height - np.mean(tension + 0.5 * tension**2 / stiffness) * length
+
+
+def rotation(roll, pitch, heading):
+    """The heading is turned first, the roll last, each about the structure's own axes."""
+    (cr, cp, ch), (sr, sp, sh) = np.cos([roll, pitch, heading]), np.sin([roll, pitch, heading])
+    return (np.array([[ch, -sh, 0], [sh, ch, 0], [0, 0, 1]]) @ np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+            @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]]))
+
+
+def lines_over_time(history, case, every=1):
+    """Tensions at the fairleads [N], shape=(n, n_lines), their energy [J], and the offset from the feet [m], shape=(n, 3).
+
+    history: columns of history.csv by name; case: the resolved case.
+    """
+    structure = case["structure"]
+    lines = np.array(structure["motion"]["lines"], dtype=float)
+    rows = slice(None, None, every)
+    zero = np.zeros_like(history["time"])
+    place = np.column_stack([history.get(name, zero)[rows] for name in ("structure_x", "structure_y", "structure_z")])
+    turn = np.column_stack([history.get(f"structure_{name}", zero)[rows] for name in ("roll", "pitch", "heading")])
+    feet = np.zeros_like(place)
+    feet[:, 0] = structure["speed"] * history["time"][rows] - structure["start_distance"]
+    offset = place - feet
+    tensions, energies = np.empty((len(place), len(lines))), np.zeros(len(place))
+    for number, line in enumerate(lines):
+        anchor, fairlead, properties = line[:3], line[3:6], line[6:]
+        guess = np.array([5e5, 2e5])
+        for i, (away, angles) in enumerate(zip(offset, turn)):
+            x, y, z = away + rotation(*angles) @ fairlead - anchor
+            span = np.hypot(x, y)
+            guess = pull(span, z, properties, guess)
+            tensions[i, number] = np.hypot(*guess)
+            energies[i] += energy(*guess, span, z, properties)
+    return tensions, energies, offset

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laid_ice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "brash/core/contract.hpp"
+#include "brash/core/error.hpp"
+
+namespace brash::ice {
+namespace {
+
+using geometry::IceSheet;
+using geometry::Point;
+using geometry::Polygon;
+using geometry::Ring;
+
+/// Shorter tails of a line are errors of drawing: they part nothing and change nothing [m].
+constexpr double kShortestTail = 1e-3;
+/// A line that parts the ice lies on the new edges to the rounding of the grid, far within this distance [m].
+constexpr double kOnEdge = 1e-6;
+/// A region that holds all of the ice reaches this far beyond it [m].
+constexpr double kBeyond = 1.0;
+
+Polygon rectangle(double length, double width) {
+  const std::array<Vec2, 4> corners{Vec2{0.0, -0.5 * width}, Vec2{length, -0.5 * width}, Vec2{length, 0.5 * width},
+                                    Vec2{0.0, 0.5 * width}};
+  return {geometry::ring(corners), {}};
+}
+
+IceSheet sheet_of(std::span<const Polygon> polygons) {
+  auto sheet = IceSheet::from_polygons(polygons);
+  BRASH_EXPECTS(sheet.has_value(), sheet.has_value() ? "" : sheet.error().what);
+  return std::move(*sheet);
+}
+
+/// Calls `visit(a, b)` for each edge of a polygon [m].
+void visit_edges(const Polygon& polygon, auto&& visit) {
+  const auto visit_ring = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      visit(geometry::metres(ring[i]), geometry::metres(ring[(i + 1) % ring.size()]));
+  };
+  visit_ring(polygon.outline);
+  for (const Ring& hole : polygon.holes) visit_ring(hole);
+}
+
+double distance_to_edges(const Polygon& polygon, Vec2 p) {
+  double least = geometry::Extent::kFar;
+  visit_edges(polygon, [&](Vec2 a, Vec2 b) {
+    const Vec2 along = b - a;
+    const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
+    least = std::min(least, norm(p - (a + t * along)));
+  });
+  return least;
+}
+
+bool is_inside(const Polygon& polygon, Vec2 p) {
+  bool inside = false;
+  visit_edges(polygon, [&](Vec2 a, Vec2 b) {
+    if ((a.y > p.y) == (b.y > p.y)) return;
+    if (p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+  });
+  return inside;
+}
+
+bool are_apart(const geometry::Extent& box, Vec2 a, Vec2 b) {
+  return std::max(a.x, b.x) < box.lower.x || std::min(a.x, b.x) > box.upper.x || std::max(a.y, b.y) < box.lower.y ||
+         std::min(a.y, b.y) > box.upper.y;
+}
+
+/// A stretch of the line from `a` to `b` in the inside of `part`, between two crossings of its edges.
+std::optional<Tail> tail_in(const Polygon& part, Vec2 a, Vec2 b) {
+  const Vec2 line = b - a;
+  std::vector<double> places{0.0, 1.0};
+  visit_edges(part, [&](Vec2 c, Vec2 d) {
+    const double slope = cross(line, d - c);
+    if (slope == 0.0) return;
+    const double t = cross(c - a, d - c) / slope, s = cross(c - a, line) / slope;
+    if (t > 0.0 && t < 1.0 && s >= 0.0 && s <= 1.0) places.push_back(t);
+  });
+  std::ranges::sort(places);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    if ((places[i + 1] - places[i]) * norm(line) < kShortestTail) continue;
+    const Vec2 middle = a + 0.5 * (places[i] + places[i + 1]) * line;
+    if (is_inside(part, middle) && distance_to_edges(part, middle) > kOnEdge) {
+      const Vec2 from = a + places[i] * line, to = a + places[i + 1] * line;
+      // Its end in the ice comes last.
+      if (distance_to_edges(part, from) > distance_to_edges(part, to)) return Tail{to, from};
+      return Tail{from, to};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The outlines of the case, and the floes that lie in their openings.
+GivenLevelIce given_ice(const model::FieldSection& field) {
+  if (!field.file.empty()) return read_level_ice(field.file, field);
+  return {{rectangle(field.length, field.width)}, {}};
+}
+
+/// Whether land holds a part: one of its edges lies along a side or the far end of the rectangle.
+bool is_held(const Polygon& part, const model::FieldSection& field) {
+  const Point corner = geometry::snap({field.length, 0.5 * field.width});
+  const Point other = geometry::snap({0.0, -0.5 * field.width});
+  const Ring& ring = part.outline;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    const bool at_end = a.x == corner.x && b.x == corner.x;
+    const bool at_side = a.y == b.y && (a.y == corner.y || a.y == other.y);
+    if (at_end || at_side) return true;
+  }
+  return false;
+}
+
+/// As model::FieldSection::smallest_plate has it; docs/theory/free-sheet.md.
+double breadth(const Polygon& part) {
+  const auto [lower, upper] = geometry::extent(part);
+  return geometry::area(part).square_metres() / std::max(upper.x - lower.x, upper.y - lower.y);
+}
+
+/// The name of the file that a complaint about the laid ice goes to.
+std::string files_of(const model::FieldSection& field) {
+  for (const std::string* file : {&field.cracks, &field.openings, &field.file})
+    if (!file->empty()) return *file;
+  return "field";
+}
+
+void sort_held(std::vector<Polygon> parts, const model::FieldSection& field, LaidIce& laid) {
+  for (Polygon& part : parts) {
+    if (is_held(part, field))
+      laid.sheets.push_back(std::move(part));
+    else
+      laid.floes.push_back({std::move(part), {}, {}});
+  }
+  if (!laid.sheets.empty()) return;
+  throw InputError(Complaint{files_of(field), "leaves no ice that the borders hold",
+                             fmt::format("level ice with an edge along y = +-field.width/2 = {} m or x = field.length "
+                                         "= {} m, where land holds it",
+                                         0.5 * field.width, field.length),
+                             "let the ice reach a border, or write field.border = \"free\""});
+}
+
+void sort_drifting(std::vector<Polygon> parts, const model::FieldSection& field, const failure::IceProperties& ice,
+                   LaidIce& laid) {
+  if (parts.empty())
+    throw InputError(Complaint{files_of(field), "leaves no ice", "level ice beside the openings",
+                               "make the openings smaller, or write field.kind = \"floes\""});
+  std::ranges::stable_sort(parts,
+                           [](const Polygon& a, const Polygon& b) { return geometry::area(b) < geometry::area(a); });
+  const double least = field.smallest_plate * failure::characteristic_length(ice);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (breadth(parts[i]) < least) continue;
+    const Vec2 at = geometry::centroid(parts[i]);
+    throw InputError(Complaint{
+        files_of(field),
+        fmt::format("parts the ice into sheets that would drift against each other; one lies about "
+                    "({:.6g}, {:.6g}) m and is {:.4g} m broad",
+                    at.x, at.y, breadth(parts[i])),
+        fmt::format("with field.border = \"free\" one sheet; other parts less than {:.4g} m broad, "
+                    "field.smallest_plate = {} characteristic lengths",
+                    least, field.smallest_plate),
+        "take border = \"fixed\", raise field.smallest_plate so that the part is a floe, or give the parts as "
+        "floes (field.kind = \"floes\")"});
+  }
+  laid.sheets.push_back(std::move(parts.front()));
+  for (std::size_t i = 1; i < parts.size(); ++i) laid.floes.push_back({std::move(parts[i]), {}, {}});
+}
+
+void expect_no_tails(const std::vector<Tail>& tails, const std::string& file) {
+  if (tails.empty()) return;
+  const Tail& tail = tails.front();
+  throw InputError(Complaint{
+      file,
+      fmt::format("has a line that ends inside the ice, at ({:.6g}, {:.6g}) m: over {:.3g} m it parts nothing{}",
+                  tail.to.x, tail.to.y, norm(tail.to - tail.from),
+                  tails.size() > 1 ? fmt::format(" (and {} more like it)", tails.size() - 1) : ""),
+      "lines that cut the ice through, to an edge, an opening or another line",
+      "lead the line on to an edge, end it where it meets another line, or draw it as a narrow polygon in "
+      "field.openings"});
+}
+
+}  // namespace
+
+std::vector<Polygon> with_openings(std::span<const Polygon> ice, std::span<const Polygon> openings) {
+  std::vector<IceSheet> sheets;
+  sheets.push_back(sheet_of(ice));
+  for (const Polygon& opening : openings) {
+    std::vector<IceSheet> islands;
+    for (IceSheet& sheet : sheets) {
+      const std::vector<Polygon> inside = sheet.cut(opening.outline).pieces;
+      if (inside.empty() || opening.holes.empty()) continue;
+      IceSheet whole = sheet_of(inside);
+      for (Ring hole : opening.holes) {
+        std::ranges::reverse(hole);
+        if (const auto kept = whole.cut(hole).pieces; !kept.empty()) islands.push_back(sheet_of(kept));
+      }
+    }
+    std::ranges::move(islands, std::back_inserter(sheets));
+  }
+  std::vector<Polygon> parts;
+  for (const IceSheet& sheet : sheets) std::ranges::move(sheet.polygons(), std::back_inserter(parts));
+  return parts;
+}
+
+Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon> ice) {
+  geometry::Extent box;
+  for (const Polygon& part : ice) box.add(geometry::extent(part));
+  if (box.is_empty()) return {};
+  const Vec2 beyond{kBeyond, kBeyond}, lower = box.lower - beyond, upper = box.upper + beyond;
+  const std::array<Vec2, 4> corners{lower, Vec2{upper.x, lower.y}, upper, Vec2{lower.x, upper.y}};
+  Parted parted{sheet_of(ice).cut(geometry::ring(corners), lines).pieces, {}};
+  std::vector<geometry::Extent> boxes;
+  for (const Polygon& part : parted.parts) boxes.push_back(geometry::extent(part));
+  for (const geometry::Crack& line : lines) {
+    const Vec2 a = geometry::metres(line.from), b = geometry::metres(line.to);
+    for (std::size_t i = 0; i < parted.parts.size(); ++i) {
+      if (are_apart(boxes[i], a, b)) continue;
+      if (const auto tail = tail_in(parted.parts[i], a, b)) parted.tails.push_back(*tail);
+    }
+  }
+  return parted;
+}
+
+LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice) {
+  GivenLevelIce given = given_ice(field);
+  if (!model::has_ice_files(field)) return {std::move(given.sheets), {}};
+  std::vector<Polygon> parts = std::move(given.sheets);
+  if (!field.openings.empty()) parts = with_openings(parts, read_openings(field.openings));
+  if (!field.cracks.empty()) {
+    Parted parted = parted_by(read_cracks(field.cracks), parts);
+    expect_no_tails(parted.tails, field.cracks);
+    parts = std::move(parted.parts);
+  }
+  LaidIce laid;
+  if (field.border == model::Border::kFixed)
+    sort_held(std::move(parts), field, laid);
+  else
+    sort_drifting(std::move(parts), field, ice, laid);
+  std::ranges::move(given.floes, std::back_inserter(laid.floes));
+  return laid;
+}
+
+}  // namespace brash::ice

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brash/failure/criterion.hpp"
+#include "brash/geometry/ice_sheet.hpp"
+#include "brash/ice/floe_file.hpp"
+
+namespace brash::ice {
+
+/// Level ice at the start, in connected parts.
+struct LaidIce {
+  std::vector<geometry::Polygon> sheets;  ///< held, or large enough to drift as a sheet: one part each
+  std::vector<GivenFloe> floes;           ///< parts that nothing holds, then the floes of the file
+};
+
+/// Lays the level ice of `field`: the rectangle or the outlines of its file, less its openings, parted by its cracks.
+///
+/// With fixed borders a part is a sheet if a side of it lies on the border of the rectangle along the sides or at the
+/// far end. With free borders the largest part is the sheet. Every other part is a floe.
+/// @param ice  whose characteristic length, with `smallest_plate`, says which parts could be a second sheet.
+/// @throws InputError naming file and place: a faulty file, ice out of the field, a line that ends inside the ice, ice
+///         that nothing holds, or two sheets that would drift.
+LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice);
+
+/// `ice` without the inside of `openings`, which may overlap; their holes keep the ice. Exact but for the rounding of
+/// crossings to the grid. docs/theory/openings.md, (O1).
+std::vector<geometry::Polygon> with_openings(std::span<const geometry::Polygon> ice,
+                                             std::span<const geometry::Polygon> openings);
+
+/// A stretch of a line inside the ice that parts nothing [m].
+struct Tail {
+  Vec2 from;
+  Vec2 to;
+};
+
+/// The result of parted_by().
+struct Parted {
+  std::vector<geometry::Polygon> parts;
+  std::vector<Tail> tails;  ///< of 1 mm and more, at most one for each straight piece of a line and part
+};
+
+/// Parts `ice` along lines.
+Parted parted_by(std::span<const geometry::Crack> lines, std::span<const geometry::Polygon> ice);
+
+}  // namespace brash::ice

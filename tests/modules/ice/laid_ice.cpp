@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Level ice with openings and cracks from files (docs/theory/openings.md).
+#include "laid_ice.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "brash/core/error.hpp"
+#include "brash/ice/field.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::ice;
+
+constexpr const char* kChannel = "POLYGON((-1 -3, 31 -3, 31 3, -1 3, -1 -3))";
+
+/// Its characteristic length is 3.3 m.
+const failure::IceProperties kIce{.thickness = 0.33, .youngs_modulus = 0.35e9, .flexural_strength = 539e3};
+
+/// A field of 30 m x 20 m whose files a test writes.
+struct InFolder {
+  std::filesystem::path folder = std::filesystem::temp_directory_path() / "brash_laid_ice";
+  model::FieldSection field;
+
+  InFolder() {
+    std::filesystem::create_directories(folder);
+    field.length = 30.0;
+    field.width = 20.0;
+  }
+  ~InFolder() { std::filesystem::remove_all(folder); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    const std::string path = (folder / name).string();
+    std::ofstream(path) << text;
+    return path;
+  }
+  void open(const std::string& text) { field.openings = write("openings", text); }
+  void crack(const std::string& text) { field.cracks = write("cracks", text); }
+  void give(const std::string& text) { field.file = write("ice", text); }
+  LaidIce lay() const { return lay_ice(field, kIce); }
+
+  void refuses(const std::string& word) const {
+    BOOST_CHECK_EXCEPTION((void)lay(), InputError, [&](const InputError& error) {
+      const bool has = std::string(error.what()).find(word) != std::string::npos;
+      BOOST_TEST(has, "\"" << word << "\" is not in:\n" << error.what());
+      return has;
+    });
+  }
+};
+
+geometry::ExactArea area_of(const LaidIce& ice) {
+  geometry::ExactArea sum;
+  for (const geometry::Polygon& sheet : ice.sheets) sum += geometry::area(sheet);
+  for (const GivenFloe& floe : ice.floes) sum += geometry::area(floe.outline);
+  return sum;
+}
+
+/// Of a number of square metres that the grid holds exactly.
+geometry::ExactArea square_metres(double side_x, double side_y) {
+  const std::array<Vec2, 4> corners{Vec2{}, Vec2{side_x, 0.0}, Vec2{side_x, side_y}, Vec2{0.0, side_y}};
+  return geometry::signed_area(geometry::ring(corners));
+}
+
+BOOST_FIXTURE_TEST_SUITE(laid_ice, InFolder)
+
+BOOST_AUTO_TEST_CASE(without_files_the_ice_is_the_rectangle) {
+  const LaidIce ice = lay();
+  BOOST_REQUIRE(ice.sheets.size() == 1u);
+  BOOST_TEST((geometry::area(ice.sheets.front()) == square_metres(30.0, 20.0)));
+}
+
+BOOST_AUTO_TEST_CASE(a_channel_leaves_two_sheets_and_exactly_their_area) {
+  open(kChannel);
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 2u);
+  BOOST_TEST(ice.floes.empty());
+  BOOST_TEST((area_of(ice) == square_metres(30.0, 14.0)));
+}
+
+BOOST_AUTO_TEST_CASE(openings_may_overlap_and_their_holes_keep_the_ice) {
+  // A frame of 1 m around an island of 4 m x 4 m, and a lead over the frame and a part of the island.
+  open(
+      "POLYGON((8 -3, 14 -3, 14 3, 8 3, 8 -3), (9 -2, 9 2, 13 2, 13 -2, 9 -2)) POLYGON((12 -5, 15 -5, 15 5, 12 5, 12 "
+      "-5))");
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 1u);
+  BOOST_REQUIRE(ice.floes.size() == 1u);
+  BOOST_TEST((geometry::area(ice.floes.front().outline) == square_metres(3.0, 4.0)));
+  // The union of both is 4 m x 6 m beside the lead of 3 m x 10 m, less the island that is left.
+  BOOST_TEST((area_of(ice) == square_metres(30.0, 20.0) - square_metres(4.0, 6.0) - square_metres(3.0, 10.0) +
+                                  square_metres(3.0, 4.0)));
+}
+
+BOOST_AUTO_TEST_CASE(cracks_part_the_ice_and_keep_its_area) {
+  open("POLYGON((10 -4, 20 -4, 20 4, 10 4, 10 -4))");
+  // From the front edge to the opening, bent; from the opening to the far end; one across the opening alone.
+  crack("LINESTRING(-1 0, 5 1, 10 0) LINESTRING(20 0, 31 0) LINESTRING(12 -3, 18 3)");
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 2u);
+  BOOST_TEST((area_of(ice) == square_metres(30.0, 20.0) - square_metres(10.0, 8.0)));
+}
+
+BOOST_AUTO_TEST_CASE(a_part_without_a_border_is_a_floe) {
+  crack("LINESTRING(-1 -2, 5 -2, 5 2, -1 2)");  // around a part of the front edge
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 1u);
+  BOOST_REQUIRE(ice.floes.size() == 1u);
+  BOOST_TEST((geometry::area(ice.floes.front().outline) == square_metres(5.0, 4.0)));
+}
+
+BOOST_AUTO_TEST_CASE(a_crack_that_ends_inside_the_ice_is_refused_with_its_place) {
+  crack("LINESTRING(-1 0, 12 0)");
+  refuses("ends inside the ice, at (12, 0) m: over 12 m it parts nothing");
+  crack("LINESTRING(5 5, 12 5)");
+  refuses("over 7 m");
+  // Through to the side, and a branch that ends.
+  crack("LINESTRING(6 -11, 6 11) LINESTRING(6 0, 9 3)");
+  refuses("at (9, 3) m");
+  // The tail of a line that parts the ice besides.
+  crack("LINESTRING(6 -11, 6 11) LINESTRING(-1 0, 8 0)");
+  refuses("at (8, 0) m: over 2 m");
+  // A tail that no one could have drawn on purpose is cut off.
+  crack("LINESTRING(6 -11, 6 11) LINESTRING(-1 0, 6.0005 0)");
+  BOOST_TEST(lay().sheets.size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(a_loop_of_two_cracks_that_end_on_each_other_parts_the_ice) {
+  crack("LINESTRING(10 -11, 10 11) LINESTRING(20 -11, 20 11) LINESTRING(10 0, 20 0)");
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 4u);
+  BOOST_TEST((area_of(ice) == square_metres(30.0, 20.0)));
+}
+
+BOOST_AUTO_TEST_CASE(a_file_has_level_ice_with_holes_and_floes_in_them) {
+  give(R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{"kind":"sheet"},"geometry":{"type":"Polygon","coordinates":
+      [[[2,-10],[30,-10],[30,10],[2,10],[2,-10]],[[8,-3],[8,3],[14,3],[14,-3],[8,-3]]]}},
+    {"type":"Feature","properties":{"kind":"floe","thickness":0.5},"geometry":{"type":"Polygon","coordinates":
+      [[[9,-2],[13,-2],[13,2],[9,2],[9,-2]]]}}]})");
+  const LaidIce ice = lay();
+  BOOST_REQUIRE(ice.sheets.size() == 1u);
+  BOOST_TEST(ice.sheets.front().holes.size() == 1u);
+  BOOST_REQUIRE(ice.floes.size() == 1u);
+  BOOST_TEST(ice.floes.front().thickness.value() == 0.5);
+  BOOST_TEST((area_of(ice) == square_metres(28.0, 20.0) - square_metres(6.0, 6.0) + square_metres(4.0, 4.0)));
+}
+
+BOOST_AUTO_TEST_CASE(faults_of_files_are_refused_with_the_remedy) {
+  give("POLYGON((2 -5, 20 -5, 20 5, 2 5, 2 -5))");
+  refuses("write field.border = \"free\"");
+  give("POLYGON((2 -10, 40 -10, 40 10, 2 10, 2 -10))");
+  refuses("field.length = 30");
+  give(R"({"type":"Feature","properties":{"thickness":0.5},"geometry":{"type":"Polygon","coordinates":
+      [[[2,-10],[30,-10],[30,10],[2,10],[2,-10]]]}})");
+  refuses("level ice with ice properties of its own");
+  give(R"({"type":"Feature","properties":{"kind":"floe"},"geometry":{"type":"Polygon","coordinates":
+      [[[2,-10],[30,-10],[30,10],[2,10],[2,-10]]]}})");
+  refuses("holds floes alone");
+  field.file.clear();
+  open("POLYGON((0 0, 4 4, 4 0, 0 3, 0 0))");
+  refuses("polygon 0");
+  open("POLYGON((-1 -11, 31 -11, 31 11, -1 11, -1 -11))");
+  refuses("leaves no ice");
+  open(kChannel);
+  crack("POLYGON((0 0, 4 4, 4 0, 0 0))");
+  refuses("areas of open water go to field.openings");
+}
+
+BOOST_AUTO_TEST_CASE(one_sheet_drifts_and_small_parts_are_floes_beside_it) {
+  field.border = model::Border::kFree;
+  crack("LINESTRING(26 -11, 26 11)");
+  // The part is 4 m broad, and five characteristic lengths are more.
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 1u);
+  BOOST_TEST(ice.floes.size() == 1u);
+  field.smallest_plate = 0.1;
+  refuses("sheets that would drift against each other");
+}
+
+BOOST_AUTO_TEST_CASE(a_field_has_a_plate_for_each_sheet_and_hands_the_floes_over) {
+  open(kChannel);
+  crack("LINESTRING(-1 -5, 5 -5, 5 -2)");
+  Field laid(field, kIce);
+  BOOST_TEST(laid.level_ice().size() == 2u);
+  BOOST_TEST(laid.level_ice()[1].level_ice() == 1);
+  BOOST_TEST(laid.ledger().initial.square_metres() == 30.0 * 14.0 - 5.0 * 2.0);
+  for (const Plate& floe : laid.take_loose()) laid.add_floe(floe);
+  BOOST_TEST(laid.ledger().initial.square_metres() == 30.0 * 14.0);
+  BOOST_TEST(laid.ledger().closes());
+  BOOST_TEST(laid.take_loose().empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace
