@@ -9,6 +9,7 @@
 #include "brash/statistics/peaks.hpp"
 #include "brash/statistics/quantile.hpp"
 #include "brash/statistics/random.hpp"
+#include "brash/statistics/sobol.hpp"
 #include "brash/statistics/spectrum.hpp"
 #include "brash/statistics/summary.hpp"
 #include "convert.hpp"
@@ -282,6 +283,23 @@ void add_tests(py::module_& m) {
       py::arg("a"), py::arg("b"), py::arg("confidence") = 0.95, "Independent values, shape (n,) each.");
 }
 
+void add_designs(py::module_& m) {
+  m.def(
+      "sobol",
+      [](std::size_t n, std::size_t dimension, std::uint64_t seed) {
+        if (n < 1 || n > kMostSobolPoints)
+          throw InputError(fmt::format("sobol: n = {} is not allowed; 1 to {}", n, kMostSobolPoints));
+        if (dimension < 1 || dimension > kMostSobolDimensions)
+          throw InputError(
+              fmt::format("sobol: dimension = {} is not allowed; 1 to {}", dimension, kMostSobolDimensions));
+        const std::vector<double> points = sobol(n, dimension, seed);
+        return to_array(points).reshape({static_cast<py::ssize_t>(n), static_cast<py::ssize_t>(dimension)});
+      },
+      py::arg("n"), py::arg("dimension"), py::arg("seed") = 1,
+      "The first n points of a Sobol sequence with a digital shift, in (0, 1); shape (n, dimension), dimension <= 40. "
+      "More points continue the sequence.");
+}
+
 }  // namespace
 
 void add_statistics(py::module_& m) {
@@ -290,6 +308,7 @@ void add_statistics(py::module_& m) {
   add_peaks(m);
   add_intervals(m);
   add_tests(m);
+  add_designs(m);
 }
 
 }  // namespace brash::python

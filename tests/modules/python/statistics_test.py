@@ -50,6 +50,15 @@ class Statistics(unittest.TestCase):
         with self.assertRaises(brash.NotApplicable):
             brash.fit_gumbel([1, 1, 1])
 
+    def test_sobol_points_fill_the_cube_and_continue(self):
+        points = brash.sobol(64, 3, seed=38)
+        self.assertEqual(points.shape, (64, 3))
+        np.testing.assert_array_equal(np.sort((points * 64).astype(int), axis=0), np.tile(np.arange(64)[:, None], 3))
+        np.testing.assert_array_equal(brash.sobol(8, 3, seed=38), points[:8])
+        for n, dimension in ((0, 3), (8, 41)):
+            with self.assertRaisesRegex(brash.InputError, "is not allowed"):
+                brash.sobol(n, dimension)
+
     def test_intervals_and_tests(self):
         interval = brash.bootstrap_interval(X[:200], np.median, n_resamples=300)
         self.assertTrue(interval.lower < np.median(X[:200]) < interval.upper)

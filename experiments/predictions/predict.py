@@ -1,0 +1,185 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Predictions with their inputs first; README.md has the rules.
+
+predict.py design FOLDER...        writes plan.toml from prediction.toml (--check: fails if it would differ)
+predict.py run FOLDER              runs or resumes the campaign: results/predictions/FOLDER-PRESET
+predict.py verdict FOLDER          intervals and verdict; m6: the table of all signs (--record writes it beside the inputs)
+predict.py indices FOLDER --of X   divides the variance of a number among the unknowns, with the surrogate's error
+predict.py quick [FOLDER...]       one short run a folder, compared with quick.csv, as the tests do
+
+FOLDER is m1, m6/s4, ... or a folder of your own with a prediction.toml.
+"""
+import argparse
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+import inputs
+import study
+import tables
+from case_numbers import collect
+from inputs import BadInput, Prediction
+
+ALL = ["m1", "m2", "m3", "m4", "m5", *(f"m6/s{i}" for i in range(1, 11)), "table1", "exponents"]
+
+
+def prediction_of(name):
+    folder = HERE / name
+    return Prediction(folder if folder.is_dir() else Path(name))
+
+
+def output_of(options, prediction):
+    return (options.output or Path("results") / "predictions") / f"{prediction.name.replace('/', '-')}-{options.preset}"
+
+
+def design(options):
+    """Writes the plans of the least numbers of points; the number of stale ones with --check."""
+    stale = 0
+    for name in options.folders or ALL:
+        prediction = prediction_of(name)
+        if not prediction.own_runs:
+            continue
+        path = prediction.folder / "plan.toml"
+        points = inputs.points_of(prediction, prediction.ensemble["points"])
+        text = inputs.plan_text(prediction, points, prediction.folder)
+        if options.check and (not path.is_file() or path.read_text(encoding="utf-8") != text):
+            print(f"{path}: is not what prediction.toml asks for; run predict.py design {name}", file=sys.stderr)
+            stale += 1
+        if not options.check:
+            path.write_text(text, encoding="utf-8")
+    return 1 if stale else 0
+
+
+def plan_for(options, prediction, output):
+    """The committed plan, or a longer one beside the results."""
+    least, most = prediction.ensemble["points"], prediction.ensemble["most_points"]
+    n = options.points or least
+    if n % least or not least <= n <= most:
+        raise BadInput(f"--points {n}: is not allowed here; take a multiple of {least} up to {most}, as {prediction.path} says")
+    if n == least:
+        return prediction.folder / "plan.toml"
+    path = output.parent / f"{output.name}.toml"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(inputs.plan_text(prediction, inputs.points_of(prediction, n), path.parent), encoding="utf-8")
+    return path
+
+
+def run(options):
+    prediction = prediction_of(options.folder)
+    if not prediction.own_runs:
+        raise BadInput(f"{prediction.path}: has no runs of its own; run the folders that its claims name in `from`")
+    if options.preset not in prediction.presets:
+        raise BadInput(f"--preset {options.preset}: is not in this prediction; take {' or '.join(prediction.presets)}")
+    output = output_of(options, prediction)
+    command = [options.brash, "campaign", plan_for(options, prediction, output), "-o", output]
+    command += ["--set", f"algorithm.preset={json.dumps(options.preset)}"] + ["--resume"] * output.exists()
+    command += ["--jobs", options.jobs] * bool(options.jobs) + ["--on", "slurm"] * (options.on == "slurm")
+    command += [f"--sbatch={text}" for text in options.sbatch]
+    return subprocess.run([str(word) for word in command]).returncode
+
+
+def rows_of(options, prediction):
+    """Numbers of all runs: from the campaign's folder, or as they were recorded. Empty if there are none."""
+    output, recorded = output_of(options, prediction), prediction.folder / f"recorded-{options.preset}.csv"
+    if (output / "campaign.csv").is_file():
+        rows = tables.complete(collect(options.brash, prediction, output), prediction)
+        if options.record:
+            study.write_rows(recorded, rows)
+        return rows
+    return tables.read_numbers(recorded) if recorded.is_file() else []
+
+
+def verdict(options):
+    if options.folder.rstrip("/") in ("m6", str(HERE / "m6")):
+        predictions = {name: prediction_of(f"m6/{name}") for name in (f"s{i}" for i in range(1, 11))}
+        text = tables.signs({name: p for name, p in predictions.items() if options.preset in p.presets},
+                            lambda other: rows_of(options, prediction_of(other)), len(predictions))
+        folder = HERE / "m6"
+    else:
+        prediction = prediction_of(options.folder)
+        rows = rows_of(options, prediction) if prediction.own_runs else []
+        measured = tables.measured_rows(prediction, options)
+        text = tables.verdict(prediction, rows, measured, lambda other: rows_of(options, prediction_of(other)))
+        folder = prediction.folder
+    print(text)
+    if options.record:
+        (folder / f"verdict-{options.preset}.md").write_text(text, encoding="utf-8")
+    return 0
+
+
+def indices(options):
+    prediction = prediction_of(options.folder)
+    rows = rows_of(options, prediction)
+    text = tables.indices(prediction, rows, options.of, options.degree)
+    print(text)
+    if options.record:
+        (prediction.folder / f"indices-{options.preset}-{options.of}.md").write_text(text, encoding="utf-8")
+    return 0
+
+
+def quick(options):
+    """One short run a folder; the number of folders that are wrong."""
+    wrong = []
+    for name in options.folders or [name for name in ALL if (HERE / name / "quick.csv").is_file() or options.record]:
+        prediction = prediction_of(name)
+        if not prediction.own_runs:
+            continue
+        output = (options.output or Path("results") / "predictions") / f"{prediction.name.replace('/', '-')}-quick"
+        if options.record:
+            study.record_quick(options.brash, prediction.folder, output)
+        else:
+            options.jobs = 1
+            wrong += [name] * study.quick(options, prediction.folder, output)
+    return len(wrong)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--brash", type=Path, default=inputs.ROOT / "build" / "release" / "bin" / "brash")
+    parser.add_argument("-o", "--output", type=Path, help="folder of the campaigns [results/predictions]")
+    commands = parser.add_subparsers(required=True)
+
+    def command(name, action, many=False):
+        added = commands.add_parser(name)
+        added.set_defaults(action=action)
+        added.add_argument("folders" if many else "folder", nargs="*" if many else None)
+        if not many:
+            added.add_argument("--preset", choices=["brash", "paper"], default="brash")
+        return added
+
+    command("design", design, many=True).add_argument("--check", action="store_true")
+    runs = command("run", run)
+    runs.add_argument("--points", type=int, help="points of the unknowns: a multiple of ensemble.points")
+    runs.add_argument("--jobs", type=int)
+    runs.add_argument("--on", choices=["local", "slurm"], default="local")
+    runs.add_argument("--sbatch", action="append", default=[])
+    verdicts = command("verdict", verdict)
+    verdicts.add_argument("--record", action="store_true")
+    verdicts.add_argument("--measured", type=Path, help="CSV: a column `arm`, and one column a measured statistic [SI]")
+    verdicts.add_argument("--data", type=Path, help="folder of measured histories (CSV), one test a file")
+    verdicts.add_argument("--column", help="of the load in these files")
+    verdicts.add_argument("--from", dest="start", type=float, help="time from which they count [s]")
+    verdicts.add_argument("--to", dest="end", type=float, help="time at which they end [s]")
+    divided = command("indices", indices)
+    divided.add_argument("--of", default="mean", help="a number of the runs, such as mean or piece_size")
+    divided.add_argument("--degree", type=int, default=3)
+    divided.add_argument("--record", action="store_true")
+    command("quick", quick, many=True).add_argument("--record", action="store_true")
+    return parser
+
+
+def main():
+    options = arguments().parse_args()
+    try:
+        return options.action(options)
+    except BadInput as error:
+        print(f"predict.py: {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables that predict.py prints: Markdown, forces in kN."""
+import json
+import math
+import subprocess
+
+import numpy as np
+from scipy import stats
+
+import inputs
+from case_numbers import read_table
+from inputs import BadInput
+from signs import judged, slopes, student, tested
+from surrogate import Chaos, held_back_error, jackknife_indices, noise_share
+from verdicts import points_and_values, prediction_interval, series, upper_bound, validation
+
+# Printed of every study, whatever its verdict is about; unit of the table, and its divisor.
+ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1e3), "quantile_99": ("kN", 1e3),
+          "largest": ("kN", 1e3), "smallest": ("kN", 1e3), "mean_1s": ("kN", 1e3), "deviation_1s": ("kN", 1e3),
+          "largest_1s": ("kN", 1e3), "smallest_1s": ("kN", 1e3), "crushing": ("kN", 1e3), "floes": ("kN", 1e3),
+          "breaking_frequency": ("1/s", 1.0), "breaking_length": ("m", 1.0), "breaking_length_over_lc": ("-", 1.0),
+          "piece_size_05": ("m", 1.0), "piece_size": ("m", 1.0), "piece_size_95": ("m", 1.0)}
+REGRESSIONS = ["riska", "jeong", "lindqvist", "edwards", "croasdale", "ralston_tresca", "ralston_johansen"]
+PRESENT = 0.2  # a load that changes by more between the halves of the window has not settled
+
+
+def number(value, digits=3):
+    return "-" if value is None or not math.isfinite(value) else f"{value:.{digits}g}" if abs(value) < 1000 else f"{value:.0f}"
+
+
+def interval(ends, unit=1.0):
+    return f"{number(ends[0] / unit)} to {number(ends[1] / unit)}"
+
+
+def read_numbers(path):
+    """Rows as they were recorded."""
+    return [{**row, "arm": row["arm"] or ""} for row in read_table(path)]
+
+
+def complete(rows, prediction):
+    """The rows of the points that all arms have, in whole steps of the ensemble."""
+    step = int(prediction.ensemble["points"])
+    have = {}
+    for row in rows:
+        have.setdefault(row["point"], set()).add(row["arm"])
+    whole = 0
+    while have.get(whole + 1, set()) == set(prediction.arms):
+        whole += 1
+    whole -= whole % step if whole >= step else 0
+    return [row for row in rows if row["point"] <= whole]
+
+
+# Measurements.
+
+def measured_rows(prediction, options):
+    """[{arm, statistic: value}] of the test: from its own file, a table, or a folder of histories."""
+    if options.measured:
+        return [{**row, "arm": row.get("arm") or ""} for row in read_table(options.measured)]
+    if options.data:
+        return histories(options)
+    measured = prediction.table.get("measured", {})
+    return [{"arm": "", key: value} for key, values in measured.items() for value in values]
+
+
+def histories(options):
+    """Statistics of each measured history of a folder, by `brash stats`."""
+    if not options.data.is_dir():
+        raise BadInput(f"--data {options.data}: is no folder; name the folder of the unpacked data set")
+    files = sorted(options.data.glob("*.csv"))
+    if not files:
+        raise BadInput(f"--data {options.data}: has no CSV file; convert the histories to CSV with a column of time [s]")
+    found = []
+    for file in files:
+        command = [str(options.brash), "stats", str(file), "--json"]
+        for name, value in (("--column", options.column), ("--from", options.start), ("--to", options.end)):
+            command += [name, str(value)] if value is not None else []
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode:
+            raise BadInput(f"{file}: brash stats refuses it: {done.stderr.strip()}")
+        summary = json.loads(done.stdout)
+        found.append({"arm": "", "file": file.name, "mean": summary["mean"], "deviation": summary["standard_deviation"],
+                      "largest": summary["maximum"]})
+    return found
+
+
+# Verdicts.
+
+def heading(prediction, rows):
+    n = len({row["point"] for row in rows})
+    failed = [row for row in rows if row.get("status") == "failed"]
+    lines = [f"## {prediction.table['title']}", "",
+             f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
+    if failed:
+        named = ", ".join(f"{row['arm'] or 'point'} {row['point']:g}" for row in failed)
+        lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** A verdict leaves them out.", ""]
+    if rows and n < prediction.ensemble["points"]:
+        lines += [f"**Fewer points than the {prediction.ensemble['points']} that were promised: no verdict.**", ""]
+    return lines
+
+
+def intervals(prediction, rows):
+    """Prediction intervals of one run for each arm."""
+    confidence = prediction.criterion.get("confidence", 0.95)
+    lines = [f"| arm | number | unit | median | {confidence:.0%} interval of one run |", "|---|---|---|---|---|"]
+    for arm in prediction.arms:
+        chosen = [row for row in rows if row["arm"] == arm]
+        for statistic, (unit, divisor) in ALWAYS.items():
+            values, n = points_and_values(chosen, statistic)
+            if len(values):
+                ends = prediction_interval(values, n, confidence)
+                lines.append(f"| {arm or '-'} | {statistic} | {unit} | {number(np.median(values) / divisor)} | "
+                             f"{interval(ends, divisor)} |")
+    moving = [row for row in rows if row.get("second_half_over_first") is not None]
+    unsettled = sum(abs(math.log(max(row["second_half_over_first"], 1e-9))) > PRESENT for row in moving)
+    if unsettled:
+        lines += ["", f"In {unsettled} of {len(moving)} runs the load still changes by more than {PRESENT:.0%} from the first "
+                      "half of the window to the second."]
+    return lines + [""]
+
+
+def beside(prediction, rows):
+    """Regressions and closed forms over the same points."""
+    lines = []
+    for arm in prediction.arms:
+        chosen = [row for row in rows if row["arm"] == arm]
+        for name in REGRESSIONS:
+            values, _ = points_and_values(chosen, name)
+            if len(values):
+                lines.append(f"| {arm or '-'} | {name} | {number(np.median(values) / 1e3)} | "
+                             f"{interval((values.min() / 1e3, values.max() / 1e3))} |")
+    head = ["Beside it, over the same points:", "", "| arm | form | median [kN] | least to largest [kN] |", "|---|---|---|---|"]
+    return head + lines + [""] if lines else []
+
+
+def series_lines(prediction, rows, measured, statistic):
+    """Comparison of one statistic with its measurements, one row a test, and the series."""
+    criterion = prediction.criterion
+    lines = [f"### {statistic}", "", "| test | predicted | interval | measured | ratio | error E | u_val | model error | inside |",
+             "|---|---|---|---|---|---|---|---|---|"]
+    ratios, inside, chosen_rows = [], [], []
+    for test in measured:
+        chosen = [row for row in rows if row["arm"] == test["arm"]]
+        values, n = points_and_values(chosen, statistic)
+        if test.get(statistic) is None or n < 2:
+            continue
+        found = validation(values, test[statistic], criterion["u_numerical"], criterion["u_measured"])
+        low, high = prediction_interval(values, n, criterion["confidence"])
+        inside.append(low <= test[statistic] <= high)
+        ratios.append((found["simulated"], test[statistic]))
+        chosen_rows.append(chosen)
+        cells = [number(found[name]) for name in ("measured", "ratio", "error", "u_val")]
+        lines.append(f"| {test.get('file') or test['arm'] or '-'} | {number(found['simulated'])} | {interval((low, high))} | "
+                     f"{' | '.join(cells)} | {interval(found['model_error'])} | {'yes' if inside[-1] else 'no'} |")
+    if not ratios:
+        return []
+    return lines + [""] + series_summary(prediction, statistic, ratios, inside, chosen_rows)
+
+
+def series_summary(prediction, statistic, ratios, inside, chosen_rows):
+    """Bias, root mean square and coverage; for the mean also of the regressions, and the criterion."""
+    if any(simulated <= 0 or measured <= 0 for simulated, measured in ratios):
+        return ["No logarithms: a value is not positive.", ""]
+    found = series(*zip(*ratios), inside)
+    low, high = found["coverage_95"]
+    lines = [f"Bias (mean ln S/D): {found['bias']:+.3f} ({interval(found['bias_95'])}). Root mean square: {found['rms']:.3f}. "
+             f"Inside: {found['covered']} of {found['n']} ({low:.0%} to {high:.0%}).", ""]
+    if statistic != "mean":
+        return lines
+    others = {}
+    for name in prediction.criterion.get("regressions", []):
+        medians = [np.median(points_and_values(rows, name)[0]) for rows in chosen_rows]
+        if all(math.isfinite(value) and value > 0 for value in medians):
+            others[name] = series(medians, [measured for _, measured in ratios], inside)
+    lines += [f"- {name}: bias {other['bias']:+.3f}, root mean square {other['rms']:.3f}." for name, other in others.items()]
+    return lines + [""] + statements(prediction, found, [other["rms"] for other in others.values()])
+
+
+def statements(prediction, found, others):
+    """The criterion of a series, one line each; `others`: root mean squares of the regressions."""
+    least = prediction.criterion["least_inside"]
+    lines = [f"- Inside their intervals: {found['covered']} of {found['n']}, {least} are needed: "
+             f"**{'yes' if found['covered'] >= least else 'no'}**."]
+    if found["n"] > 1:
+        low, high = found["bias_95"]
+        lines.append(f"- The interval of the bias holds 0: **{'yes' if low <= 0 <= high else 'no'}**.")
+    if others:
+        lines.append(f"- Root mean square below each regression: **{'yes' if found['rms'] < min(others) else 'no'}**.")
+    return lines + [""]
+
+
+def bound_lines(prediction, rows):
+    criterion = prediction.criterion
+    found = upper_bound(rows, criterion)
+    low, high = found["share_95"]
+    return [f"**{found['verdict']}**: `{criterion['statistic']}` exceeds {number(criterion['bound'] / 1e3)} kN at {found['above']} of "
+            f"{found['n_points']} points ({low:.0%} to {high:.0%}). Largest ratio to the bound: "
+            f"{number(found['largest_ratio'])}.", ""]
+
+
+def exponent_lines(prediction, rows):
+    """Exponents of the program and of closed forms, with 95 % intervals over the points, and their differences in pairs."""
+    lines = ["| input | load | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
+    for wanted in prediction.table["exponent"]:
+        found = {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})
+                 for name in (prediction.criterion["statistic"], "quantile_99_0.1s", *REGRESSIONS)
+                 if any(row.get(name) is not None for row in rows)}
+        own = found[prediction.criterion["statistic"]]
+        for name, slope in found.items():
+            cells = mean_cells([value for value in slope.values() if value is not None])
+            pairs = [own[i] - slope[i] for i in own if own[i] is not None and slope.get(i) is not None]
+            other = mean_cells(pairs) if name in REGRESSIONS else ("-", "-", "-")
+            lines.append(f"| `{wanted['of']}` | {name} | {cells[0]} | {cells[1]} | {' | '.join(other)} |")
+    return lines + [""]
+
+
+def mean_cells(samples):
+    """Mean, its 95 % interval, and whether it leaves out 0."""
+    if len(samples) < 2:
+        return "-", "-", "-"
+    mean, error, freedom = student(samples)
+    half = stats.t.ppf(0.975, freedom) * error
+    return f"{mean:.2f}", f"{mean - half:.2f} to {mean + half:.2f}", "yes" if abs(mean) > half else "no"
+
+
+def claim_lines(outcomes):
+    lines = ["| claim | effect | 95 % interval | points (left out) | p |", "|---|---|---|---|---|"]
+    return lines + [f"| {o.claim['text']} | {number(o.effect)} | {interval(o.interval)} | {o.n} ({o.left_out}) | {o.p:.2g} |"
+                    for o in outcomes] + [""]
+
+
+def outcomes_of(prediction, rows, rows_elsewhere):
+    return [tested(rows_elsewhere(claim["from"]) if "from" in claim else rows, claim) for claim in prediction.claims]
+
+
+def verdict(prediction, rows, measured, rows_elsewhere):
+    """The whole text of a folder."""
+    if prediction.own_runs and not rows:
+        return f"## {prediction.table['title']}\n\nNot run yet. The inputs are committed.\n"
+    lines = heading(prediction, rows) if prediction.own_runs else [f"## {prediction.table['title']}", ""]
+    promised = not prediction.own_runs or len({row["point"] for row in rows}) >= prediction.ensemble["points"]
+    kind = prediction.criterion["kind"]
+    if promised and kind == "upper-bound":
+        lines += bound_lines(prediction, rows)
+    if promised and kind == "exponents":
+        lines += exponent_lines(prediction, rows)
+    if promised and kind == "claims":
+        outcomes = outcomes_of(prediction, rows, rows_elsewhere)
+        (word, p), = judged({prediction.name: outcomes}).values()
+        lines += [f"**{word}**, p = {p:.2g}, alone.", "", *claim_lines(outcomes)]
+    if promised and kind == "series":
+        for statistic in prediction.criterion["statistics"]:
+            lines += series_lines(prediction, rows, measured, statistic)
+        if not measured:
+            lines += ["No measured values were given: the verdict is open.", ""]
+    if rows:
+        lines += intervals(prediction, rows) + beside(prediction, rows)
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def signs(predictions, rows_elsewhere, family):
+    """The table of all signs of one preset."""
+    found, lines = {}, []
+    for name, prediction in predictions.items():
+        rows = rows_elsewhere(f"m6/{name}") if prediction.own_runs else []
+        needed = [rows] if prediction.own_runs else [rows_elsewhere(claim["from"]) for claim in prediction.claims]
+        if all(needed):
+            found[name] = outcomes_of(prediction, rows, rows_elsewhere)
+    verdicts = judged(found, family) if found else {}
+    table = ["| sign | statement | verdict | p, Holm |", "|---|---|---|---|"]
+    for name, prediction in predictions.items():
+        word, p = verdicts.get(name, ("not run", math.nan))
+        label = prediction.criterion.get("stands_for", name.upper())
+        table.append(f"| {label} | {prediction.table['title']} | **{word}** | {'-' if math.isnan(p) else f'{p:.2g}'} |")
+        if name in found:
+            lines += [f"### {label}", "", *claim_lines(found[name])]
+    return "\n".join(["## Ten signs", "", *table, "", *lines]).rstrip() + "\n"
+
+
+def indices(prediction, rows, statistic, degree):
+    """First-order and total indices of each unknown, for each arm, with the surrogate's error."""
+    lines = [f"## {prediction.table['title']}: variance of `{statistic}`", ""]
+    names = prediction.names()
+    for arm in prediction.arms:
+        groups = {}
+        for row in rows:
+            if row["arm"] == arm and row.get(statistic) is not None:
+                groups.setdefault(int(row["point"]), []).append(row[statistic])
+        if len(groups) < 2 * len(names):
+            lines += [f"{arm or 'All runs'}: {len(groups)} points are too few for {len(names)} unknowns; at least twice as many.", ""]
+            continue
+        numbers = sorted(groups)
+        points = inputs.points_of(prediction, numbers[-1])[np.array(numbers) - 1]
+        values = np.array([np.mean(groups[i]) for i in numbers])
+        lines += arm_indices(arm, names, points, values, degree, noise_share([groups[i] for i in numbers]))
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def arm_indices(arm, names, points, values, degree, noise):
+    chaos = Chaos(points, values, degree)
+    first, total = chaos.indices()
+    errors = jackknife_indices(points, values, degree=degree)
+    unseen = held_back_error(points, values, degree=degree)
+    lines = [f"### {arm or 'all runs'}", "",
+             f"{len(values)} points, {len(chaos.terms)} terms. Error on samples held back: {unseen:.0%} of the variance. Between "
+             f"replicates: {'not known' if math.isnan(noise) else f'{noise:.0%}'} of the variance of single runs.", ""]
+    if unseen > 0.5:
+        lines += ["**The surrogate misses more than half of the variance of unseen samples. The indices below are no result.**", ""]
+    lines += ["| unknown | first order | total |", "|---|---|---|"]
+    for j in np.argsort(-total, kind="stable"):
+        lines.append(f"| `{names[j]}` | {first[j]:.2f} ± {2 * errors[0][j]:.2f} | {total[j]:.2f} ± {2 * errors[1][j]:.2f} |")
+    return lines + [""]

@@ -1,0 +1,320 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The machinery of experiments/predictions against closed forms and made-up runs."""
+import math
+import os
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+from scipy import stats
+
+SOURCE = pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
+PREDICTIONS = SOURCE / "experiments" / "predictions"
+sys.path[:0] = [str(PREDICTIONS), str(PREDICTIONS.parent)]
+
+import brash
+import case_numbers
+import inputs
+import predict
+import regressions
+import signs
+import surrogate
+import tables
+import verdicts
+
+
+def ishigami(points):
+    """a = 7, b = 0.1; exact indices below (T. Ishigami, T. Homma 1990)."""
+    z = math.pi * (2.0 * points - 1.0)
+    return np.sin(z[:, 0]) + 7.0 * np.sin(z[:, 1]) ** 2 + 0.1 * z[:, 2] ** 4 * np.sin(z[:, 0])
+
+
+ISHIGAMI_FIRST, ISHIGAMI_TOTAL = [0.3139, 0.4424, 0.0], [0.5576, 0.4424, 0.2437]
+
+
+class Indices(unittest.TestCase):
+    # docs/theory/unknowns.md, (U6), (U7), (U8)
+
+    def test_saltelli_and_jansen_find_the_indices_of_ishigami(self):
+        sample = brash.sobol(4096, 6, seed=1)
+        first, total = surrogate.saltelli_jansen(ishigami, sample[:, :3], sample[:, 3:])
+        np.testing.assert_allclose(first, ISHIGAMI_FIRST, atol=0.02)
+        np.testing.assert_allclose(total, ISHIGAMI_TOTAL, atol=0.02)
+
+    def test_a_polynomial_chaos_of_128_runs_finds_them_too(self):
+        points = brash.sobol(128, 3, seed=1)
+        chaos = surrogate.Chaos(points, ishigami(points), degree=9)
+        first, total = chaos.indices()
+        np.testing.assert_allclose(first, ISHIGAMI_FIRST, atol=0.01)
+        np.testing.assert_allclose(total, ISHIGAMI_TOTAL, atol=0.01)
+        # Its estimators agree with its own coefficients.
+        sample = brash.sobol(2048, 6, seed=2)
+        np.testing.assert_allclose(surrogate.saltelli_jansen(chaos, sample[:, :3], sample[:, 3:])[1], total, atol=0.02)
+
+    def test_the_error_on_held_back_samples_is_the_error_on_fresh_ones(self):
+        points, fresh = brash.sobol(128, 3, seed=1), np.random.default_rng(3).random((2000, 3))
+        chaos = surrogate.Chaos(points, ishigami(points), degree=4)
+        true = np.mean((chaos(fresh) - ishigami(fresh)) ** 2) / np.var(ishigami(fresh))
+        held = surrogate.held_back_error(points, ishigami(points), degree=4)
+        self.assertLess(abs(math.log(held / true)), math.log(2.0))  # four fifths of the points, and another sample
+
+    def test_noise_is_no_index(self):
+        random = np.random.default_rng(4)
+        points = brash.sobol(64, 10, seed=5)
+        noise = random.normal(size=64)
+        self.assertGreater(surrogate.held_back_error(points, noise, degree=2), 0.8)
+        # A linear input of variance 1/12 under noise of a hundredth of it.
+        values = points[:, 3] + 0.029 * noise
+        self.assertGreater(surrogate.Chaos(points, values, degree=2).indices()[0][3], 0.95)
+        errors = surrogate.jackknife_indices(points, values, degree=2)
+        self.assertLess(errors[0][3], 0.05)
+
+    def test_the_share_of_noise_comes_from_replicates(self):
+        random = np.random.default_rng(6)
+        groups = [[mean + random.normal(), mean + random.normal()] for mean in random.normal(0, 3, 4000)]
+        self.assertAlmostEqual(surrogate.noise_share(groups), 1 / 10, delta=0.01)
+        self.assertTrue(math.isnan(surrogate.noise_share([[1.0], [2.0]])))
+
+
+class Regressions(unittest.TestCase):
+    def test_worked_numbers_of_their_sources(self):
+        hull = {"breadth": 22.2, "draught": 9.5, "thickness": 1.04, "speed": 1.0}
+        found = regressions.riska(**hull, length=150, midbody=12, bow_length=61, stem_angle=math.radians(16))
+        self.assertAlmostEqual(found / 1e3, 1026, delta=0.5)
+        found = regressions.jeong(**hull, flexural_strength=592e3, ice_density=900, water_density=1000, buoyancy_factor=0.374)
+        self.assertAlmostEqual(found / 1e3, 963, delta=0.5)
+
+    def test_simple_forms(self):
+        self.assertAlmostEqual(regressions.edwards(width=0, thickness=2, flexural_strength=1e5), 6.4e5)
+        self.assertAlmostEqual(regressions.ship_breaking_length(10, 0), 3.2)
+
+
+class Verdicts(unittest.TestCase):
+    # docs/theory/unknowns.md, (U2), (U3), (U4)
+
+    def test_a_prediction_interval_holds_one_more_run_as_often_as_it_says(self):
+        random = np.random.default_rng(7)
+        inside = 0
+        for _ in range(4000):
+            *runs, one_more = np.exp(random.normal(2, 0.5, 9))
+            low, high = verdicts.prediction_interval(runs, confidence=0.9)
+            inside += low <= one_more <= high
+        # The deviation of the count is 0.5 %.
+        self.assertAlmostEqual(inside / 4000, 0.9, delta=0.02)
+
+    def test_values_of_both_signs_have_a_linear_interval(self):
+        low, high = verdicts.prediction_interval([-1.0, 0.0, 1.0])
+        half = stats.t.ppf(0.975, 2) * math.sqrt(4 / 3)
+        np.testing.assert_allclose([low, high], [-half, half])
+        self.assertTrue(math.isnan(verdicts.prediction_interval([1.0])[0]))
+
+    def test_validation_uncertainty_joins_its_parts(self):
+        # S = 110 with deviation 6, D = 100: u = sqrt(5.5^2 + 6^2 + 8^2).
+        found = verdicts.validation([104.0, 110.0, 116.0], 100.0, u_numerical=0.05, u_measured=0.08)
+        self.assertAlmostEqual(found["u_val"], math.sqrt(5.5**2 + 36 + 64))
+        self.assertAlmostEqual(found["error"], 10.0)
+        self.assertFalse(found["told"])
+        self.assertTrue(verdicts.validation([109.9, 110, 110.1], 100.0, 0.01, 0.01)["told"])
+
+    def test_a_series_has_bias_and_coverage(self):
+        found = verdicts.series([200.0, 200.0], [100.0, 400.0], [True, False])
+        self.assertAlmostEqual(found["bias"], 0.0)
+        self.assertAlmostEqual(found["rms"], math.log(2))
+        self.assertEqual(found["covered"], 1)
+        # Clopper and Pearson, 1 in 2: 1 - sqrt(0.975) and its mirror.
+        np.testing.assert_allclose(found["coverage_95"], [1 - math.sqrt(0.975), math.sqrt(0.975)])
+
+    def test_one_point_above_refutes_a_bound(self):
+        criterion = {"statistic": "mean", "bound": 2.0}
+        rows = [{"point": i, "mean": value} for i, value in enumerate([1.0, 1.5, 1.9])]
+        self.assertEqual(verdicts.upper_bound(rows, criterion)["verdict"], "holds")
+        found = verdicts.upper_bound(rows + [{"point": 3, "mean": 3.0}, {"point": 4, "mean": None}], criterion)
+        self.assertEqual([found[name] for name in ("verdict", "above", "n_points", "largest_ratio")], ["refuted", 1, 4, 1.5])
+
+
+def two_arms(ratio, n=16, spread=0.05, seed=8):
+    """Rows of two arms: thin and thick ice differ tenfold, the second arm by `ratio`."""
+    random = np.random.default_rng(seed)
+    rows = []
+    for i in range(n):
+        level = 10 ** random.random()
+        other = level * ratio * math.exp(spread * random.normal())
+        rows += [{"arm": "a", "point": i, "mean": level, "width": 10.0, "flag": 1.0},
+                 {"arm": "b", "point": i, "mean": other, "width": 20.0, "flag": i % 2}]
+    return rows
+
+
+def outcome(rows, **claim):
+    return signs.tested(rows, {"text": "", "statistic": "mean", "arms": ["a", "b"], **claim})
+
+
+class Signs(unittest.TestCase):
+    # docs/theory/unknowns.md, (U5)
+
+    def test_pairs_see_a_small_difference_under_a_large_spread_of_ice(self):
+        rises = outcome(two_arms(1.1), kind="rises")
+        self.assertLess(rises.p, 1e-4)
+        self.assertAlmostEqual(rises.effect, 1.1, delta=0.05)
+        self.assertTrue(rises.interval[0] < 1.1 < rises.interval[1])
+        falls = outcome(two_arms(1.1), kind="falls")
+        self.assertAlmostEqual(falls.p, rises.opposite)
+        self.assertGreater(falls.p, 0.99)
+
+    def test_an_exponent_along_a_key(self):
+        found = outcome(two_arms(2.0**1.5, spread=0.01), kind="rises", along="width")
+        self.assertAlmostEqual(found.effect, 1.5, delta=0.02)
+        found = outcome(two_arms(math.exp(0.3), spread=0.0), kind="rises", along="width", scale="linear")
+        self.assertAlmostEqual(found.effect, 0.03)
+
+    def test_same_needs_evidence_and_not_its_absence(self):
+        self.assertLess(outcome(two_arms(1.05), kind="same", margin=0.25).p, 0.001)
+        few = outcome(two_arms(1.0, n=4, spread=0.5), kind="same", margin=0.25)
+        self.assertTrue(few.p > 0.05 and few.opposite > 0.05)
+        self.assertLess(outcome(two_arms(2.0), kind="same", margin=0.25).opposite, 0.001)
+
+    def test_ratios_bounds_and_shares(self):
+        self.assertLess(outcome(two_arms(0.4), kind="ratio-within", low=0.25, high=0.55).p, 0.001)
+        self.assertLess(outcome(two_arms(0.9), kind="ratio-within", low=0.25, high=0.55).opposite, 0.001)
+        rows = [{**row, "beside": row["mean"] / 3} for row in two_arms(1.0)]
+        self.assertLess(outcome(rows, kind="exceeds", over=["beside"], bound=2.5).p, 1e-6)
+        self.assertLess(outcome(rows, kind="within", over=["beside"], low=2, high=4).p, 1e-6)
+        self.assertLess(outcome(rows, kind="within", over=["beside"], low=1, high=2).opposite, 1e-6)
+        share = outcome(rows, kind="share", statistic="flag", above=0.5, arms=["a"])
+        self.assertAlmostEqual(share.p, 0.5**16)
+
+    def test_a_rise_beyond_another_rise(self):
+        rows = [{**row, "part": 0.2 * row["mean"]} for row in two_arms(2.0)]
+        self.assertLess(outcome(rows, kind="rises-beyond", beside="part", times=2.0).p, 0.001)
+        self.assertLess(outcome(rows, kind="rises-beyond", beside="part", times=8.0).opposite, 0.001)
+
+    def test_points_without_a_number_leave_and_are_counted(self):
+        rows = two_arms(1.2)
+        rows[1]["mean"] = None
+        rows = rows[:-1]
+        found = outcome(rows, kind="rises")
+        self.assertEqual((found.n, found.left_out), (14, 2))
+        self.assertEqual(outcome(rows[:4], kind="rises").p, 1.0)
+        self.assertEqual(outcome(two_arms(1.2), kind="rises", where={"width": [15, 25]}).n, 0)
+
+    def test_holm_is_the_programs_own(self):
+        p = np.random.default_rng(9).random(10) ** 3
+        np.testing.assert_allclose(signs.holm(p), brash.holm(p))
+
+    def test_all_claims_must_hold_and_one_may_contradict(self):
+        holds = outcome(two_arms(1.2), kind="rises")
+        fails = outcome(two_arms(1.2), kind="falls")
+        unsure = outcome(two_arms(1.0, n=4, spread=0.5), kind="same", margin=0.25)
+        found = signs.judged({"s1": [holds], "s2": [holds, fails], "s3": [holds, unsure]}, family=10)
+        self.assertEqual([found[name][0] for name in ("s1", "s2", "s3")], ["shown", "contradicted", "open"])
+        self.assertAlmostEqual(found["s1"][1], 10 * holds.p)
+
+    def test_true_null_signs_are_rarely_shown(self):
+        # Ten signs without an effect: one or more is shown in at most 5 % of 400 families (deviation 1.1 %).
+        wrong = 0
+        for i in range(400):
+            family = {str(j): [outcome(two_arms(1.0, n=8, seed=1000 * i + j), kind="rises")] for j in range(10)}
+            wrong += any(verdict != "open" for verdict, _ in signs.judged(family).values())
+        self.assertLess(wrong / 400, 0.05 + 0.05 + 3 * 0.015)  # shown and contradicted together
+
+
+class Numbers(unittest.TestCase):
+    def test_block_means_leave_an_incomplete_block_out(self):
+        np.testing.assert_allclose(case_numbers.block_means(np.arange(7.0), 0.5, 1.0), [0.5, 2.5, 4.5])
+
+    def test_numbers_of_a_square_wave(self):
+        time = np.arange(1, 2001) * 0.01
+        force = np.where((time - 0.005) % 2 < 1, 3.0, 1.0)
+        history = {"time": time, "Fx": force, "crushing_Fx": force / 2, "floe_normal_Fx": force / 4, "floe_friction_Fx": force / 4}
+        found = case_numbers.history_numbers(history, 12.0, {"late": [8, 10]}, 0.5)
+        for name, value in {"mean": 2, "largest": 3, "smallest": 1, "mean_1s": 2, "largest_1s": 3, "crushing": 1, "floes": 1,
+                            "late": 2, "second_half_over_first": 1}.items():
+            self.assertAlmostEqual(found[name], value, delta=0.05, msg=name)
+
+    def test_the_length_of_an_elastic_plate(self):
+        case = {"ice.thickness": 0.33, "ice.poisson_ratio": 0.3, "ice.youngs_modulus": 0.35e9, "water.density": 1025.0}
+        cone = brash.Case.from_file(SOURCE / "experiments/validation/cone.toml")
+        self.assertAlmostEqual(case_numbers.characteristic_length(case), brash.characteristic_length(cone), places=6)
+        self.assertAlmostEqual(inputs.modulus_of(case_numbers.characteristic_length(case), case) / 0.35e9, 1.0)
+
+    def test_modes_and_laws_of_sizes(self):
+        random = np.random.default_rng(10)
+        self.assertEqual(case_numbers.n_modes(random.normal(size=300)), 1)
+        two = np.concatenate([random.normal(0, 1, 200), random.normal(6, 1, 200)])
+        self.assertEqual(case_numbers.n_modes(two), 2)
+        self.assertGreater(case_numbers.weibull_advantage(random.weibull(1.5, 500)), 0)
+        self.assertLess(case_numbers.weibull_advantage(np.exp(random.normal(0, 0.5, 500))), 0)
+
+
+def made_up(prediction, measured_mean, spread=0.1):
+    """Rows of a prediction whose runs scatter about the measured mean of their arm."""
+    random = np.random.default_rng(11)
+    return [{"arm": arm, "point": i + 1, "replicate": 0, "second_half_over_first": 1.0, "riska": 2 * mean, "jeong": 3 * mean,
+             "lindqvist": mean / 2, "mean": mean * math.exp(spread * random.normal()), "deviation": mean / 3}
+            for i in range(8) for arm, mean in zip(prediction.arms, measured_mean)]
+
+
+class Texts(unittest.TestCase):
+    MEASURED = np.linspace(3e5, 9e5, 10)
+
+    def text_of(self, factor):
+        prediction = predict.prediction_of("m1")
+        measured = [{"arm": arm, "mean": factor * mean} for arm, mean in zip(prediction.arms, self.MEASURED)]
+        return tables.verdict(prediction, made_up(prediction, self.MEASURED), measured, None)
+
+    def test_a_series_that_is_right_says_so_and_one_that_is_not_too(self):
+        text = self.text_of(1.0)
+        for line in ("Inside their intervals: 10 of 10, 8 are needed: **yes**", "holds 0: **yes**",
+                     "below each regression: **yes**", "- riska: bias +0.693"):
+            self.assertIn(line, text)
+        text = self.text_of(2.0)
+        for line in ("Inside their intervals: 0 of 10, 8 are needed: **no**", "holds 0: **no**", "below each regression: **no**"):
+            self.assertIn(line, text)
+
+    def test_fewer_points_than_promised_give_no_verdict(self):
+        prediction = predict.prediction_of("m3")
+        rows = [{"arm": "", "point": i, "quantile_99_0.1s": 1e6, "mean": 3e5} for i in range(5)]
+        self.assertIn("no verdict", tables.verdict(prediction, rows, [], None))
+        whole = [{**rows[0], "point": i} for i in range(16)]
+        broken = tables.verdict(prediction, whole + [{"arm": "", "point": 16, "status": "failed"}], [], None)
+        self.assertIn("1 runs failed and have no numbers: point 16.", broken)
+        self.assertIn("**holds**", tables.verdict(prediction, whole, [], None))
+        self.assertIn("Largest ratio to the bound: 0.5", tables.verdict(prediction, whole, [], None))
+
+    def test_the_table_of_signs_counts_ten_whatever_was_run(self):
+        predictions = {name: predict.prediction_of(f"m6/{name}") for name in ("s2", "s9")}
+        rows = [{**row, "arm": {"a": "light", "b": "heavy"}[row["arm"]]} for row in two_arms(0.8)]
+        text = tables.signs(predictions, lambda name: rows if name == "m6/s2" else [], 10)
+        self.assertRegex(text, r"\| S2 \|.*\| \*\*shown\*\* \|")
+        self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\* \| - \|")
+
+    def test_exponents_are_compared_in_pairs(self):
+        prediction = predict.prediction_of("exponents")
+        random = np.random.default_rng(12)
+        rows = []
+        for i in range(16):
+            level = 10 ** random.random()
+            for arm, keys in prediction.arms.items():
+                width = keys["structure"]["waterline_width"]
+                row = {"arm": arm, "point": i + 1, "replicate": 0, "second_half_over_first": 1.0, **inputs.flat(keys),
+                       "structure.angle": math.radians(float(keys["structure"]["angle"].split()[0]))}
+                load = level * width**1.5 * math.exp(0.02 * random.normal())
+                rows.append({**row, "mean": load, "croasdale": level * width**0.5})
+        text = tables.verdict(prediction, rows, [], None)
+        lines = {tuple(line.split(" | ")[:2]): line for line in text.splitlines() if line.startswith("| `")}
+        cells = lines["| `structure.waterline_width`", "croasdale"].split(" | ")
+        self.assertEqual(cells[2], "0.50")
+        self.assertAlmostEqual(float(cells[4]), 1.0, delta=0.05)
+        self.assertTrue(cells[6].startswith("yes"))
+        self.assertTrue(lines["| `ice.thickness`", "croasdale"].endswith("no |"))
+
+    def test_a_run_that_failed_leaves_its_point_in_place(self):
+        prediction = predict.prediction_of("m6/s2")
+        rows = [{"arm": arm, "point": i, "mean": None if (arm, i) == ("light", 3) else 1.0}
+                for i in range(1, 18) for arm in prediction.arms]
+        self.assertEqual({row["point"] for row in tables.complete(rows, prediction)}, set(range(1, 17)))
+        self.assertEqual({row["point"] for row in tables.complete(rows[:10], prediction)}, set(range(1, 6)))
+
+
+if __name__ == "__main__":
+    unittest.main()
