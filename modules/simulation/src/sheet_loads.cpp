@@ -101,8 +101,8 @@ struct Outline {
 
   /// Whether a place is in the ice on the right of `line`: an odd number of edges lies between it and x = -infinity.
   bool has_inside(Vec2 place) const {
-    bool inside = (place.y < line.front().y && place.x > line.front().x) ||
-                  (place.y >= line.back().y && place.x > line.back().x);
+    bool inside =
+        (place.y < line.front().y && place.x > line.front().x) || (place.y >= line.back().y && place.x > line.back().x);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const Vec2 a = line[i], b = line[i + 1];
       if ((a.y <= place.y) == (b.y <= place.y)) continue;
@@ -160,8 +160,8 @@ class Resultant {
   double eccentricity_;
 };
 
-/// The load of a floe: on the edge, or on a disc where it presses inside the ice. Left out beyond the outline's ends, and
-/// on an edge that the outline leaves out.
+/// The load of a floe: on the edge, or on a disc where it presses inside the ice. Left out beyond the outline's ends,
+/// and on an edge that the outline leaves out.
 void place_floe(const EdgeContact& contact, const Resultant& load, const Frame& frame, const Outline& outline,
                 double thickness, std::vector<failure::SheetLoad>& loads) {
   const Vec2 middle = frame.place(contact.region.midpoint);

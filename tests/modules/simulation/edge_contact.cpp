@@ -246,7 +246,8 @@ BOOST_AUTO_TEST_CASE(a_force_above_mid_thickness_has_a_moment_that_lifts_the_edg
 struct Bay : Scene {
   Bay(Vec2 centre, double radius) {
     brash::ice::Plate& level_ice = field.level_ice(0);
-    const brash::ice::CrackPlan plan{geometry::circumferential(level_ice.sheet(), centre, radius, 3, 64), centre, radius};
+    const brash::ice::CrackPlan plan{geometry::circumferential(level_ice.sheet(), centre, radius, 3, 64), centre,
+                                     radius};
     (void)field.break_off(level_ice, plan, {}, 0.01);
   }
 
