@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of units that the simulator in a page reads has the factors of UDUNITS-2.
+#include "units.hpp"
+
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "units.hpp"
 
 namespace {
 
@@ -31,8 +31,7 @@ BOOST_AUTO_TEST_CASE(the_table_of_units_has_the_factors_of_udunits) {
       {"s-1", {"Hz", "kHz", "1/s", "1/min"}},
       {"1", {"%", "percent", "ppt", "m/m", "mm/m"}}};
   for (const auto& [target, units] : usual)
-    for (const std::string& unit : units)
-      BOOST_TEST_CONTEXT(unit << " in " << target) {
+    for (const std::string& unit : units) BOOST_TEST_CONTEXT(unit << " in " << target) {
         const auto known = in_unit_of_udunits(1.7, unit, target);
         const auto read = in_unit_of_table(1.7, unit, target);
         BOOST_REQUIRE(known.has_value());
