@@ -84,8 +84,24 @@ test("a bad case is refused in the program's words", async () => {
   await page.evaluate(() => window.brashSimulator.store.checked);
   const said = await page.getByRole("alert").first().innerText();
   assert.equal(said.trim(), native.stderr.replaceAll(file, "cone.toml").replace(/^brash: |^error: /, "").trim());
-  assert.equal(await page.getByRole("button", { name: "Run", exact: true }).isDisabled(), true);
+  assert.equal(await page.getByRole("button", { name: /^Run/ }).isDisabled(), true);
   await page.close();
+});
+
+/** The case of the page run by its core without a picture: columns of the breaks, loads, and wall time [s]. */
+const computed = (page) => page.evaluate(async () => {
+  const { core, store } = window.brashSimulator;
+  await core.make(store.text, store.name);
+  const start = performance.now();
+  const events = {}, times = [], loads = [];
+  for (let done = false; !done; ) {
+    const { records, ...said } = await core.advance(50);
+    done = said.done;
+    times.push(...records.load.time);
+    loads.push(...records.load.Fx);
+    for (const [name, values] of Object.entries(records.event)) (events[name] ??= []).push(...values);
+  }
+  return { events, times, loads, wall: (performance.now() - start) / 1000 };
 });
 
 /** Columns of a break, and how far the first ten may be apart: to ten digits of their size. */
@@ -100,9 +116,8 @@ for (const preset of ["paper", "brash"])
     assert.equal(brash("run", kCase, "-o", run, ...sets).status, 0);
     const native = Number(process.hrtime.bigint() - start) / 1e9;
     const page = await opened(settings);
-    await played(page);
-    const speed = await page.evaluate(() => window.brashSimulator.simulation.speed);
-    console.log(`${preset}: 10 s in ${(10 / speed).toFixed(2)} s of wall time in the page, ${native.toFixed(2)} s native with its files`);
+    const { events: breaks, times, loads, wall } = await computed(page);
+    console.log(`${preset}: 10 s in ${wall.toFixed(2)} s of wall time in the page, ${native.toFixed(2)} s native with its files`);
 
     const events = readCsv(join(run, "events.csv")).filter(({ event }) => event === "break").slice(0, 10);
     assert.equal(events.length, 10);
@@ -110,14 +125,13 @@ for (const preset of ["paper", "brash"])
     for (const name of kColumns) {
       const known = events.map((event) => Number(event[name]));
       const size = Math.max(...known.map(Math.abs));
-      (await column(page, `event.${name}`)).slice(0, 10).forEach((value, i) => {
+      breaks[name].slice(0, 10).forEach((value, i) => {
         largest = Math.max(largest, Math.abs(value - known[i]) / size);
         assert.ok(Math.abs(value - known[i]) <= 1e-10 * size, `${name} of break ${i + 1}: ${value} in the page, ${known[i]}`);
       });
     }
     console.log(`${preset}: the first ten breaks differ by ${largest.toExponential(1)} at most`);
 
-    const [times, loads] = [await column(page, "load.time"), await column(page, "load.Fx")];
     assert.equal(times.length, 1000);
     const counted = loads.filter((_, i) => times[i] >= 4);
     const mean = counted.reduce((sum, load) => sum + load, 0) / counted.length;
@@ -160,7 +174,7 @@ test("controls change the case, and buttons play, stop and begin it anew", async
 });
 
 test("a picture is drawn at most once a frame, and the next steps wait for it", async () => {
-  const page = await opened({ "time.duration": "3" });
+  const page = await opened({ "time.duration": "1" });
   const counted = await page.evaluate(async () => {
     const { core, simulation } = window.brashSimulator;
     let frames = 0, waiting = 0, most = 0, calls = 0;
@@ -197,7 +211,7 @@ test("a picture is drawn at most once a frame, and the next steps wait for it", 
 });
 
 test("axe-core finds no fault, light, dark and narrow", async () => {
-  const page = await opened({ "time.duration": "1.5" });
+  const page = await opened({ "time.duration": "0.5" });
   await played(page);
   const faults = async () => {
     await page.evaluate(axe);
