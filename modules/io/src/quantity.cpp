@@ -3,57 +3,22 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <udunits2.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <mutex>
 
-#include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
+#include "units.hpp"
 
 namespace brash::io {
 namespace {
 
-struct FreeUnit {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-};
-struct FreeConverter {
-  void operator()(cv_converter* converter) const { cv_free(converter); }
-};
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
-using Converter = std::unique_ptr<cv_converter, FreeConverter>;
-
-/// Gives `symbol` the meaning of `definition`, before UDUNITS takes its first letter for a prefix.
-void define(ut_system* system, const char* symbol, const char* definition) {
-  ut_unmap_symbol_to_unit(system, symbol, UT_ASCII);
-  const Unit unit(ut_parse(system, definition, UT_UTF8));
-  if (!unit || ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get()) != UT_SUCCESS)
-    throw InputError(
-        fmt::format("UDUNITS-2 cannot define the unit {} as {}\n  allowed: Debian's unit database"
-                    "\n  remedy:  unset UDUNITS2_XML_PATH",
-                    symbol, definition));
-}
-
-/// The unit database, read once and never freed. The caller holds the lock: UDUNITS parses with global state.
-ut_system* unit_system() {
-  static ut_system* const system = [] {
-    ut_set_error_message_handler(ut_ignore);
-    ut_system* const read = ut_read_xml(nullptr);
-    if (read == nullptr)
-      throw InputError(
-          "UDUNITS-2 cannot read its unit database\n  allowed: Debian's unit database"
-          "\n  remedy:  install libudunits2-data, or unset UDUNITS2_XML_PATH");
-    define(read, "nmi", "1852 m");
-    define(read, "ppt", "1e-3");
-    define(read, "deg", "arc_degree");
-    return read;
-  }();
-  return system;
-}
+#ifdef BRASH_UNIT_TABLE  // the simulator in a page
+constexpr auto& in_unit = in_unit_of_table;
+#else
+constexpr auto& in_unit = in_unit_of_udunits;
+#endif
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) {
@@ -88,13 +53,6 @@ std::string spelling_error(std::string_view unit) {
   return symbol_expected ? "it is incomplete" : "";
 }
 
-/// Whether `unit` has an angle in it: UDUNITS lets radians pass as ratios.
-bool has_angle(const ut_unit* unit) {
-  std::array<char, 512> text{};
-  const int length = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
-  return length > 0 && std::string_view(text.data()).find("rad") != std::string_view::npos;
-}
-
 /// The short decimal that `factor` stands for, when it is within the roundings of a product of prefixes (0.0254 for
 /// 0.025400000000000002); else `factor`.
 double without_rounding(double factor) {
@@ -104,11 +62,10 @@ double without_rounding(double factor) {
   return std::abs(decimal / factor - 1.0) < 1e-15 ? decimal : factor;
 }
 
-/// `value` in another unit, rounded once where the units differ by a power of ten.
-double convert(cv_converter* converter, double value) {
-  const double offset = cv_convert_double(converter, 0.0);
-  if (offset != 0.0) return cv_convert_double(converter, value);
-  const double factor = without_rounding(cv_convert_double(converter, 1.0));
+/// The value in another unit, rounded once where the units differ by a power of ten.
+double rounded_once(double value, const InOtherUnit& other) {
+  if (other.zero != 0.0) return other.value;
+  const double factor = without_rounding(other.one);
   const double inverse = std::round(1.0 / factor);
   if (factor < 1.0 && inverse < 1e15 && std::abs(factor * inverse - 1.0) < 1e-15) return value / inverse;
   return value * factor;
@@ -133,18 +90,17 @@ std::string unit_remedy(const std::string& unit) {
 
 /// `value` given in the unit spelled `from`, in the unit spelled `to`.
 tl::expected<double, QuantityError> convert_units(double value, const std::string& from, const std::string& to) {
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  ut_system* const system = unit_system();
-  const Unit target(ut_parse(system, to.c_str(), UT_UTF8));
-  const Unit unit(ut_parse(system, from.c_str(), UT_UTF8));
-  if (!unit) return error(fmt::format("the unit {} is not known", printable(from)), unit_remedy(to));
-  if (ut_are_convertible(unit.get(), target.get()) == 0 || has_angle(unit.get()) != has_angle(target.get()))
-    return error(fmt::format("the unit {} does not convert to {}", printable(from), to), unit_remedy(to));
-  const Converter converter(ut_get_converter(unit.get(), target.get()));
-  if (!converter)
-    return error(fmt::format("the unit {} does not convert to {}", printable(from), to), "use another unit");
-  return convert(converter.get(), value);
+  const auto converted = in_unit(value, from, to);
+  if (converted) return rounded_once(value, *converted);
+  switch (converted.error()) {
+    case UnitFault::kUnknown:
+      return error(fmt::format("the unit {} is not known", printable(from)), unit_remedy(to));
+    case UnitFault::kOtherKind:
+      return error(fmt::format("the unit {} does not convert to {}", printable(from), to), unit_remedy(to));
+    case UnitFault::kNoConverter:
+      break;
+  }
+  return error(fmt::format("the unit {} does not convert to {}", printable(from), to), "use another unit");
 }
 
 /// The unit of a toughness. UDUNITS has no fractional exponents: the root of the metre is read here, alone.

@@ -81,7 +81,7 @@ void ExactWorld::find_contacts() {
   for (auto next = pairs.begin(); next != pairs.end();) {
     const auto first = next;
     while (next != pairs.end() && next->first == first->first) ++next;
-    meetings_.push_back({first->first, {first, next}});
+    meetings_.push_back({first->first, {&*first, static_cast<std::size_t>(next - first)}});
   }
   contacts_.find(meetings_, dispatcher, workers());
 }

@@ -193,7 +193,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   s.statistics_from = statistics_from(resolved);
   const auto first =
       std::ranges::find_if(results.loads, [&](const model::LoadRow& r) { return r.time > s.statistics_from; });
-  const std::span<const model::LoadRow> window(first, results.loads.end());
+  const auto window = std::span(results.loads).subspan(static_cast<std::size_t>(first - results.loads.begin()));
   const auto x = [](Vec3 v) { return v.x; };
   const auto z = [](Vec3 v) { return v.z; };
   const auto total_x = [](const model::LoadRow& r) { return r.total.force.x; };

@@ -64,6 +64,7 @@ export class Stage {
   /** A bar of a round length. In perspective it holds at the point that the camera turns about. */
   private showScale(scene: ReplayScene): void {
     const perMetre = scene.pixelsPerMetre;
+    if (!(perMetre > 0)) return;  // the stage has left the page
     const length = scaleLength(perMetre);
     this.scale.style.width = `${(length * perMetre).toFixed(1)}px`;
     const text = `${Number(length.toPrecision(1))} m at the structure`;
