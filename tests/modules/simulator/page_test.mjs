@@ -153,10 +153,11 @@ test("controls change the case, and buttons play, stop and begin it anew", async
   await page.getByRole("button", { name: "Run anew" }).click();
   await until(page, () => window.brashSimulator.simulation.report.run.duration > 0.2);
   await page.getByRole("button", { name: "Pause" }).click();
-  await until(page, () => !window.brashSimulator.simulation.running);
+  const idle = () => !document.querySelector(".live button:nth-of-type(2)").disabled;
+  await until(page, idle);  // the batch on its way is whole
   const paused = await page.evaluate(() => window.brashSimulator.simulation.report.run.duration);
   await page.getByRole("button", { name: "Step" }).click();
-  await until(page, () => !document.querySelector(".live button:nth-of-type(2)").disabled);
+  await until(page, idle);
   const stepped = await page.evaluate(() => window.brashSimulator.simulation.report.run.duration);
   assert.ok(Math.abs(stepped - paused - 0.01) < 1e-9, `${paused} to ${stepped}`);
   await page.getByRole("button", { name: "Reset" }).click();
