@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A report in headless Chromium: what the tests and the pictures share.
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -26,6 +27,23 @@ export function scratch() {
 export function readCsv(path) {
   const [head, ...rows] = readFileSync(path, "utf8").trim().split("\n").map((line) => line.split(","));
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
+}
+
+/** Holds that axe-core finds no fault in a page, light, dark and narrow. */
+export async function expectAccessible(page) {
+  const axe = readFileSync(createRequire(join(BRASH_PACKAGES, "package.json")).resolve("axe-core/axe.min.js"), "utf8");
+  const faults = async () => {
+    await page.evaluate("document.querySelectorAll('details').forEach((d) => (d.open = true))");
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate("axe.run(document, { resultTypes: ['violations'] })");
+    return violations.flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 160)}: ${failureSummary}`));
+  };
+  for (const theme of ["light", "dark"]) {
+    await page.getByLabel("Colours").selectOption(theme);
+    assert.deepEqual(await faults(), [], theme);
+  }
+  await page.setViewportSize({ width: 390, height: 800 });
+  assert.deepEqual(await faults(), [], "narrow");
 }
 
 /** Software draws the replay, and a busy machine draws it slowly [ms]. */

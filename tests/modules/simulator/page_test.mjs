@@ -3,16 +3,14 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { browse, readCsv, saved, scratch, until } from "../report/browser.mjs";
+import { browse, expectAccessible, readCsv, saved, scratch, until } from "../report/browser.mjs";
 import { openPage } from "./pages.mjs";
 
 const folder = scratch();
 const page_file = process.env.BRASH_PAGE;
 const kCase = join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml");
-const axe = readFileSync(createRequire(join(process.env.BRASH_PACKAGES, "package.json")).resolve("axe-core/axe.min.js"), "utf8");
 const brash = (...args) => spawnSync(process.env.BRASH, args, { encoding: "utf8" });
 let browser;
 
@@ -216,17 +214,7 @@ test("a picture is drawn at most once a frame, and the next steps wait for it", 
 test("axe-core finds no fault, light, dark and narrow", async () => {
   const page = await opened({ "time.duration": "0.5" });
   await played(page);
-  const faults = async () => {
-    await page.evaluate(axe);
-    const { violations } = await page.evaluate("axe.run(document, { resultTypes: ['violations'] })");
-    return violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 160)}`));
-  };
-  for (const theme of ["light", "dark"]) {
-    await page.getByLabel("Colours").selectOption(theme);
-    assert.deepEqual(await faults(), [], theme);
-  }
-  await page.setViewportSize({ width: 390, height: 800 });
-  assert.deepEqual(await faults(), [], "narrow");
+  await expectAccessible(page);
   await page.close();
 });
 
