@@ -2,16 +2,14 @@
 // The case builder of `brash new --page`: what it writes, `brash check` reads; it is accessible and asks no network.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { browse, scratch } from "../report/browser.mjs";
+import { browse, expectAccessible, scratch } from "../report/browser.mjs";
 import { openPage } from "./pages.mjs";
 
 const folder = scratch();
 const page_file = join(folder, "builder.html");
-const axe = readFileSync(createRequire(join(process.env.BRASH_PACKAGES, "package.json")).resolve("axe-core/axe.min.js"), "utf8");
 const brash = (...args) => spawnSync(process.env.BRASH, args, { encoding: "utf8" });
 let browser;
 
@@ -62,6 +60,15 @@ test("the form writes a case file, and what is written shows in the form", async
   await page.close();
 });
 
+test("a key offers the names of its section's kind alone", async () => {
+  const page = await openPage(browser, page_file);
+  const border = () => page.evaluate(() => [...document.querySelector("#key-field-border").options].filter(({ hidden }) => !hidden).map((option) => option.textContent));
+  assert.deepEqual(await border(), ["default: fixed", "fixed", "free"]);
+  await page.locator("#key-field-kind").selectOption("floes");
+  assert.deepEqual(await border(), ["default: free", "free", "walls"]);
+  await page.close();
+});
+
 test("a value out of its range is refused at once", async () => {
   const page = await openPage(browser, page_file);
   await page.locator("#key-ice-density").fill("2000");
@@ -76,18 +83,7 @@ test("a value out of its range is refused at once", async () => {
 
 test("axe-core finds no fault, light, dark and narrow", async () => {
   const page = await openPage(browser, page_file);
-  await page.evaluate("document.querySelectorAll('details').forEach((d) => (d.open = true))");
-  const faults = async () => {
-    await page.evaluate(axe);
-    const { violations } = await page.evaluate("axe.run(document, { resultTypes: ['violations'] })");
-    return violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 160)}`));
-  };
-  for (const theme of ["light", "dark"]) {
-    await page.getByLabel("Colours").selectOption(theme);
-    assert.deepEqual(await faults(), [], theme);
-  }
-  await page.setViewportSize({ width: 390, height: 800 });
-  assert.deepEqual(await faults(), [], "narrow");
+  await expectAccessible(page);
   await page.close();
 });
 

@@ -4,7 +4,7 @@ import { el, section } from "../../../report/viewer/src/dom";
 import { number } from "../../../report/viewer/src/format";
 import { saveText } from "../../../report/viewer/src/save";
 import { tomlOf, typedOf, valueIn } from "./case_text";
-import { type KeySchema, readSchema, type Section, sectionsOf } from "./schema";
+import { type KeySchema, ofKind, readSchema, type Section, sectionsOf } from "./schema";
 import type { CaseStore } from "./store";
 
 /** Sections that a new case needs are open at first. */
@@ -34,9 +34,11 @@ class Field {
   readonly element: HTMLElement;
   private readonly input: HTMLInputElement | HTMLSelectElement;
 
-  constructor(private readonly store: CaseStore, private readonly section: string, private readonly key: string, private readonly schema: KeySchema, required: boolean) {
+  /** @param usual  the kind of a section that names none. */
+  constructor(private readonly store: CaseStore, private readonly section: string, private readonly key: string, private readonly schema: KeySchema,
+              private readonly required: boolean, private readonly usual: string) {
     const id = `key-${section}-${key}`.replace(/\./g, "-");
-    this.input = this.makeInput(id, required);
+    this.input = this.makeInput(id);
     this.element = el("div", { class: "field" },
       el("label", { for: id }, el("code", {}, key), required && el("b", { class: "required" }, " required")),
       this.input,
@@ -45,13 +47,10 @@ class Field {
     store.onChange(() => this.follow());
   }
 
-  private makeInput(id: string, required: boolean): HTMLInputElement | HTMLSelectElement {
+  private makeInput(id: string): HTMLInputElement | HTMLSelectElement {
     const choices = this.schema.enum ?? (this.schema.type === "boolean" ? ["true", "false"] : null);
     const write = () => this.store.setKey(this.section, this.key, this.input.value.trim() === "" ? null : this.toml(this.input.value));
-    if (choices) {
-      const none = required ? "choose" : `default: ${hint(this.schema)}`;
-      return el("select", { id, change: write }, el("option", { value: "" }, none), ...choices.map((name) => el("option", { value: name }, name)));
-    }
+    if (choices) return el("select", { id, change: write }, el("option", { value: "" }), ...choices.map((name) => el("option", { value: name }, name)));
     return el("input", { id, type: "text", spellcheck: "false", autocomplete: "off", placeholder: hint(this.schema), input: write });
   }
 
@@ -66,7 +65,13 @@ class Field {
     if (document.activeElement !== this.input && this.input.value !== shown) this.input.value = shown;
     const kinds = this.schema["x-kinds"];
     const of = valueIn(this.store.text, this.section, "kind");
-    const kind = of === null ? "cone" : typedOf(of);
+    const kind = of === null ? this.usual : typedOf(of);
+    if (this.input instanceof HTMLSelectElement) {
+      const schema = ofKind(this.schema, kind);
+      for (const option of this.input.options)
+        if (option.value === "") option.textContent = this.required ? "choose" : `default: ${hint(schema)}`;
+        else option.hidden = schema.enum?.includes(option.value) === false && option.value !== shown;
+    }
     this.element.hidden = written === null && kinds !== undefined && this.section === "structure" && !kinds.includes(kind);
     // The program names the keys that it refuses.
     const bad = this.store.error.includes(`${this.section}.${this.key}`);
@@ -75,9 +80,11 @@ class Field {
 }
 
 function fieldset(store: CaseStore, { name, description, keys }: Section): HTMLElement {
+  const kinds = keys.find((each) => each.name === "kind")?.schema;
+  const usual = String(kinds?.default ?? kinds?.enum?.[0] ?? "");
   return el("details", { open: kOpen.includes(name) },
     el("summary", {}, el("code", {}, `[${name}]`), ` ${description}`),
-    ...keys.map(({ name: key, schema, required }) => new Field(store, name, key, schema, required).element));
+    ...keys.map(({ name: key, schema, required }) => new Field(store, name, key, schema, required, usual).element));
 }
 
 /** The text of the case; whoever likes writes in it. */
@@ -103,7 +110,7 @@ export function caseFile(store: CaseStore): { element: HTMLElement; copy: HTMLEl
   });
   return {
     element: el("div", { class: "case-file", id: "case-file" }, el("div", { class: "bar" }, el("strong", {}, "Case file"), ...buttons()), text),
-    copy: el("span", {}, ...buttons(), told),
+    copy: el("span", { class: "pair" }, ...buttons(), told),
   };
 }
 

@@ -15,6 +15,7 @@ export interface KeySchema {
   required?: string[];
   "x-unit"?: string;
   "x-kinds"?: string[];
+  "x-of-kinds"?: Record<string, string[]>;
   "x-presets"?: Record<string, unknown>;
   "x-required"?: boolean;
   "x-short-for"?: string;
@@ -37,6 +38,12 @@ export function sectionsOf(schema: KeySchema, prefix = ""): Section[] {
     const inner = Object.fromEntries(Object.entries(part.properties ?? {}).filter(([, key]) => key.properties));
     return [...own, ...sectionsOf({ properties: inner }, `${path}.`)];
   });
+}
+
+/** A key with the names that its section's kind takes alone, as the program reads it. */
+export function ofKind(key: KeySchema, kind: string): KeySchema {
+  const names = key["x-of-kinds"]?.[kind];
+  return names ? { ...key, enum: names, default: names.includes(key.default as string) ? key.default : names[0] } : key;
 }
 
 export function readSchema(): KeySchema {
