@@ -26,12 +26,10 @@ constexpr const char* kAllowed = "POLYGON or MULTIPOLYGON in WKT, or a GeoJSON F
   throw InputError(Complaint{where, what, allowed, remedy});
 }
 
-bool is_json(const std::string& text) { return geometry::is_json(text); }
-
 /// The polygons of a text, in its order; WKT knows no kinds, and no floes.
 std::vector<geometry::Feature> features_of(const std::string& text, const std::string& path) {
   std::vector<geometry::Feature> features;
-  if (is_json(text)) {
+  if (geometry::is_json(text)) {
     auto read = geometry::from_geojson(text);
     if (!read) refuse(path, read.error().what, kAllowed, "correct the file");
     features = std::move(*read);
@@ -127,7 +125,7 @@ std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSec
   expect_no_overlap(polygons, path);
   std::vector<GivenFloe> floes;
   for (geometry::Polygon& polygon : polygons) floes.push_back({std::move(polygon), {}, {}});
-  if (is_json(text)) add_properties(text, path, floes);
+  if (geometry::is_json(text)) add_properties(text, path, floes);
   expect_in_field(floes, field, path);
   return floes;
 }
@@ -142,7 +140,7 @@ GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection&
     all.push_back({feature.polygon, {}, {}});
   }
   expect_no_overlap(polygons, path);
-  if (is_json(text)) add_properties(text, path, all);
+  if (geometry::is_json(text)) add_properties(text, path, all);
   expect_in_field(all, field, path);
   GivenLevelIce ice;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -173,7 +171,7 @@ std::vector<geometry::Polygon> read_openings(const std::string& path) {
 
 std::vector<geometry::Crack> read_cracks(const std::string& path) {
   const std::string text = read_text_file(path, "file of cracks");
-  auto cracks = is_json(text) ? geometry::cracks_from_geojson(text) : geometry::cracks_from_wkt(text);
+  auto cracks = geometry::is_json(text) ? geometry::cracks_from_geojson(text) : geometry::cracks_from_wkt(text);
   if (!cracks)
     refuse(path, cracks.error().what, "LINESTRING or MULTILINESTRING in WKT, or their like in GeoJSON, in metres",
            "correct the line; areas of open water go to field.openings");

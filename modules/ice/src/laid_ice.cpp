@@ -60,22 +60,14 @@ double distance_to_edges(const Polygon& polygon, Vec2 p) {
   return least;
 }
 
-bool is_inside(const Polygon& polygon, Vec2 p) {
-  bool inside = false;
-  visit_edges(polygon, [&](Vec2 a, Vec2 b) {
-    if ((a.y > p.y) == (b.y > p.y)) return;
-    if (p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
-  });
-  return inside;
-}
-
 bool are_apart(const geometry::Extent& box, Vec2 a, Vec2 b) {
   return std::max(a.x, b.x) < box.lower.x || std::min(a.x, b.x) > box.upper.x || std::max(a.y, b.y) < box.lower.y ||
          std::min(a.y, b.y) > box.upper.y;
 }
 
 /// A stretch of the line from `a` to `b` in the inside of `part`, between two crossings of its edges.
-std::optional<Tail> tail_in(const Polygon& part, Vec2 a, Vec2 b) {
+/// @param ice  the same part.
+std::optional<Tail> tail_in(const Polygon& part, const IceSheet& ice, Vec2 a, Vec2 b) {
   const Vec2 line = b - a;
   std::vector<double> places{0.0, 1.0};
   visit_edges(part, [&](Vec2 c, Vec2 d) {
@@ -88,7 +80,7 @@ std::optional<Tail> tail_in(const Polygon& part, Vec2 a, Vec2 b) {
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     if ((places[i + 1] - places[i]) * norm(line) < kShortestTail) continue;
     const Vec2 middle = a + 0.5 * (places[i] + places[i + 1]) * line;
-    if (is_inside(part, middle) && distance_to_edges(part, middle) > kOnEdge) {
+    if (ice.contains(middle) && distance_to_edges(part, middle) > kOnEdge) {
       const Vec2 from = a + places[i] * line, to = a + places[i + 1] * line;
       // Its end in the ice comes last.
       if (distance_to_edges(part, from) > distance_to_edges(part, to)) return Tail{to, from};
@@ -216,12 +208,16 @@ Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon
   const std::array<Vec2, 4> corners{lower, Vec2{upper.x, lower.y}, upper, Vec2{lower.x, upper.y}};
   Parted parted{sheet_of(ice).cut(geometry::ring(corners), lines).pieces, {}};
   std::vector<geometry::Extent> boxes;
-  for (const Polygon& part : parted.parts) boxes.push_back(geometry::extent(part));
+  std::vector<IceSheet> sheets;
+  for (const Polygon& part : parted.parts) {
+    boxes.push_back(geometry::extent(part));
+    sheets.push_back(sheet_of(std::span(&part, 1)));
+  }
   for (const geometry::Crack& line : lines) {
     const Vec2 a = geometry::metres(line.from), b = geometry::metres(line.to);
     for (std::size_t i = 0; i < parted.parts.size(); ++i) {
       if (are_apart(boxes[i], a, b)) continue;
-      if (const auto tail = tail_in(parted.parts[i], a, b)) parted.tails.push_back(*tail);
+      if (const auto tail = tail_in(parted.parts[i], sheets[i], a, b)) parted.tails.push_back(*tail);
     }
   }
   return parted;
