@@ -31,7 +31,7 @@ export class EventCard {
   show(event: number, peak?: Peak): void {
     this.event = event;
     if (event < 0) {
-      const text = this.run.nEvents > 0 ? "Click a load peak, or a red point of the plan, to see the crack event behind it." : "The ice did not break in this run.";
+      const text = this.run.nEvents > 0 ? "Click a load peak, or a red point of the plan, to see the crack event behind it." : "The ice has not broken in this run.";
       this.element.replaceChildren(el("p", { class: "hint" }, text), this.steps());
       return;
     }

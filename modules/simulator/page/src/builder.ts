@@ -24,7 +24,7 @@ function meaning(schema: KeySchema): string {
   const unit = schema["x-unit"] && schema["x-unit"] !== "1" ? `Unit: ${schema["x-unit"]}, or another that is written behind the number. ` : "";
   const [least, most] = [schema.minimum ?? schema.exclusiveMinimum, schema.maximum ?? schema.exclusiveMaximum];
   const range = least === undefined && most === undefined ? "" : `Range: ${bound(least)} to ${bound(most)}. `;
-  const usual = schema.default === undefined || schema.default === "" ? "" : `Default: ${hint(schema)}. `;
+  const usual = schema.default === undefined || schema.default === "" || schema["x-of-kinds"] ? "" : `Default: ${hint(schema)}. `;
   const presets = Object.entries(schema["x-presets"] ?? {}).map(([name, value]) => `With the preset ${name}: ${JSON.stringify(value)}. `).join("");
   return `${unit}${range}${usual}${presets}`.trim();
 }

@@ -24,7 +24,7 @@ enum class MotionFrame {
 };
 /// [field] kind
 enum class FieldKind {
-  kLevelIce,  ///< one fast sheet
+  kLevelIce,  ///< sheets, fast or drifting
   kFloes      ///< broken ice, afloat from the start
 };
 /// [field] shape: of the floes of a generated field, ice::make_floe_field().
