@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -14,8 +13,9 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/text.hpp"
-#include "quantity.hpp"
 #include "schema.hpp"
+#include "toml_value.hpp"
+#include "wrong_value.hpp"
 
 namespace brash::io {
 namespace {
@@ -32,50 +32,6 @@ std::vector<std::string> names(const OrderedJson& object) {
 }
 
 std::string list(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
-
-/// Why a TOML value is no value of a case.
-struct ValueError {
-  std::string what;
-  std::string remedy;
-};
-
-tl::expected<Json, ValueError> to_json(const toml::node& node, const OrderedJson& key_schema);
-
-tl::expected<Json, ValueError> array_to_json(const toml::array& array, const OrderedJson& key_schema) {
-  static const OrderedJson kNone = {{"type", "null"}};
-  const OrderedJson& item_schema = key_schema.contains("items") ? key_schema.at("items") : kNone;
-  Json items = Json::array();
-  for (const toml::node& item : array) {
-    OrderedJson of_column = item_schema;
-    if (key_schema.contains("x-units") && items.size() < key_schema.at("x-units").size())
-      of_column["x-unit"] = key_schema.at("x-units").at(items.size());
-    tl::expected<Json, ValueError> converted = to_json(item, of_column);
-    if (!converted) return converted;
-    items.push_back(std::move(*converted));
-  }
-  return items;
-}
-
-/// A TOML value as JSON, quantities in the unit of `key_schema`.
-tl::expected<Json, ValueError> to_json(const toml::node& node, const OrderedJson& key_schema) {
-  if (const auto* value = node.as_boolean()) return Json(value->get());
-  if (const auto* value = node.as_integer()) return Json(value->get());
-  if (const auto* value = node.as_floating_point()) {
-    if (!std::isfinite(value->get())) return tl::unexpected(ValueError{"is not finite", "write a finite number"});
-    return Json(value->get());
-  }
-  if (const auto* value = node.as_string()) {
-    if (value_type(key_schema) != "number") return Json(value->get());
-    auto number = read_quantity(value->get(), key_schema.at("x-unit").get<std::string>());
-    if (!number) return tl::unexpected(ValueError{std::move(number.error().what), std::move(number.error().remedy)});
-    return Json(*number);
-  }
-  if (const auto* value = node.as_array()) return array_to_json(*value, key_schema);
-  if (node.is_table())
-    return tl::unexpected(
-        ValueError{"is a table, not a value", "write one value; below a section are keys, nothing deeper"});
-  return tl::unexpected(ValueError{"is a date or time, not a value", "write a number, or a string in quotes"});
-}
 
 /// The schema as valijson checks it.
 const valijson::Schema& compiled(const io::Schema& schema) {
@@ -332,7 +288,9 @@ class Reader {
     for (const auto& error : results) {
       if (error.context.size() < 3) continue;
       const auto name = [&](std::size_t i) { return error.context[i].substr(1, error.context[i].size() - 2); };
-      if (faulty.emplace(name(1), name(2)).second) problems_.push_back(wrong_value(name(1), name(2)));
+      if (faulty.emplace(name(1), name(2)).second)
+        problems_.push_back(
+            wrong_value(source_, name(1), name(2), schema_.keys(name(1)).at(name(2)), document_[name(1)][name(2)]));
     }
     BRASH_EXPECTS(!problems_.empty(), "the schema refuses what no key explains");
   }
@@ -351,62 +309,6 @@ class Reader {
                              allowed_values(of_kind), "", "change the value, or the kind"});
       }
     }
-  }
-
-  Problem wrong_value(const std::string& section, const std::string& key) const {
-    const OrderedJson& key_schema = schema_.keys(section).at(key);
-    const Json& value = document_[section][key];
-    const std::string type = value_type(key_schema);
-    Problem problem{place_of(source_, section, key),
-                    section + "." + key,
-                    value_text(source_, section, key),
-                    "",
-                    allowed_values(key_schema),
-                    "",
-                    "change the value"};
-    if (key_schema.contains("default"))
-      problem.remedy += fmt::format(", or remove the line to take the default {}", toml_text(key_schema.at("default")));
-    if (key_schema.contains("enum") && value.is_string()) {
-      problem.what = "is not a known name";
-      if (key_schema.contains("x-limits")) problem.what += ": " + key_schema.at("x-limits").get<std::string>();
-      const std::string nearest = nearest_name(value.get<std::string>(), key_schema.at("enum"));
-      if (!nearest.empty()) problem.nearest = toml_string(nearest);
-    } else if (type == "array" && value.is_array()) {
-      problem.what = fmt::format("has {} values, or one that is not allowed", value.size());
-    } else if ((type == "number" && value.is_number()) || (type == "integer" && value.is_number_integer())) {
-      problem.what = fmt::format("is out of range ({} in SI)", value.dump());
-      if (key_schema.contains("x-limits")) problem.what += ": " + key_schema.at("x-limits").get<std::string>();
-      if (type == "number") problem.remedy = remedy_of_range(key_schema, value, source_.tree[section][key].is_number());
-    } else if (type == "string" && value.is_string()) {
-      problem.what = "is too long";
-    } else {
-      problem.what = fmt::format("is a value of another type, not {}",
-                                 type == "integer" ? "a whole number" : (type == "array" ? "an " : "a ") + type);
-    }
-    return problem;
-  }
-
-  /// A bare number was meant in another unit, when it lies within the range in that unit.
-  static std::string remedy_of_range(const OrderedJson& key_schema, const Json& value, bool is_bare) {
-    const std::string unit = key_schema.at("x-unit").get<std::string>();
-    const double least = key_schema.value("minimum", key_schema.value("exclusiveMinimum", -HUGE_VAL));
-    const double most = key_schema.value("maximum", key_schema.value("exclusiveMaximum", HUGE_VAL));
-    for (const std::string& meant : is_bare ? usual_units(unit) : std::vector<std::string>()) {
-      const std::string quantity = value.dump() + " " + meant;
-      const auto converted = read_quantity(quantity, unit);
-      if (converted && *converted >= least && *converted <= most)
-        return fmt::format("write the unit, such as \"{}\": a bare number is in {}", quantity,
-                           unit == "rad" ? "radians" : unit);
-    }
-    const auto written = [&](double limit) {
-      constexpr double kDegrees = 57.29577951308232;
-      if (unit == "rad") return fmt::format("{:.4g} deg", kDegrees * limit);
-      return unit == "1" ? fmt::format("{:.4g}", limit) : fmt::format("{:.4g} {}", limit, unit);
-    };
-    const bool above = value.get<double>() >= most;
-    const bool may_touch = key_schema.contains(above ? "maximum" : "minimum");
-    return above ? fmt::format("lower it, to {}{}", may_touch ? "at most " : "less than ", written(most))
-                 : fmt::format("raise it, to {}{}", may_touch ? "at least " : "more than ", written(least));
   }
 
   /// Moves values from the long form of a key to its short form.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "schema.hpp"
+
+namespace brash::io {
+
+/// Why a TOML value is no value of a case, and the remedy.
+struct ValueError {
+  std::string what;
+  std::string remedy;
+};
+
+/// A TOML value as JSON, quantities in the unit of `key_schema`.
+tl::expected<nlohmann::json, ValueError> to_json(const toml::node& node, const OrderedJson& key_schema);
+
+}  // namespace brash::io
