@@ -33,10 +33,14 @@ Slope slope_of(const model::Case& c) {
   return {at_waterline({1.0, 0.0}).surface.slope, at_waterline({0.0, 1.0}).reach + at_waterline({0.0, -1.0}).reach};
 }
 
+bool is_vertical(double slope) { return slope >= structure::kSteepestSlope; }
+const standards::NotApplicable kBendsNothing{"the face is vertical: it crushes the ice and bends none"};
+
 }  // namespace
 
 tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const model::Case& c) {
   const Slope slope = slope_of(c);
+  if (is_vertical(slope.angle)) return tl::unexpected(kBendsNothing);
   standards::CroasdaleInput input;
   input.slope = slope.angle;
   input.width = slope.width;
@@ -55,6 +59,7 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
                                                                           standards::Yield yield) {
   const auto* const cone = std::get_if<model::Cone>(&c.structure.shape);
   if (cone == nullptr) return tl::unexpected(standards::NotApplicable{"the structure is no cone"});
+  if (is_vertical(cone->angle)) return tl::unexpected(kBendsNothing);
   const bool downward = cone->breaking == model::Breaking::kDownward;
   const double slope_height = downward ? cone->height_under_water : cone->height - cone->height_under_water;
   standards::RalstonInput input;
@@ -170,7 +175,9 @@ ordered_json nevel_json(const model::Case& c, int wedges) {
   input.water_density = c.water.density;
   const standards::NevelLoad load = standards::nevel(input);
   // Friction on the slope inclines the force by atan(mu) from its normal.
-  const double inclination = slope_of(c).angle + std::atan(c.ice.friction_structure);
+  const double slope = slope_of(c).angle;
+  if (is_vertical(slope)) return refused(method.c_str(), kSource, kBendsNothing);
+  const double inclination = slope + std::atan(c.ice.friction_structure);
   if (inclination >= 0.5 * kPi) return refused(method.c_str(), kSource, {"the ice locks: tan(slope) >= 1/friction"});
   const double vertical = wedges * load.vertical;
   return {{"method", method},

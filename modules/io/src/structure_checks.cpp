@@ -149,6 +149,9 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
                    "lower ice.friction_structure or structure.angle");
     return;
   }
+  checks.require(c.contact.area == model::ContactArea::kSurface, {"contact", "area"}, {"structure", "angle"},
+                 "the structure's front is vertical, and its plan has no area", "surface",
+                 "write surface, which takes the area of the face itself");
   if (c.field.kind != model::FieldKind::kLevelIce) return;
   checks.require(!c.field.initial_crack || c.field.initial_crack_radius > 0.0, {"field", "initial_crack"},
                  {"structure", "kind"}, "the structure's front is vertical and bends no ice",

@@ -222,12 +222,21 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
                                    scales.mu1)});
 }
 
+void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
+  if (scales.front_slope < structure::kSteepestSlope) return;
+  warnings.push_back({"vertical-front",
+                      "the front of the structure is vertical: it crushes the ice at ice.crushing_factor * "
+                      "ice.compressive_strength and bends none; buckling of the sheet, and a structure whose swaying "
+                      "locks to the crushing, are not modelled"});
+}
+
 Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
   Warnings warnings;
   add_ice_warnings(c, warnings);
   add_variation_warnings(c, scales, warnings);
   add_field_warnings(c, scales, warnings);
   add_time_warnings(c, scales, warnings);
+  add_front_warning(scales, warnings);
   add_model_warnings(c, scales, criterion, warnings);
   return warnings;
 }

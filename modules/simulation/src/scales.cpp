@@ -16,14 +16,19 @@ double collision_time(const model::Case& resolved, double mass) {
 
 namespace {
 
-/// Of a contact straight ahead.
-failure::LoadRatios ratios_ahead(const model::Case& c) {
+/// Of the structure where it meets the ice straight ahead [rad].
+double slope_ahead(const model::Case& c) {
   const auto hull = structure::make_hull(c.structure.shape);
   const auto motion = structure::make_motion(c, *hull);
   const Freeboard heights = freeboard(c);
-  const structure::Foremost bow =
-      structure::foremost(*hull, motion->now().pose, heights.bottom, heights.top, motion->course());
-  return failure::load_ratios(bow.surface.slope, c.ice.friction_structure, 0.0);
+  return structure::foremost(*hull, motion->now().pose, heights.bottom, heights.top, motion->course()).surface.slope;
+}
+
+/// Of a contact straight ahead. A vertical front does not bend the ice, and a criterion asks for something that does.
+failure::LoadRatios ratios_ahead(double slope, double friction) {
+  constexpr double kHardly = 1e-6;
+  if (slope >= structure::kSteepestSlope) return {.horizontal = 1.0, .mu1 = kHardly, .mu2 = 0.0};
+  return failure::load_ratios(slope, friction, 0.0);
 }
 
 }  // namespace
@@ -31,7 +36,7 @@ failure::LoadRatios ratios_ahead(const model::Case& c) {
 double initial_crack_radius(const model::Case& resolved, const failure::IceProperties& ice,
                             const failure::BendingCriterion& criterion) {
   if (resolved.field.initial_crack_radius > 0.0) return resolved.field.initial_crack_radius;
-  const failure::LoadRatios ratios = ratios_ahead(resolved);
+  const failure::LoadRatios ratios = ratios_ahead(slope_ahead(resolved), resolved.ice.friction_structure);
   return criterion.assess({.contact_length = ice.thickness, .mu1 = ratios.mu1, .mu2 = ratios.mu2}).breaking_length;
 }
 
@@ -40,7 +45,8 @@ DerivedScales derived_scales(const model::Case& resolved, const failure::Bending
   DerivedScales scales;
   scales.characteristic_length = failure::characteristic_length(ice);
   scales.thickness_over_lc = ice.thickness / scales.characteristic_length;
-  scales.mu1 = ratios_ahead(resolved).mu1;
+  scales.front_slope = slope_ahead(resolved);
+  scales.mu1 = ratios_ahead(scales.front_slope, resolved.ice.friction_structure).mu1;
   scales.freeboard = freeboard(resolved).top;
   scales.draft = -freeboard(resolved).bottom;
   scales.initial_crack_radius = initial_crack_radius(resolved, ice, criterion);

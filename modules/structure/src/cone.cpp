@@ -42,7 +42,8 @@ bool is_upright(const Pose& pose) { return pose.rotation.x == 0.0 && pose.rotati
 Cone::Cone(const model::Cone& cone) : Frustum(ring_at(cone, keel(cone)), ring_at(cone, top(cone))), cone_(cone) {}
 
 Footprint Cone::footprint(const Pose& pose, double bottom, double top_of_ice) const {
-  if (!is_upright(pose)) return Frustum::footprint(pose, bottom, top_of_ice);
+  const bool is_vertical = is_steep({std::sin(cone_.angle), 0.0, std::cos(cone_.angle)});
+  if (is_vertical || !is_upright(pose)) return Frustum::footprint(pose, bottom, top_of_ice);
   const double lower = bottom - pose.position.z, upper = top_of_ice - pose.position.z;
   if (upper < keel(cone_) || lower > top(cone_)) return {};
   const auto outline_at = [&](double z) {

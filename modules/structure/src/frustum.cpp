@@ -125,8 +125,23 @@ Footprint Frustum::footprint(const Pose& pose, double bottom, double top) const 
     if (v.z >= bottom && v.z <= top) slab.push_back(plan(v));
   Footprint result;
   if (Outline leading = convex_hull(std::move(slab)); !leading.empty()) result.leading.push_back(std::move(leading));
-  if (Outline trailing = intersection(lower, upper); !trailing.empty()) result.trailing.push_back(std::move(trailing));
+  if (Outline trailing = drawn_in(intersection(lower, upper), pose, bottom, top); !trailing.empty())
+    result.trailing.push_back(std::move(trailing));
   return result;
+}
+
+/// The plan of the sections between two heights, drawn in where a vertical side leans over the ice.
+Outline Frustum::drawn_in(Outline outline, const Pose& pose, double bottom, double top) const {
+  for (std::size_t i = 0; i < sides_.size() && !outline.empty(); ++i) {
+    const Vec3 normal = rotate(pose.rotation, sides_[i].normal);
+    if (!is_steep(normal)) continue;
+    const Vec2 out = normalized(plan(normal));
+    const double offset = sides_[i].offset + dot(normal, pose.position);
+    const double line = (offset - std::max(normal.z * bottom, normal.z * top)) / norm(plan(normal));
+    const Vec2 from = (line - kLean * (top - bottom)) * out;
+    outline = convex_hull(left_of(outline, from, from + perpendicular(out)));
+  }
+  return outline;
 }
 
 std::vector<SidePiece> Frustum::sides(const Pose& pose, double bottom, double top, const PlanBox&) const {
@@ -137,7 +152,9 @@ std::vector<SidePiece> Frustum::sides(const Pose& pose, double bottom, double to
     const std::size_t next = (i + 1) % n;
     std::vector<Vec3> outline{world[i], world[next], world[n + next], world[n + i]};
     outline = slab_of(std::move(outline), bottom, top);
-    if (outline.size() >= 3) pieces.push_back({rotate(pose.rotation, sides_[i].normal), std::move(outline)});
+    if (outline.size() < 3) continue;
+    SidePiece piece{rotate(pose.rotation, sides_[i].normal), std::move(outline)};
+    pieces.push_back(is_steep(piece.normal) ? leaning(piece, top) : std::move(piece));
   }
   return pieces;
 }
@@ -150,6 +167,17 @@ Surface Frustum::surface_at(const Pose& pose, Vec3 point) const {
 }
 
 Displacement Frustum::displaced(const Pose& pose) const { return displacement_of(mesh_, in_world(vertices_, pose)); }
+
+SidePiece leaning(const SidePiece& piece, double top) {
+  const Vec2 out = normalized(plan(piece.normal));
+  const double slant = std::hypot(1.0, kLean);
+  SidePiece result{{out.x / slant, out.y / slant, -kLean / slant}, {}};
+  for (const Vec3 v : piece.outline) {
+    const double in = kLean * (top - v.z);
+    result.outline.push_back({v.x - in * out.x, v.y - in * out.y, v.z});
+  }
+  return result;
+}
 
 std::vector<Vec3> slab_of(std::vector<Vec3> polygon, double bottom, double top) {
   return beyond(beyond(polygon, bottom, 1.0), top, -1.0);

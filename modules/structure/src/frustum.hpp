@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "brash/structure/hull.hpp"
@@ -28,11 +29,22 @@ class Frustum : public Hull {
   };
 
   Outline section(const std::vector<Vec3>& world, double z) const;
+  Outline drawn_in(Outline outline, const Pose& pose, double bottom, double top) const;
 
   ConvexPart vertices_;  ///< the lower ring, then the upper one
   std::vector<Side> sides_;
   TriangleMesh mesh_;
 };
+
+/// Cotangent of 89.9 degrees. A vertical face crushes ice over a strip of its plan; the vertical part of its force is
+/// this share of the horizontal one. docs/theory/hulls.md, (K2)
+inline constexpr double kLean = 1.745331e-3;
+
+/// Whether a side with this outward normal is vertical, so that it has to lean.
+inline bool is_steep(Vec3 normal) { return std::abs(normal.z) < kLean; }
+
+/// A steep piece that leans over the ice: at the height `top` it stays, further down it moves inwards.
+SidePiece leaning(const SidePiece& piece, double top);
 
 /// The part of a convex polygon between two heights.
 std::vector<Vec3> slab_of(std::vector<Vec3> polygon, double bottom, double top);

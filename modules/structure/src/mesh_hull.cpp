@@ -17,9 +17,6 @@ namespace {
 constexpr double kOutlineError = 1e-5;
 /// Sections between the lowest and the highest one, where the mesh bends between them. docs/theory/hulls.md, (K1)
 constexpr int kMiddleSections = 3;
-/// Cotangent of 89.9 degrees. A vertical face crushes ice over a strip of its plan; the vertical part of its force is
-/// this share of the horizontal one. docs/theory/hulls.md, (K2)
-constexpr double kLean = 1.745331e-3;
 /// Faces flatter than this are deck or keel: sine of half a degree.
 constexpr double kFlat = 8.7e-3;
 
@@ -28,7 +25,6 @@ Vec3 normal_of(const std::array<Vec3, 3>& triangle) {
   return norm(area) > 0.0 ? normalized(area) : Vec3{0.0, 0.0, 1.0};
 }
 bool is_side(Vec3 normal) { return norm(plan(normal)) > kFlat; }
-bool is_steep(Vec3 normal) { return std::abs(normal.z) < kLean; }
 
 std::array<Vec3, 3> in_world(const Pose& pose, const std::array<Vec3, 3>& triangle) {
   return {to_world(pose, triangle[0]), to_world(pose, triangle[1]), to_world(pose, triangle[2])};
@@ -41,18 +37,6 @@ bool reaches(const std::array<Vec3, 3>& t, double bottom, double top, const Plan
   const auto [z0, z1] = std::minmax({t[0].z, t[1].z, t[2].z});
   return z1 > bottom && z0 < top && x1 >= region.lower.x && x0 <= region.upper.x && y1 >= region.lower.y &&
          y0 <= region.upper.y;
-}
-
-/// The same piece, leaning over the ice: its top stays, its lower end moves inwards.
-SidePiece leaning(const SidePiece& piece, double top) {
-  const Vec2 out = normalized(plan(piece.normal));
-  const double slant = std::hypot(1.0, kLean);
-  SidePiece result{{out.x / slant, out.y / slant, -kLean / slant}, {}};
-  for (const Vec3 v : piece.outline) {
-    const double in = kLean * (top - v.z);
-    result.outline.push_back({v.x - in * out.x, v.y - in * out.y, v.z});
-  }
-  return result;
 }
 
 }  // namespace

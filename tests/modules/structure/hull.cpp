@@ -118,7 +118,8 @@ BOOST_AUTO_TEST_CASE(a_pitched_box_touches_the_union_of_its_sections_and_has_pas
   BOOST_REQUIRE((f.leading.size() == 1u && f.trailing.size() == 1u));
   const double length = 4.0 / std::cos(pitch), shift = 0.6 * std::tan(pitch);
   BOOST_TEST(area(f.leading[0]) == 2.0 * (length + shift), kExact);
-  BOOST_TEST(area(f.trailing[0]) == 2.0 * (length - shift), kExact);
+  const double strip = 0.6 * std::tan(radians(0.1));  // of ice at each side, which stays vertical
+  BOOST_TEST(area(f.trailing[0]) == (2.0 - 2.0 * strip) * (length - shift), boost::test_tools::tolerance(1e-8));
 }
 
 BOOST_AUTO_TEST_CASE(a_cone_that_hardly_heels_has_nearly_the_footprint_of_the_upright_one) {

@@ -58,8 +58,32 @@ BOOST_AUTO_TEST_CASE(a_plane_leans_over_the_ice_ahead_and_has_vertical_sides) {
   BOOST_TEST(structure::foremost(*hull, {}, -0.3, 0.1, {0.0, 1.0}).reach == 4.0, kExact);
   BOOST_TEST(structure::foremost(*hull, {}, -0.3, 0.1, {0.0, 1.0}).surface.slope == 0.5 * kPi, kExact);
   BOOST_TEST(hull->displaced({}).volume == 8.0 * 4.0 * (20.0 - 0.5 * 4.0 * kCot), kExact);
+  // Sides and back are vertical, and lean by a tenth of a degree over the ice that they crush: docs/theory/hulls.md
+  // (K2).
   const structure::Footprint f = hull->footprint({}, -0.3, 0.1);
-  BOOST_TEST(area(f.leading.at(0)) - area(f.trailing.at(0)) == 8.0 * 0.4 * kCot, kExact);
+  const double strip = 0.4 * std::tan(radians(0.1)), length = 20.0 - 0.3 * kCot;
+  BOOST_TEST(area(f.trailing.at(0)) == (length - strip) * (8.0 - 2.0 * strip), boost::test_tools::tolerance(1e-8));
+}
+
+BOOST_AUTO_TEST_CASE(a_vertical_side_of_any_shape_keeps_a_strip_of_ice_with_the_area_of_the_face) {
+  const double upright = radians(90.0), bottom = -0.3, top = 0.1, strip = (top - bottom) * std::tan(radians(0.1));
+  const model::Breaking down = model::Breaking::kDownward;
+  const auto cone = structure::make_hull(model::Cone{upright, 10.0, 6.0, 4.0, down, 64});
+  const auto plane = structure::make_hull(model::Plane{upright, 8.0, 20.0, 6.0, 4.0, down});
+  for (const auto* hull : {cone.get(), plane.get()}) {
+    const structure::Footprint f = hull->footprint({}, bottom, top);
+    double perimeter = 0.0, faces = 0.0;
+    const structure::Outline& around = f.leading.at(0);
+    for (std::size_t i = 0; i < around.size(); ++i) perimeter += norm(around[(i + 1) % around.size()] - around[i]);
+    for (const structure::SidePiece& side : hull->sides({}, bottom, top, {})) {
+      const Vec3 a = side.outline[0];
+      for (std::size_t i = 2; i < side.outline.size(); ++i)
+        faces += 0.5 * norm(cross(side.outline[i - 1] - a, side.outline[i] - a));
+    }
+    BOOST_TEST(faces == perimeter * (top - bottom), boost::test_tools::tolerance(1e-5));
+    BOOST_TEST(area(around) - area(f.trailing.at(0)) == perimeter * strip, boost::test_tools::tolerance(1e-3));
+    BOOST_TEST(structure::foremost(*hull, {}, bottom, top, {1.0, 0.0}).surface.slope == upright, kExact);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_wedge_bow_meets_the_ice_with_two_planes_of_its_slope) {

@@ -17,6 +17,7 @@ namespace brash::simulation {
 struct DerivedScales {
   double characteristic_length = 0.0;    ///< l_c, Eq. 18 [m]
   double thickness_over_lc = 0.0;        ///< h / l_c [-]
+  double front_slope = 0.0;              ///< of the structure straight ahead, from the horizontal [rad]
   double mu1 = 0.0;                      ///< P / N of a contact straight ahead [-]
   double freeboard = 0.0;                ///< [m]
   double draft = 0.0;                    ///< [m]
