@@ -5,7 +5,7 @@
 run.py                  plan.toml: 30 replicates; table and picture in results/validation
 run.py --plan corrected.toml -o results/corrected    the same with three corrections of the ice's failure
 run.py --plan corrections.toml -o results/corrections    each correction alone
-run.py --plan laws.toml -o results/laws        each law of ice and water on its own switch, 10 replicates
+run.py --plan laws.toml -o results/laws        each law of the ice on its own switch, 10 replicates; so water, edge, pieces
 run.py --plan steps.toml -o results/steps      four time steps, 12 replicates each
 run.py --plan steps_corrected.toml -o ...      the same with the corrected algorithm, 16 replicates each
 run.py --set hydrodynamics.form_drag=0 -o ...  the same with another input
