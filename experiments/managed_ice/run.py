@@ -163,7 +163,8 @@ def main():
     print_rows(rows + others)
     verdicts.show(judged)
     target = HERE if options.record else output
-    study.write_rows(target / "recorded.csv", [{"plan": "twenty"} | row for row in rows] + [{"plan": "plan"} | row for row in others])
+    named = [{"plan": name} | row for name, part in (("twenty", rows), ("plan", others)) for row in part]
+    study.write_rows(target / "recorded.csv", named)
     study.write_rows(target / "spectra.csv", spectra_rows(spectra))
     study.write_rows(target / "verdicts.csv", judged)
     pictures.draw_means(rows + others, target)

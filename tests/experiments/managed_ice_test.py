@@ -59,9 +59,10 @@ class Surge(unittest.TestCase):
 
 class Verdicts(unittest.TestCase):
     def rows(self, slope):
-        return [{"ice.thickness": h, "field.size.median": size, "horizontal.mean": 1e5 * (2 + slope * (h - 1 + (size - 10) / 10)) + i,
-                 "mean_offset": 1 + slope * (h - 1 + (size - 10) / 10) + 1e-6 * i}
-                for h, size in ((1.0, 10.0), (0.5, 10.0), (1.5, 10.0), (1.0, 7.0), (1.0, 14.0)) for i in range(5)]
+        settings = ((1.0, 10.0), (0.5, 10.0), (1.5, 10.0), (1.0, 7.0), (1.0, 14.0))
+        return [{"ice.thickness": h, "field.size.median": size, "horizontal.mean": 1e5 * offset + i,
+                 "mean_offset": offset + 1e-6 * i}
+                for h, size in settings for offset in [2 + slope * (h - 1 + (size - 10) / 10)] for i in range(5)]
 
     def test_only_rising_results_meet_the_trends(self):
         self.assertTrue(all(row["met"] for row in verdicts.trends(self.rows(1.0), 0.05)))
