@@ -10,6 +10,7 @@ import json
 import math
 import shutil
 import subprocess
+import sys
 import tempfile
 import tomllib
 from pathlib import Path
@@ -37,6 +38,16 @@ def corrections():
     """Keys of the case file, with their values, that make the paper's algorithm the corrected one."""
     plan = tomllib.loads((ROOT / "experiments" / "validation" / "corrected.toml").read_text(encoding="utf-8"))
     return {f"failure.{key}": value for key, value in plan["set"]["failure"].items()}
+
+
+def brash_module():
+    """The Python module of the program: as installed, or of the release build."""
+    try:
+        import brash
+    except ImportError:
+        sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
+        import brash
+    return brash
 
 
 # Running and collecting.

@@ -47,28 +47,46 @@ def rotation(roll, pitch, heading):
             @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]]))
 
 
-def lines_over_time(history, case, every=1):
-    """Tensions at the fairleads [N], shape=(n, n_lines), their energy [J], and the offset from the feet [m], shape=(n, 3).
+class Mooring:
+    """The lines over time: tensions at the fairleads [N], shape=(n, n_lines), their energy [J] and their pull along x [N],
+    shape=(n,), and the offset from the feet [m], shape=(n, 3)."""
 
-    history: columns of history.csv by name; case: the resolved case.
-    """
-    structure = case["structure"]
-    lines = np.array(structure["motion"]["lines"], dtype=float)
-    rows = slice(None, None, every)
-    zero = np.zeros_like(history["time"])
-    place = np.column_stack([history.get(name, zero)[rows] for name in ("structure_x", "structure_y", "structure_z")])
-    turn = np.column_stack([history.get(f"structure_{name}", zero)[rows] for name in ("roll", "pitch", "heading")])
-    feet = np.zeros_like(place)
-    feet[:, 0] = structure["speed"] * history["time"][rows] - structure["start_distance"]
-    offset = place - feet
-    tensions, energies = np.empty((len(place), len(lines))), np.zeros(len(place))
-    for number, line in enumerate(lines):
-        anchor, fairlead, properties = line[:3], line[3:6], line[6:]
+    def __init__(self, places, turns, feet, lines):
+        self.offset = places - feet
+        self.tensions = np.empty((len(places), len(lines)))
+        self.energy, self.pull = np.zeros(len(places)), np.zeros(len(places))
+        for number, line in enumerate(lines):
+            self._add(number, turns, line[:3], line[3:6], line[6:])
+
+    def _add(self, number, turns, anchor, fairlead, properties):
         guess = np.array([5e5, 2e5])
-        for i, (away, angles) in enumerate(zip(offset, turn)):
+        for i, (away, angles) in enumerate(zip(self.offset, turns)):
             x, y, z = away + rotation(*angles) @ fairlead - anchor
             span = np.hypot(x, y)
             guess = pull(span, z, properties, guess)
-            tensions[i, number] = np.hypot(*guess)
-            energies[i] += energy(*guess, span, z, properties)
-    return tensions, energies, offset
+            self.tensions[i, number] = np.hypot(*guess)
+            self.energy[i] += energy(*guess, span, z, properties)
+            self.pull[i] -= guess[0] * x / span
+
+
+def lines_of(case):
+    return np.array(case["structure"]["motion"]["lines"], dtype=float)
+
+
+def lines_over_time(history, case, every=1):
+    """history: columns of history.csv by name; case: the resolved case; every: steps between two rows of the result."""
+    structure = case["structure"]
+    rows = slice(None, None, every)
+    zero = np.zeros_like(history["time"])
+    places = np.column_stack([history.get(name, zero)[rows] for name in ("structure_x", "structure_y", "structure_z")])
+    turns = np.column_stack([history.get(f"structure_{name}", zero)[rows] for name in ("roll", "pitch", "heading")])
+    feet = np.zeros_like(places)
+    feet[:, 0] = structure["speed"] * history["time"][rows] - structure["start_distance"]
+    return Mooring(places, turns, feet, lines_of(case))
+
+
+def surge_stiffness(case, way=0.1):
+    """Stiffness of the lines along x about the place without loads [N/m], from a way to either side."""
+    places = np.array([[-way, 0.0, 0.0], [way, 0.0, 0.0]])
+    held = Mooring(places, np.zeros_like(places), 0.0, lines_of(case))
+    return (held.pull[0] - held.pull[1]) / (2.0 * way)

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A moored floater in managed ice: offset and line loads over the thickness of the ice and the size of its floes.
+"""A moored floater in managed ice: load, offset and line loads over the thickness of the ice and the size of its floes.
 
 run.py [--brash PROGRAM] [-o FOLDER] [--jobs N] [--quick] [--record]
 
-Runs plan.toml and prints a row for each setting. --record writes recorded.csv, a row a case, and managed_ice.png. --quick runs two
-short settings: it compares their loads with quick.csv, and the energy of the lines by mooring.py with the program's.
+Runs twenty.toml and plan.toml, prints a row for each setting, and judges the criteria of criteria.toml. --record writes
+recorded.csv, a row a case, spectra.csv, verdicts.csv and both pictures. --quick runs two short settings: it compares their loads
+with quick.csv, and the energy of the lines by mooring.py with the program's.
 """
 import json
 import shutil
@@ -18,93 +19,121 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 import mooring
+import pictures
 import study
+import surge
+import verdicts
 
-EVERY = 10  # steps between two rows whose lines are solved
+EVERY = 25  # steps between two rows whose lines are solved
 # mooring.py sums the energy of a line over 4000 pieces, which is off by 1e-7 of it.
 ENERGY_SHARE = 1e-4
-MOORING_LOADS = ["mean_offset", "largest_offset", "mean_tension", "largest_tension"]
+COLUMNS = ["time", "Fx", "structure_x", "structure_y", "structure_z", "structure_roll", "structure_pitch",
+           "structure_heading", "structure_vx", "body_mooring"]
 
 
 def history_of(path):
-    table = np.genfromtxt(path, delimiter=",", names=True)
-    return {name: table[name] for name in table.dtype.names}
+    with open(path, encoding="utf-8") as file:
+        names = file.readline().strip().split(",")
+    table = np.loadtxt(path, delimiter=",", skiprows=1, usecols=[names.index(name) for name in COLUMNS])
+    return dict(zip(COLUMNS, table.T))
 
 
 class Case:
-    """A case of the campaign with its lines over time."""
+    """A case of a campaign with its lines over time. Offsets and loads count along the drift, against x."""
 
     def __init__(self, output, row):
         folder = output / "cases" / row["case"]
-        setting = output / "settings" / f"floater_{row['setting']}.toml"
-        self.case = tomllib.loads(setting.read_text(encoding="utf-8"))
+        name = "floater" if row["setting"] == "base" else f"floater_{row['setting']}"
+        self.path = output / "settings" / f"{name}.toml"
+        self.case = tomllib.loads(self.path.read_text(encoding="utf-8"))
         self.history = history_of(folder / "history.csv")
         self.start = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["statistics_from"]
-        self.tensions, self.energy, self.offset = mooring.lines_over_time(self.history, self.case, EVERY)
-        self.time = self.history["time"][::EVERY]
+        self.lines = mooring.lines_over_time(self.history, self.case, EVERY)
+        self.step = self.case["time"]["step"]
+        self.load = self.history["Fx"]  # against the structure's way, which is the drift's
+        self.away = (self.case["structure"]["speed"] * self.history["time"] - self.case["structure"]["start_distance"]
+                     - self.history["structure_x"])
 
-    def numbers(self):
-        """Offsets [m] and the tension of the most loaded line [N], from the start of the statistics."""
-        counts = self.time >= self.start
-        away, hardest = self.away()[counts], self.tensions[counts].max(axis=1)
-        return dict(zip(MOORING_LOADS, map(float, (away.mean(), away.max(), hardest.mean(), hardest.max()))))
+    def counted(self):
+        """Which rows of the history the statistics take."""
+        return self.history["time"] >= self.start
 
-    def away(self):
-        """How far the ice has pushed the floater along its drift [m]; the ice drifts against x."""
-        return -self.offset[:, 0]
+    def drift_load(self):
+        """The damping of the water that drifts past the floater at rest [N]."""
+        return self.case["structure"]["motion"]["linear_damping"][0] * self.case["structure"]["speed"]
+
+    def numbers(self, period):
+        """What recorded.csv has beside the campaign's columns."""
+        counts, rows = self.counted(), self.counted()[::EVERY]
+        hardest = self.lines.tensions[rows].max(axis=1)
+        load, pull = self.load[counts].mean() + self.drift_load(), self.lines.pull[rows].mean()
+        way = self.by_oscillator(period)[counts]
+        away = self.away[counts]
+        return {"ice.thickness": self.case["ice"]["thickness"], "field.size.median": self.case["field"]["size"]["median"],
+                "mean_offset": away.mean(), "offset_deviation": away.std(), "largest_offset": away.max(),
+                "mean_tension": hardest.mean(), "largest_tension": hardest.max(), "pull_over_load": pull / load,
+                "oscillator_over_offset": way.std() / away.std()}
+
+    def by_oscillator(self, period):
+        """The offset [m] of a linear oscillator under the recorded load."""
+        damping = self.case["structure"]["motion"]["linear_damping"][0]
+        return surge.oscillator(self.load + self.drift_load(), self.step, period, damping,
+                                mooring.surge_stiffness(self.case))
 
     def energy_error(self):
         """The largest difference from body_mooring of the history, as a share of its range."""
         known = self.history["body_mooring"][::EVERY]
-        change = self.energy - self.energy[0] + known[0]
+        change = self.lines.energy - self.lines.energy[0] + known[0]
         return np.abs(change - known).max() / np.ptp(known)
 
 
-def collect(output):
+def collect(brash, output):
+    """Rows and cases of a campaign, and the natural period of the surge [s]."""
     rows = study.read_rows(output / "campaign.csv")
     cases = [Case(output, row) for row in rows]
+    period = surge.natural_period(brash, cases[0].path)
     for row, case in zip(rows, cases):
-        row.update(case.numbers())
-    return rows, cases
+        row.update(case.numbers(period))
+    return rows, cases, period
 
 
 def print_rows(rows):
-    print("setting                                 n  load, mean, largest [kN]   offset, mean, largest [m]   "
-          "line, mean, largest [kN]")
-    for setting in dict.fromkeys(row["setting"] for row in rows):
-        chosen = [row for row in rows if row["setting"] == setting]
+    print("thickness, size [m]   n  load, mean, largest [kN]   offset, mean, largest [m]   line, mean, largest [kN]")
+    for setting in dict.fromkeys((row["ice.thickness"], row["field.size.median"]) for row in rows):
+        chosen = [row for row in rows if (row["ice.thickness"], row["field.size.median"]) == setting]
 
         def mean(key, scale=1.0):
-            return np.mean([row[key] for row in chosen]) / scale
+            centre, half = study.mean_interval([row[key] / scale for row in chosen])
+            return f"{centre:.4g} ± {half:.2g}"
 
-        print(f"{setting:38s}{len(chosen):3d} {mean('horizontal.mean', 1e3):11.0f} {mean('horizontal.maximum', 1e3):12.0f} "
-              f"{mean('mean_offset'):17.2f} {mean('largest_offset'):8.2f} {mean('mean_tension', 1e3):17.0f} "
-              f"{mean('largest_tension', 1e3):8.0f}")
+        print(f"{setting[0]:9g}, {setting[1]:4g} {len(chosen):7d}  {mean('horizontal.mean', 1e3):>14s},"
+              f"{mean('horizontal.maximum', 1e3):>14s} {mean('mean_offset'):>15s},{mean('largest_offset'):>15s} "
+              f"{mean('mean_tension', 1e3):>15s},{mean('largest_tension', 1e3):>15s}")
 
 
-def draw(rows, cases, path):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
+def spectra_of(cases, period, segment):
+    """{quantity: frequency, density, lower and upper bound} of load, surge and the oscillator's surge."""
+    module = study.brash_module()
+    records = {"load": [case.load[case.counted()] for case in cases],
+               "offset": [case.away[case.counted()] for case in cases],
+               "oscillator": [case.by_oscillator(period)[case.counted()] for case in cases]}
+    return {name: surge.pooled_spectrum(module, record, cases[0].step, segment) for name, record in records.items()}
 
-    figure, axes = plt.subplots(2, 1, figsize=(8, 5), sharex=True, constrained_layout=True)
-    shown = {}
-    for row, case in zip(rows, cases):
-        shown.setdefault(row["setting"], (row, case))
-    for row, case in shown.values():
-        label = f"{row['ice.thickness']:g} m thick, floes of {row['field.size.median']:g} m"
-        axes[0].plot(case.time, case.away(), lw=0.9, label=label)
-        axes[1].plot(case.time, case.tensions.max(axis=1) / 1e3, lw=0.9, label=label)
-    axes[0].set(ylabel="offset with the drift [m]")
-    axes[1].set(ylabel="most loaded line [kN]", xlabel="time [s]")
-    axes[0].legend(fontsize=8, frameon=False)
-    figure.savefig(path, dpi=110)
+
+def spectra_rows(spectra, highest=0.5):
+    """Rows of spectra.csv, up to a frequency [Hz]."""
+    rows = []
+    for i, frequency in enumerate(spectra["load"][0]):
+        if frequency <= highest:
+            rows.append({"frequency": frequency} | {f"{name}{part}": values[k][i] for name, values in spectra.items()
+                                                    for k, part in ((1, ""), (2, "_lower"), (3, "_upper"))})
+    return rows
 
 
 def quick(options, output):
     shutil.rmtree(output, ignore_errors=True)
     study.campaign(options.brash, HERE / "plan.toml", output, quick=True, jobs=options.jobs)
-    rows, cases = collect(output)
+    rows, cases, _ = collect(options.brash, output)
     wrong = study.check_quick(rows, study.read_rows(HERE / "quick.csv"))
     for row, case in zip(rows, cases):
         if not case.energy_error() < ENERGY_SHARE:
@@ -123,12 +152,23 @@ def main():
         return 0
     if options.quick:
         return quick(options, output)
-    study.campaign(options.brash, HERE / "plan.toml", output, jobs=options.jobs)
-    rows, cases = collect(output)
-    print_rows(rows)
-    if options.record:
-        study.write_rows(HERE / "recorded.csv", rows)
-    draw(rows, cases, (HERE if options.record else output) / "managed_ice.png")
+    criteria = tomllib.loads((HERE / "criteria.toml").read_text(encoding="utf-8"))
+    output.mkdir(parents=True, exist_ok=True)
+    for plan in ("twenty", "plan"):
+        study.campaign(options.brash, HERE / f"{plan}.toml", output / plan, jobs=options.jobs)
+    rows, twenty, period = collect(options.brash, output / "twenty")
+    others, _, _ = collect(options.brash, output / "plan")
+    spectra = spectra_of(twenty, period, criteria["resonance"]["segment"])
+    judged = verdicts.judge(criteria, rows, others, spectra, period)
+    print_rows(rows + others)
+    verdicts.show(judged)
+    target = HERE if options.record else output
+    named = [{"plan": name} | row for name, part in (("twenty", rows), ("plan", others)) for row in part]
+    study.write_rows(target / "recorded.csv", named)
+    study.write_rows(target / "spectra.csv", spectra_rows(spectra))
+    study.write_rows(target / "verdicts.csv", judged)
+    pictures.draw_means(rows + others, target)
+    pictures.draw_spectra(twenty, spectra, period, target)
     return 0
 
 

@@ -94,6 +94,21 @@ def growth():
     return lines
 
 
+def many():
+    """2. Water and world of one step with 10^3 to 10^5 floes in contact, the step that finds neighbours left out."""
+    sizes, lines = (1000, 10000, 100000), []
+    runs = [steps(sizes, 4, "--alone", "--awake", "--rubble") for _ in range(REPETITIONS)]
+    each = [[statistics.median(a + b for a, b in zip(row["water_s"], row["world_s"])) / row["floes"] for row in run]
+            for run in runs]
+    lines.append(line("CPU microseconds per floe and step, 10^3 floes of rubble", [1e6 * times[0] for times in each]))
+    for i, n in ((1, "10^4"), (2, "10^5")):
+        points = [runs[0][k]["contacts"] / runs[0][k]["floes"] for k in (i, 0)]
+        lines.append(line(f"CPU time per floe and step, {n} floes / 10^3 floes ({points[0]:.1f} bearing points per floe / "
+                          f"{points[1]:.1f})", [times[i] / times[0] for times in each]))
+    lines.append(line("kilobytes on the heap per floe, 10^5 floes", [1e-3 * runs[0][2]["bytes"] / runs[0][2]["floes"]]))
+    return lines
+
+
 def threads():
     """2. Two threads against one, wall time of water and world: it needs two idle cores."""
     limits = {300: ">= 1.5", 10000: ">= 1.8"}
@@ -243,9 +258,9 @@ def build():
 
 
 LINES = {function.__name__: function
-         for function in (coupled, real_time, growth, threads, length, channel, water, geometry, failure, plate,
+         for function in (coupled, real_time, growth, many, threads, length, channel, water, geometry, failure, plate,
                           rigid_bodies, rigid_body_peers, campaign, workers, recording, build)}
-TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "threads": ["bench_growth"],
+TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "many": ["bench_growth"], "threads": ["bench_growth"],
            "channel": ["brash_python"], "water": ["bench_growth"], "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
            "rigid_bodies": ["bench_rigid_bodies"], "rigid_body_peers": ["bench_rigid_bodies"]}
 

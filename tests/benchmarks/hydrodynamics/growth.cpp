@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Water and world of a step against the number of floes, all of them active, then all of them settled:
-// bench_growth [--alone] [--threads=N] [steps] [floes...]. Beside it Bullet's own world steps the same floes, set to
-// the state before each step; with --alone it does not.
+// bench_growth [--alone] [--awake] [--rubble] [--threads=N] [steps] [floes...]. Beside it Bullet's own world steps the
+// same floes, set to the state before each step; with --alone it does not. With --awake no floe is settled: settling
+// one takes time in proportion to all pairs. With --rubble there is no pack of one layer.
 //
 // Times are the process's own, of single steps; memory is the heap's. A step over few floes is over before a processor
 // that others use too has shown its speed: as many packs of them are made, one after the other, as have 10^4 floes, and
@@ -61,6 +62,8 @@ struct Options {
   int n_steps = 5;
   int threads = 1;
   bool beside_bullet = true;
+  bool settles = true;
+  bool one_layer = true;
 };
 
 /// Times of Bullet's steps from the state before each step of the program but the first.
@@ -84,8 +87,8 @@ std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
   return seconds;
 }
 
-/// Steps all floes of a field, then fixes them and steps them again.
-StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
+/// Steps all floes of a field; if asked, then fixes them and steps them again.
+StepTimes step_times(Field& field, int n_steps, bool settles, std::size_t& n_contacts) {
   StepTimes times;
   for (int i = 0; i <= n_steps; ++i) {
     const double began = wall_seconds();
@@ -99,6 +102,7 @@ StepTimes step_times(Field& field, int n_steps, std::size_t& n_contacts) {
     times.world.push_back(process_seconds() - between);
   }
   n_contacts = field.world.contacts().size();
+  if (!settles) return times;
   for (const auto& [body, floe] : field.floes.floes()) field.world.set_settled(body, true);
   for (int i = 0; i < n_steps; ++i) {
     const double start = process_seconds();
@@ -120,7 +124,7 @@ std::string measure(int n_wanted, int layers, const Options& options) {
     const double before = allocated();
     Field field(n_wanted, layers, {});
     field.world.share_work(workers);
-    const StepTimes times = step_times(field, n_steps, n_contacts);
+    const StepTimes times = step_times(field, n_steps, options.settles, n_contacts);
     bytes = allocated() - before;
     n_floes = field.floes.floes().size();
     add(sums.water, times.water);
@@ -146,6 +150,10 @@ int main(int argc, char** argv) {
   for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
     if (word == "--alone")
       options.beside_bullet = false;
+    else if (word == "--awake")
+      options.settles = false;
+    else if (word == "--rubble")
+      options.one_layer = false;
     else if (word.starts_with("--threads="))
       options.threads = std::stoi(word.substr(word.find('=') + 1));
     else
@@ -154,6 +162,7 @@ int main(int argc, char** argv) {
   if (!numbers.empty()) options.n_steps = std::stoi(numbers[0]);
   std::vector<std::string> rows;
   for (std::size_t i = 1; i < numbers.size(); ++i)
-    for (const int layers : {1, 3}) rows.push_back(measure(std::stoi(numbers[i]), layers, options));
+    for (const int layers : {1, 3})
+      if (layers > 1 || options.one_layer) rows.push_back(measure(std::stoi(numbers[i]), layers, options));
   fmt::print("[{}]\n", fmt::join(rows, ",\n "));
 }

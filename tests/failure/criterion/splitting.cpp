@@ -2,10 +2,15 @@
 /// The law of docs/theory/free-sheet.md, (G7), (G8), (G9).
 #include "brash/failure/splitting.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <fstream>
 #include <initializer_list>
 #include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -57,6 +62,54 @@ BOOST_AUTO_TEST_CASE(a_narrow_ligament_has_the_stress_intensity_of_pure_bending)
   const double bending = 3.975 * (share + 0.5 * rest) / std::pow(rest, 1.5);
   BOOST_TEST(failure::stress_intensity({.opening = 1.0, .thickness = 1.0}, SplitPlate{1.0, 1.0}, share) == bending,
              boost::test_tools::tolerance(0.04));  // the force through the ligament adds a few percent
+}
+
+/// A stress intensity of experiments/splitting, by FreeFem++ on its finest mesh and on the one before.
+struct Solved {
+  double breadth = 0.0, crack = 0.0;
+  bool push = false;
+  double finest = 0.0, by_energy = 0.0, coarser = 0.0;
+};
+
+std::vector<Solved> solved_by_freefem() {
+  std::ifstream file(BRASH_SOURCE_DIR "/experiments/splitting/edge_crack.csv");
+  std::vector<Solved> rows;
+  std::string line;
+  for (std::getline(file, line); std::getline(file, line);) {
+    std::vector<std::string> cells;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    const Solved row{std::stod(cells.at(0)), std::stod(cells.at(1)), cells.at(2) == "push", std::stod(cells.at(5)),
+                     std::stod(cells.at(6))};
+    const auto same = [&](const Solved& other) {
+      return other.breadth == row.breadth && other.crack == row.crack && other.push == row.push;
+    };
+    const auto before = std::find_if(rows.begin(), rows.end(), same);
+    if (before == rows.end()) {
+      rows.push_back(row);
+    } else {
+      const double coarser = before->finest;
+      *before = row;
+      before->coarser = coarser;
+    }
+  }
+  return rows;
+}
+
+BOOST_AUTO_TEST_CASE(rectangles_have_the_stress_intensities_of_an_independent_program) {
+  const std::vector<Solved> rows = solved_by_freefem();
+  BOOST_TEST(rows.size() == 30U);
+  for (const Solved& row : rows)
+    BOOST_TEST_CONTEXT("breadth " << row.breadth << ", crack " << row.crack << (row.push ? ", push" : ", opening")) {
+      // The other solution has converged, and its two integrals agree.
+      BOOST_TEST(row.coarser == row.finest, boost::test_tools::tolerance(0.001));
+      BOOST_TEST(row.by_energy == row.finest, boost::test_tools::tolerance(0.001));
+      const failure::SplittingLoad load{
+          .opening = row.push ? 0.0 : 1.0, .push = row.push ? 1.0 : 0.0, .thickness = 1.0};
+      // The table's elements are coarser: 0.1 to 0.4 % below.
+      BOOST_TEST(failure::stress_intensity(load, SplitPlate{1.0, row.breadth}, row.crack) == row.finest,
+                 boost::test_tools::tolerance(0.005));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_force_that_splits_a_square_grows_with_the_root_of_its_size) {
