@@ -148,7 +148,10 @@ export class Replay {
     this.play.setAttribute("aria-label", playing ? "Pause" : "Play");
     this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", `${seconds(time)} s`);
-    for (const scene of this.scenes) scene.show(time);
+    for (const scene of this.scenes) {
+      scene.show(time);
+      scene.setMoving(playing);
+    }
     const n = this.scenes.map((scene) => scene.floes.nVisible).join(" and ");
     this.clock.textContent = `${this.film ? "● " : ""}${seconds(time)} s${n && ` · ${n} floes`}`;
   }
