@@ -38,8 +38,12 @@ async function film() {
   const page = await browser.open(join(run, "report.html"));
   await sized(page, kWidth, kHeight);
   await look(page, "Wake");
-  // Pictures twice as fine as wanted, which the reduction smooths.
-  await page.evaluate(() => window.brashReport.report.replay.scene.renderer.setPixelRatio(2));
+  // Pictures twice as fine as wanted, which the reduction smooths; the page would film coarse ones in software.
+  await page.evaluate(() => {
+    const { scene } = window.brashReport.report.replay;
+    scene.setMoving = () => {};
+    scene.renderer.setPixelRatio(2);
+  });
   await page.getByLabel("Speed of the replay").selectOption(kSpeed);
   // A machine without a graphics card takes minutes.
   const made = page.waitForEvent("download", { timeout: 0 });
