@@ -11,6 +11,8 @@
 namespace brash::cli {
 namespace {
 
+/// Frames of less time go together: each sending wakes the threads of all browsers.
+constexpr std::chrono::milliseconds kBetween{100};
 /// Time that browsers have to take the end of a run.
 constexpr std::chrono::seconds kFarewell{5};
 
@@ -31,17 +33,28 @@ void LiveView::watch(simulation::RunOptions& options) {
   options.observer = [this, observer = std::move(options.observer)](const simulation::Simulation& simulation,
                                                                     const simulation::StepReport& report) {
     if (observer) observer(simulation, report);
-    if (records_.take(simulation, report)) send();
+    waits_ |= records_.take(simulation, report);
+    if (waits_ && std::chrono::steady_clock::now() - sent_ >= kBetween) send();
   };
   options.interrupted = [this, interrupted = std::move(options.interrupted)] {
+    if (server_.is_paused()) send_rest();
     server_.wait_while_paused(is_asked_to_end);
     return (interrupted && interrupted()) || server_.is_asked_to_end();
   };
 }
 
-void LiveView::send() { server_.publish("records", records_.next()); }
+void LiveView::send() {
+  server_.publish("records", records_.next());
+  sent_ = std::chrono::steady_clock::now();
+  waits_ = false;
+}
+
+void LiveView::send_rest() {
+  if (waits_) send();
+}
 
 void LiveView::end(const std::string& text) {
+  send_rest();
   server_.publish("end", nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   server_.finish(kFarewell);
 }

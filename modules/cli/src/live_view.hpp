@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "brash/live/server.hpp"
@@ -28,9 +29,13 @@ class LiveView {
 
  private:
   void send();
+  /// Sends what waits, if anything does.
+  void send_rest();
 
   live::Server server_;
   simulator::GrowingRecords records_;
+  std::chrono::steady_clock::time_point sent_{};  ///< when records were sent last
+  bool waits_ = false;                            ///< a frame was taken since
 };
 
 }  // namespace brash::cli

@@ -94,8 +94,12 @@ struct Server::Impl {
 
   void route() {
     const std::string root = "/" + token + "/";
+    // The library compresses texts that are given whole, at Brotli's best level: more work than seconds of a run.
     http.Get(root, [this](const httplib::Request&, httplib::Response& response) {
-      response.set_content(page, "text/html; charset=utf-8");
+      response.set_content_provider(page.size(), "text/html; charset=utf-8",
+                                    [this](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+                                      return sink.write(page.data() + offset, length);
+                                    });
     });
     http.Get(root + "events",
              [this](const httplib::Request& request, httplib::Response& response) { send_events(request, response); });
@@ -142,6 +146,8 @@ Server::~Server() = default;
 const std::string& Server::address() const { return impl_->address; }
 
 void Server::publish(const std::string& event, const std::string& data) { impl_->stream.publish(event, data); }
+
+bool Server::is_paused() const { return impl_->is_paused; }
 
 bool Server::is_asked_to_end() const { return impl_->is_ended; }
 

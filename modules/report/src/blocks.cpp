@@ -42,6 +42,12 @@ void Blocks::append(const std::string& name, const char* kind, const std::vector
   }
 }
 
+std::int32_t rounded_to(double unit, double value) {
+  const double whole = std::round(value / unit);
+  BRASH_EXPECTS(std::abs(whole) <= std::numeric_limits<std::int32_t>::max(), value, unit);
+  return static_cast<std::int32_t>(whole);
+}
+
 void Blocks::add(const std::string& name, const std::vector<double>& values) { append(name, "f64", values, 1.0); }
 
 void Blocks::add_single(const std::string& name, const std::vector<double>& values) {
@@ -64,11 +70,7 @@ void Blocks::add(const std::string& name, const std::vector<std::int32_t>& value
 void Blocks::add_rounded(const std::string& name, const std::vector<double>& values, double unit) {
   std::vector<std::int32_t> rounded;
   rounded.reserve(values.size());
-  for (const double value : values) {
-    const double whole = std::round(value / unit);
-    BRASH_EXPECTS(std::abs(whole) <= std::numeric_limits<std::int32_t>::max(), value, unit);
-    rounded.push_back(static_cast<std::int32_t>(whole));
-  }
+  for (const double value : values) rounded.push_back(rounded_to(unit, value));
   add(name, rounded, unit);
 }
 

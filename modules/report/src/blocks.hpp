@@ -8,6 +8,9 @@
 
 namespace brash::report {
 
+/// `value` as whole multiples of `unit`.
+std::int32_t rounded_to(double unit, double value);
+
 /// The arrays of a report, packed small: numbers of one kind byte plane after byte plane, whole numbers as differences
 /// to the one before (zigzag: 0, -1, 1, -2, ... become 0, 1, 2, 3, ...), everything deflated together.
 class Blocks {

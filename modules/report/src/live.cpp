@@ -104,6 +104,7 @@ std::string live_records(const model::RunResults& part, const std::vector<EndedF
   json.raw('{');
   columns(json, "load", part.loads);
   columns(json, "event", part.events);
+  columns(json, "split", part.splits);
   columns(json, "floe", part.floes);
   columns(json, "frame", part.frames);
   json.key("outlines");

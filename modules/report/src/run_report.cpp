@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <filesystem>
-#include <map>
 #include <type_traits>
+#include <unordered_map>
 
 #include "blocks.hpp"
 #include "brash/core/error.hpp"
@@ -65,50 +66,55 @@ void add_polygons(Blocks& blocks, const std::string& name, const std::vector<con
   blocks.add_rounded(name + ".y", y, unit);
 }
 
-/// The frames turned about: for each floe its poses one after another, from the first frame that has it.
-struct Tracks {
-  std::vector<std::int32_t> first, count;
-  std::vector<double> x, y, z, qw, qx, qy, qz, force;
-};
+constexpr std::size_t kTrackColumns = 8;
+constexpr std::array<const char*, kTrackColumns> kTrackNames{"x", "y", "z", "qw", "qx", "qy", "qz", "force"};
+constexpr std::array<double, kTrackColumns> kTrackUnits{kPlaceUnit,    kPlaceUnit,    kPlaceUnit,    kAttitudeUnit,
+                                                        kAttitudeUnit, kAttitudeUnit, kAttitudeUnit, kForceUnit};
+using RoundedPose = std::array<std::int32_t, kTrackColumns>;
 
-Tracks tracks_of(const model::RunResults& results) {
-  std::map<std::int64_t, std::vector<const model::FloePose*>> poses;
-  std::map<std::int64_t, std::int32_t> first;
-  for (std::size_t i = 0; i < results.frames.size(); ++i)
-    for (const model::FloePose& pose : results.frames[i].floes) {
-      poses[pose.floe].push_back(&pose);
-      first.try_emplace(pose.floe, static_cast<std::int32_t>(i));
-    }
-  Tracks tracks;
-  for (const model::FloeRecord& floe : results.floes) {
-    const std::vector<const model::FloePose*>& track = poses[floe.id];
-    tracks.first.push_back(first[floe.id]);
-    tracks.count.push_back(static_cast<std::int32_t>(track.size()));
-    for (const model::FloePose* at : track) {
-      tracks.x.push_back(at->pose.position.x);
-      tracks.y.push_back(at->pose.position.y);
-      tracks.z.push_back(at->pose.position.z);
-      tracks.qw.push_back(at->pose.rotation.w);
-      tracks.qx.push_back(at->pose.rotation.x);
-      tracks.qy.push_back(at->pose.rotation.y);
-      tracks.qz.push_back(at->pose.rotation.z);
-      tracks.force.push_back(at->contact_force);
-    }
-  }
-  return tracks;
+RoundedPose rounded(const model::FloePose& at) {
+  const auto& [p, q] = at.pose;
+  const std::array<double, kTrackColumns> values{p.x, p.y, p.z, q.w, q.x, q.y, q.z, at.contact_force};
+  RoundedPose pose;
+  for (std::size_t i = 0; i < kTrackColumns; ++i) pose[i] = rounded_to(kTrackUnits[i], values[i]);
+  return pose;
 }
 
-void add_tracks(Blocks& blocks, const Tracks& tracks) {
-  blocks.add("track.first", tracks.first);
-  blocks.add("track.count", tracks.count);
-  blocks.add_rounded("track.x", tracks.x, kPlaceUnit);
-  blocks.add_rounded("track.y", tracks.y, kPlaceUnit);
-  blocks.add_rounded("track.z", tracks.z, kPlaceUnit);
-  blocks.add_rounded("track.qw", tracks.qw, kAttitudeUnit);
-  blocks.add_rounded("track.qx", tracks.qx, kAttitudeUnit);
-  blocks.add_rounded("track.qy", tracks.qy, kAttitudeUnit);
-  blocks.add_rounded("track.qz", tracks.qz, kAttitudeUnit);
-  blocks.add_rounded("track.force", tracks.force, kForceUnit);
+/// A pose of a floe in a frame.
+struct TrackPose {
+  std::int32_t frame;
+  RoundedPose pose;
+};
+
+/// Adds a pose. A floe at rest keeps the first and the last of equal poses, between which the page interpolates.
+void extend(std::vector<TrackPose>& track, const TrackPose& next) {
+  const std::size_t n = track.size();
+  if (n >= 2 && track[n - 1].pose == next.pose && track[n - 2].pose == next.pose)
+    track.back().frame = next.frame;
+  else
+    track.push_back(next);
+}
+
+/// The frames turned about: for each floe its poses one after another, with the frame of each.
+void add_tracks(Blocks& blocks, const model::RunResults& results) {
+  std::unordered_map<std::int64_t, std::vector<TrackPose>> tracks;
+  for (std::size_t i = 0; i < results.frames.size(); ++i)
+    for (const model::FloePose& at : results.frames[i].floes)
+      extend(tracks[at.floe], {static_cast<std::int32_t>(i), rounded(at)});
+  std::vector<std::int32_t> count, frame;
+  std::array<std::vector<std::int32_t>, kTrackColumns> columns;
+  for (const model::FloeRecord& floe : results.floes) {
+    const std::vector<TrackPose>& track = tracks[floe.id];
+    count.push_back(static_cast<std::int32_t>(track.size()));
+    for (const TrackPose& at : track) {
+      frame.push_back(at.frame);
+      for (std::size_t i = 0; i < kTrackColumns; ++i) columns[i].push_back(at.pose[i]);
+    }
+  }
+  blocks.add("track.count", count);
+  blocks.add("track.frame", frame);
+  for (std::size_t i = 0; i < kTrackColumns; ++i)
+    blocks.add(std::string("track.") + kTrackNames[i], columns[i], kTrackUnits[i]);
 }
 
 /// The sheet at the start, after every step with cracks, and at the end.
@@ -173,12 +179,13 @@ void add_run(Blocks& blocks, const model::Case& resolved, const model::RunResult
   add_structure(blocks, *structure::make_hull(resolved.structure.shape), pose_at_end(resolved, results));
   add_columns(blocks, "load", results.loads);
   add_columns(blocks, "event", results.events);
+  add_columns(blocks, "split", results.splits);
   add_columns(blocks, "floe", results.floes);
   add_columns(blocks, "frame", results.frames);
   std::vector<const Rings*> outlines;
   for (const model::FloeRecord& floe : results.floes) outlines.push_back(&floe.rings);
   add_polygons(blocks, "outline", outlines, kOutlineUnit);
-  add_tracks(blocks, tracks_of(results));
+  add_tracks(blocks, results);
   add_sheets(blocks, results);
 }
 

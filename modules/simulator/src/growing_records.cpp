@@ -52,12 +52,13 @@ bool GrowingRecords::take(const simulation::Simulation& simulation, const simula
   begin(simulation);
   part_.loads.push_back(report.loads);
   std::ranges::copy(report.events, std::back_inserter(part_.events));
+  std::ranges::copy(report.splits, std::back_inserter(part_.splits));
   std::ranges::copy(report.births, std::back_inserter(part_.floes));
   for (const simulation::FloeDeath& death : report.deaths)
     ended_.push_back({death.floe, simulation.time(), death.cause});
   // Half a nanosecond absorbs the rounding of step times.
   const bool has_frame = simulation.time() + 5e-10 >= next_frame_ || simulation.time() + 5e-10 >= duration_;
-  if (!report.events.empty() || (sheets_drift_ && has_frame))
+  if (!report.events.empty() || !report.splits.empty() || (sheets_drift_ && has_frame))
     part_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
   if (!has_frame) return false;
   add_frame(simulation);

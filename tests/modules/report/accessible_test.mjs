@@ -7,29 +7,31 @@ import { after, before, test } from "node:test";
 import { brash, browse, expectAccessible, scratch } from "./browser.mjs";
 
 const folder = scratch();
-const [run, other, campaign] = ["run", "other", "campaign"].map((name) => join(folder, name));
+const [run, other, campaign, list] = ["run", "other", "campaign", "list"].map((name) => join(folder, name));
 const kCase = join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml");
 let browser;
 
-function writeCampaign() {
-  const settings = [0.5, 1.2].map((speed) => ({
-    setting: `speed-${speed}`, case: `cone_speed-${speed}`, values: { "structure.speed": speed }, n_done: 2, n_failed: 0, stopped_by: "replicates",
+/** @param key what varies; its values are in the settings' names too. */
+function writeCampaign(to, key, values) {
+  const settings = values.map((value) => ({
+    setting: `v-${value}`, case: `cone_v-${value}`, values: { [key]: value }, n_done: 2, n_failed: 0, stopped_by: "replicates",
     warnings: { "short-run": 1 }, statistics: { "horizontal.mean": { n: 2, mean: 9e4, standard_deviation: 4e3, mean_95: [8e4, 1e5] } },
   }));
-  const rows = settings.flatMap(({ setting, values }) => [0, 1].map((r) => [`${setting}-r000${r}`, setting, r, "done", values["structure.speed"], 9e4 + r].join(",")));
-  mkdirSync(join(campaign, "cases", "speed-0.5-r0000"), { recursive: true });
-  writeFileSync(join(campaign, "cases", "speed-0.5-r0000", "report.html"), "");
-  writeFileSync(join(campaign, "campaign.csv"), `case,setting,replicate,status,structure.speed,horizontal.mean\n${rows.join("\n")}\n`);
-  writeFileSync(join(campaign, "summary.json"), JSON.stringify({ format: "brash-campaign-1", n_cases: 4, n_done: 4, n_failed: 0, settings }));
-  writeFileSync(join(campaign, "manifest.json"), JSON.stringify({ program: { name: "brash", version: "0" }, inputs: [] }));
-  brash("report", campaign);
+  const rows = settings.flatMap(({ setting, values }) => [0, 1].map((r) => [`${setting}-r000${r}`, setting, r, "done", values[key], 9e4 + r].join(",")));
+  mkdirSync(join(to, "cases", `v-${values[0]}-r0000`), { recursive: true });
+  writeFileSync(join(to, "cases", `v-${values[0]}-r0000`, "report.html"), "");
+  writeFileSync(join(to, "campaign.csv"), `case,setting,replicate,status,${key},horizontal.mean\n${rows.join("\n")}\n`);
+  writeFileSync(join(to, "summary.json"), JSON.stringify({ format: "brash-campaign-1", n_cases: 4, n_done: 4, n_failed: 0, settings }));
+  writeFileSync(join(to, "manifest.json"), JSON.stringify({ program: { name: "brash", version: "0" }, inputs: [] }));
+  brash("report", to);
 }
 
 before(async () => {
   brash("run", kCase, "-o", run, "--set", "time.duration=3", "--set", "output.statistics_from=1");
   brash("run", kCase, "-o", other, "--set", "time.duration=1", "--seed", "2");
   brash("report", run, other, "-o", join(folder, "both.html"));
-  writeCampaign();
+  writeCampaign(campaign, "structure.speed", [0.5, 1.2]);
+  writeCampaign(list, "failure.pattern", ["disc", "stress"]);
   browser = await browse();
 });
 
@@ -38,7 +40,7 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-const kPages = { "a run": join(run, "report.html"), "a run without statistics": join(other, "report.html"), "two runs": join(folder, "both.html"), "a campaign": join(campaign, "report.html") };
+const kPages = { "a run": join(run, "report.html"), "a run without statistics": join(other, "report.html"), "two runs": join(folder, "both.html"), "a campaign": join(campaign, "report.html"), "a campaign of named settings": join(list, "report.html") };
 
 for (const [what, file] of Object.entries(kPages))
   test(`axe-core finds no fault in the page of ${what}, light, dark and narrow`, async () => {
@@ -80,10 +82,14 @@ test("nothing moves by itself, and a wish for less motion stills what is left", 
   await page.locator("body").click({ position: { x: 5, y: 5 } });
   await page.keyboard.press("Space");
   const times = new Set();
-  for (const start = Date.now(); Date.now() - start < 1800; ) times.add(await page.evaluate(() => window.brashReport.report.player.time));
+  for (let playing = true; playing && times.size < 3; ) {
+    const player = await page.evaluate(() => (({ time, playing }) => ({ time, playing }))(window.brashReport.report.player));
+    times.add(player.time);
+    playing = player.playing;
+  }
   await page.keyboard.press("Space");
   for (const time of times) assert.ok(Math.abs(time / 0.5 - Math.round(time / 0.5)) < 1e-9, `${time}`);
-  assert.ok(times.size >= 2 && times.size <= 6, `${times.size} pictures`);
+  assert.ok(times.size >= 2, `${[...times]}`);
   await page.close();
 });
 

@@ -7,6 +7,7 @@ import { after, before, test } from "node:test";
 import { brash, browse, scratch } from "./browser.mjs";
 
 const folder = scratch();
+const listed = join(folder, "listed");
 let browser, page;
 
 /** Columns with names as long as they come. */
@@ -40,6 +41,23 @@ function writeCampaign() {
   writeFileSync(join(folder, "campaign.csv"), rows.join("\n") + "\n");
   writeFileSync(join(folder, "summary.json"), JSON.stringify({ format: "brash-campaign-1", n_cases: 8, n_done: 7, n_failed: 1, settings: kSettings }));
   writeFileSync(join(folder, "manifest.json"), JSON.stringify({ program: { name: "brash", version: "</script><b>" }, inputs: [] }));
+}
+
+/** Laws switched one by one: no input is an axis, the labels alone tell the settings apart. The speed is one, if it varies. */
+const kLaws = [["all", 1, "stress", 1, 100e3], ["flat", 0, "stress", 1, 140e3], ["disc", 1, "disc", 1, 120e3], ["none", 0, "disc", 0, 60e3]];
+function writeList(to, speeds) {
+  const settings = kLaws.flatMap(([label, joint, pattern, second, mean]) => speeds.map((speed) => ({
+    setting: speeds.length > 1 ? `${label}_speed-${speed}` : label, case: `cone_${label}`,
+    values: { "failure.joint_loads": joint, "failure.pattern": pattern, "failure.second_order": second, "structure.speed": speed },
+    n_done: 2, n_failed: 0, stopped_by: "replicates", statistics: { "horizontal.mean": { n: 2, mean, standard_deviation: 4e3, mean_95: [mean - 9e3, mean + 9e3] } },
+  })));
+  const rows = settings.flatMap(({ setting, values, statistics: { "horizontal.mean": { mean } } }) =>
+    [-1, 1].map((way, r) => [`${setting}-r000${r}`, setting, r, "done", ...Object.values(values), mean + 2e3 * way].join(",")));
+  mkdirSync(to, { recursive: true });
+  writeFileSync(join(to, "campaign.csv"), `case,setting,replicate,status,${Object.keys(settings[0].values).join(",")},horizontal.mean\n${rows.join("\n")}\n`);
+  writeFileSync(join(to, "summary.json"), JSON.stringify({ format: "brash-campaign-1", n_cases: rows.length, n_done: rows.length, n_failed: 0, settings }));
+  writeFileSync(join(to, "manifest.json"), JSON.stringify({ program: { name: "brash", version: "0" }, inputs: [] }));
+  brash("report", to);
 }
 
 before(async () => {
@@ -97,6 +115,45 @@ test("no table hangs over the edge of a laptop's page, or of a sheet of paper", 
   assert.equal(await over(), 0);
   await page.emulateMedia({ media: "screen" });
   await page.setViewportSize({ width: 1366, height: 768 });
+});
+
+test("settings that labels tell apart are rows of one chart for each result, each dot where its value is", async () => {
+  writeList(listed, [1.2]);
+  const list = await browser.open(join(listed, "report.html"));
+  assert.equal(await list.locator("#trends canvas").count(), 0, "a chart over a switch has a point in each corner");
+  const charts = list.locator("#trends .list-chart");
+  assert.equal(await charts.count(), 1);
+  const drawn = await charts.evaluate((svg) => ({
+    ticks: [...svg.querySelectorAll(".scale-lines text")].slice(0, -1).map((t) => [Number(t.textContent), t.x.baseVal[0].value]),
+    rows: [...svg.querySelectorAll(".setting")].map((row) => ({
+      name: row.querySelector("text").textContent,
+      singles: [...row.querySelectorAll(".single")].map((c) => c.cx.baseVal.value),
+      mean: row.querySelector(".mean").cx.baseVal.value,
+      interval: (({ x, width }) => [x, x + width])(row.querySelector(".interval").getBBox()),
+    })),
+  }));
+  assert.deepEqual(drawn.rows.map(({ name }) => name), kLaws.map(([label]) => label));
+  const [[n0, x0], [n1, x1]] = [drawn.ticks[0], drawn.ticks.at(-1)];
+  // Places are written to a hundredth of a pixel; a browser keeps them in single precision.
+  const near = (x, newtons) => assert.ok(Math.abs(x - (x0 + ((newtons / 1e3 - n0) * (x1 - x0)) / (n1 - n0))) < 0.05, `${newtons} N at ${x}`);
+  drawn.rows.forEach(({ singles, mean, interval }, i) => {
+    const value = kLaws[i][4];
+    near(mean, value);
+    singles.forEach((x, k) => near(x, value + (k ? 2e3 : -2e3)));
+    interval.forEach((x, k) => near(x, value + (k ? 9e3 : -9e3)));
+  });
+  const rows = await list.locator("#settings-table tbody tr").evaluateAll((all) => all.map((row) => [row.cells[0], row.cells[row.cells.length - 1]].map((c) => c.textContent)));
+  assert.deepEqual(rows, [["all", "–"], ["flat", "failure joint loads: off"], ["disc", "failure pattern: disc"],
+    ["none", "failure joint loads: off, failure pattern: disc, failure second order: off"]]);
+  await list.close();
+});
+
+test("a labelled list over an axis is a line for each label", async () => {
+  writeList(join(folder, "over-speed"), [0.5, 1.2]);
+  const over = await browser.open(join(folder, "over-speed", "report.html"));
+  assert.deepEqual(await over.locator("#trends .chart .plot").evaluateAll((all) => all.map((plot) => plot.ariaLabel)), ["mean horizontal load [kN] over structure speed [m/s]"]);
+  assert.deepEqual(await over.locator("#trends .u-legend .u-label").allTextContents(), ["structure speed [m/s]", ...kLaws.map(([label]) => `setting ${label}`)]);
+  await over.close();
 });
 
 test("charts are drawn, nothing is complained about and nothing is asked of a network", async () => {

@@ -7,7 +7,7 @@ import { after, before, test } from "node:test";
 import { brash, browse, pixelsOf, plainScreenshot, readCsv, saved, scratch } from "./browser.mjs";
 
 const folder = scratch();
-const [run, other] = [join(folder, "disc"), join(folder, "stress")];
+const [run, other, drifting] = [join(folder, "disc"), join(folder, "stress"), join(folder, "drifting")];
 const kCase = join(process.env.BRASH_SOURCE, "experiments/validation/cone.toml");
 let browser, page, events;
 
@@ -55,6 +55,27 @@ test("a crack that followed the stress is drawn as it went, and its trapezoid is
   assert.ok(along > 0);
   assert.equal(n, along);
   await shown.close();
+});
+
+test("splits of a drifting sheet, and of floes, are listed and marked as events.csv has them", async () => {
+  // Ice so brittle that the first pushes split it.
+  brash("run", kCase, "-o", drifting, ...["algorithm.preset=brash", "field.border=free", "ice.fracture_toughness=2000", "time.duration=2", "output.statistics_from=1"].flatMap((set) => ["--set", set]));
+  const rows = (kind) => readCsv(join(drifting, "events.csv")).filter((row) => row.event === kind);
+  const [split, broken] = [rows("split"), rows("broken")];
+  assert.ok(split.length > 0 && broken.length > 0);
+  const at = await browser.open(join(drifting, "report.html"));
+  const cells = (of) => at.locator(`#splits-of-${of} tbody tr`).evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  const sheets = await cells("sheets");
+  assert.deepEqual(sheets.map(([time, , , parts]) => [time, parts]), split.map((row) => [Number(row.time).toFixed(2), row.pieces]));
+  sheets.forEach(([, x, y], i) => [[x, "x"], [y, "y"]].forEach(([text, name]) => assert.ok(Math.abs(Number(text.replace("−", "-")) - Number(split[i][name])) < 6e-3, text)));
+  assert.deepEqual((await cells("floes")).map(([time]) => time).sort(), broken.map((row) => Number(row.time).toFixed(2)).sort());
+  assert.equal(await at.locator(".plan .of-sheet").count(), split.length);
+  assert.equal(await at.locator(".plan .of-floe").count(), broken.length);
+  await at.locator("#splits-of-sheets button").last().click();
+  assert.ok(Math.abs(await ask(at, (report) => report.player.time) - Number(split.at(-1).time)) < 1e-9);
+  assert.equal(await at.locator(".plan .of-sheet.chosen").count(), 1);
+  assert.equal(await page.locator("#splits").count(), 0, "a run without splits has no list of them");
+  await at.close();
 });
 
 test("every load can be shown, and the statistics follow", async () => {

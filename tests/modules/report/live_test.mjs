@@ -49,6 +49,14 @@ const ask = (address, { method = "GET", headers = {} } = {}) => new Promise((don
   sent.end();
 });
 
+/** How the page is packed for a browser that takes everything. */
+const encoding = (address) => new Promise((done, fail) => {
+  request(address, { agent: false, headers: { "Accept-Encoding": "gzip, deflate, br" } }, (response) => {
+    done(response.headers["content-encoding"]);
+    response.destroy();
+  }).on("error", fail).end();
+});
+
 /** The lines of a stream from its start, until `enough` of them say so or it ends. */
 const stream = (address, enough = () => false) => new Promise((done, fail) => {
   let text = "";
@@ -79,6 +87,7 @@ test("nobody comes in without the token, and nothing but this machine", { timeou
   assert.equal(await ask(run.address, { headers: { Host: `evil.example:${host.split(":")[1]}` } }), 403);
   assert.equal(await ask(run.address), 200);
   assert.equal(await ask(new URL("stop", run.address)), 404, "a link cannot stop a run");
+  assert.equal(await encoding(run.address), undefined, "the run's processor packs the page for a way without length");
   const other = await watched("other-token");
   assert.notEqual(new URL(other.address).pathname, pathname, "each run has a token of its own");
   assert.equal(await ask(origin + new URL(other.address).pathname), 403);

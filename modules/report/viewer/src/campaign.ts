@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report of a campaign: results with intervals over what was varied, and every run.
-import { inputOf, meaningOf, meanText, resultOf, settingName, titleOf, valueOf } from "./campaign_names";
+import { type Axes, axesOf, differing } from "./campaign_axes";
+import { kMostRows, listChart } from "./campaign_list";
+import { inputOf, kLabel, meaningOf, meanText, resultOf, settingName, titleOf, valueOf } from "./campaign_names";
 import { multiples, type Runs } from "./campaign_trends";
 import { el, groupedTable, section } from "./dom";
 import { number } from "./format";
@@ -12,13 +14,6 @@ import type { CampaignData, CampaignSetting } from "./types";
 const kFirst = ["horizontal.mean", "vertical.mean", "horizontal.standard_deviation", "horizontal.quantile_99", "horizontal.maximum", "breaking_frequency"];
 const kMostColumns = 6;
 const kMostDrawn = 4;
-
-/** Keys that take more than one value; of those that change together, the first. */
-function variedKeys(settings: CampaignSetting[]): string[] {
-  const count = (...keys: string[]) => new Set(settings.map((s) => JSON.stringify(keys.map((key) => s.values[key])))).size;
-  const varied = Object.keys(settings[0]?.values ?? {}).filter((key) => count(key) > 1);
-  return varied.filter((key, i) => !varied.slice(0, i).some((other) => count(key, other) === count(other)));
-}
 
 /** Rows of a CSV file as the campaign writes it; cells may be in quotes. */
 export function parseCsv(text: string): string[][] {
@@ -61,17 +56,22 @@ function groupsOf(data: CampaignData, keys: string[]): [string, CampaignSetting[
 
 function settingsTable(data: CampaignData, keys: string[], columns: string[]): HTMLElement {
   const inner = keys.length > 1 ? keys.slice(1) : keys;
+  const named = keys.includes(kLabel);
+  const differs = (setting: CampaignSetting) =>
+    differing(data, setting, keys).map((key) => `${inputOf(data, key).name}: ${valueOf(data, setting, key)}`).join(", ") || "–";
   const link = (setting: CampaignSetting, text: string) => el("a", { href: `#${anchorOf(data, setting)}`, title: "Its runs" }, text);
   const row = (setting: CampaignSetting) => [
     ...(inner.length > 0 ? inner.map((key, i) => (i === 0 ? link(setting, valueOf(data, setting, key)) : valueOf(data, setting, key))) : [link(setting, setting.setting)]),
     setting.n_failed > 0 ? `${setting.n_done} done, ${setting.n_failed} failed` : String(setting.n_done),
     ...columns.map((column) => meanText(setting.statistics[column], resultOf(column).scale)),
+    ...(named ? [differs(setting)] : []),
     Object.entries(setting.warnings ?? {}).map(([id, n]) => `${id} (${n})`).join(", "),
   ];
   const heads = inner.length > 0 ? inner.map((key) => el("span", { title: meaningOf(data, key) }, inputOf(data, key).name)) : ["setting"];
   const hasWarnings = data.summary.settings.some(({ warnings }) => Object.keys(warnings ?? {}).length > 0);
   const cut = (cells: (Node | string)[]) => (hasWarnings ? cells : cells.slice(0, -1));
-  return groupedTable(cut([...heads, "runs", ...columns.map((column) => titleOf(resultOf(column))), "warnings"]),
+  return groupedTable(cut([...heads, "runs", ...columns.map((column) => titleOf(resultOf(column))),
+    ...(named ? ["unlike the first"] : []), "warnings"]),
     groupsOf(data, keys).map(([title, settings]) => ({ title, rows: settings.map((setting) => cut(row(setting))) })), { id: "settings-table" });
 }
 
@@ -106,35 +106,42 @@ function withoutMean(data: CampaignData, keys: string[]): HTMLElement | false {
   return el("p", { class: "note" }, `Runs that were over before their statistics begin (output.statistics_from) have no mean load: ${names}.`);
 }
 
-function trends(data: CampaignData, table: Table, keys: string[], columns: string[]): HTMLElement | null {
-  const axes = keys.filter((key) => data.summary.settings.every((s) => typeof s.values[key] === "number"));
-  const hasMeans = (column: string) => data.summary.settings.some((s) => typeof s.statistics[column]?.mean === "number");
-  const drawn = columns.filter(hasMeans).slice(0, axes.length > 3 ? 1 : kMostDrawn);
-  if (axes.length === 0 || drawn.length === 0) return null;
-  return section("trends", "Trends",
-    el("p", {}, "Means over the replicates with Student's 95 % intervals; pale dots are single runs. All charts of a result have one scale."),
-    ...drawn.flatMap((column) => axes.map((key) => multiples(data, table.runs, column, key, keys.filter((other) => other !== key)))));
+/** Charts over every input that is an axis; without one, a row for each setting. */
+function trends({ data, keys, numeric }: Axes, table: Table, columns: string[]): HTMLElement | null {
+  const { settings } = data.summary;
+  const hasMeans = (column: string) => settings.some((s) => typeof s.statistics[column]?.mean === "number");
+  const drawn = columns.filter(hasMeans).slice(0, numeric.length === 0 ? kMostColumns : numeric.length > 3 ? 1 : kMostDrawn);
+  if (settings.length < 2 || drawn.length === 0) return null;
+  const what = "Means over the replicates with Student's 95 % intervals; pale dots are single runs.";
+  if (numeric.length > 0)
+    return section("trends", "Trends", el("p", {}, `${what} All charts of a result have one scale.`),
+      ...drawn.flatMap((column) => numeric.map((key) => multiples(data, table.runs, column, key, keys.filter((other) => other !== key)))));
+  if (settings.length > kMostRows) return null;
+  const nameOf = (setting: CampaignSetting) => keys.map((key) => valueOf(data, setting, key)).join(", ");
+  return section("trends", "Settings compared", el("p", {}, `${what} Dashes: the mean of the first setting.`),
+    el("div", { class: "charts" }, ...drawn.map((column) => listChart(data, table.runs, column, nameOf))));
 }
 
 export function showCampaign(data: CampaignData, parent: HTMLElement): void {
   const { settings, n_cases, n_done, n_failed } = data.summary;
   const known = Object.keys(settings[0]?.statistics ?? {});
   const columns = [...kFirst.filter((name) => known.includes(name)), ...known.filter((name) => !kFirst.includes(name))].slice(0, kMostColumns);
-  const keys = variedKeys(settings);
+  const axes = axesOf(data);
+  const { keys } = axes;
   const table = new Table(data.table);
-  const drawn = trends(data, table, keys, columns);
+  const drawn = trends(axes, table, columns);
   parent.append(
     el("div", { class: "figures" }, ...[[n_cases, "runs"], [n_done, "done"], [n_failed, "failed"], [settings.length, "settings"]].map(([n, name]) =>
       el("div", { class: "figure" }, el("b", {}, String(n)), el("span", {}, String(name))))),
     ...(drawn ? [drawn] : []),
     section("settings", "Settings",
-      withoutMean(data, keys),
+      withoutMean(axes.data, keys),
       el("p", { class: "note" }, "Mean over the runs of a setting (95 % interval). A setting links to its runs."),
-      settingsTable(data, keys, columns)),
+      settingsTable(axes.data, keys, columns)),
     section("all-runs", "Every run",
       el("p", { class: "note" }, "A run that kept all its results links to its page (output.keep = run in the plan). ",
         saveButtons("every run", { CSV: () => saveText("campaign.csv", data.table, "text/csv") })),
-      runsTable(data, table, keys, columns)),
+      runsTable(axes.data, table, keys, columns)),
     section("inputs", "Origin", manifestTables(data.manifest)),
   );
 }

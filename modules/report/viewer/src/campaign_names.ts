@@ -3,6 +3,9 @@
 import { number } from "./format";
 import type { CampaignColumn, CampaignData, CampaignSetting, Schema, SchemaKey } from "./types";
 
+/** The name of a setting where it stands in place of inputs; no input has a key without a dot. */
+export const kLabel = "label";
+
 /** A quantity: its name, its unit, and what an SI value is multiplied with. */
 export interface Quantity {
   name: string;
@@ -20,20 +23,22 @@ const kShown: Record<string, [string, number]> = {
 };
 
 /** What the schema says of a key, which may lie in a section of a section. */
-function schemaOf(schema: Schema, key: string): SchemaKey | undefined {
+export function schemaOf(schema: Schema, key: string): SchemaKey | undefined {
   let at: { properties?: Record<string, SchemaKey> } | undefined = schema;
   for (const part of key.split(".")) at = at?.properties?.[part] as typeof at;
   return at as SchemaKey | undefined;
 }
 
-/** An input: "ice thickness [m]" for `ice.thickness`. */
+/** An input: "ice thickness [m]" for `ice.thickness`, and "setting" where names stand for inputs. */
 export function inputOf(data: CampaignData, key: string): Quantity {
+  if (key === kLabel) return { name: "setting", unit: "", scale: 1 };
   const written = schemaOf(data.schema, key)?.["x-unit"] ?? "1";
   const [unit, scale] = kShown[written] ?? [written, 1];
   return { name: spaced(key), unit, scale };
 }
 
-export const meaningOf = (data: CampaignData, key: string): string => `${key}: ${schemaOf(data.schema, key)?.description ?? "an input"}`;
+export const meaningOf = (data: CampaignData, key: string): string =>
+  key === kLabel ? "the name that the plan gives" : `${key}: ${schemaOf(data.schema, key)?.description ?? "an input"}`;
 
 const kStatistics: Record<string, string> = {
   mean: "mean", standard_deviation: "deviation of the", minimum: "smallest", maximum: "largest", quantile_50: "median",
@@ -70,13 +75,14 @@ export function resultOf(column: string): Quantity {
 export function valueOf(data: CampaignData, setting: CampaignSetting, key: string): string {
   const { unit, scale } = inputOf(data, key);
   const value = setting.values[key];
+  if (schemaOf(data.schema, key)?.type === "boolean") return value ? "on" : "off";
   const text = typeof value === "number" ? number(value * scale, 4).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : String(value);
   return unit && typeof value === "number" ? `${text} ${unit}`.replace(" °", "°") : text;
 }
 
 /** A setting by its inputs: "structure angle 50°, structure speed 0.5 m/s". */
 export const settingName = (data: CampaignData, setting: CampaignSetting, keys: string[]): string =>
-  keys.length === 0 ? setting.setting : keys.map((key) => `${spaced(key)} ${valueOf(data, setting, key)}`).join(", ");
+  keys.length === 0 ? setting.setting : keys.map((key) => `${inputOf(data, key).name} ${valueOf(data, setting, key)}`).join(", ");
 
 /** A mean with its interval, both to the digits that the interval leaves: "240.3 (231.4 to 249.1)". */
 export function meanText(column: CampaignColumn | undefined, scale: number): string {

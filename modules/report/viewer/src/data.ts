@@ -101,6 +101,8 @@ export class Run {
   offSheet: number[] = [];
   /** Those that each event made. */
   piecesOf: number[][] = [];
+  /** The event that each floe broke off in; -1 for the others. */
+  private madeBy = new Int32Array();
   nFloes = 0;
   nEvents = 0;
   duration = 0;
@@ -138,6 +140,8 @@ export class Run {
       this.piecesOf.push(this.offSheet.slice(next, next + n));
       next += n;
     }
+    this.madeBy = new Int32Array(this.nFloes).fill(-1);
+    this.piecesOf.forEach((floes, event) => floes.forEach((floe) => (this.madeBy[floe] = event)));
   }
 
   get name(): string {
@@ -170,7 +174,7 @@ export class Run {
   eventOf(floe: number): number {
     const parents = this.column("floe.parent");
     while (parents[floe] >= 0) floe = parents[floe];
-    return this.piecesOf.findIndex((pieces) => pieces.includes(floe));
+    return this.madeBy[floe];
   }
 
   /** The sheet in whose time an event came: before its step, or after it. */

@@ -9,6 +9,7 @@ type Columns = Record<string, number[]>;
 export interface Records {
   load: Columns;
   event: Columns;
+  split: Columns;
   floe: Columns;
   frame: Columns;
   /** Of each new floe its rings as x, y, x, y, ... */
@@ -63,7 +64,7 @@ export class Growing {
   }
 
   add(records: Records): void {
-    for (const of of ["load", "event", "floe", "frame"] as const)
+    for (const of of ["load", "event", "split", "floe", "frame"] as const)
       for (const [name, values] of Object.entries(records[of])) {
         const column = this.columns.get(`${of}.${name}`) ?? [];
         for (const value of values) column.push(value);
@@ -101,7 +102,7 @@ export class Growing {
 
   private putTracks(blocks: Blocks): void {
     const n = this.tracks.reduce((sum, { poses }) => sum + poses.length, 0);
-    blocks.set("track.first", Int32Array.from(this.tracks, ({ first }) => first));
+    blocks.set("track.frame", Int32Array.from(this.tracks.flatMap(({ first, poses }) => poses.map((_, i) => first + i))));
     blocks.set("track.count", Int32Array.from(this.tracks, ({ poses }) => poses.length));
     const columns = [...kTrack, "force"].map((name) => {
       const column = new Float32Array(n);
@@ -134,4 +135,4 @@ export class Growing {
 }
 
 /** Columns that a run without rows has. */
-const kEmpty = ["event.time", "event.pieces", "floe.parent", "frame.time", "load.time"];
+const kEmpty = ["event.time", "event.pieces", "split.time", "floe.parent", "frame.time", "load.time"];

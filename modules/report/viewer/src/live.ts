@@ -10,6 +10,7 @@ import { LoadHistory } from "./loads";
 import { PlanView } from "./plan";
 import { Player } from "./player";
 import { bindKeys, Replay } from "./replay";
+import { splitsOf } from "./splits";
 import type { LiveData } from "./types";
 
 export interface LiveReport {
@@ -18,6 +19,9 @@ export interface LiveReport {
   loads: LoadHistory | null;
   run: Run;
 }
+
+/** Time between two pictures of a run that goes on [ms]. A browser that draws all the time slows the run on its machine. */
+const kPause = 300;
 
 /** Asks the server for something. */
 const wish = (what: "pause" | "resume" | "stop") => void fetch(what, { method: "POST" });
@@ -64,18 +68,20 @@ export function showLive(data: LiveData, blocks: Blocks, parent: HTMLElement): L
   const duration = run.input("time", "duration");
   let view: LiveView | null = null;
   let renewing = false;
+  let lastRenewal = -kPause;
   const renew = () => {
     renewing = false;
     run.take(growing.blocks());
     view ??= new LiveView(run, player, parent, () => controls.letGo(), report);
     view.renew(controls.followsNewest);
     controls.tell(`${seconds(run.duration)} of ${number(duration, 3)} s`);
+    lastRenewal = performance.now();
   };
   const events = new EventSource("events");
   events.addEventListener("records", ({ data: text }: MessageEvent<string>) => {
     growing.add(JSON.parse(text) as Records);
-    // One picture for all that has come.
-    if (!renewing) requestAnimationFrame(renew);
+    // One picture for all that has come. The run has the processor first.
+    if (!renewing) setTimeout(() => renewing && renew(), Math.max(0, lastRenewal + kPause - performance.now()));
     renewing = true;
   });
   events.addEventListener("paused", ({ data: text }: MessageEvent<string>) => controls.setPaused(text === "true"));
@@ -107,7 +113,7 @@ export class LiveView {
       this.card.show(peak.event, peak);
       this.plan.select(peak.event);
     });
-    this.plan = new PlanView(run, (event) => this.choose(event, onLook));
+    this.plan = this.makePlan(onLook);
     this.channel.append(this.plan.element);
     this.replay.onTouch = onLook;
     bindKeys(player, this.replay, () => run.column("frame.time"), onLook, this.ended.signal);
@@ -128,12 +134,22 @@ export class LiveView {
     this.loads.renew();
     if (this.run.nEvents !== this.nEvents) {
       this.nEvents = this.run.nEvents;
-      this.plan = new PlanView(this.run, (event) => this.choose(event, () => {}));
+      this.plan = this.makePlan(() => {});
       this.channel.replaceChildren(this.plan.element);
       this.card.show(this.nEvents - 1);
       this.plan.select(this.nEvents - 1);
     }
     this.player.seek(toNewest ? this.run.duration : this.player.time);
+  }
+
+  private makePlan(onLook: () => void): PlanView {
+    const splits = splitsOf(this.run);
+    const plan = new PlanView(this.run, (event) => this.choose(event, onLook), (split) => {
+      onLook();
+      plan.selectSplit(split);
+      this.player.seek(splits[split].time);
+    });
+    return plan;
   }
 
   private choose(event: number, onLook: () => void): void {

@@ -42,6 +42,8 @@ export class LoadHistory {
   readonly element: HTMLElement;
   readonly chart: Chart;
   private readonly notes = el("p", { class: "hint" });
+  /** The replay's time. It moves over the chart, which is not drawn anew. */
+  private readonly now = el("div", { class: "now" });
 
   constructor(
     private readonly run: Run,
@@ -190,12 +192,12 @@ export class LoadHistory {
 
   private tell(): void {
     const levels = this.levels();
-    const marks = ["Red ticks: cracks", levels && Number.isFinite(levels.mean) && (levels.interval ? "dashes: mean, with its 95 % interval" : "dashes: mean"),
+    const marks = ["Red ticks: cracks", this.run.column("split.time").length > 0 && "violet ticks on top: sheets that split", levels && Number.isFinite(levels.mean) && (levels.interval ? "dashes: mean, with its 95 % interval" : "dashes: mean"),
       levels && Number.isFinite(levels.reference) && "dots: reference mean"].filter(Boolean).join(" · ");
     this.notes.replaceChildren("Click a peak for the crack behind it; drag to zoom. ", marks, ".", el("br"), kMeaning, ".");
   }
 
-  /** Mean with its interval, the reference, cracks, and the time of the replay. */
+  /** Mean with its interval, the reference and cracks. */
   private mark(plot: uPlot): void {
     const { ctx, bbox } = plot;
     const ratio = devicePixelRatio || 1;
@@ -218,8 +220,15 @@ export class LoadHistory {
       this.line(ctx, css("--ink"), [bbox.left, y(levels.reference)], [right, y(levels.reference)], [2 * ratio, 3 * ratio]);
     }
     for (const t of this.run.column("event.time")) this.line(ctx, css("--red"), [x(t), bottom], [x(t), bottom - 7 * ratio]);
-    this.line(ctx, css("--ink"), [x(this.player.time), bbox.top], [x(this.player.time), bottom]);
+    for (const t of this.run.column("split.time")) this.line(ctx, css("--violet"), [x(t), bbox.top], [x(t), bbox.top + 12 * ratio]);
     ctx.restore();
+    this.placeNow(plot);
+  }
+
+  private placeNow(plot: uPlot): void {
+    const x = plot.valToPos(this.player.time, "x");
+    this.now.hidden = x < 0 || x > plot.over.clientWidth;
+    this.now.style.transform = `translateX(${x.toFixed(2)}px)`;
   }
 
   private line(ctx: CanvasRenderingContext2D, colour: string, a: number[], b: number[], dash: number[] = []): void {
@@ -233,6 +242,7 @@ export class LoadHistory {
   }
 
   private listen(plot: uPlot): void {
+    plot.over.append(this.now);
     let pressedAt = 0;
     plot.over.addEventListener("mousedown", (event) => (pressedAt = event.clientX));
     plot.over.addEventListener("mouseup", (event) => {
@@ -262,7 +272,7 @@ export class LoadHistory {
       const start = Math.max(0, Math.min(this.player.time - 0.1 * span, this.run.duration - span));
       plot.setScale("x", { min: start, max: start + span });
     } else {
-      plot.redraw(false, false);
+      this.placeNow(plot);
     }
     plot.setLegend({ idx: null } as unknown as { idx: number });
   }

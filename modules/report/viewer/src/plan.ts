@@ -5,6 +5,7 @@ import type { Ring, Run } from "./data";
 import { el, svg } from "./dom";
 import { legend, type Swatch } from "./legend";
 import { drawingButtons } from "./save";
+import { splitMarks, splitsOf } from "./splits";
 
 interface Box {
   x0: number;
@@ -72,9 +73,14 @@ function trapezoidOf(run: Run, event: number): Ring {
   return [place(0, -tip), place(at("b"), -base), place(at("b"), base), place(0, tip)];
 }
 
+/** More floes of the start than this are one drawing: each alone would make a page slow. */
+const kMostApart = 1500;
+
 const kAtCrack: Swatch = { colour: "--red", text: "the ice failed here", kind: "dot" };
 const kTrapezoid: Swatch = { colour: "--ochre", text: "trapezoid fitted to the edge" };
 const kCrackLine: Swatch = { colour: "--red", text: "crack", kind: "line" };
+const kSheetSplit: Swatch = { colour: "--violet", text: "a drifting sheet split here, along the line", kind: "dot" };
+const kFloeSplit: Swatch = { colour: "--teal", text: "a floe broke again", kind: "dot" };
 const kCircle: Swatch = { colour: "--red", text: "breaking length", kind: "dashes" };
 
 export class PlanView {
@@ -83,13 +89,19 @@ export class PlanView {
   private readonly overlay = svg("g");
   private readonly chosen = el("span", { class: "chosen-crack" });
   private readonly points: SVGCircleElement[] = [];
+  private readonly splits: SVGGElement;
 
   constructor(
     private readonly run: Run,
     private readonly onChoose: (event: number) => void,
+    onSplit: (split: number) => void,
   ) {
     const structure = run.waterlineAtEnd();
-    const box = around([...run.offSheet.flatMap((floe) => run.bornAt(floe)), ...structure].flat(), 2.5);
+    const splits = splitsOf(run);
+    const places = splits.map(({ x, y }): Ring => [[x, y]]);
+    const box = around([...run.offSheet.flatMap((floe) => run.bornAt(floe)), ...structure, ...places].flat(), 2.5);
+    const point = (box.x1 - box.x0) / 210;
+    this.splits = splitMarks(splits, point, onSplit);
     this.drawing = drawing(
       box,
       "Plan of the channel with all cracks",
@@ -97,7 +109,8 @@ export class PlanView {
       this.floes(),
       svg("path", { class: "structure", d: path(structure) }),
       this.overlay,
-      this.breaks((box.x1 - box.x0) / 210),
+      this.splits,
+      this.breaks(point),
       ruler(box, 62),
     );
     // A picture has no buttons for its reader; this one is a group of them.
@@ -108,6 +121,7 @@ export class PlanView {
           { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" },
           { colour: "--plan-sheet", text: "sheet at the end" }, { colour: "--plan-open", text: "open water, or crushed" },
           { colour: "--scene-structure", text: "structure's waterline at the end" }, kAtCrack,
+          ...(splits.some(({ of }) => of === "sheet") ? [kSheetSplit] : []), ...(splits.some(({ of }) => of === "floe") ? [kFloeSplit] : []),
         ]),
         drawingButtons("the plan", "channel", () => this.drawing)),
       this.chosen);
@@ -121,10 +135,19 @@ export class PlanView {
     this.chosen.replaceChildren(`Crack ${event + 1}: `, legend(marksOf(crack)));
   }
 
+  /** Marks a split; -1: none. */
+  selectSplit(split: number): void {
+    [...this.splits.children].forEach((mark, i) => mark.classList.toggle("chosen", i === split));
+  }
+
   private floes(): SVGGElement {
     const { run } = this;
     const latest = Math.max(1e-9, run.duration);
-    return svg("g", { class: "floes" }, ...run.offSheet.map((i) => {
+    const initial = run.offSheet.filter((i) => run.eventOf(i) < 0);
+    const together = initial.length > kMostApart ? new Set(initial) : new Set<number>();
+    const field = together.size > 0 && svg("path", { d: initial.map((i) => path(run.bornAt(i))).join(""), "fill-rule": "evenodd", style: "--age: 0" },
+      svg("title", {}, `${together.size} floes that were there at the start`));
+    return svg("g", { class: "floes" }, field, ...run.offSheet.filter((i) => !together.has(i)).map((i) => {
       const [id, area, birth] = ["id", "area", "birth"].map((name) => run.column(`floe.${name}`)[i]);
       return svg("path", { d: path(run.bornAt(i)), "fill-rule": "evenodd", style: `--age: ${(birth / latest).toFixed(3)}` },
         svg("title", {}, `floe ${id}, ${area.toFixed(2)} m², born at ${birth.toFixed(2)} s`));

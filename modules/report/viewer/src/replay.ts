@@ -91,6 +91,7 @@ export class Replay {
   /** Makes a film of the run from its start, or ends the one that is being made. */
   async record(onEnd = saveFilm(this.stages[0].run.name)): Promise<void> {
     if (this.film) return this.film.stop();
+    for (const scene of this.scenes) scene.setMoving(true);
     this.film = new Film(this.player, this.stages.map(({ canvas }) => canvas), () => this.scenes.forEach((scene) => scene.drawNow()));
     onEnd(await this.film.record().finally(() => (this.film = null)));
     this.update();
@@ -148,7 +149,10 @@ export class Replay {
     this.play.setAttribute("aria-label", playing ? "Pause" : "Play");
     this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", `${seconds(time)} s`);
-    for (const scene of this.scenes) scene.show(time);
+    for (const scene of this.scenes) {
+      scene.show(time);
+      scene.setMoving(playing || this.film !== null);
+    }
     const n = this.scenes.map((scene) => scene.floes.nVisible).join(" and ");
     this.clock.textContent = `${this.film ? "● " : ""}${seconds(time)} s${n && ` · ${n} floes`}`;
   }

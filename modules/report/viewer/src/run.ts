@@ -13,6 +13,7 @@ import { LoadHistory, type Overlay, type Peak } from "./loads";
 import { PlanView } from "./plan";
 import { Player } from "./player";
 import { bindKeys, Replay } from "./replay";
+import { splitsOf, splitsSection } from "./splits";
 import { statisticsSection } from "./statistics";
 import type { RunData } from "./types";
 
@@ -78,8 +79,13 @@ export function showRun(run: Run, other: Run | null, data: RunData, parent: HTML
     plan.select(event);
     if (!peak && event >= 0) player.seek(run.column("event.time")[event]);
   };
+  const splits = splitsOf(run);
+  const chooseSplit = (split: number) => {
+    plan.selectSplit(split);
+    player.seek(splits[split].time);
+  };
   const card = new EventCard(run, choose);
-  const plan = new PlanView(run, choose);
+  const plan = new PlanView(run, choose, chooseSplit);
   const replay = runs.every(({ hasReplay }) => hasReplay) ? makeReplay(runs, player, names) : null;
   const loads = new LoadHistory(run, player, choice, overlaysOf(run, other, names, data.measured), (peak) => choose(peak.event, peak));
 
@@ -95,6 +101,7 @@ export function showRun(run: Run, other: Run | null, data: RunData, parent: HTML
     section("channel", "Channel and cracks",
       plan.element,
       el("p", { class: "note" }, "The channel from above. Click a point, or press Enter on it, for its crack.")),
+    ...[splitsSection(splits, chooseSplit)].filter((part) => part !== null),
     statisticsSection(run, choice, data.measured),
     extremesSection(run, choice, (time) => player.seek(time)),
     closedFormsSection(run.data),

@@ -16,6 +16,21 @@ import { frameAt } from "./tracks";
 import { furtherIn, kViews, sizeOf } from "./views";
 import { Water } from "./water";
 
+/** A run of more floes is drawn with less around it. */
+const kMany = 1000;
+
+/** From so many sizes of the scene on, its mist hides edges. */
+const kLinesReach = 12;
+
+/** Whether the browser draws on the processor. Smooth lines then cost more than all else. */
+function drawsInSoftware(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(context!.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|basic render/i.test(name);
+}
+
 export class ReplayScene {
   readonly renderer: WebGLRenderer;
   readonly camera: PerspectiveCamera;
@@ -42,12 +57,14 @@ export class ReplayScene {
   private view = "Wake";
   private lastPlace = new Vector3();  // of the structure
   private pending = false;
+  private readonly inSoftware = drawsInSoftware();
+  private moving = false;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly run: Run,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.inSoftware, powerPreference: "high-performance" });
     // Asking whether a shader compiled waits until it has: a quarter of a second at the start in software.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
@@ -78,6 +95,8 @@ export class ReplayScene {
     this.controls.minDistance = Math.min(0.3 * this.size, 10 * h);
     this.controls.zoomSpeed = 0.8;
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => this.setMoving(true));
+    this.controls.addEventListener("end", () => this.setMoving(false));
     this.lastPlace = this.structurePlace(0);
     this.setTheme();
     this.look("Wake");
@@ -108,6 +127,7 @@ export class ReplayScene {
     this.scene.fog = new Fog(this.palette.sky, 11 * this.size, 40 * this.size);
     this.materials.sheet.color = this.palette.ice;
     this.water.setTheme(this.palette);
+    this.floes.repaint();
     this.materials.structure.color = this.palette.structure;
     this.materials.edges.color = this.palette.line;
     this.materials.waterline.color = this.palette.line;
@@ -150,11 +170,24 @@ export class ReplayScene {
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
     const before = furtherIn(this.camera.aspect);
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (before !== furtherIn(this.camera.aspect)) this.look(this.view);
+    this.drawNow();
+  }
+
+  /** On the processor: coarse pictures while they follow each other, and one drawn twice as fine where it stops. */
+  private get pixelRatio(): number {
+    return this.inSoftware ? (this.moving ? 1 : 2) : Math.min(2, window.devicePixelRatio);
+  }
+
+  /** Whether pictures follow each other, as while the replay plays. */
+  setMoving(moving: boolean): void {
+    if (moving === this.moving) return;
+    this.moving = moving;
+    this.renderer.setPixelRatio(this.pixelRatio);
     this.drawNow();
   }
 
@@ -177,7 +210,7 @@ export class ReplayScene {
     this.structure.position.copy(at);
     this.water.follow(at.x, at.y);
     this.hull.quaternion.copy(this.structureTurn(time));
-    this.floes.show(time);
+    this.floes.show(time, at, kLinesReach * this.size);
     this.draw();
   }
 
@@ -269,7 +302,7 @@ export class ReplayScene {
   private addLights(): void {
     const sun = new DirectionalLight(0xffffff, 1.75);
     sun.position.set(-2.1, -3.8, 5).multiplyScalar(this.size);
-    sun.castShadow = true;
+    sun.castShadow = !(this.inSoftware && this.run.nFloes > kMany);
     const height = sun.position.z / sun.position.length();
     const reach = 3.4 * Math.max(this.size, this.run.radius);
     Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * this.size, far: 20 * this.size });
