@@ -2,6 +2,7 @@
 """The analysis of experiments/managed_ice against closed forms."""
 import os
 import sys
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -73,6 +74,19 @@ class Verdicts(unittest.TestCase):
         spectra = {"offset": (frequency, np.where(np.arange(10) == 6, 2.0, 1.0))}
         self.assertTrue(verdicts.resonance(spectra, 20.0, 1)["met"])
         self.assertFalse(verdicts.resonance(spectra, 40.0, 1)["met"])
+
+    def test_recorded_rows_meet_what_verdicts_says(self):
+        criteria = tomllib.loads((FOLDER / "criteria.toml").read_text(encoding="utf-8"))
+        rows = study.read_rows(FOLDER / "recorded.csv")
+        twenty = [row for row in rows if row["plan"] == "twenty"]
+        self.assertEqual(len(twenty), 20)
+        found = verdicts.trends(rows, criteria["trends"]["level"]) + [
+            verdicts.precision(twenty, criteria["precision"]["half_width"]),
+            verdicts.balance(rows, criteria["balance"]["share"]),
+            verdicts.oscillator(twenty, criteria["oscillator"]["share"])]
+        known = {row["criterion"]: (row["found"], row["met"]) for row in study.read_rows(FOLDER / "verdicts.csv")}
+        for row in found:
+            self.assertEqual(known[row["criterion"]], (row["found"], str(row["met"])))
 
 
 if __name__ == "__main__":
