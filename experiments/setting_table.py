@@ -63,7 +63,11 @@ def main():
     parser.add_argument("--column", action="append", dest="columns")
     options = parser.parse_args()
     rows = [row for file in options.files for row in study.read_rows(file)]
-    print(table(rows, options.columns or COLUMNS))
+    known = [name for name in rows[0] if all(name in row for row in rows)]
+    for column in options.columns or []:
+        if column.partition("/")[0] not in known:
+            parser.error(f"--column {column}: is no column of the files; they have {', '.join(known)}")
+    print(table(rows, options.columns or [column for column in COLUMNS if column.partition("/")[0] in known]))
 
 
 if __name__ == "__main__":
