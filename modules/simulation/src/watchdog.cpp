@@ -108,14 +108,15 @@ void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
                              place.x, place.y, place.z));
 }
 
-/// No floe has more energy than contacts, water and its height gave it.
+/// No floe has more energy than contacts, water and its height gave it. Its force F changes once, too: from nearly
+/// nothing afloat to its weight in air. So the errors of its steps, dt F (u' - u) / 2, add up to as much again.
 void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe) {
   const double energy = now.floes.energy(now.world, body, floe);
   const double received = now.energy.received().at(body);
   Account& account = accounts_[body];  // nothing of a floe that is new
   account.explained += received;
-  account.travel = std::max(account.travel, case_->time.step * norm(now.world.mean_twist(body).linear));
-  const double allowed = allowance(floe.weight, account.travel);
+  account.travel = std::max(account.travel, case_->time.step * norm(now.world.twist(body).linear));
+  const double allowed = 2.0 * allowance(floe.weight, account.travel);
   if (energy - account.explained <= allowed) return;
   throw RunError(
       fmt::format("floe {} of {:.4g} kg has an energy of {:.6g} J, of which its work explains {:.6g} J and "
