@@ -8,7 +8,8 @@ import tomllib
 
 import numpy as np
 
-from inputs import GRAVITY, TRAVEL_SPEEDS, brash_module, flat, parts_of
+import study
+from inputs import GRAVITY, TRAVEL_SPEEDS, flat, parts_of
 from regressions import edwards, jeong, riska
 
 CAUSES = {"crushing": ["crushing_Fx"], "floes": ["floe_normal_Fx", "floe_friction_Fx"]}
@@ -122,7 +123,7 @@ def weibull_advantage(sizes):
 
 def shape_numbers(folder):
     """Whether the sizes of a run's floes have one mode, and a Weibull law rather than a log-normal one; 1 or 0."""
-    floes = brash_module().read_results(str(folder / "run.nc")).floes
+    floes = study.brash_module().read_results(str(folder / "run.nc")).floes
     sizes = np.sqrt([floe.area for floe in floes])
     if len(sizes) < 10:
         return {}

@@ -3,9 +3,10 @@
 import json
 import math
 import os
-import sys
 import tomllib
 from pathlib import Path
+
+import study
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -137,17 +138,7 @@ def modulus_of(length, values):
 
 def points_of(prediction, n):
     """The first n points of the folder's Sobol sequence, shape=(n, n_unknowns)."""
-    return brash_module().sobol(n, len(prediction.unknowns), seed=prediction.ensemble["seed"])
-
-
-def brash_module():
-    """The Python module of the program: as installed, or of the release build."""
-    try:
-        import brash
-    except ImportError:
-        sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
-        import brash
-    return brash
+    return study.brash_module().sobol(n, len(prediction.unknowns), seed=prediction.ensemble["seed"])
 
 
 def label_of(arm, i):
