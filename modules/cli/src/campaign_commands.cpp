@@ -15,6 +15,7 @@
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "brash/campaign/campaign.hpp"
@@ -36,6 +37,7 @@ struct CampaignOptions {
   std::string directory;
   std::vector<std::string> overrides;
   int n_jobs = 0;  ///< 0: not given
+  std::optional<int> replicates;
   std::string on = "local";
   std::vector<std::string> sbatch;
   bool wait = false;
@@ -151,6 +153,7 @@ std::vector<std::string> collector_command(const campaign::Campaign& campaign, c
   };
   if (options.quick) command.push_back("--quick");
   if (options.n_jobs > 0) add("--jobs", std::to_string(options.n_jobs));
+  if (options.replicates) add("--replicates", std::to_string(*options.replicates));
   for (const std::string& text : options.overrides) add("--set", text);
   for (const std::string& text : options.sbatch) add("--sbatch", text);
   return command;
@@ -183,9 +186,10 @@ Counts run_under_slurm(campaign::Campaign& campaign, const CampaignOptions& opti
 
 void run_campaign(const CampaignOptions& options) {
   campaign::Campaign campaign{
-      .plan = io::read_campaign_plan(
-          options.plan_file,
-          {.quick = options.quick, .overrides = options.overrides, .known_columns = campaign::known_columns()}),
+      .plan = io::read_campaign_plan(options.plan_file, {.quick = options.quick,
+                                                         .replicates = options.replicates,
+                                                         .overrides = options.overrides,
+                                                         .known_columns = campaign::known_columns()}),
       .plan_file = options.plan_file,
       .directory = options.directory,
       .resume = options.resume,
@@ -280,6 +284,10 @@ void add_campaign_commands(CLI::App& app) {
   command->add_flag("--status", options->status, "count the cases done, failed and missing; run nothing");
   command->add_flag("--resume", options->resume, "go on with what the folder holds");
   command->add_flag("--quick", options->quick, "the small variant that the plan's [quick] describes");
+  command
+      ->add_option("--replicates", options->replicates,
+                   "replicates of each setting, in place of the plan's number and its stop rule")
+      ->check(CLI::Range(1, 100000));
   command->add_option("--set", options->overrides, "section.key=value, for every case")
       ->take_all()
       ->allow_extra_args(false);

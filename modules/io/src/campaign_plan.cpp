@@ -95,7 +95,8 @@ class PlanReader {
   /// [campaign], [stop], [output] and their replacements in [quick].
   void read_own(const Json& document) {
     const Json quick = options_.quick ? document.value("quick", Json::object()) : Json::object();
-    plan_.replicates = quick.value("replicates", document.at("campaign").at("replicates").get<int>());
+    plan_.replicates =
+        options_.replicates.value_or(quick.value("replicates", document.at("campaign").at("replicates").get<int>()));
     plan_.keep = document.at("output").at("keep").get<std::string>();
     plan_.columns = document.at("output").value("columns", options_.known_columns);
     for (const std::string& column : plan_.columns) check_column("output", "columns", column);
@@ -109,7 +110,7 @@ class PlanReader {
       report(place_of(source_, "campaign", "replicates"), "campaign.replicates", std::to_string(least),
              "is no least number of replicates for [stop]",
              fmt::format("from 2 to stop.most_replicates = {}", rule.most_replicates), "", "change one of the two");
-    if (!options_.quick) plan_.stop = rule;
+    if (!options_.quick && !options_.replicates) plan_.stop = rule;
   }
 
   void check_column(const char* section, const char* key, const std::string& column) {

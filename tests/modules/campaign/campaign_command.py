@@ -48,6 +48,13 @@ class Command(unittest.TestCase):
         self.assertEqual(quick(folder, "--jobs", "3").returncode, 0)
         self.assertEqual(different(self.whole, folder), [])
 
+    def test_replicates_of_the_command_line_may_grow(self):
+        folder = FOLDER / "replicates"
+        done = quick(folder, "--replicates", "1")
+        self.assertIn("4 of 4 cases done", done.stdout)
+        self.assertEqual(quick(folder, "--replicates", "3", "--resume").returncode, 0)
+        self.assertEqual(different(self.whole, folder), [])
+
     def test_cases_that_end_before_their_statistics_are_counted(self):
         # Without a time of their own they begin when the cone's axis passes the edge, 6.9 m away.
         plan = FOLDER / "early.toml"

@@ -69,6 +69,7 @@ struct CampaignPlan {
 /// How a plan is read.
 struct PlanOptions {
   bool quick = false;                      ///< with the plan's [quick]
+  std::optional<int> replicates = {};      ///< of each setting, in place of the plan's number and its [stop]
   std::vector<std::string> overrides;      ///< `section.key=value`, applied last to every case
   std::vector<std::string> known_columns;  ///< names allowed in `output.columns` and `stop.statistic`
 };
