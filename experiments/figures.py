@@ -48,8 +48,9 @@ def closed_lines(axis, closed, key, component):
 
 
 def mean_figure(rows, closed, key, folder, name):
-    """Means of both forces, peaks beside the closed forms, and frequency content, against one input."""
-    figure, axes = plt.subplots(1, 4, figsize=(13, 3.4), constrained_layout=True)
+    """Means of both forces, peaks beside the closed forms, frequency content and ice broken, against one input."""
+    figure, grid = plt.subplots(2, 3, figsize=(11, 6.4), constrained_layout=True)
+    axes = grid.ravel()
     means(axes[0], study.groups(rows, key, "horizontal.mean"), key, BLUE, "total")
     for cause, colour in (("crushing", RED), ("floe_normal", GREEN), ("floe_friction", ORANGE)):
         column = f"horizontal.mean_by_cause.{cause}"
@@ -63,6 +64,10 @@ def mean_figure(rows, closed, key, folder, name):
     axes[2].set_title("horizontal peaks [kN]")
     means(axes[3], study.groups(rows, key, "mean_frequency"), key, BLUE, "mean of the spectrum", unit=1.0)
     axes[3].set_title("mean frequency [Hz]")
+    means(axes[4], study.groups(rows, key, "breaking_length_quantiles.50"), key, BLUE, "median", unit=1.0)
+    axes[4].set_title("breaking length, median [m]")
+    means(axes[5], study.groups(rows, key, "piece_area_quantiles.50"), key, BLUE, "median", unit=1.0)
+    axes[5].set_title("area of a piece, median [m²]")
     for axis in axes:
         axis.set_xlabel(LABELS[key])
         axis.set_ylim(bottom=min(0.0, axis.get_ylim()[0]))

@@ -30,7 +30,8 @@ def main():
         figures.mean_figure(rows, closed, KEYS[name], folder, "means")
         figures.history_figure(rows, KEYS[name], output, folder, "histories")
 
-    return study.main(HERE / name, [KEYS[name]], ["horizontal.mean", "vertical.mean", "mean_frequency"], draw, __doc__)
+    return study.main(HERE / name, [KEYS[name]], ["horizontal.mean", "vertical.mean", "mean_frequency", "breaking_length_quantiles.50"],
+                      draw, __doc__)
 
 
 if __name__ == "__main__":

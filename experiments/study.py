@@ -2,7 +2,7 @@
 """Tools of the experiments that are campaigns: they run a plan, collect its numbers, record and check them.
 
 An experiment is a folder with `plan.toml`, `recorded.csv` (one row a case), `closed_forms.csv` (one row a
-setting) and `quick.csv` (the reference of the tests). Its folder `corrected` holds the corrected algorithm's results.
+setting) and `quick.csv` (the reference of the tests). They are of the preset `paper`; the folder `brash` has the default's.
 """
 import argparse
 import csv
@@ -12,7 +12,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -22,22 +21,25 @@ ROOT = Path(__file__).resolve().parents[1]
 LOWEST, HIGHEST, HIGH = 0.5, 20.0, 2.0  # Hz, band of the mean frequency; from where on frequencies count as high
 SEGMENT = 2.0  # s, of the spectra
 QUICK_SEEDS = 8  # recorded for the quick mode
+PRESETS = ["paper", "brash"]
 
 
-def arguments(description):
+def arguments(description, presets=False):
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--brash", type=Path, default=ROOT / "build" / "release" / "bin" / "brash")
     parser.add_argument("-o", "--output", type=Path, help="folder of the campaign [results/<experiment>]")
     parser.add_argument("--jobs", type=int, help="workers [one a core]")
     parser.add_argument("--quick", action="store_true", help="the plan's small variant, compared with quick.csv")
     parser.add_argument("--record", action="store_true", help="also rewrite the recorded numbers and pictures")
+    if presets:
+        parser.add_argument("--preset", choices=PRESETS, default="paper", help="algorithm.preset [paper]")
+        parser.add_argument("--replicates", type=int, help="of each setting [the plan's]")
     return parser
 
 
-def corrections():
-    """Keys of the case file, with their values, that make the paper's algorithm the corrected one."""
-    plan = tomllib.loads((ROOT / "experiments" / "validation" / "corrected.toml").read_text(encoding="utf-8"))
-    return {f"failure.{key}": value for key, value in plan["set"]["failure"].items()}
+def results_folder(options, name):
+    """Where the campaign of an experiment with presets goes."""
+    return options.output or Path("results") / (f"{name}-quick" if options.quick else f"{name}-{options.preset}")
 
 
 def brash_module():
@@ -52,18 +54,24 @@ def brash_module():
 
 # Running and collecting.
 
-def campaign(brash, plan, output, quick=False, jobs=None, overrides=()):
+def campaign(brash, plan, output, quick=False, jobs=None, overrides=(), replicates=None):
     command = [brash, "campaign", plan, "-o", output]
     command += ["--quick"] * quick + (["--jobs", str(jobs)] if jobs else [])
-    command += ["--resume"] * output.exists()
+    command += ["--resume"] * output.exists() + (["--replicates", str(replicates)] if replicates else [])
     for override in overrides:
         command += ["--set", override]
     subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
 
 
-def recorded(experiment, corrected=False):
-    """The recorded rows of an experiment, of the paper's algorithm or of the corrected one."""
-    return ROOT / "experiments" / experiment / ("corrected" if corrected else ".") / "recorded.csv"
+def preset_campaign(options, plan, output):
+    """`campaign` of a plan with the preset and the replicates of the command line."""
+    campaign(options.brash, plan, output, jobs=options.jobs, replicates=options.replicates,
+             overrides=[f"algorithm.preset={json.dumps(options.preset)}"])
+
+
+def recorded(experiment, preset="paper"):
+    """The recorded rows of an experiment with a preset."""
+    return ROOT / "experiments" / experiment / ("." if preset == "paper" else preset) / "recorded.csv"
 
 
 def read_rows(path):
@@ -153,6 +161,11 @@ def groups(rows, key, column, **fixed):
     return dict(sorted(result.items()))
 
 
+def unit_of(column):
+    """What a table or picture divides a column by: 1e3 for forces [kN], 1 for others."""
+    return 1e3 if "horizontal" in column or "vertical" in column or "deviation" in column else 1.0
+
+
 def print_table(rows, columns):
     """Mean and 95 % interval over the replicates of each setting, forces in kN."""
     settings = dict.fromkeys(row["setting"] for row in rows)
@@ -161,8 +174,7 @@ def print_table(rows, columns):
         chosen = [row for row in rows if row["setting"] == setting]
         cells = []
         for column in columns:
-            unit = 1.0 if "frequency" in column and "deviation" not in column else 1e3
-            values = [row[column] / unit for row in chosen]
+            values = [row[column] / unit_of(column) for row in chosen]
             mean, half = mean_interval(values) if len(values) > 1 else (values[0], math.nan)
             cells.append(f"{mean:14.2f} [{mean - half:7.2f}, {mean + half:7.2f}]")
         print(f"{setting:28s}{len(chosen):3d} " + "".join(f"{cell:>34s}" for cell in cells))
@@ -218,22 +230,17 @@ def quick(options, folder, output):
 
 def main(folder, keys, columns, draw, description):
     """Runs an experiment from its command line; `draw(rows, closed, output, folder)` makes its pictures in `folder`."""
-    parser = arguments(description)
-    parser.add_argument("--corrected", action="store_true",
-                        help="with the corrected algorithm (validation/corrected.toml); recorded in the folder `corrected`")
-    options = parser.parse_args()
-    name = folder.name + ("-quick" if options.quick else "") + ("-corrected" if options.corrected else "")
-    output = options.output or Path("results") / name
+    options = arguments(description, presets=True).parse_args()
+    output = results_folder(options, folder.name)
     if options.quick and options.record:
         record_quick(options.brash, folder, output)
         return 0
     if options.quick:
         return quick(options, folder, output)
-    overrides = [f"{key}={json.dumps(value)}" for key, value in corrections().items()] if options.corrected else []
-    campaign(options.brash, folder / "plan.toml", output, jobs=options.jobs, overrides=overrides)
+    preset_campaign(options, folder / "plan.toml", output)
     rows, closed = collect(options.brash, output), closed_forms(options.brash, output, keys)
     print_table(rows, columns)
-    target = recorded(folder.name, options.corrected).parent if options.record else output
+    target = recorded(folder.name, options.preset).parent if options.record else output
     if options.record:
         target.mkdir(exist_ok=True)
         write_rows(target / "recorded.csv", rows)

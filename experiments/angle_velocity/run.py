@@ -19,20 +19,20 @@ import study
 
 ANGLE, SPEED = "structure.angle", "structure.speed"
 COLUMNS = {"horizontal.mean": "mean horizontal force [kN]", "vertical.mean": "mean vertical force [kN]",
-           "mean_frequency": "mean frequency [Hz]"}
+           "mean_frequency": "mean frequency [Hz]", "breaking_length_quantiles.50": "breaking length, median [m]"}
 
 
 def draw(rows, closed, output, folder):
-    between = study.read_rows(study.recorded("velocity", folder.name.endswith("corrected")))
+    between = study.read_rows(study.recorded("velocity", "brash" if folder.name.endswith("brash") else "paper"))
     rows = rows + [{**row, ANGLE: math.radians(61.4)} for row in between]
-    figure, axes = figures.plt.subplots(1, len(COLUMNS), figsize=(12, 3.8), constrained_layout=True)
+    figure, axes = figures.plt.subplots(1, len(COLUMNS), figsize=(14, 3.6), constrained_layout=True)
     shades = figures.plt.get_cmap("viridis")
     angles = sorted({row[ANGLE] for row in rows})
     for axis, (column, title) in zip(axes, COLUMNS.items()):
         for i, angle in enumerate(angles):
             figures.means(axis, study.groups(rows, SPEED, column, structure__angle=angle), SPEED,
                           shades(0.85 * i / (len(angles) - 1)), f"{math.degrees(angle):g} deg",
-                          unit=1.0 if column == "mean_frequency" else 1e3)
+                          unit=study.unit_of(column))
         axis.set_title(title)
         axis.set_xlabel(figures.LABELS[SPEED])
         axis.set_ylim(bottom=min(0.0, axis.get_ylim()[0]))

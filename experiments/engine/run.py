@@ -3,9 +3,9 @@
 """The validation case with stock Bullet, beside the program's own contacts and solver and the paper's mean.
 
 run.py                10 replicates with each engine at each time step; a table in kN
-run.py --corrected    the same with three corrections of the ice's failure (validation/corrected.toml)
+run.py --preset brash --replicates 4    the same with the default preset
 run.py --table        the table again, from the recorded numbers
-run.py --record       also rewrites recorded.csv here, or corrected/recorded.csv
+run.py --record       also rewrites recorded.csv here, or brash/recorded.csv
 run.py --quick        four short cases, compared with quick.csv
 
 Both engines draw the same random numbers in a replicate, so their difference is taken replicate by replicate.
@@ -49,23 +49,20 @@ def print_table(rows):
 
 
 def main():
-    parser = study.arguments(__doc__)
-    parser.add_argument("--corrected", action="store_true")
+    parser = study.arguments(__doc__, presets=True)
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
-    target = study.recorded(HERE.name, options.corrected)
+    target = study.recorded(HERE.name, options.preset)
     if options.table:
         print_table(study.read_rows(target))
         return 0
-    output = options.output or Path("results") / (HERE.name + ("-quick" if options.quick else "") +
-                                                  ("-corrected" if options.corrected else ""))
+    output = study.results_folder(options, HERE.name)
     if options.quick and options.record:
         study.record_quick(options.brash, HERE, output)
         return 0
     if options.quick:
         return study.quick(options, HERE, output)
-    overrides = [f"{key}={json.dumps(value)}" for key, value in study.corrections().items()] if options.corrected else []
-    study.campaign(options.brash, HERE / "plan.toml", output, jobs=options.jobs, overrides=overrides)
+    study.preset_campaign(options, HERE / "plan.toml", output)
     rows = study.collect(options.brash, output)
     print_table(rows)
     if options.record:

@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each trend of the paper's Sec. 3.2, tested at 5 % over the recorded replicates: run.py [--record|--check]
 
-Reads the recorded numbers of the experiments beside this one, and runs only `brash trend`. It takes the paper's algorithm
-and, if all experiments have it, the corrected one. README.md lists the claims and their verdicts. Holm's method adjusts
-the p-values of an algorithm together.
+Reads the recorded numbers of the experiments beside this one, and runs only `brash trend`. It takes both presets.
+README.md lists the claims and their verdicts. Holm's method adjusts the p-values of a preset together.
 """
 import argparse
 import json
@@ -31,13 +30,13 @@ FREQUENCY, CONTENT = "mean_frequency", "high_frequency_deviation"
 
 
 class Runs:
-    """Recorded numbers of one algorithm."""
+    """Recorded numbers of one preset."""
 
-    def __init__(self, brash, corrected):
-        self.brash, self.corrected = brash, corrected
+    def __init__(self, brash, preset):
+        self.brash, self.preset = brash, preset
 
     def path(self, experiment):
-        return study.recorded(experiment, self.corrected)
+        return study.recorded(experiment, self.preset)
 
     def rows(self, experiment):
         return study.read_rows(self.path(experiment))
@@ -179,9 +178,6 @@ def of_thicknesses(runs):
 
 # The list of README.md.
 CLAIMS = [of_angles, of_speeds, of_angles_and_speeds, of_widths, of_thicknesses]
-EXPERIMENTS = ["cone_angle", "velocity", "angle_velocity", "waterline_width", "thickness"]
-# Corrected or not.
-ALGORITHMS = {False: "the paper's algorithm", True: "the corrected one"}
 
 
 def holm(p):
@@ -198,7 +194,7 @@ def ratio_row(runs):
     value, error, freedom = log_ratio(groups[0], groups[-1])
     low, high = (math.exp(x) for x in interval(value, error, freedom))
     excluded = "excluded" if not low <= PAPER_RATIO <= high else "not excluded"
-    return f"| {ALGORITHMS[runs.corrected]} | {math.exp(value):.3f} | {low:.3f} to {high:.3f} | {excluded} |"
+    return f"| `{runs.preset}` | {math.exp(value):.3f} | {low:.3f} to {high:.3f} | {excluded} |"
 
 
 def cells(listed):
@@ -208,15 +204,14 @@ def cells(listed):
 
 
 def table(brash):
-    run = [Runs(brash, corrected) for corrected in ALGORITHMS
-           if all(study.recorded(name, corrected).exists() for name in EXPERIMENTS)]
+    run = [Runs(brash, preset) for preset in study.PRESETS]
     listed = [[claim for of in CLAIMS for claim in of(runs)] for runs in run]
-    lines = ["| experiment | claim |" + "".join(f" {ALGORITHMS[runs.corrected]} | last against first | p |" for runs in run),
+    lines = ["| experiment | claim |" + "".join(f" `{runs.preset}` | last against first | p |" for runs in run),
              "|---|---|" + "---|---|---|" * len(run)]
     for claim, *row in zip(listed[0], *map(cells, listed)):
         lines.append(f"| {claim.experiment} | {claim.text} | {' | '.join(row)} |")
     lines += ["", "The next table compares the load at 50 degrees with the load at 70 degrees, at 2.0 m/s.", "",
-              f"| algorithm | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
+              f"| preset | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
     return "\n".join(lines + [ratio_row(runs) for runs in run]) + "\n"
 
 

@@ -3,13 +3,12 @@
 """The validation case as an ensemble, beside the measurement, other models and closed forms (the paper's Fig. 7).
 
 run.py                  plan.toml: 30 replicates; table and picture in results/validation
-run.py --plan corrected.toml -o results/corrected    the same with three corrections of the ice's failure
-run.py --plan corrections.toml -o results/corrections    each correction alone
-run.py --plan laws.toml -o results/laws        each law of the ice on its own switch, 10 replicates; so water, edge, pieces
+run.py --plan edge.toml -o results/edge        the preset brash, and the same with an edge at rest; 30 replicates each
+run.py --plan laws.toml -o results/laws        each law of the ice on its own switch, 10 replicates; so water, pieces
 run.py --plan steps.toml -o results/steps      four time steps, 12 replicates each
-run.py --plan steps_corrected.toml -o ...      the same with the corrected algorithm, 16 replicates each
+run.py --plan edge_steps.toml -o ...           three more with the preset brash and with an edge at rest
 run.py --set hydrodynamics.form_drag=0 -o ...  the same with another input
-run.py --record         also rewrites the recorded numbers here, and the picture of a plan of one setting
+run.py --record         also rewrites the recorded numbers here, and the picture of the plan's first setting
 run.py --quick          one short replicate, compared with quick.csv
 """
 import json
@@ -26,6 +25,7 @@ import study
 # Mean horizontal force [kN]: the paper, Sec. 3.1.3.
 REFERENCES = {"measured": 111.8, "cohesive elements": 110.0, "the paper's model": 112.93}
 SMOOTHING = 0.1  # s
+PICTURES = ["ensemble", "edge"]  # that are recorded
 QUANTITIES = {
     "mean": "horizontal.mean", "  crushing at the edge": "horizontal.mean_by_cause.crushing",
     "  floes, normal": "horizontal.mean_by_cause.floe_normal",
@@ -127,8 +127,9 @@ def main():
         study.write_rows(HERE / ("recorded.csv" if name == "ensemble" else f"{name}.csv"), rows)
     if options.record and name == "ensemble":
         study.write_rows(HERE / "closed_forms.csv", closed)
-    if len({row["setting"] for row in rows}) == 1:
-        draw(rows, closed, spectra(options.brash, rows, output), target, name)
+    if not options.record or name in PICTURES:
+        first = [row for row in rows if row["setting"] == rows[0]["setting"]]
+        draw(first, closed, spectra(options.brash, first, output), target, name)
     return 0
 
 
