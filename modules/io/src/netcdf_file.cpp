@@ -18,7 +18,7 @@ namespace brash::io {
 namespace {
 
 /// Of whole numbers, which shrink to a hundredth at any level. Measured quantities are noise in most of their digits:
-/// a run's would shrink by a sixth and take most of the time of writing.
+/// a run's would shrink by a sixth and take most of the time of writing. They are deflated where they repeat.
 constexpr int kDeflateLevel = 1;
 /// Fewer bytes are written as they are: the index of a compressed variable takes more than it saves.
 constexpr std::size_t kLeastDeflated = 4096;
@@ -102,7 +102,7 @@ void NetcdfWriter::write(const std::string& name, const std::string& along, cons
   const int dim = dimension(along, values.size());
   int variable = -1;
   check(nc_def_var(file_, name.c_str(), kType<T>, 1, &dim, &variable), name);
-  if (std::is_integral_v<T> && values.size() * sizeof(T) >= kLeastDeflated)
+  if ((std::is_integral_v<T> || repeating_.contains(along)) && values.size() * sizeof(T) >= kLeastDeflated)
     check(nc_def_var_deflate(file_, variable, 1, 1, kDeflateLevel), name);
   describe(variable, name, meaning);
   if (!values.empty())

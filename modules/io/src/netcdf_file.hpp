@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,8 @@ class NetcdfWriter {
   NetcdfWriter& operator=(const NetcdfWriter&) = delete;
 
   void attribute(const std::string& name, const std::string& text);
+  /// Measured quantities along `dimension` repeat, as the poses of floes at rest do: they are deflated too.
+  void expect_repeats(const std::string& dimension) { repeating_.insert(dimension); }
   /// Adds a variable along `dimension`, which is made as long as `values` when it is new.
   void variable(const std::string& name, const std::string& dimension, const Meaning& meaning,
                 const std::vector<double>& values);
@@ -63,6 +66,7 @@ class NetcdfWriter {
   /// them in the library.
   std::vector<std::function<void()>> pending_;
   std::size_t n_bytes_ = 0;  ///< of the values
+  std::set<std::string> repeating_;
 };
 
 /// A netCDF file that is being read.

@@ -36,6 +36,7 @@ void write_frames(NetcdfWriter& file, const std::vector<model::Frame>& frames) {
     counts.push_back(static_cast<std::int32_t>(frame.floes.size()));
     poses.insert(poses.end(), frame.floes.begin(), frame.floes.end());
   }
+  file.expect_repeats("pose");
   write_rows(file, frames);
   file.variable("frame_pose_count", "frame", {"1", "number of poses of each frame", {{"sample_dimension", "pose"}}},
                 counts);
