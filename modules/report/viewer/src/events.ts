@@ -10,11 +10,18 @@ import { eventFigure } from "./plan";
 /** How the crack went, and what its numbers then mean. */
 function courseOf(crack: Crack): string {
   if (crack.circumferential.length === 0) return "The pieces of this crack touch no ice that stayed.";
-  return crack.isCircle
-    ? "The crack is the circle of the breaking length."
-    : "The crack followed the stress in the ice, not a circle. The trapezoid is a fit to the edge that describes the event: " +
-      "b, c, θ and μ belong to it.";
+  if (crack.isCircle) return "The crack is the circle of the breaking length.";
+  const course = "The crack followed the stress in the ice, not a circle. ";
+  return course + (crack.hasTrapezoid
+    ? "The trapezoid is a fit to the edge that describes the event: b, c, θ and μ belong to it."
+    : "The edge fits no trapezoid, so there is none with a depth b and an angle θ.");
 }
+
+/** A number of an event: its name, value, unit and meaning. */
+type Row = [string, string, string, string];
+
+const listOf = (numbers: Row[]): HTMLElement => el("dl", { class: "numbers" },
+  ...numbers.map(([name, value, unit, meaning]) => el("div", { title: meaning }, el("dt", {}, name), el("dd", {}, value, unit && el("small", {}, ` ${unit}`)))));
 
 export class EventCard {
   readonly element = el("div", { class: "event-card", "aria-live": "polite" });
@@ -36,10 +43,11 @@ export class EventCard {
       return;
     }
     const crack = crackOf(this.run, event);
+    const numbers = this.numbers(event, crack);
     this.element.replaceChildren(
       el("div", { class: "bar" }, el("strong", {}, `Crack ${event + 1} of ${this.run.nEvents}`),
         el("span", {}, `at ${seconds(this.run.column("event.time")[event])} s`), this.steps()),
-      el("div", { class: "event-body" }, eventFigure(this.run, event, crack), this.numbers(event, crack)),
+      el("div", { class: "event-body" }, eventFigure(this.run, event, crack), listOf(numbers)),
       el("p", { class: "hint course" }, courseOf(crack)),
       ...(peak ? [el("p", { class: "hint peak" }, this.behind(peak))] : []),
     );
@@ -59,13 +67,14 @@ export class EventCard {
       el("button", { type: "button", disabled: none, click: to(this.event + 1), title: "Next crack" }, "›"));
   }
 
-  private numbers(event: number, crack: Crack): HTMLElement {
+  private numbers(event: number, crack: Crack): Row[] {
     const at = (name: string) => this.run.column(`event.${name}`)[event];
     const force = at("p") * at("c") * at("thickness");
-    const rows: [string, string, string, string][] = [
-      ["b", number(at("b"), 4), "m", "depth of the fitted trapezoid"],
+    const fitted = (...row: Row): Row[] => (crack.hasTrapezoid ? [row] : []);
+    return [
+      ...fitted("b", number(at("b"), 4), "m", "depth of the fitted trapezoid"),
       ["c", number(at("c"), 4), "m", "contact length"],
-      ["θ", degrees(at("theta")), "°", "opening angle of the trapezoid"],
+      ...fitted("θ", degrees(at("theta")), "°", "opening angle of the trapezoid"),
       ["μ₁", number(at("mu1"), 4), "", "out-of-plane over in-plane normal force"],
       ["μ₂", number(at("mu2"), 4), "", "in-plane friction over in-plane normal force"],
       ["p", kPa(at("p")), "kPa", "pressure on the contact"],
@@ -74,10 +83,8 @@ export class EventCard {
       ["l_break", number(at("l_break"), 4), "m", crack.isCircle ? "breaking length: radius of the crack" : "breaking length: from the tip to the crack, along the trapezoid's axis"],
       ["wedges", String(at("wedges")), "", "number of wedges drawn"],
       ["pieces", String(at("pieces")), "", "floes that came of it"],
-      ["fit error", number(at("fit_error"), 3), "", "area between trapezoid and edge over the window's"],
+      ...fitted("fit error", number(at("fit_error"), 3), "", "area between trapezoid and edge over the window's"),
       ["in range", at("in_range") ? "yes" : "no", "", "whether the failure model's inputs were within its range"],
     ];
-    return el("dl", { class: "numbers" },
-      ...rows.map(([name, value, unit, meaning]) => el("div", { title: meaning }, el("dt", {}, name), el("dd", {}, value, unit && el("small", {}, ` ${unit}`)))));
   }
 }

@@ -184,7 +184,7 @@ const strokes = (segments: Segment[]): string =>
 function eventMarks(run: Run, event: number, crack: Crack): SVGElement[] {
   const at = (name: string) => run.column(`event.${name}`)[event];
   return [
-    svg("path", { class: "trapezoid", d: path([trapezoidOf(run, event)]) }),
+    ...(crack.hasTrapezoid ? [svg("path", { class: "trapezoid", d: path([trapezoidOf(run, event)]) })] : []),
     ...(crack.isCircle ? [svg("circle", { class: "reach", cx: at("tip_x"), cy: -at("tip_y"), r: at("l_break") })] : []),
     svg("path", { class: "crack", d: strokes([...crack.circumferential, ...crack.radial]) }),
     svg("circle", { class: "at", cx: at("x"), cy: -at("y"), r: 0.03 * at("l_break") }),
@@ -192,7 +192,7 @@ function eventMarks(run: Run, event: number, crack: Crack): SVGElement[] {
 }
 
 const marksOf = (crack: Crack): Swatch[] =>
-  [kCrackLine, ...(crack.isCircle ? [kCircle] : []), kTrapezoid, kAtCrack];
+  [kCrackLine, ...(crack.isCircle ? [kCircle] : []), ...(crack.hasTrapezoid ? [kTrapezoid] : []), kAtCrack];
 
 /** One crack event: the edge as it was, the pieces it made, its crack, and the trapezoid. */
 export function eventFigure(run: Run, event: number, crack: Crack): HTMLElement {
