@@ -20,12 +20,16 @@ function courseOf(crack: Crack): string {
 /** A number of an event: its name, value, unit and meaning. */
 type Row = [string, string, string, string];
 
+/** A crack that is further from a peak has little to do with it [s]. */
+const kTogether = 0.5;
+
 const listOf = (numbers: Row[]): HTMLElement => el("dl", { class: "numbers" },
   ...numbers.map(([name, value, unit, meaning]) => el("div", { title: meaning }, el("dt", {}, name), el("dd", {}, value, unit && el("small", {}, ` ${unit}`)))));
 
 export class EventCard {
   readonly element = el("div", { class: "event-card", "aria-live": "polite" });
   private event = -1;
+  private explains = false;
 
   constructor(
     private readonly run: Run,
@@ -48,15 +52,25 @@ export class EventCard {
       el("div", { class: "bar" }, el("strong", {}, `Crack ${event + 1} of ${this.run.nEvents}`),
         el("span", {}, `at ${seconds(this.run.column("event.time")[event])} s`), this.steps()),
       el("div", { class: "event-body" }, eventFigure(this.run, event, crack), listOf(numbers)),
+      this.glossary(numbers),
       el("p", { class: "hint course" }, courseOf(crack)),
       ...(peak ? [el("p", { class: "hint peak" }, this.behind(peak))] : []),
     );
   }
 
+  /** All meanings at once, for readers without a mouse; it stays open from crack to crack. */
+  private glossary(numbers: Row[]): HTMLElement {
+    const list = el("details", { class: "glossary", open: this.explains, toggle: () => (this.explains = list.open) },
+      el("summary", {}, "What these numbers mean"),
+      el("dl", {}, ...numbers.map(([name, , , meaning]) => el("div", {}, el("dt", {}, name), el("dd", {}, meaning)))));
+    return list;
+  }
+
   private behind(peak: Peak): string {
     const gap = this.run.column("event.time")[peak.event] - peak.time;
     const when = Math.abs(gap) < 5e-4 ? "in the same step" : `${seconds(Math.abs(gap))} s ${gap > 0 ? "later" : "before"}`;
-    return `Peak of ${describePeak(peak)} The crack came ${when}.`;
+    const which = Math.abs(gap) > kTogether ? "No crack came with it: the nearest one came" : "The crack came";
+    return `Peak of ${describePeak(peak)} ${which} ${when}.`;
   }
 
   private steps(): HTMLElement {
