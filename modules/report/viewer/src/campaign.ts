@@ -64,7 +64,7 @@ function settingsTable(data: CampaignData, keys: string[], columns: string[]): H
     ...(inner.length > 0 ? inner.map((key, i) => (i === 0 ? link(setting, valueOf(data, setting, key)) : valueOf(data, setting, key))) : [link(setting, setting.setting)]),
     setting.n_failed > 0 ? `${setting.n_done} done, ${setting.n_failed} failed` : String(setting.n_done),
     ...columns.map((column) => meanText(setting.statistics[column], resultOf(column).scale)),
-    ...(named ? [differs(setting)] : []),
+    ...(named ? [el("div", { class: "unlike" }, differs(setting))] : []),
     Object.entries(setting.warnings ?? {}).map(([id, n]) => `${id} (${n})`).join(", "),
   ];
   const heads = inner.length > 0 ? inner.map((key) => el("span", { title: meaningOf(data, key) }, inputOf(data, key).name)) : ["setting"];
