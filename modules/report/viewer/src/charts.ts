@@ -3,7 +3,11 @@
 import uPlot from "uplot";
 import { chartSvg } from "./chart_svg";
 import { css, el } from "./dom";
+import { number } from "./format";
 import { csv, pixels, save, saveButtons, saveText } from "./save";
+
+/** A tick as tables write their numbers: no separator of thousands, which depends on the reader's browser. */
+const plain = (n: number): string => (Math.abs(n) >= 1e6 ? number(n, 3) : String(Number(n.toPrecision(6)))).replace("-", "−");
 
 /** Axes as thin as the page's rules. */
 export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
@@ -18,6 +22,7 @@ export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis 
     stroke: css("--muted"),
     grid: { stroke: css("--rule"), width: 1 },
     ticks: { stroke: css("--rule"), width: 1, size: 4 },
+    values: (_, splits) => splits.map((n) => plain(n)),
     ...more,
   };
 }

@@ -22,7 +22,7 @@ function trimmed(value: number, digits: number): string {
   return value.toFixed(decimals);
 }
 
-function superscript(exponent: number): string {
+export function superscript(exponent: number): string {
   return String(exponent).replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)] ?? c));
 }
 
