@@ -60,6 +60,32 @@ function ruler(box: Box, lettering: number): SVGGElement {
   return group;
 }
 
+/** Letters of a drawing [px], and the radius of a point that is clicked. */
+const kLetters = 11;
+const kPoint = 4;
+
+/** Calls back with the width [px] at which a drawing is shown, whenever that changes. */
+function onWidth(picture: SVGSVGElement, change: (width: number) => void): void {
+  let last = 0;
+  new ResizeObserver(() => {
+    const { width } = picture.getBoundingClientRect();
+    if (width === 0 || Math.abs(width - last) < 1) return;
+    last = width;
+    change(width);
+  }).observe(picture);
+}
+
+/** Gives a drawing a ruler whose letters have one size, however wide the drawing is shown. */
+function addRuler(picture: SVGSVGElement, box: Box, lettering: number): void {
+  let shown = ruler(box, lettering);
+  picture.append(shown);
+  onWidth(picture, (width) => {
+    const next = ruler(box, width / kLetters);
+    shown.replaceWith(next);
+    shown = next;
+  });
+}
+
 /** The fitted trapezoid of an event: from the tip edge's ends to the base line. */
 function trapezoidOf(run: Run, event: number): Ring {
   const at = (name: string) => run.column(`event.${name}`)[event];
@@ -111,8 +137,9 @@ export class PlanView {
       this.overlay,
       this.splits,
       this.breaks(point),
-      ruler(box, 62),
     );
+    addRuler(this.drawing, box, 62);
+    onWidth(this.drawing, (width) => this.sizePoints((kPoint * (box.x1 - box.x0)) / width));
     // A picture has no buttons for its reader; this one is a group of them.
     this.drawing.setAttribute("role", "group");
     this.element = el("figure", { class: "plan-view" }, this.drawing,
@@ -138,6 +165,11 @@ export class PlanView {
   /** Marks a split; -1: none. */
   selectSplit(split: number): void {
     [...this.splits.children].forEach((mark, i) => mark.classList.toggle("chosen", i === split));
+  }
+
+  private sizePoints(radius: number): void {
+    for (const point of this.points) point.setAttribute("r", String(radius));
+    for (const mark of this.splits.children) mark.querySelector("circle")!.setAttribute("r", String(mark.classList.contains("of-floe") ? 0.6 * radius : radius));
   }
 
   private floes(): SVGGElement {
@@ -211,7 +243,7 @@ export function eventFigure(run: Run, event: number, crack: Crack): HTMLElement 
     svg("path", { class: "sheet", d: path(run.sheetOf(event, false)), "fill-rule": "evenodd" }),
     pieces,
     ...eventMarks(run, event, crack),
-    ruler(box, 24),
   );
+  addRuler(picture, box, 24);
   return el("figure", {}, picture, legend(marksOf(crack)), drawingButtons("the crack", `crack-${event + 1}`, () => picture));
 }
