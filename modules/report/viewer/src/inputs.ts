@@ -4,7 +4,8 @@ import uPlot from "uplot";
 import { axis, Chart } from "./charts";
 import type { InputValue, Run } from "./data";
 import { css, el, section, table } from "./dom";
-import { bytes, degrees, kJ, kN, number, percent, seconds } from "./format";
+import { schemaOf } from "./campaign_names";
+import { bytes, degrees, kJ, kN, number, percent, seconds, unitText } from "./format";
 import type { Manifest, RunFiles, Schema } from "./types";
 
 export function closedFormsSection(data: RunFiles): HTMLElement {
@@ -90,17 +91,21 @@ export function ledgerSection(run: Run): HTMLElement {
 function valueOf({ value, text, unit }: InputValue): HTMLElement {
   const rounded = typeof value === "number" ? number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : text;
   const angle = unit === "rad" && typeof value === "number" ? ` = ${degrees(value)}°` : "";
-  return el("span", { class: "value", title: text }, rounded, unit && el("small", {}, ` ${unit}${angle}`));
+  const shown = unitText(unit);
+  return el("span", { class: "value", title: text || "none" }, rounded || "none", shown && el("small", {}, ` ${shown}${angle}`));
 }
 
+/** A description of the schema, which has names of commands and choices between backticks. */
+const described = (text: string): (Node | string)[] => text.split("`").map((part, i) => (i % 2 === 1 ? el("code", {}, part) : part));
+
 function inputRows(inputs: Record<string, Record<string, InputValue>>, schema: Schema): HTMLElement[] {
-  return Object.entries(inputs).map(([name, keys]) => {
-    const described = schema.properties?.[name];
+  return Object.entries(inputs).filter(([, keys]) => Object.keys(keys).length > 0).map(([name, keys]) => {
+    const meaning = (key: string) => described(schemaOf(schema, key)?.description ?? "");
     return el("details", { open: true },
-      el("summary", {}, el("code", {}, `[${name}]`), ` ${described?.description ?? ""}`),
+      el("summary", {}, el("code", {}, `[${name}]`), " ", ...meaning(name)),
       table([], Object.entries(keys).map(([key, input]) => [
         el("code", {}, key), valueOf(input),
-        el("span", { class: "meaning" }, described?.properties?.[key]?.description ?? ""),
+        el("span", { class: "meaning" }, ...meaning(`${name}.${key}`)),
       ])));
   });
 }
@@ -114,20 +119,19 @@ function files(title: string, list: Manifest["inputs"]): HTMLElement | null {
 export function manifestTables(manifest: Manifest): HTMLElement {
   const v = manifest.volatile ?? {};
   const rows: [string, string][] = [["program", `${manifest.program?.name ?? "brash"} ${manifest.program?.version ?? ""}`]];
-  for (const [name, version] of Object.entries(manifest.built_with ?? {})) rows.push([name, version]);
+  for (const [name, version] of Object.entries(manifest.built_with ?? {})) rows.push([name.replace(/_/g, " "), version]);
   if (manifest.glibc) rows.push(["glibc", manifest.glibc]);
   if (manifest.seeds) rows.push(["seed, replicate", `${manifest.seeds.seed}, ${manifest.seeds.replicate}`]);
   if (v.started_at) rows.push(["started", v.started_at]);
   if (v.wall_seconds !== undefined) rows.push(["wall time", `${seconds(v.wall_seconds, 1)} s`]);
   if (v.host_cpu) rows.push(["processor", v.host_cpu]);
-  return el("div", {}, el("h3", {}, "Manifest"), table([], rows),
-    files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs));
+  return el("div", { class: "columns even" }, el("div", {}, el("h3", {}, "Manifest"), table([], rows)), el("div", {},
+    files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs)));
 }
 
 export function inputsSection(run: Run, schema: Schema): HTMLElement {
   return section("inputs", "Inputs and manifest",
     el("p", {}, "Every input of the run, defaults included, in SI; the resolved case as a file is in the manifest, and repeats the run to the bit."),
-    el("div", { class: "columns even" },
-      el("div", { class: "inputs" }, ...inputRows(run.inputs, schema)),
-      manifestTables(run.data.manifest)));
+    el("div", { class: "inputs" }, ...inputRows(run.inputs, schema)),
+    manifestTables(run.data.manifest));
 }
