@@ -8,6 +8,20 @@ import { schemaOf } from "./campaign_names";
 import { bytes, degrees, kJ, kN, number, percent, seconds, unitText } from "./format";
 import type { Manifest, RunFiles, Schema } from "./types";
 
+/** Symbols of the closed forms, as docs/theory/standards.md has them. */
+const kSymbols: Record<string, string> = {
+  H_B: "breaking the sheet", H_P: "pushing the sheet through rubble", H_R: "ice that rides up the slope", H_L: "lifting the rubble",
+  H_T: "turning blocks at the top of the slope", V_B: "vertical part of the breaking", V_R: "vertical part of the ride",
+  "P of one wedge": "vertical load that breaks one wedge", "p w h": "pressure times width times thickness",
+  R_c: "crushing at the stem", R_b: "bending", R_s: "ice pressed under the hull",
+};
+
+/** Only those that the table shows. */
+function symbolsOf({ loads }: RunFiles["closed_forms"]): string {
+  const used = new Set(loads.flatMap((load) => Object.keys(load.components ?? {})));
+  return Object.entries(kSymbols).filter(([name]) => used.has(name)).map(([name, meaning]) => `${name}: ${meaning}`).join(" · ");
+}
+
 export function closedFormsSection(data: RunFiles): HTMLElement {
   const rows = data.closed_forms.loads.map((load) => {
     const components = Object.entries(load.components ?? {}).map(([name, value]) => `${name} ${kN(value)}`);
@@ -19,7 +33,8 @@ export function closedFormsSection(data: RunFiles): HTMLElement {
   rows.push(["this run", "99 % quantile", kN(horizontal.quantile_99), kN(vertical.quantile_99), ""]);
   return section("closed-forms", "Closed forms",
     el("p", {}, `Loads of standards and textbooks for the same structure and ice: ${data.closed_forms.kind}.`),
-    table(["source", "method", "horizontal [kN]", "vertical [kN]", "components [kN]"], rows));
+    table(["source", "method", "horizontal [kN]", "vertical [kN]", "components [kN]"], rows),
+    el("p", { class: "note" }, symbolsOf(data.closed_forms)));
 }
 
 const kAccounts = ["sheet", "floes", "crushed", "deleted", "brash"] as const;
@@ -40,6 +55,12 @@ function ledgerChart(run: Run): Chart {
     },
   }), () => "Where the ice of the sheet has gone.");
 }
+
+/** What became of the ice in each account. */
+const kMeanings: Record<typeof kAccounts[number], string> = {
+  sheet: "not broken yet", floes: "afloat in pieces", crushed: "at the edges of sheets", deleted: "with floes that were crushed",
+  brash: "in pieces too small to be floes",
+};
 
 /** Loss name, what it is, in the order of the summary. */
 const kLosses: Record<string, string> = {
@@ -78,7 +99,7 @@ export function ledgerSection(run: Run): HTMLElement {
       el("div", {},
         table(["area", "m²", "of the sheet"], [
           ["initial", area("initial").toFixed(4), "100.0 %"],
-          ...kAccounts.map((name) => [name, area(name).toFixed(4), percent(area(name) / area("initial"))]),
+          ...kAccounts.map((name) => [el("span", {}, name, " ", el("small", {}, kMeanings[name])), area(name).toFixed(4), percent(area(name) / area("initial"))]),
           [`rounding (${ledger.n_rounded} crossings)`, number(area("snap"), 3), ""],
         ]),
         el("p", { class: ledger.closes ? "note good" : "note bad" },
