@@ -42,8 +42,8 @@ export class EventCard {
   show(event: number, peak?: Peak): void {
     this.event = event;
     if (event < 0) {
-      const text = this.run.nEvents > 0 ? "Click a load peak, or a red point of the plan, to see the crack event behind it." : "The ice has not broken in this run.";
-      this.element.replaceChildren(el("p", { class: "hint" }, text), this.steps());
+      const text = this.run.nEvents > 0 ? "Click a load peak, or a red point of the plan, to see the crack event behind it." : "The ice has not broken.";
+      this.element.replaceChildren(el("p", { class: "hint do" }, text), ...(this.run.nEvents > 0 ? [this.steps()] : []));
       return;
     }
     const crack = crackOf(this.run, event);
@@ -75,10 +75,9 @@ export class EventCard {
 
   private steps(): HTMLElement {
     const to = (event: number) => () => this.onChoose((event + this.run.nEvents) % this.run.nEvents);
-    const none = this.run.nEvents === 0;
     return el("span", { class: "steps" },
-      el("button", { type: "button", disabled: none, click: to(Math.max(0, this.event) - 1), title: "Previous crack" }, "‹"),
-      el("button", { type: "button", disabled: none, click: to(this.event + 1), title: "Next crack" }, "›"));
+      el("button", { type: "button", click: to(Math.max(0, this.event) - 1), title: "Previous crack" }, "‹"),
+      el("button", { type: "button", click: to(this.event + 1), title: "Next crack" }, "›"));
   }
 
   private numbers(event: number, crack: Crack): Row[] {

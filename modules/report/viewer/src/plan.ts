@@ -145,9 +145,7 @@ export class PlanView {
     this.element = el("figure", { class: "plan-view" }, this.drawing,
       el("div", { class: "under" },
         legend([
-          { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" },
-          { colour: "--plan-sheet", text: "sheet at the end" }, { colour: "--plan-open", text: "open water, or crushed" },
-          { colour: "--scene-structure", text: "structure's waterline at the end" }, kAtCrack,
+          ...this.swatches(),
           ...(splits.some(({ of }) => of === "sheet") ? [kSheetSplit] : []), ...(splits.some(({ of }) => of === "floe") ? [kFloeSplit] : []),
         ]),
         drawingButtons("the plan", "channel", () => this.drawing)),
@@ -165,6 +163,20 @@ export class PlanView {
   /** Marks a split; -1: none. */
   selectSplit(split: number): void {
     [...this.splits.children].forEach((mark, i) => mark.classList.toggle("chosen", i === split));
+  }
+
+  /** What is there of the floes, the sheet and the structure. */
+  private swatches(): Swatch[] {
+    const { run } = this;
+    const brokeOff: Swatch = { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" };
+    const ofField: Swatch = { colour: "--plan-young", text: "floe where it was at the start" };
+    const isField = run.inputs.field?.kind?.value === "floes";
+    return [
+      ...(isField ? [ofField] : []), ...(isField && run.nEvents === 0 ? [] : [brokeOff]),
+      ...(run.sheets.at(-1)!.length > 0 ? [{ colour: "--plan-sheet", text: "sheet at the end" }] : []),
+      { colour: "--plan-open", text: "open water, or crushed" },
+      { colour: "--scene-structure", text: "structure's waterline at the end" }, ...(run.nEvents > 0 ? [kAtCrack] : []),
+    ];
   }
 
   private sizePoints(radius: number): void {

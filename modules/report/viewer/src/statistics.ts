@@ -180,6 +180,7 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     histogram(run.column("floe.area"), "m²", "piece area", s.piece_area_quantiles),
     histogram(run.column("event.l_break"), "m", "breaking length", s.breaking_length_quantiles),
   ];
+  const hasInterval = Object.values(data.loads ?? {}).some(({ mean_95: [low] }) => low !== null);
   const short = s.horizontal.mean !== null && !s.horizontal.long_enough;
   return section(
     "statistics",
@@ -187,11 +188,9 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     moments(run, measured),
     el("p", { class: "note" },
       `From ${seconds(s.statistics_from)} s on. ` +
-        (short ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
+        (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
         (measured ? ` Measured: ${measured.name}, the whole history.` : "")),
-    el("div", { class: "columns" },
-      causes(run) || el("div"),
-      el("div", { class: "charts" }, data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
-        ...charts.map((chart) => chart && chart.element))),
+    el("div", { class: "charts" }, causes(run), data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
+      ...charts.map((chart) => chart && chart.element)),
   );
 }
