@@ -115,7 +115,8 @@ function trends({ data, keys, numeric }: Axes, table: Table, columns: string[]):
   const what = "Means over the replicates with Student's 95 % intervals; pale dots are single runs.";
   if (numeric.length > 0)
     return section("trends", "Trends", el("p", {}, `${what} All charts of a result have one scale.`),
-      ...drawn.flatMap((column) => numeric.map((key) => multiples(data, table.runs, column, key, keys.filter((other) => other !== key)))));
+      el("div", { class: "results" },
+        ...drawn.flatMap((column) => numeric.map((key) => multiples(data, table.runs, column, key, keys.filter((other) => other !== key))))));
   if (settings.length > kMostRows) return null;
   const nameOf = (setting: CampaignSetting) => keys.map((key) => valueOf(data, setting, key)).join(", ");
   return section("trends", "Settings compared", el("p", {}, `${what} Dashes: the mean of the first setting.`),
