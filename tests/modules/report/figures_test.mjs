@@ -47,7 +47,7 @@ test("a crack that followed the stress is drawn as it went, and its trapezoid, i
     ++n;
     // Where no trapezoid fits the edge, none is shown, and no zeros in its place.
     const fits = await ask(shown, (_, run, event) => run.column("event.b")[event] > 0, crack);
-    assert.match(await shown.locator(".course").innerText(), fits ? /followed the stress.*trapezoid is a fit/s : /followed the stress.*fits no trapezoid/s);
+    assert.match(await shown.locator(".course").innerText(), fits ? /followed the stress.*trapezoid is a fit/s : /followed the stress.*No trapezoid/s);
     assert.equal(await shown.locator(".event-body .trapezoid").count(), fits ? 1 : 0);
     const names = await shown.locator(".numbers dt").allInnerTexts();
     for (const name of ["b", "θ", "fit error"]) assert.equal(names.includes(name), fits, name);

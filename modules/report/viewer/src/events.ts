@@ -14,7 +14,7 @@ function courseOf(crack: Crack): string {
   const course = "The crack followed the stress in the ice, not a circle. ";
   return course + (crack.hasTrapezoid
     ? "The trapezoid is a fit to the edge that describes the event: b, c, θ and μ belong to it."
-    : "The edge fits no trapezoid, so there is none with a depth b and an angle θ.");
+    : "No trapezoid with a depth fits this edge, so b and θ have no meaning.");
 }
 
 /** A number of an event: its name, value, unit and meaning. */

@@ -108,12 +108,15 @@ export function ledgerSection(run: Run): HTMLElement {
       el("div", {}, energyTable(run.data))));
 }
 
+/** Letters of a text that may go on in the next line. */
+const kLong = 24;
+
 /** A value as text: numbers rounded for the eye, angles in degrees as well; the exact text is its tooltip. */
 function valueOf({ value, text, unit }: InputValue): HTMLElement {
   const rounded = typeof value === "number" ? number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : text;
   const angle = unit === "rad" && typeof value === "number" ? ` = ${degrees(value)}°` : "";
   const shown = unitText(unit);
-  return el("span", { class: "value", title: text || "none" }, rounded || "none", shown && el("small", {}, ` ${shown}${angle}`));
+  return el("span", { class: text.length > kLong ? "value long" : "value", title: text || "none" }, rounded || "none", shown && el("small", {}, ` ${shown}${angle}`));
 }
 
 /** A description of the schema, which has names of commands and choices between backticks. */
