@@ -12,7 +12,7 @@ export interface Crack {
   radial: Segment[];
   /** Whether the first is the circle of the breaking length about the trapezoid's tip. */
   isCircle: boolean;
-  /** Whether a trapezoid describes the event. A crack along the stress has none where no shape with a depth fits the edge. */
+  /** Whether a trapezoid describes the event. With the pattern "stress" there is none where no shape with a depth fits. */
   hasTrapezoid: boolean;
 }
 
@@ -53,7 +53,7 @@ export function crackOf(run: Run, event: number): Crack {
   const inner = reach * Math.cos(Math.PI / run.input("failure", "arc_sides"));
   crack.isCircle = crack.circumferential.length > 0 && crack.circumferential.flat().map(([u, v]) => Math.hypot(u - x, v - y))
     .every((distance) => distance > inner - kTolerance && distance < reach + kTolerance);
-  crack.hasTrapezoid = crack.isCircle || run.column("event.b")[event] > 0;
+  crack.hasTrapezoid = run.column("event.b")[event] > 0 || run.inputs.failure?.pattern?.value !== "stress";
   return crack;
 }
 

@@ -10,11 +10,9 @@ import { eventFigure } from "./plan";
 /** How the crack went, and what its numbers then mean. */
 function courseOf(crack: Crack): string {
   if (crack.circumferential.length === 0) return "The pieces of this crack touch no ice that stayed.";
-  if (crack.isCircle) return "The crack is the circle of the breaking length.";
-  const course = "The crack followed the stress in the ice, not a circle. ";
-  return course + (crack.hasTrapezoid
-    ? "The trapezoid is a fit to the edge that describes the event: b, c, θ and μ belong to it."
-    : "No trapezoid with a depth fits this edge, so b and θ have no meaning.");
+  const course = crack.isCircle ? "The crack is the circle of the breaking length." : "The crack followed the stress in the ice, not a circle.";
+  if (!crack.hasTrapezoid) return `${course} No trapezoid with a depth fits this edge, so b and θ have no meaning.`;
+  return crack.isCircle ? course : `${course} The trapezoid is a fit to the edge that describes the event: b, c, θ and μ belong to it.`;
 }
 
 /** A number of an event: its name, value, unit and meaning. */
