@@ -16,7 +16,7 @@ function none(name: string, why: string): HTMLElement {
 
 /** An interval of a mean, or why there is none. */
 function interval([lower, upper]: [number | null, number | null]): string {
-  return lower === null || upper === null ? "no interval: see the warnings" : `95 %: ${kN(lower)} to ${kN(upper)}`;
+  return lower === null || upper === null ? "no interval: see the warnings" : `95 % interval: ${kN(lower)} to ${kN(upper)} kN`;
 }
 
 export function keyFigures(run: Run): HTMLElement {
@@ -30,7 +30,7 @@ export function keyFigures(run: Run): HTMLElement {
     mean(s.vertical, "mean vertical"),
     s.horizontal.maximum === null
       ? none("largest horizontal", tooEarly)
-      : figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${from} s on; deviation ${kN(s.horizontal.standard_deviation)}`),
+      : figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${from} s on; standard deviation ${kN(s.horizontal.standard_deviation)} kN`),
     Number.isFinite(measured) && figure(kN(measured), "kN", "reference mean", s.horizontal.mean === null ? "" : `this run: ${deviation(s.horizontal.mean, measured)}`),
     !Number.isFinite(measured) && (s.fastest_floe === null ? none("fastest floe", "no frames were recorded") : figure(number(s.fastest_floe, 3), "m/s", "fastest floe")),
     figure(String(s.n_breaks), "", "breaks", s.breaking_frequency ? `${number(s.breaking_frequency, 3)} a second` : ""),
