@@ -63,6 +63,7 @@ function ruler(box: Box, lettering: number): SVGGElement {
 /** Letters of a drawing [px], and the radius of a point that is clicked. */
 const kLetters = 11;
 const kPoint = 4;
+const kFloePoint = 0.75;  // of that, for a floe that broke again
 
 /** Calls back with the width [px] at which a drawing is shown, whenever that changes. */
 function onWidth(picture: SVGSVGElement, change: (width: number) => void): void {
@@ -181,7 +182,7 @@ export class PlanView {
 
   private sizePoints(radius: number): void {
     for (const point of this.points) point.setAttribute("r", String(radius));
-    for (const mark of this.splits.children) mark.querySelector("circle")!.setAttribute("r", String(mark.classList.contains("of-floe") ? 0.6 * radius : radius));
+    for (const mark of this.splits.children) mark.querySelector("circle")!.setAttribute("r", String(mark.classList.contains("of-floe") ? kFloePoint * radius : radius));
   }
 
   private floes(): SVGGElement {
