@@ -94,7 +94,7 @@ void add_results(py::module_& m) {
           "Crack events: a structured array with the columns of events.csv; shape (n_events,).")
       .def_property_readonly(
           "splits", [](const RunResults& r) { return table(std::span<const model::SheetSplit>(r.splits)); },
-          "Drifting sheets that split: a structured array with the columns split_... of run.nc; shape (n_splits,).")
+          "Drifting sheets that split: a structured array with the columns ``split_...`` of run.nc; shape (n_splits,).")
       .def_readonly("floes", &RunResults::floes, "A list of FloeRecord.")
       .def_property_readonly(
           "initial_sheet", [](const RunResults& r) { return rings_of(r.initial_sheet); },

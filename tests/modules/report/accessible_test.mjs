@@ -53,7 +53,7 @@ test("everything that a mouse can do to a replay, keys can", async () => {
   const page = await browser.open(kPages["a run"]);
   const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent);
   const reached = new Set();
-  for (let i = 0; i < 60; ++i) {
+  for (let i = 0; i < 80; ++i) {
     await page.keyboard.press("Tab");
     reached.add(await focused());
   }
@@ -63,6 +63,14 @@ test("everything that a mouse can do to a replay, keys can", async () => {
   await page.locator(".breaks circle").nth(1).focus();
   await page.keyboard.press("Enter");
   assert.match(await page.locator(".event-card strong").innerText(), /Crack 2/);
+  // The name of a line shows and hides it.
+  const crushing = page.locator(".loads .u-label").filter({ hasText: "crushing" });
+  for (const shown of [false, true]) {
+    await crushing.focus();
+    await page.keyboard.press("Enter");
+    assert.equal(await crushing.getAttribute("aria-pressed"), String(shown));
+    assert.equal(await page.evaluate(() => window.brashReport.report.loads.chart.plot.series[2].show), shown);
+  }
   const camera = () => page.evaluate(() => window.brashReport.report.replay.scene.camera.position.toArray());
   for (const [key, moves] of [["w", true], ["d", true], ["+", true], ["q", false]]) {
     const place = await camera();

@@ -36,7 +36,7 @@ test("a crack that is a circle is drawn as one, with the breaking length about t
   }
 });
 
-test("a crack that followed the stress is drawn as it went, and its trapezoid is called a fit", async () => {
+test("a crack that followed the stress is drawn as it went, and its trapezoid, if there is one, is called a fit", async () => {
   const shown = await browser.open(join(other, "report.html"));
   const cracks = await ask(shown, (_, r) => Array.from({ length: r.nEvents }, (__, i) => i));
   const along = JSON.parse(readFileSync(join(other, "summary.json"), "utf8")).breaks_decided.along_stress;
@@ -45,7 +45,12 @@ test("a crack that followed the stress is drawn as it went, and its trapezoid is
     await ask(shown, (report, _, event) => report.choose(event), crack);
     if ((await shown.locator(".event-body .reach").count()) > 0) continue;
     ++n;
-    assert.match(await shown.locator(".course").innerText(), /followed the stress.*trapezoid is a fit/s);
+    // Where no trapezoid fits the edge, none is shown, and no zeros in its place.
+    const fits = await ask(shown, (_, run, event) => run.column("event.b")[event] > 0, crack);
+    assert.match(await shown.locator(".course").innerText(), fits ? /followed the stress.*trapezoid is a fit/s : /followed the stress.*No trapezoid/s);
+    assert.equal(await shown.locator(".event-body .trapezoid").count(), fits ? 1 : 0);
+    const names = await shown.locator(".numbers dt").allInnerTexts();
+    for (const name of ["b", "θ", "fit error"]) assert.equal(names.includes(name), fits, name);
     // Its line is made of edges of the pieces.
     const strokes = (await shown.locator(".event-body .crack").getAttribute("d")).match(/-?[\d.]+ -?[\d.]+/g);
     const outlines = (await shown.locator(".event-body .pieces path").evaluateAll((all) => all.map((p) => p.getAttribute("d")).join(""))).match(/-?[\d.]+ -?[\d.]+/g);

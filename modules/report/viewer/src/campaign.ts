@@ -64,16 +64,17 @@ function settingsTable(data: CampaignData, keys: string[], columns: string[]): H
     ...(inner.length > 0 ? inner.map((key, i) => (i === 0 ? link(setting, valueOf(data, setting, key)) : valueOf(data, setting, key))) : [link(setting, setting.setting)]),
     setting.n_failed > 0 ? `${setting.n_done} done, ${setting.n_failed} failed` : String(setting.n_done),
     ...columns.map((column) => meanText(setting.statistics[column], resultOf(column).scale)),
-    ...(named ? [differs(setting)] : []),
+    ...(named ? [el("div", { class: "unlike" }, differs(setting))] : []),
     Object.entries(setting.warnings ?? {}).map(([id, n]) => `${id} (${n})`).join(", "),
   ];
   const heads = inner.length > 0 ? inner.map((key) => el("span", { title: meaningOf(data, key) }, inputOf(data, key).name)) : ["setting"];
-  const hasWarnings = data.summary.settings.some(({ warnings }) => Object.keys(warnings ?? {}).length > 0);
-  const cut = (cells: (Node | string)[]) => (hasWarnings ? cells : cells.slice(0, -1));
+  const cut = (cells: (Node | string)[]) => (data.summary.settings.some(hasWarnings) ? cells : cells.slice(0, -1));
   return groupedTable(cut([...heads, "runs", ...columns.map((column) => titleOf(resultOf(column))),
     ...(named ? ["unlike the first"] : []), "warnings"]),
     groupsOf(data, keys).map(([title, settings]) => ({ title, rows: settings.map((setting) => cut(row(setting))) })), { id: "settings-table" });
 }
+
+const hasWarnings = ({ warnings }: CampaignSetting): boolean => Object.keys(warnings ?? {}).length > 0;
 
 const anchorOf = (data: CampaignData, setting: CampaignSetting): string => `setting-${data.summary.settings.indexOf(setting) + 1}`;
 
@@ -115,7 +116,8 @@ function trends({ data, keys, numeric }: Axes, table: Table, columns: string[]):
   const what = "Means over the replicates with Student's 95 % intervals; pale dots are single runs.";
   if (numeric.length > 0)
     return section("trends", "Trends", el("p", {}, `${what} All charts of a result have one scale.`),
-      ...drawn.flatMap((column) => numeric.map((key) => multiples(data, table.runs, column, key, keys.filter((other) => other !== key)))));
+      el("div", { class: "results" },
+        ...drawn.flatMap((column) => numeric.map((key) => multiples(data, table.runs, column, key, keys.filter((other) => other !== key))))));
   if (settings.length > kMostRows) return null;
   const nameOf = (setting: CampaignSetting) => keys.map((key) => valueOf(data, setting, key)).join(", ");
   return section("trends", "Settings compared", el("p", {}, `${what} Dashes: the mean of the first setting.`),
@@ -136,7 +138,8 @@ export function showCampaign(data: CampaignData, parent: HTMLElement): void {
     ...(drawn ? [drawn] : []),
     section("settings", "Settings",
       withoutMean(axes.data, keys),
-      el("p", { class: "note" }, "Mean over the runs of a setting (95 % interval). A setting links to its runs."),
+      el("p", { class: "note" }, "Mean over the runs of a setting (95 % interval). A setting links to its runs. ",
+        settings.some(hasWarnings) && "Warnings have the number of runs in brackets; summary.json of a run has their words."),
       settingsTable(axes.data, keys, columns)),
     section("all-runs", "Every run",
       el("p", { class: "note" }, "A run that kept all its results links to its page (output.keep = run in the plan). ",

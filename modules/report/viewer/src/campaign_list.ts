@@ -105,7 +105,9 @@ function chart(of: Chart): SVGSVGElement {
 const upright = (x: number, from: number, to: number): string => `M${x.toFixed(2)} ${from}V${to}`;
 
 function scaleOf({ x0, x1, bottom, place }: Frame, range: [number, number], title: string): SVGGElement {
-  const numbers = roundNumbers(range, Math.max(2, (x1 - x0) / 60));
+  // A scale of one number says nothing of lengths.
+  const wanted = Math.max(2, Math.floor((x1 - x0) / 60));
+  const numbers = [0, 1, 2, 3].map((more) => roundNumbers(range, wanted + more)).find(({ length }) => length > 1) ?? [];
   return svg("g", { class: "scale-lines" },
     ...numbers.flatMap((n) => [
       svg("path", { d: upright(place(n), 0, bottom) }),

@@ -3,7 +3,11 @@
 import uPlot from "uplot";
 import { chartSvg } from "./chart_svg";
 import { css, el } from "./dom";
+import { number } from "./format";
 import { csv, pixels, save, saveButtons, saveText } from "./save";
+
+/** A tick as tables write their numbers: no separator of thousands, which depends on the reader's browser. */
+const plain = (n: number): string => (Math.abs(n) >= 1e6 ? number(n, 3) : String(Number(n.toPrecision(6)))).replace("-", "−");
 
 /** Axes as thin as the page's rules. */
 export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
@@ -18,6 +22,7 @@ export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis 
     stroke: css("--muted"),
     grid: { stroke: css("--rule"), width: 1 },
     ticks: { stroke: css("--rule"), width: 1, size: 4 },
+    values: (_, splits) => splits.map((n) => (n === null ? "" : plain(n))),
     ...more,
   };
 }
@@ -36,7 +41,7 @@ export class Chart {
     private readonly make: () => { options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData },
     private readonly tell?: () => string,
   ) {
-    this.holder = el("div", { class: "plot", role: "img", "aria-label": name });
+    this.holder = el("div", { class: "plot", role: "group", "aria-label": name });
     this.element = el("figure", { class: "chart" }, this.holder, this.caption, this.saves());
     new ResizeObserver(() => this.fit()).observe(this.holder);
     kCharts.push(this);
@@ -52,6 +57,29 @@ export class Chart {
     const { options, data } = this.make();
     this.plot = new uPlot({ ...options, width, height: this.height }, data, this.holder);
     if (range && this.keepsRange) this.plot.setScale("x", range);
+    this.open(this.plot);
+  }
+
+  /** The lines are a picture; their names below are buttons, which show and hide a line by keys too. */
+  private open(plot: uPlot): void {
+    const picture = plot.root.querySelector(".u-wrap")!;
+    picture.setAttribute("role", "img");
+    picture.setAttribute("aria-label", this.name);
+    const names = [...plot.root.querySelectorAll<HTMLElement>(".u-legend .u-label")].slice(1);
+    if (names.length < 2) return;
+    names.forEach((name, i) => {
+      const tell = () => name.setAttribute("aria-pressed", String(plot.series[i + 1].show));
+      name.setAttribute("role", "button");
+      name.tabIndex = 0;
+      name.parentElement!.addEventListener("click", tell);
+      name.addEventListener("keydown", (event) => {
+        if (event.key !== "Enter" && event.key !== " ") return;
+        event.preventDefault();
+        event.stopPropagation();
+        name.click();
+      });
+      tell();
+    });
   }
 
   keepsRange = false;

@@ -12,6 +12,8 @@ export interface Crack {
   radial: Segment[];
   /** Whether the first is the circle of the breaking length about the trapezoid's tip. */
   isCircle: boolean;
+  /** Whether a trapezoid describes the event. With the pattern "stress" there is none where no shape with a depth fits. */
+  hasTrapezoid: boolean;
 }
 
 /** Sheets are rounded to a millimetre, and pieces to a tenth. */
@@ -38,7 +40,7 @@ export function crackOf(run: Run, event: number): Crack {
   const others = run.piecesOf.flatMap((floes, i) =>
     i > event && run.column("event.time")[i] === time ? floes.flatMap((floe) => segmentsOf(run.bornAt(floe))) : []);
   const left = [...nearby(segmentsOf(run.sheetOf(event, true)), pieces.flat()), ...others];
-  const crack: Crack = { circumferential: [], radial: [], isCircle: false };
+  const crack: Crack = { circumferential: [], radial: [], isCircle: false, hasTrapezoid: true };
   pieces.forEach((edges, i) => {
     for (const edge of edges) {
       const at = middle(edge);
@@ -51,6 +53,7 @@ export function crackOf(run: Run, event: number): Crack {
   const inner = reach * Math.cos(Math.PI / run.input("failure", "arc_sides"));
   crack.isCircle = crack.circumferential.length > 0 && crack.circumferential.flat().map(([u, v]) => Math.hypot(u - x, v - y))
     .every((distance) => distance > inner - kTolerance && distance < reach + kTolerance);
+  crack.hasTrapezoid = run.column("event.b")[event] > 0 || run.inputs.failure?.pattern?.value !== "stress";
   return crack;
 }
 

@@ -49,13 +49,30 @@ interface Group {
   rows: Child[][];
 }
 
+/** Said in a column of numbers in place of a number. */
+const kNoNumber = /^(none|too few samples)$/;
+
+/** The head of a column; its unit stays in one line. */
+function headText(text: string): Child[] {
+  const unit = /^(.*?)( ?\[[^\]]*\])$/.exec(text);
+  return unit ? [...breakable(unit[1]), " ", el("span", { class: "value" }, unit[2].trim())] : breakable(text);
+}
+
+/** A cell; an interval in brackets stays in one line. */
+function cellText(text: string): Child[] {
+  const interval = /^([^ ]+) (\([^()]* to [^()]*\))$/.exec(text);
+  return interval ? [interval[1], " ", el("span", { class: "value" }, interval[2])] : breakable(text);
+}
+
 /** A table in groups of rows; columns that hold nothing but numbers align right. */
 export function groupedTable(head: Child[], groups: Group[], attributes: Attributes = {}): HTMLElement {
   const all = groups.flatMap(({ rows }) => rows);
-  const numeric = (all[0] ?? []).map((_, i) => all.every((row) => typeof row[i] === "string" && kNumeric.test(row[i] as string)));
+  const isNumeric = (cells: Child[]) => cells.every((cell) => typeof cell === "string" && (kNumeric.test(cell) || kNoNumber.test(cell))) &&
+    cells.some((cell) => kNumeric.test(cell as string));
+  const numeric = (all[0] ?? []).map((_, i) => isNumeric(all.map((row) => row[i])));
   const cell = (tag: "td" | "th", child: Child, i: number) =>
     el(tag, { class: numeric[i] ? "number" : undefined, scope: tag === "th" ? "col" : undefined },
-      ...(typeof child === "string" ? breakable(child) : [child]));
+      ...(typeof child !== "string" ? [child] : tag === "th" ? headText(child) : cellText(child)));
   const headOf = (text: Child, i: number) => (text === "" ? el("td") : cell("th", text, i));
   // A wide table scrolls, also by keys.
   return el("div", { class: "table", tabindex: 0, role: "group", "aria-label": "Table" },

@@ -16,7 +16,7 @@ function none(name: string, why: string): HTMLElement {
 
 /** An interval of a mean, or why there is none. */
 function interval([lower, upper]: [number | null, number | null]): string {
-  return lower === null || upper === null ? "no interval: see the warnings" : `95 %: ${kN(lower)} to ${kN(upper)}`;
+  return lower === null || upper === null ? "no interval: see the warnings" : `95 % interval: ${kN(lower)} to ${kN(upper)} kN`;
 }
 
 export function keyFigures(run: Run): HTMLElement {
@@ -30,11 +30,20 @@ export function keyFigures(run: Run): HTMLElement {
     mean(s.vertical, "mean vertical"),
     s.horizontal.maximum === null
       ? none("largest horizontal", tooEarly)
-      : figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${from} s on; deviation ${kN(s.horizontal.standard_deviation)}`),
+      : figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${from} s on; standard deviation ${kN(s.horizontal.standard_deviation)} kN`),
     Number.isFinite(measured) && figure(kN(measured), "kN", "reference mean", s.horizontal.mean === null ? "" : `this run: ${deviation(s.horizontal.mean, measured)}`),
     !Number.isFinite(measured) && (s.fastest_floe === null ? none("fastest floe", "no frames were recorded") : figure(number(s.fastest_floe, 3), "m/s", "fastest floe")),
-    figure(String(s.n_breaks), "", "breaks", s.breaking_frequency === null ? "" : `${number(s.breaking_frequency, 3)} a second`),
-    figure(String(s.n_floes_born), "", "floes born", `${s.n_floes_present} present, ${s.n_floes_crushed} crushed, ${s.n_floes_broken} broken again`));
+    figure(String(s.n_breaks), "", "breaks", s.breaking_frequency ? `${number(s.breaking_frequency, 3)} a second` : ""),
+    figure(String(s.n_floes_born), "", "floes", fatesOf(run)));
+}
+
+/** Where the floes come from and what became of them, as far as there are any. */
+function fatesOf(run: Run): string {
+  const s = run.data.summary;
+  const birth = run.column("floe.birth");
+  const atStart = run.outlines.filter((_, i) => run.eventOf(i) < 0 && birth[i] <= 0).length;
+  const fates: [number, string][] = [[atStart, "at the start"], [s.n_floes_present, "at the end"], [s.n_floes_crushed, "crushed"], [s.n_floes_broken, "broken again"]];
+  return fates.filter(([n]) => n > 0).map(([n, fate]) => `${n} ${fate}`).join(", ");
 }
 
 /** Inputs in which two runs differ. */
@@ -57,7 +66,7 @@ export function comparedFigures(runs: Run[], names: string[]): HTMLElement {
     row("its 95 % interval [kN]", ({ data }) => range(data.summary.horizontal)),
     row("mean vertical [kN]", ({ data }) => load(data.summary.vertical.mean)),
     row("largest horizontal [kN]", ({ data }) => load(data.summary.horizontal.maximum)),
-    row("breaks, floes born", ({ data }) => `${data.summary.n_breaks}, ${data.summary.n_floes_born}`),
+    row("breaks, floes", ({ data }) => `${data.summary.n_breaks}, ${data.summary.n_floes_born}`),
   ], { id: "compared" });
 }
 

@@ -22,9 +22,13 @@ function trimmed(value: number, digits: number): string {
   return value.toFixed(decimals);
 }
 
-function superscript(exponent: number): string {
+export function superscript(exponent: number): string {
   return String(exponent).replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)] ?? c));
 }
+
+/** A unit of a case file as it is printed: "kg m-3" as "kg m⁻³", "m^0.5" as a root. */
+export const unitText = (unit: string): string =>
+  unit === "1" ? "" : unit.replace(/m\^0\.5/g, "√m").replace(/(?<=[A-Za-z])-?\d+/g, (power) => superscript(Number(power)));
 
 /** Newtons as kilonewtons with one decimal. */
 export const kN = (value: number | null | undefined): string =>

@@ -4,8 +4,23 @@ import uPlot from "uplot";
 import { axis, Chart } from "./charts";
 import type { InputValue, Run } from "./data";
 import { css, el, section, table } from "./dom";
-import { bytes, degrees, kJ, kN, number, percent, seconds } from "./format";
+import { schemaOf } from "./campaign_names";
+import { bytes, degrees, kJ, kN, number, percent, seconds, unitText } from "./format";
 import type { Manifest, RunFiles, Schema } from "./types";
+
+/** Symbols of the closed forms, as docs/theory/standards.md has them. */
+const kSymbols: Record<string, string> = {
+  H_B: "breaking the sheet", H_P: "pushing the sheet through rubble", H_R: "ice that rides up the slope", H_L: "lifting the rubble",
+  H_T: "turning blocks at the top of the slope", V_B: "vertical part of the breaking", V_R: "vertical part of the ride",
+  "P of one wedge": "vertical load that breaks one wedge", "p w h": "pressure times width times thickness",
+  R_c: "crushing at the stem", R_b: "bending", R_s: "ice pressed under the hull",
+};
+
+/** Only those that the table shows. */
+function symbolsOf({ loads }: RunFiles["closed_forms"]): string {
+  const used = new Set(loads.flatMap((load) => Object.keys(load.components ?? {})));
+  return Object.entries(kSymbols).filter(([name]) => used.has(name)).map(([name, meaning]) => `${name}: ${meaning}`).join(" · ");
+}
 
 export function closedFormsSection(data: RunFiles): HTMLElement {
   const rows = data.closed_forms.loads.map((load) => {
@@ -18,7 +33,8 @@ export function closedFormsSection(data: RunFiles): HTMLElement {
   rows.push(["this run", "99 % quantile", kN(horizontal.quantile_99), kN(vertical.quantile_99), ""]);
   return section("closed-forms", "Closed forms",
     el("p", {}, `Loads of standards and textbooks for the same structure and ice: ${data.closed_forms.kind}.`),
-    table(["source", "method", "horizontal [kN]", "vertical [kN]", "components [kN]"], rows));
+    table(["source", "method", "horizontal [kN]", "vertical [kN]", "components [kN]"], rows),
+    el("p", { class: "note" }, symbolsOf(data.closed_forms)));
 }
 
 const kAccounts = ["sheet", "floes", "crushed", "deleted", "brash"] as const;
@@ -39,6 +55,12 @@ function ledgerChart(run: Run): Chart {
     },
   }), () => "Where the ice of the sheet has gone.");
 }
+
+/** What became of the ice in each account. */
+const kMeanings: Record<typeof kAccounts[number], string> = {
+  sheet: "not broken yet", floes: "afloat in pieces", crushed: "at the edges of sheets", deleted: "with floes that were crushed",
+  brash: "in pieces too small to be floes",
+};
 
 /** Loss name, what it is, in the order of the summary. */
 const kLosses: Record<string, string> = {
@@ -77,7 +99,7 @@ export function ledgerSection(run: Run): HTMLElement {
       el("div", {},
         table(["area", "m²", "of the sheet"], [
           ["initial", area("initial").toFixed(4), "100.0 %"],
-          ...kAccounts.map((name) => [name, area(name).toFixed(4), percent(area(name) / area("initial"))]),
+          ...kAccounts.map((name) => [el("span", {}, name, " ", el("small", {}, kMeanings[name])), area(name).toFixed(4), percent(area(name) / area("initial"))]),
           [`rounding (${ledger.n_rounded} crossings)`, number(area("snap"), 3), ""],
         ]),
         el("p", { class: ledger.closes ? "note good" : "note bad" },
@@ -86,21 +108,28 @@ export function ledgerSection(run: Run): HTMLElement {
       el("div", {}, energyTable(run.data))));
 }
 
+/** Letters of a text that may go on in the next line. */
+const kLong = 24;
+
 /** A value as text: numbers rounded for the eye, angles in degrees as well; the exact text is its tooltip. */
 function valueOf({ value, text, unit }: InputValue): HTMLElement {
   const rounded = typeof value === "number" ? number(value, 6).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "") : text;
   const angle = unit === "rad" && typeof value === "number" ? ` = ${degrees(value)}°` : "";
-  return el("span", { class: "value", title: text }, rounded, unit && el("small", {}, ` ${unit}${angle}`));
+  const shown = unitText(unit);
+  return el("span", { class: text.length > kLong ? "value long" : "value", title: text || "none" }, rounded || "none", shown && el("small", {}, ` ${shown}${angle}`));
 }
 
+/** A description of the schema, which has names of commands and choices between backticks. */
+const described = (text: string): (Node | string)[] => text.split("`").map((part, i) => (i % 2 === 1 ? el("code", {}, part) : part));
+
 function inputRows(inputs: Record<string, Record<string, InputValue>>, schema: Schema): HTMLElement[] {
-  return Object.entries(inputs).map(([name, keys]) => {
-    const described = schema.properties?.[name];
+  return Object.entries(inputs).filter(([, keys]) => Object.keys(keys).length > 0).map(([name, keys]) => {
+    const meaning = (key: string) => described(schemaOf(schema, key)?.description ?? "");
     return el("details", { open: true },
-      el("summary", {}, el("code", {}, `[${name}]`), ` ${described?.description ?? ""}`),
+      el("summary", {}, el("code", {}, `[${name}]`), " ", ...meaning(name)),
       table([], Object.entries(keys).map(([key, input]) => [
         el("code", {}, key), valueOf(input),
-        el("span", { class: "meaning" }, described?.properties?.[key]?.description ?? ""),
+        el("span", { class: "meaning" }, ...meaning(`${name}.${key}`)),
       ])));
   });
 }
@@ -114,20 +143,19 @@ function files(title: string, list: Manifest["inputs"]): HTMLElement | null {
 export function manifestTables(manifest: Manifest): HTMLElement {
   const v = manifest.volatile ?? {};
   const rows: [string, string][] = [["program", `${manifest.program?.name ?? "brash"} ${manifest.program?.version ?? ""}`]];
-  for (const [name, version] of Object.entries(manifest.built_with ?? {})) rows.push([name, version]);
+  for (const [name, version] of Object.entries(manifest.built_with ?? {})) rows.push([name.replace(/_/g, " "), version]);
   if (manifest.glibc) rows.push(["glibc", manifest.glibc]);
   if (manifest.seeds) rows.push(["seed, replicate", `${manifest.seeds.seed}, ${manifest.seeds.replicate}`]);
   if (v.started_at) rows.push(["started", v.started_at]);
   if (v.wall_seconds !== undefined) rows.push(["wall time", `${seconds(v.wall_seconds, 1)} s`]);
   if (v.host_cpu) rows.push(["processor", v.host_cpu]);
-  return el("div", {}, el("h3", {}, "Manifest"), table([], rows),
-    files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs));
+  return el("div", { class: "columns even" }, el("div", {}, el("h3", {}, "Manifest"), table([], rows)), el("div", {},
+    files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs)));
 }
 
 export function inputsSection(run: Run, schema: Schema): HTMLElement {
   return section("inputs", "Inputs and manifest",
     el("p", {}, "Every input of the run, defaults included, in SI; the resolved case as a file is in the manifest, and repeats the run to the bit."),
-    el("div", { class: "columns even" },
-      el("div", { class: "inputs" }, ...inputRows(run.inputs, schema)),
-      manifestTables(run.data.manifest)));
+    el("div", { class: "inputs" }, ...inputRows(run.inputs, schema)),
+    manifestTables(run.data.manifest));
 }

@@ -93,6 +93,7 @@ export class LoadHistory {
     const max = this.chart.plot?.scales.x.max ?? 0;
     const showsAll = max >= this.drawn - 1e-6;
     this.drawn = this.run.duration;
+    this.tell();
     this.chart.redraw();
     if (showsAll) this.showAll();
   }
@@ -192,9 +193,12 @@ export class LoadHistory {
 
   private tell(): void {
     const levels = this.levels();
-    const marks = ["Red ticks: cracks", this.run.column("split.time").length > 0 && "violet ticks on top: sheets that split", levels && Number.isFinite(levels.mean) && (levels.interval ? "dashes: mean, with its 95 % interval" : "dashes: mean"),
+    const marks = [this.run.nEvents > 0 && "red ticks: cracks", this.run.column("split.time").length > 0 && "violet ticks on top: sheets that split", levels && Number.isFinite(levels.mean) && (levels.interval ? "dashes: mean, with its 95 % interval" : "dashes: mean"),
       levels && Number.isFinite(levels.reference) && "dots: reference mean"].filter(Boolean).join(" · ");
-    this.notes.replaceChildren("Click a peak for the crack behind it; drag to zoom. ", marks, ".", el("br"), kMeaning, ".");
+    const peak = this.run.nEvents > 0 ? "Click a peak for the crack behind it" : "Click a peak to see it in the replay";
+    this.notes.replaceChildren(
+      el("span", { class: "do" }, `${peak}; drag to zoom; choose a name above to show or hide its line. `), kMeaning,
+      marks && ` · ${marks}`, ".");
   }
 
   /** Mean with its interval, the reference and cracks. */

@@ -18,8 +18,9 @@ const kThemes = ["auto", "light", "dark"];
 
 function subtitle(data: PageData): string {
   const { manifest } = data;
-  const parts = [{ run: "simulated run", live: "run that goes on", campaign: "campaign" }[data.kind]];
-  if (manifest.seeds) parts.push(`seed ${manifest.seeds.seed}`);
+  const two = data.kind === "run" && data.other;
+  const parts = [two ? "two simulated runs" : { run: "simulated run", live: "run that goes on", campaign: "campaign" }[data.kind]];
+  if (manifest.seeds && !two) parts.push(`seed ${manifest.seeds.seed}`);
   if (manifest.volatile?.started_at) parts.push(manifest.volatile.started_at.slice(0, 10));
   parts.push(`brash ${manifest.program?.version ?? ""}`);
   return parts.join(" · ");
@@ -39,7 +40,7 @@ function header(data: PageData, title: string, onTheme: () => void): HTMLElement
   return el("header", {},
     el("a", { class: "skip", href: "#start" }, "Skip to the report"),
     el("div", { class: "title" }, el("h1", {}, title), el("p", {}, subtitle(data))),
-    el("nav", { "aria-label": "Contents" }), keys, el("label", { class: "theme" }, theme));
+    el("nav", { "aria-label": "Contents" }), keys, el("label", { class: "theme" }, "colours ", theme));
 }
 
 /** Paper is white, whatever the screen is. */

@@ -60,6 +60,33 @@ function ruler(box: Box, lettering: number): SVGGElement {
   return group;
 }
 
+/** Letters of a drawing [px], and the radius of a point that is clicked. */
+const kLetters = 11;
+const kPoint = 4;
+const kFloePoint = 0.75;  // of that, for a floe that broke again
+
+/** Calls back with the width [px] at which a drawing is shown, whenever that changes. */
+function onWidth(picture: SVGSVGElement, change: (width: number) => void): void {
+  let last = 0;
+  new ResizeObserver(() => {
+    const { width } = picture.getBoundingClientRect();
+    if (width === 0 || Math.abs(width - last) < 1) return;
+    last = width;
+    change(width);
+  }).observe(picture);
+}
+
+/** Gives a drawing a ruler whose letters have one size, however wide the drawing is shown. */
+function addRuler(picture: SVGSVGElement, box: Box, lettering: number): void {
+  let shown = ruler(box, lettering);
+  picture.append(shown);
+  onWidth(picture, (width) => {
+    const next = ruler(box, width / kLetters);
+    shown.replaceWith(next);
+    shown = next;
+  });
+}
+
 /** The fitted trapezoid of an event: from the tip edge's ends to the base line. */
 function trapezoidOf(run: Run, event: number): Ring {
   const at = (name: string) => run.column(`event.${name}`)[event];
@@ -111,16 +138,15 @@ export class PlanView {
       this.overlay,
       this.splits,
       this.breaks(point),
-      ruler(box, 62),
     );
+    addRuler(this.drawing, box, 62);
+    onWidth(this.drawing, (width) => this.sizePoints((kPoint * (box.x1 - box.x0)) / width));
     // A picture has no buttons for its reader; this one is a group of them.
     this.drawing.setAttribute("role", "group");
     this.element = el("figure", { class: "plan-view" }, this.drawing,
       el("div", { class: "under" },
         legend([
-          { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" },
-          { colour: "--plan-sheet", text: "sheet at the end" }, { colour: "--plan-open", text: "open water, or crushed" },
-          { colour: "--scene-structure", text: "structure's waterline at the end" }, kAtCrack,
+          ...this.swatches(),
           ...(splits.some(({ of }) => of === "sheet") ? [kSheetSplit] : []), ...(splits.some(({ of }) => of === "floe") ? [kFloeSplit] : []),
         ]),
         drawingButtons("the plan", "channel", () => this.drawing)),
@@ -138,6 +164,25 @@ export class PlanView {
   /** Marks a split; -1: none. */
   selectSplit(split: number): void {
     [...this.splits.children].forEach((mark, i) => mark.classList.toggle("chosen", i === split));
+  }
+
+  /** What is there of the floes, the sheet and the structure. */
+  private swatches(): Swatch[] {
+    const { run } = this;
+    const brokeOff: Swatch = { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" };
+    const ofField: Swatch = { colour: "--plan-young", text: "floe where it was at the start" };
+    const isField = run.inputs.field?.kind?.value === "floes";
+    return [
+      ...(isField ? [ofField] : []), ...(isField && run.nEvents === 0 ? [] : [brokeOff]),
+      ...(run.sheets.at(-1)!.length > 0 ? [{ colour: "--plan-sheet", text: "sheet at the end" }] : []),
+      { colour: "--plan-open", text: "open water, or crushed" },
+      { colour: "--scene-structure", text: "structure's waterline at the end" }, ...(run.nEvents > 0 ? [kAtCrack] : []),
+    ];
+  }
+
+  private sizePoints(radius: number): void {
+    for (const point of this.points) point.setAttribute("r", String(radius));
+    for (const mark of this.splits.children) mark.querySelector("circle")!.setAttribute("r", String(mark.classList.contains("of-floe") ? kFloePoint * radius : radius));
   }
 
   private floes(): SVGGElement {
@@ -184,7 +229,7 @@ const strokes = (segments: Segment[]): string =>
 function eventMarks(run: Run, event: number, crack: Crack): SVGElement[] {
   const at = (name: string) => run.column(`event.${name}`)[event];
   return [
-    svg("path", { class: "trapezoid", d: path([trapezoidOf(run, event)]) }),
+    ...(crack.hasTrapezoid ? [svg("path", { class: "trapezoid", d: path([trapezoidOf(run, event)]) })] : []),
     ...(crack.isCircle ? [svg("circle", { class: "reach", cx: at("tip_x"), cy: -at("tip_y"), r: at("l_break") })] : []),
     svg("path", { class: "crack", d: strokes([...crack.circumferential, ...crack.radial]) }),
     svg("circle", { class: "at", cx: at("x"), cy: -at("y"), r: 0.03 * at("l_break") }),
@@ -192,7 +237,7 @@ function eventMarks(run: Run, event: number, crack: Crack): SVGElement[] {
 }
 
 const marksOf = (crack: Crack): Swatch[] =>
-  [kCrackLine, ...(crack.isCircle ? [kCircle] : []), kTrapezoid, kAtCrack];
+  [kCrackLine, ...(crack.isCircle ? [kCircle] : []), ...(crack.hasTrapezoid ? [kTrapezoid] : []), kAtCrack];
 
 /** One crack event: the edge as it was, the pieces it made, its crack, and the trapezoid. */
 export function eventFigure(run: Run, event: number, crack: Crack): HTMLElement {
@@ -211,7 +256,7 @@ export function eventFigure(run: Run, event: number, crack: Crack): HTMLElement 
     svg("path", { class: "sheet", d: path(run.sheetOf(event, false)), "fill-rule": "evenodd" }),
     pieces,
     ...eventMarks(run, event, crack),
-    ruler(box, 24),
   );
+  addRuler(picture, box, 24);
   return el("figure", {}, picture, legend(marksOf(crack)), drawingButtons("the crack", `crack-${event + 1}`, () => picture));
 }

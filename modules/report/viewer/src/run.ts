@@ -18,10 +18,10 @@ import { statisticsSection } from "./statistics";
 import type { RunData } from "./types";
 
 /** What is to be known before the numbers are used; nothing where there is nothing. */
-function warnings(run: Run): HTMLElement | null {
+function warnings(run: Run, name = ""): HTMLElement | null {
   const all = run.data.summary.warnings ?? [];
   if (all.length === 0) return null;
-  return el("div", { class: "warnings", role: "note" }, el("b", {}, "Warnings"),
+  return el("div", { class: "warnings", role: "note" }, el("b", {}, name ? `Warnings of ${name}` : "Warnings"),
     el("ul", {}, ...all.map(({ id, text }) => el("li", {}, el("code", {}, id), ` ${text}`))));
 }
 
@@ -58,7 +58,9 @@ function noReplay(run: Run): HTMLElement {
 function namesOf(runs: Run[]): string[] {
   if (runs.length < 2) return [];
   const names = runs.map(({ name }) => name);
-  return names[0] === names[1] ? names.map((name, i) => `${name} (${["first", "second"][i]})`) : names;
+  if (names[0] !== names[1]) return names;
+  const seeds = runs.map(({ data }) => data.manifest.seeds?.seed);
+  return names.map((name, i) => (seeds[0] !== seeds[1] ? `${name}, seed ${seeds[i]}` : `${name} (${["first", "second"][i]})`));
 }
 
 function overlaysOf(run: Run, other: Run | null, names: string[], measured: RunData["measured"]): Overlay[] {
@@ -89,8 +91,7 @@ export function showRun(run: Run, other: Run | null, data: RunData, parent: HTML
   const replay = runs.every(({ hasReplay }) => hasReplay) ? makeReplay(runs, player, names) : null;
   const loads = new LoadHistory(run, player, choice, overlaysOf(run, other, names, data.measured), (peak) => choose(peak.event, peak));
 
-  const flagged = warnings(run);
-  if (flagged) parent.append(flagged);
+  parent.append(...runs.map((each, i) => warnings(each, names[i])).filter((flagged) => flagged !== null));
   const side = el("div", { class: "side" }, loads.element, card.element);
   const beside = replay !== null && !other;
   parent.append(
@@ -100,7 +101,8 @@ export function showRun(run: Run, other: Run | null, data: RunData, parent: HTML
     ...(other ? [differencesSection(runs, names), el("p", { class: "note" }, `From here on: ${names[0]}.`)] : []),
     section("channel", "Channel and cracks",
       plan.element,
-      el("p", { class: "note" }, "The channel from above. Click a point, or press Enter on it, for its crack.")),
+      el("p", { class: "note" }, "The channel from above. ",
+        run.nEvents > 0 && el("span", { class: "do" }, "Click a point, or press Enter on it, for its crack."))),
     ...[splitsSection(splits, chooseSplit)].filter((part) => part !== null),
     statisticsSection(run, choice, data.measured),
     extremesSection(run, choice, (time) => player.seek(time)),

@@ -38,7 +38,10 @@ export class Stage {
   setColouring(colouring: Colouring): void {
     if (!this.scene) return;
     this.scene.floes.colouring = colouring;
-    const next = legend([...this.swatches(colouring), { colour: "--scene-ripple", text: `lines on the water: ${this.scene.water.spacing} m apart`, kind: "line" }]);
+    const always: Swatch[] = [
+      ...(this.run.sheets.at(-1)!.length > 0 ? [{ colour: "--scene-ice", text: "level ice" }] : []), { colour: "--scene-structure", text: "structure" },
+    ];
+    const next = legend([...this.swatches(colouring), ...always, { colour: "--scene-ripple", text: `lines on the water: ${this.scene.water.spacing} m apart`, kind: "line" }]);
     this.legend.replaceWith(next);
     this.legend = next;
   }
@@ -57,7 +60,7 @@ export class Stage {
       return [{ colour: ["--scene-calm", "--scene-loaded"], text: `contact force, 0 to ${kN(this.scene!.floes.largestForce)} kN, logarithmic` }];
     return [
       { colour: "--scene-floe", text: "broken off" }, { colour: "--scene-initial", text: "there at the start" },
-      { colour: "--scene-newborn", text: "just born" }, { colour: "--scene-crushed", text: "crushed later, or just now" },
+      { colour: ["--scene-newborn", "--scene-floe"], text: "just born" }, { colour: "--scene-crushed", text: "crushed later, or just now" },
     ];
   }
 

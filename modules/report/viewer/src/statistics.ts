@@ -6,7 +6,7 @@ import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el, section, table } from "./dom";
 import { kTooEarly } from "./extremes";
-import { deviation, kN, number, seconds } from "./format";
+import { deviation, kN, number, seconds, superscript } from "./format";
 import type { AxisStatistics, LoadStatistics, RunData } from "./types";
 
 /** Statistics of each load, and of a measured history beside Fx. */
@@ -75,8 +75,9 @@ function spectrumChart(run: Run, choice: LoadChoice): Chart {
 
 const shownOrNothing = (_: uPlot, n: number | null): string => (n === null ? "" : number(n, 3));
 
+const power = (n: number): string => `10${superscript(Math.round(Math.log10(n)))}`;
 const powers = (_: uPlot, splits: number[]) =>
-  splits.map((n) => (n > 0 && Math.abs(Math.log10(n) % 1) < 1e-9 ? (n >= 0.01 && n < 1e5 ? String(n) : n.toExponential(0)) : ""));
+  splits.map((n) => (n > 0 && Math.abs(Math.log10(n) % 1) < 1e-9 ? (n >= 0.001 && n < 1e5 ? String(n) : power(n)) : ""));
 
 const line = (label: string, colour: string, width = 1.2): uPlot.Series => ({
   label,
@@ -85,6 +86,9 @@ const line = (label: string, colour: string, width = 1.2): uPlot.Series => ({
   points: { show: false },
   value: shownOrNothing,
 });
+
+/** Steps of an axis that counts. */
+const kWhole = [1, 2, 5].flatMap((n) => [n, 10 * n, 100 * n, 1000 * n, 10000 * n]).sort((a, b) => a - b);
 
 /** Share of the time that the load, and share of the peaks that the peak, is above a level. */
 function exceedanceChart(run: Run, choice: LoadChoice): Chart {
@@ -142,7 +146,7 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
         scales: { x: { time: false, range: [0, largest * 1.02] }, y: { range: [0, Math.max(...counts) * 1.08] } },
         legend: { show: false },
         cursor: { show: false },
-        axes: [axis(`${name} [${unit}]`), axis("count", { size: 46 })],
+        axes: [axis(`${name} [${unit}]`), axis("count", { size: 46, incrs: kWhole })],
         series: [
           {},
           {
@@ -176,6 +180,7 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     histogram(run.column("floe.area"), "m²", "piece area", s.piece_area_quantiles),
     histogram(run.column("event.l_break"), "m", "breaking length", s.breaking_length_quantiles),
   ];
+  const hasInterval = Object.values(data.loads ?? {}).some(({ mean_95: [low] }) => low !== null);
   const short = s.horizontal.mean !== null && !s.horizontal.long_enough;
   return section(
     "statistics",
@@ -183,11 +188,9 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     moments(run, measured),
     el("p", { class: "note" },
       `From ${seconds(s.statistics_from)} s on. ` +
-        (short ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
+        (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
         (measured ? ` Measured: ${measured.name}, the whole history.` : "")),
-    el("div", { class: "columns" },
-      causes(run) || el("div"),
-      el("div", { class: "charts" }, data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
-        ...charts.map((chart) => chart && chart.element))),
+    el("div", { class: "charts" }, causes(run), data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
+      ...charts.map((chart) => chart && chart.element)),
   );
 }
