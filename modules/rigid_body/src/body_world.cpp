@@ -66,6 +66,7 @@ BodyWorld::BodyWorld(const WorldSettings& settings, std::unique_ptr<btCollisionC
 /// Bullet's world would look through all pairs for each body that it still has.
 BodyWorld::~BodyWorld() {
   btOverlappingPairCache& cache = *tree.getOverlappingPairCache();
+  cache.setOverlapFilterCallback(nullptr);
   while (cache.getNumOverlappingPairs() > 0) {
     const btBroadphasePair last = cache.getOverlappingPairArray()[cache.getNumOverlappingPairs() - 1];
     cache.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
@@ -102,6 +103,8 @@ BodyId BodyWorld::insert(std::unique_ptr<Body> body) {
 void BodyWorld::remove(BodyId id) {
   order_.clear();
   Body& body = get(id);
+  if (body.in_plane)
+    for (const auto& part : bodies) BRASH_EXPECTS(part->sheet != &body, "a sheet goes after its parts", id.index);
   links_.forget(body);
   std::erase_if(given_, [&](const GivenContact& c) { return c.body == id || c.other == id; });
   removeRigidBody(body.bullet.get());

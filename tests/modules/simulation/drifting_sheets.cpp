@@ -7,9 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "borders.hpp"
 #include "brash/io/case.hpp"
 #include "brash/rigid_body/world.hpp"
 #include "brash/simulation/simulation.hpp"
+#include "sheet_tiles.hpp"
 
 namespace {
 
@@ -22,9 +24,10 @@ model::Case free_case(std::vector<std::string> overrides = {}) {
 }
 
 /// A rectangle from (0, 0) to (a, b).
-ice::Plate plate(const model::Case& c, double a, double b) {
+ice::Plate plate(const model::Case& c, double a, double b, int number = 0) {
   const std::array<Vec2, 4> corners{Vec2{0, 0}, {a, 0}, {a, b}, {0, b}};
-  return {0, ice::Hold::kDrifting, {.thickness = c.ice.thickness}, {geometry::Polygon{geometry::ring(corners), {}}}};
+  return {
+      number, ice::Hold::kDrifting, {.thickness = c.ice.thickness}, {geometry::Polygon{geometry::ring(corners), {}}}};
 }
 
 /// Sheets without ice around them.
@@ -41,7 +44,7 @@ struct Lone {
     return sheets.take_back(dt);
   }
 
-  rigid_body::World world{rigid_body::WorldSettings{}};
+  rigid_body::World world{{.ice_structure = {0.0, 5e5}, .ice_ice = {0.3, 5e5}}};
   DriftingSheets sheets;
 };
 
@@ -120,6 +123,44 @@ BOOST_AUTO_TEST_CASE(wind_and_current_carry_a_sheet_along_at_the_free_drift) {
   const double drift = 0.3 + nansen / (1.0 + nansen) * 14.7;
   BOOST_TEST(lone.sheets.motions()[0].velocity.x == drift, boost::test_tools::tolerance(2e-4));  // 1 + dt c / m
   BOOST_TEST(work > lone.sheets.kinetic_energy());
+}
+
+BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_current_on_all) {
+  model::Case c = free_case({"wind.velocity=[20, 0]", "water.current=[0.1, 0]", "field.length=60", "field.width=40"});
+  c.field.kind = model::FieldKind::kFloes;
+  c.field.floes.border = model::FloeBorder::kWalls;
+  Lone lone(c);
+  simulation::lay_borders(c, lone.world);
+  simulation::SheetTiles tiles(c);
+  const double b = 16.0, dt = 0.02;
+  double x = 60.0, expected = 0.0;
+  for (int number = 0; number < 3; ++number) {
+    const double a = 20.0 - 2.0 * number;  // along the wind
+    x -= a + 0.01;
+    const ice::Plate ice = plate(c, a, b, number);
+    lone.sheets.add(ice, {.position = {x, -0.5 * b}});
+    tiles.lay(ice, lone.world, {0, 0}, {a, b}, lone.sheets.pose(number), lone.sheets.id(number));
+    const double draught = c.ice.thickness * c.ice.density / c.water.density;
+    expected += c.wind.density * c.wind.skin_friction * a * b * 400.0 +
+                0.5 * c.water.density * 0.01 *
+                    (c.hydrodynamics.form_drag * draught * b + c.hydrodynamics.skin_friction * a * b);
+  }
+  double on_wall = 0.0;
+  constexpr int kSettle = 2000, kCount = 1000;
+  for (int i = 0; i < kSettle + kCount; ++i) {
+    lone.sheets.begin_step();
+    lone.sheets.advance(dt);
+    for (int number = 0; number < 3; ++number)
+      tiles.move(number, lone.world, lone.sheets.pose(number), lone.sheets.twist(number));
+    lone.sheets.hand_over(dt);
+    lone.world.step(dt);
+    static_cast<void>(lone.sheets.take_back(dt));
+    if (i < kSettle) continue;
+    for (const rigid_body::ContactLoad& contact : lone.world.contacts_of_sheets())
+      if (!tiles.level_ice_of(contact.other)) on_wall -= contact.normal_force * contact.normal.x / kCount;
+  }
+  BOOST_TEST(on_wall == expected, boost::test_tools::tolerance(1e-3));  // floe-fields.md, (F10)
+  for (const simulation::SheetMotion& sheet : lone.sheets.motions()) BOOST_TEST(norm(sheet.velocity) < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(ice_that_leaves_a_sheet_takes_its_momentum_along_and_the_rest_moves_on) {
