@@ -20,12 +20,11 @@ namespace brash::simulation {
 ///         floe: the key or the place.
 ice::Field laid_field(const model::Case& resolved);
 
-/// How floes and plates of the field begin [m/s]: those of a field of floes drift with the water that they begin in;
+/// The first velocity of floes and plates [m/s]. A field of floes drifts with the water that it begins in;
 /// docs/theory/floe-fields.md, (F7). Level ice begins at rest, and so do the floes beside it.
 Vec2 drift_at_start(const model::Case& resolved);
 
-/// The floes beside the level ice of `field`, which takes them from there: those of a field of floes, or where files
-/// say where the ice is.
+/// Takes the floes beside the level ice of `field`. A field of floes has some, and ice of files may.
 /// @throws InputError naming files and place when the structure begins in ice of files.
 std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structure::Hull& hull, ice::Field& field);
 

@@ -124,7 +124,7 @@ void Simulation::Impl::take_back_sheets() {
   energy.book_sheets(world, sheets.take_back(resolved.time.step), resolved.time.step);
 }
 
-/// Whether the hull comes near the box of level ice; what is fast is large, and is always looked at.
+/// Whether the hull comes near the box of level ice. Fast ice is large, and always counts as near.
 bool Simulation::Impl::is_near(const ice::Plate& plate, const structure::State& seen) const {
   if (!sheets.any()) return true;
   const SheetBody& body = sheets.body(plate.level_ice());

@@ -212,7 +212,8 @@ class World {
   /// of other sheets and fixed parts, each with the law of ice on ice; normals between parts lie in the plane.
   /// Engine::kBrash only.
   BodyId add_drifting_sheet();
-  /// What the next step finds of it. The step changes its velocity, twist() then; its parts go where they are told.
+  /// Sets the state that the next step begins with. The step changes its velocity, twist() then; its parts go where
+  /// they are told.
   void set_sheet(BodyId sheet, const SheetInPlane& state);
   /// A structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
   /// where they are coplanar to 1e-9 of the hull's size.
@@ -222,7 +223,7 @@ class World {
   /// meet each other.
   BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose,
                        const std::optional<MassProperties>& mass = std::nullopt, const Twist& twist = {});
-  /// Its links go with it.
+  /// Its links go with it. The parts of a drifting sheet go before it.
   void remove(BodyId id);
 
   /// Ties points of two bodies together: a joint that turns freely, or a spring with a damper. At least one of them is
