@@ -54,6 +54,15 @@ void print_hull(const model::Case& resolved) {
   }
 }
 
+/// The large ones are plates.
+void print_floes(const model::Case& resolved, const simulation::InitialField& field) {
+  const std::size_t n_plates = field.sheets.size();
+  const double area = field.area + field.sheet_area;
+  print("# floes                          {}{}, {:.4g} m2, concentration {:.4g}\n", field.floes.size() + n_plates,
+        n_plates == 0 ? "" : fmt::format(" ({} of them plates)", n_plates), area,
+        area / (resolved.field.length * resolved.field.width));
+}
+
 void check_case(const std::string& path, const std::vector<std::string>& overrides, const std::string& picture) {
   refuse_overwriting(picture, {path});
   const model::Case resolved = io::read_case(path, overrides);
@@ -75,9 +84,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
           field.sheets.size() == 1 ? "" : "s", field.sheet_area);
     print("# floes                          {}, {:.4g} m2\n", field.floes.size(), field.area);
   }
-  if (resolved.field.kind == model::FieldKind::kFloes)
-    print("# floes                          {}, {:.4g} m2, concentration {:.4g}\n", field.floes.size(), field.area,
-          field.area / (resolved.field.length * resolved.field.width));
+  if (resolved.field.kind == model::FieldKind::kFloes) print_floes(resolved, field);
   if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
   print_hull(resolved);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) print_mesh(*mesh);

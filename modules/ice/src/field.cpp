@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "brash/core/contract.hpp"
@@ -44,6 +45,10 @@ geometry::ExactArea total(std::span<const Plate> plates) {
   return sum;
 }
 
+bool has_table(const model::Checkpoint& checkpoint, std::string_view name) {
+  return std::ranges::any_of(checkpoint.tables, [&](const model::Table& table) { return table.name == name; });
+}
+
 /// The ledger's members, for a checkpoint.
 struct Accounts {
   geometry::Ledger ledger;
@@ -81,20 +86,23 @@ Field::Field(const model::FieldSection& section, const failure::IceProperties& i
              const model::Checkpoint& checkpoint)
     : level_ice_(plates_of(laid(section, ice).sheets, section.border, ice)), variation_(std::move(variation)) {
   // Sheets that drift have split off others; some are no more, and have no outline.
-  const bool drifts = section.border == model::Border::kFree;
+  const bool drifts = has_table(checkpoint, "drift");
   std::vector<std::vector<geometry::Polygon>> outlines(drifts ? checkpoint.table("drift").n_rows() : level_ice_.size());
+  std::vector<failure::IceProperties> of_each(outlines.size(), level_ice_.front().ice());
   const model::Table& table = checkpoint.table("level_ice");
   for (std::size_t i = 0; i < table.n_rows(); ++i) {
     PlatePart part;
     model::RestoredRow row(table, i);
     PlatePart::visit(part, row);
-    outlines.at(static_cast<std::size_t>(part.level_ice)).push_back(std::move(part.outline));
+    const auto number = static_cast<std::size_t>(part.level_ice);
+    outlines.at(number).push_back(std::move(part.outline));
+    of_each[number].thickness = part.thickness;
+    of_each[number].flexural_strength = part.flexural_strength;
   }
-  const Hold hold = level_ice_.front().hold();
-  const failure::IceProperties laid_ice = level_ice_.front().ice();
+  const Hold hold = drifts ? Hold::kDrifting : level_ice_.front().hold();
   level_ice_.clear();
   for (std::size_t i = 0; i < outlines.size(); ++i)
-    level_ice_.emplace_back(static_cast<int>(i), hold, laid_ice, std::move(outlines[i]));
+    level_ice_.emplace_back(static_cast<int>(i), hold, of_each[i], std::move(outlines[i]));
   Accounts accounts;
   model::restore(checkpoint, "ledger", accounts);
   ledger_ = accounts.ledger;
@@ -195,6 +203,15 @@ std::vector<Plate> Field::split(const Plate& floe, Vec2 from, Vec2 to, double sm
   return pieces;
 }
 
+void Field::lay_floes(std::vector<Plate> plates, std::vector<Plate> floes) {
+  BRASH_EXPECTS(ledger_.initial == geometry::ExactArea{} && loose_.empty(), loose_.size());
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    BRASH_EXPECTS(plates[i].hold() == Hold::kDrifting && plates[i].level_ice() == static_cast<int>(i), i);
+  if (!plates.empty()) level_ice_ = std::move(plates);
+  loose_ = std::move(floes);
+  ledger_.initial = ledger_.sheet = total(level_ice_);
+}
+
 void Field::add_floe(const Plate& floe) {
   ledger_.initial += floe.area();
   ledger_.floes += floe.area();
@@ -234,7 +251,8 @@ int Field::add_level_ice(Plate&& piece) {
   const int number = static_cast<int>(level_ice_.size());
   ledger_.floes -= piece.area();
   // The variation of the ice is about the mean of all of it.
-  level_ice_.emplace_back(number, Hold::kDrifting, level_ice_.front().ice(), std::vector<geometry::Polygon>{});
+  const failure::IceProperties ice = level_ice_[static_cast<std::size_t>(piece.level_ice())].ice();
+  level_ice_.emplace_back(number, Hold::kDrifting, ice, std::vector<geometry::Polygon>{});
   lay(level_ice_.back(), piece.outline().front());
   BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
   return number;

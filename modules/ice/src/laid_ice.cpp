@@ -146,22 +146,12 @@ void sort_drifting(std::vector<Polygon> parts, const model::FieldSection& field,
   std::ranges::stable_sort(parts,
                            [](const Polygon& a, const Polygon& b) { return geometry::area(b) < geometry::area(a); });
   const double least = field.smallest_plate * failure::characteristic_length(ice);
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (breadth(parts[i]) < least) continue;
-    const Vec2 at = geometry::centroid(parts[i]);
-    throw InputError(Complaint{
-        files_of(field),
-        fmt::format("parts the ice into sheets that would drift against each other; one lies about "
-                    "({:.6g}, {:.6g}) m and is {:.4g} m broad",
-                    at.x, at.y, breadth(parts[i])),
-        fmt::format("with field.border = \"free\" one sheet; other parts less than {:.4g} m broad, "
-                    "field.smallest_plate = {} characteristic lengths",
-                    least, field.smallest_plate),
-        "take border = \"fixed\", raise field.smallest_plate so that the part is a floe, or give the parts as "
-        "floes (field.kind = \"floes\")"});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i == 0 || breadth(parts[i]) >= least)
+      laid.sheets.push_back(std::move(parts[i]));
+    else
+      laid.floes.push_back({std::move(parts[i]), {}, {}});
   }
-  laid.sheets.push_back(std::move(parts.front()));
-  for (std::size_t i = 1; i < parts.size(); ++i) laid.floes.push_back({std::move(parts[i]), {}, {}});
 }
 
 void expect_no_tails(const std::vector<Tail>& tails, const std::string& file) {

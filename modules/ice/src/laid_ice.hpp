@@ -19,10 +19,11 @@ struct LaidIce {
 /// Lays the level ice of `field`: the rectangle or the outlines of its file, less its openings, parted by its cracks.
 ///
 /// With fixed borders a part is a sheet if a side of it lies on the border of the rectangle along the sides or at the
-/// far end. With free borders the largest part is the sheet. Every other part is a floe.
-/// @param ice  whose characteristic length, with `smallest_plate`, says which parts could be a second sheet.
-/// @throws InputError naming file and place: a faulty file, ice out of the field, a line that ends inside the ice, ice
-///         that nothing holds, or two sheets that would drift.
+/// far end. With free borders the largest part is a sheet, and so is each part that is broad enough. Every other part
+/// is a floe.
+/// @param ice  whose characteristic length, with `smallest_plate`, says which parts are broad enough.
+/// @throws InputError naming file and place: a faulty file, ice out of the field, a line that ends inside the ice, or
+///         ice that nothing holds.
 LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice);
 
 /// `ice` without the inside of `openings`, which may overlap; their holes keep the ice. Exact but for the rounding of

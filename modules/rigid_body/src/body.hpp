@@ -56,6 +56,8 @@ struct Body {
   Pose next_pose;                  ///< of a structure or a sheet that moves as it is told
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
+  bool in_plane = false;          ///< a sheet that drifts: it has no parts, and moves in x, y and yaw
+  Body* sheet = nullptr;          ///< of a part: the sheet that drifts with it; null where the part is fast
   int rank = 0;                   ///< in the order of the step
   std::uint32_t in_solver = 0;    ///< number there, in this step
   Box box;                        ///< of its parts where it is now
@@ -71,6 +73,8 @@ struct Body {
   bool is_floe() const { return kind == BodyKind::kFloe; }
   /// Whether the step moves it.
   bool is_free() const { return mass.mass > 0.0 && !settled; }
+  /// Whether contacts move it, or the sheet that it is part of.
+  bool gives_way() const { return is_free() || (sheet != nullptr && sheet->is_free()); }
   /// Adds a collision part, unless it is too thin for the margin.
   bool add_part(ConvexPart solid, double margin);
   /// Makes Bullet's body. Its hulls are inset by `margin` [m], which Bullet adds again.
@@ -85,7 +89,7 @@ struct Body {
 
 /// Two bodies whose boxes overlap, in the order in which a contact between them is handled.
 struct BodyPair {
-  Body* first;  ///< a floe
+  Body* first;  ///< a floe, or a part of a sheet as the second is
   Body* second;
 };
 

@@ -19,6 +19,17 @@ Body& body_of(const btBroadphaseProxy& proxy) {
   return rigid_body::body_of(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
 }
 
+/// Bullet's rule, and besides: parts of a sheet that drifts meet the parts of other sheets. Its own lie side by side.
+struct PartsOfSheetsMeet final : btOverlapFilterCallback {
+  bool needBroadphaseCollision(btBroadphaseProxy* one, btBroadphaseProxy* other) const override {
+    const Body &a = body_of(*one), &b = body_of(*other);
+    if (a.in_plane || b.in_plane) return false;
+    if (a.kind == BodyKind::kSheet && b.kind == BodyKind::kSheet) return a.sheet != b.sheet;
+    return (one->m_collisionFilterGroup & other->m_collisionFilterMask) != 0 &&
+           (other->m_collisionFilterGroup & one->m_collisionFilterMask) != 0;
+  }
+};
+
 /// Floes come before the bodies that they run into.
 std::pair<bool, int> place(const Body& body) { return {!body.is_floe(), body.rank}; }
 
@@ -55,6 +66,7 @@ BodyWorld::BodyWorld(const WorldSettings& settings, std::unique_ptr<btCollisionC
 /// Bullet's world would look through all pairs for each body that it still has.
 BodyWorld::~BodyWorld() {
   btOverlappingPairCache& cache = *tree.getOverlappingPairCache();
+  cache.setOverlapFilterCallback(nullptr);
   while (cache.getNumOverlappingPairs() > 0) {
     const btBroadphasePair last = cache.getOverlappingPairArray()[cache.getNumOverlappingPairs() - 1];
     cache.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
@@ -72,6 +84,10 @@ Body& BodyWorld::get(BodyId id) {
 
 BodyId BodyWorld::insert(std::unique_ptr<Body> body) {
   order_.clear();
+  if (body->in_plane && !filter_) {
+    filter_ = std::make_unique<PartsOfSheetsMeet>();
+    tree.getOverlappingPairCache()->setOverlapFilterCallback(filter_.get());
+  }
   const BodyId id{static_cast<std::uint32_t>(by_index_.size()), 0};
   body->id = id;
   body->next_pose = body->pose;
@@ -87,6 +103,8 @@ BodyId BodyWorld::insert(std::unique_ptr<Body> body) {
 void BodyWorld::remove(BodyId id) {
   order_.clear();
   Body& body = get(id);
+  if (body.in_plane)
+    for (const auto& part : bodies) BRASH_EXPECTS(part->sheet != &body, "a sheet goes after its parts", id.index);
   links_.forget(body);
   std::erase_if(given_, [&](const GivenContact& c) { return c.body == id || c.other == id; });
   removeRigidBody(body.bullet.get());
@@ -145,7 +163,7 @@ void BodyWorld::predictUnconstraintMotion(btScalar dt) {
     b.setAngularVelocity(to_bullet(body.twist.angular));
     body.loaded_twist = body.twist;
     if (!body.is_free()) return;
-    b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
+    if (!body.in_plane) b.setAngularVelocity(b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(dt));
     b.clearForces();
     b.applyCentralForce(to_bullet(body.load.force));
     b.applyTorque(to_bullet(body.load.moment));
@@ -154,6 +172,16 @@ void BodyWorld::predictUnconstraintMotion(btScalar dt) {
     if (body.mass.added_across > 0.0)
       b.setLinearVelocity(to_bullet(body.twist.linear + dt * velocity_of(body.mass, body.pose, body.load.force)));
     body.loaded_twist = {from_bullet(b.getLinearVelocity()), from_bullet(b.getAngularVelocity())};
+  });
+  follow_sheets(&Body::loaded_twist);
+}
+
+void BodyWorld::follow_sheets(Twist Body::*twist) {
+  if (!any_drifts()) return;
+  each_body([twist](Body& part) {
+    if (part.sheet == nullptr || !part.sheet->is_free()) return;
+    const Twist& of_sheet = part.sheet->*twist;
+    part.*twist = {velocity_at(of_sheet, part.pose.position - part.sheet->pose.position), of_sheet.angular};
   });
 }
 
@@ -166,6 +194,7 @@ void BodyWorld::average_velocities() {
     const Vec3 angular = from_bullet(body.bullet->getAngularVelocity());
     body.mean_twist = {0.5 * (body.twist.linear + linear), 0.5 * (body.twist.angular + angular)};
   });
+  follow_sheets(&Body::mean_twist);
 }
 
 void BodyWorld::finish(Body& body, const Pose& pose) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
@@ -54,6 +55,7 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   /// Advances all bodies by `dt` [s].
   void step(double dt);
   const std::vector<ContactLoad>& loads() const { return loads_; }
+  const std::vector<ContactLoad>& loads_of_sheets() const { return loads_of_sheets_; }
   double last_change() const { return last_change_; }
   Links& links() { return links_; }
   /// For the next step.
@@ -69,7 +71,8 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   /// Bodies that a thread takes at a time, at some 0.1 us for each.
   static constexpr std::size_t kBodies = 128;
 
-  /// The pairs that Bullet's broad phase knows now, in the order of the step.
+  /// The pairs that Bullet's broad phase knows now, in the order of the step. The first is a floe, or both are parts of
+  /// sheets.
   const std::vector<BodyPair>& sorted_pairs();
   /// Contacts of this step that were found outside the world.
   const std::vector<GivenContact>& given() const { return given_; }
@@ -79,6 +82,11 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   virtual double least_margin() const { return 0.0; }
   /// Inset of the hulls, which Bullet adds again as their margin [m].
   virtual double hull_margin() const { return 0.0; }
+
+  /// Whether there is a sheet that drifts.
+  bool any_drifts() const { return filter_ != nullptr; }
+  /// Parts move with their sheets that drift. @param twist  of Body, which parts take from their sheets.
+  void follow_sheets(Twist Body::*twist);
 
   /// Velocities with the applied loads and the gyroscopic moment, before contacts.
   void predictUnconstraintMotion(btScalar dt) override;
@@ -101,6 +109,7 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   }
 
   std::vector<ContactLoad> loads_;
+  std::vector<ContactLoad> loads_of_sheets_;
   double last_change_ = 0.0;
 
  private:
@@ -124,6 +133,7 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   std::vector<BodyPair> pairs_;
   std::vector<GivenContact> given_;
   Links links_{*this};
+  std::unique_ptr<btOverlapFilterCallback> filter_;  ///< of pairs, once a sheet drifts
 };
 
 inline Body& body_of(const btCollisionObject& object) { return *static_cast<Body*>(object.getUserPointer()); }

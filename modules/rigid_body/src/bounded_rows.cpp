@@ -9,6 +9,10 @@
 namespace brash::rigid_body {
 namespace {
 
+/// A matrix of two directions has one in which nothing gives way, if its determinant over its squared trace is below
+/// this [-]. Free bodies have 1e-3 and more, and sheets in the plane round-off.
+constexpr double kOneWay = 1e-12;
+
 Vec3 times(const std::array<Vec3, 3>& matrix, Vec3 v) {
   return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)};
 }
@@ -43,6 +47,12 @@ std::uint32_t BoundedSolver::add(const SolverBody& body) {
 
 void BoundedSolver::add(const SolverContact& contact, std::span<const PatchPoint> points) {
   given_.push_back({contact, copies_.emplace_back(points.begin(), points.end())});
+}
+
+std::size_t BoundedSolver::n_points() const {
+  std::size_t sum = 0;
+  for (const Given& given : given_) sum += given.points.size();
+  return sum;
 }
 
 void BoundedSolver::add(const SolverJoint& joint) {
@@ -185,10 +195,16 @@ std::uint32_t BoundedSolver::add_friction(Strip& strip, Contact& contact, std::s
   double across = mobility_across(from_centres.first, tangents[0], tangents[1]) +
                   mobility_across(from_centres.second, tangents[0], tangents[1]);
   for (std::size_t i = 0; i < 3; ++i) across += first.turn_a[i] * second.turn_a[i] + first.turn_b[i] * second.turn_b[i];
-  const double determinant = give_first * give_second - across * across;
-  first.mass = give_second / determinant;
-  second.mass = give_first / determinant;
-  friction.coupling = -across / determinant;
+  const double determinant = give_first * give_second - across * across, trace = give_first + give_second;
+  if (determinant > kOneWay * trace * trace) {
+    first.mass = give_second / determinant;
+    second.mass = give_first / determinant;
+    friction.coupling = -across / determinant;
+  } else {  // the bodies give way in one direction alone: the pseudoinverse
+    first.mass = give_first / (trace * trace);
+    second.mass = give_second / (trace * trace);
+    friction.coupling = across / (trace * trace);
+  }
   friction.least_mass = 2.0 / (give_first + give_second + std::hypot(give_first - give_second, 2.0 * across));
   return static_cast<std::uint32_t>(strip.frictions.size() - 1);
 }

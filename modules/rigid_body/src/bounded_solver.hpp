@@ -82,6 +82,7 @@ class BoundedSolver {
   void clear(double restitution = 0.0);
   /// @return the number of the body.
   std::uint32_t add(const SolverBody& body);
+  std::size_t n_points() const;  ///< of the contacts so far
   /// Points are numbered as they come.
   void add(const SolverContact& contact, std::span<const PatchPoint> points);
   /// A contact whose points stay where they are until the step has been reported.

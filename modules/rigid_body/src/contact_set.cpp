@@ -73,10 +73,10 @@ void ContactSet::find(const Part& part, Body& second, Search& search, std::vecto
     if (within_reach(box(part), box(*met), 0.0) &&
         search.narrow_phase.find({&part, met.get()}, search.beside_first, search.beside(part, *met)))
       contacts.push_back({part.body, &second, part.number, search.narrow_phase.normal, search.narrow_phase.patch,
-                          law(second), part.body->is_free() || second.is_free()});
+                          law(second), part.body->gives_way() || second.gives_way()});
 }
 
-/// The parts that continue the solid of the second part. The parts of the sheet that the first part meets continue each
+/// The parts that continue the solid of the second part. The parts of one sheet that the first part meets continue each
 /// other.
 std::span<const Part* const> ContactSet::Search::beside(const Part& part, const Part& of_second) {
   if (of_second.body->kind != BodyKind::kSheet) {
@@ -85,7 +85,8 @@ std::span<const Part* const> ContactSet::Search::beside(const Part& part, const 
   }
   beside_second.clear();
   for (const Part* tile : near_sheet)
-    if (tile != &of_second && within_reach(box(part), box(*tile), 0.0)) beside_second.push_back(tile);
+    if (tile != &of_second && tile->body->sheet == of_second.body->sheet && within_reach(box(part), box(*tile), 0.0))
+      beside_second.push_back(tile);
   return beside_second;
 }
 
@@ -116,7 +117,7 @@ void ContactSet::add(std::span<const GivenContact> given, const std::function<Bo
                       g.normal,
                       patch,
                       {g.friction, g.most_normal_force / g.area},
-                      body->is_free() || other->is_free()});
+                      body->gives_way() || other->gives_way()});
   }
   std::sort(given_.begin(), given_.end(), [](const Contact& a, const Contact& b) {
     const Vec3 &p = a.patch.points[0].position, &q = b.patch.points[0].position;

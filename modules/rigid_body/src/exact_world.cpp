@@ -17,7 +17,9 @@ constexpr double kStill = 1e-8;
 constexpr double kPartingTurn = 0.1;
 
 /// SolverBody::stretch.
-double stretch(const MassProperties& mass) {
+double stretch(const Body& body) {
+  if (body.in_plane) return -1.0;  // as if it were without end along z
+  const MassProperties& mass = body.mass;
   return mass.added_across == 0.0 ? 0.0 : std::sqrt(mass.mass / (mass.mass + mass.added_across)) - 1.0;
 }
 
@@ -32,7 +34,7 @@ SolverBody to_solver(const Body& body) {
           .inverse_mass = b.getInvMass(),
           .axes = {axis(0), axis(1), axis(2)},
           .normal = rotate(body.pose.rotation, {0.0, 0.0, 1.0}),
-          .stretch = stretch(body.mass)};
+          .stretch = stretch(body)};
 }
 
 btDefaultCollisionConstructionInfo without_manifolds() {
@@ -61,7 +63,8 @@ class ExactWorld::Rows final : public btConstraintSolver {
 ExactWorld::ExactWorld(const WorldSettings& settings)
     : BodyWorld(settings, std::make_unique<btDefaultCollisionConfiguration>(without_manifolds()),
                 std::make_unique<Rows>()),
-      contacts_(settings) {
+      contacts_(settings),
+      between_sheets_(settings.ice_ice) {
   static_cast<Rows&>(*solver).world = this;
 }
 
@@ -78,12 +81,17 @@ void ExactWorld::find_contacts() {
   computeOverlappingPairs();  // forgets some of the pairs that have parted
   const std::vector<BodyPair>& pairs = sorted_pairs();
   meetings_.clear();
+  pairs_of_sheets_.clear();
   for (auto next = pairs.begin(); next != pairs.end();) {
     const auto first = next;
     while (next != pairs.end() && next->first == first->first) ++next;
-    meetings_.push_back({first->first, {&*first, static_cast<std::size_t>(next - first)}});
+    if (first->first->is_floe())
+      meetings_.push_back({first->first, {&*first, static_cast<std::size_t>(next - first)}});
+    else
+      pairs_of_sheets_.insert(pairs_of_sheets_.end(), first, next);
   }
   contacts_.find(meetings_, dispatcher, workers());
+  between_sheets_.find(pairs_of_sheets_);
 }
 
 void ExactWorld::calculateSimulationIslands() { getSimulationIslandManager()->initUnionFind(0); }
@@ -93,13 +101,18 @@ void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const bt
   in_solver_.clear();
   for (Body* body : order()) {
     body->in_solver = BoundedSolver::kFixed;
-    if ((body->kind == BodyKind::kSheet && body->twist == Twist{}) || body->settled) continue;
+    const bool of_sheet = body->sheet != nullptr || (body->kind == BodyKind::kSheet && body->twist == Twist{});
+    if ((of_sheet && !body->is_free()) || body->settled) continue;
     in_solver_.push_back(body);
     body->in_solver = static_cast<std::uint32_t>(in_solver_.size());
   }
+  if (any_drifts())
+    for (Body* body : order())
+      if (body->sheet != nullptr) body->in_solver = body->sheet->in_solver;
   bounded_.add_bodies(in_solver_.size(), workers(), [this](std::size_t i) { return to_solver(*in_solver_[i]); });
   joints_.add_to(bounded_, constraints, info);
   contacts_.add_to(bounded_, info.m_timeStep, workers());
+  between_sheets_.add_to(bounded_, info.m_timeStep);
   last_change_ = bounded_.solve(settings().iterations, kStill, workers());
   joints_.write_back(bounded_, info.m_timeStep);
   each_body([this](Body& body) {
@@ -113,13 +126,22 @@ void ExactWorld::solve(std::span<btTypedConstraint* const> constraints, const bt
 void ExactWorld::integrateTransforms(btScalar dt) {
   average_velocities();
   contacts_.report(bounded_, dt, loads_, workers());
+  between_sheets_.report(bounded_, dt, loads_of_sheets_);
   links().report(dt);
   each_body([this, dt](Body& body) {
-    if (body.is_free())
+    if (body.in_plane)
+      finish_in_plane(body);
+    else if (body.is_free())
       advance(body, dt);
     else
       move_as_told(body);
   });
+}
+
+/// The velocity is new. Its parts are moved as told.
+void ExactWorld::finish_in_plane(Body& body) {
+  if (body.is_free()) body.twist = bounded_.twist(body.in_solver);
+  finish(body, body.pose);
 }
 
 void ExactWorld::advance(Body& body, double dt) {

@@ -5,6 +5,7 @@
 #include "bounded_solver.hpp"
 #include "contact_set.hpp"
 #include "joint_rows.hpp"
+#include "sheet_contacts.hpp"
 
 namespace brash::rigid_body {
 
@@ -27,11 +28,14 @@ class ExactWorld final : public BodyWorld {
   /// New velocities from the solver, then Eqs. 9 and 10.
   void integrateTransforms(btScalar dt) override;
   void advance(Body& body, double dt);
+  void finish_in_plane(Body& body);
 
   ContactSet contacts_;
+  SheetContacts between_sheets_;
   JointRows joints_;
   std::vector<Body*> in_solver_;  ///< the bodies that the solver knows, in the order of their numbers there
   std::vector<ContactSet::Meeting> meetings_;  ///< scratch of find_contacts
+  std::vector<BodyPair> pairs_of_sheets_;      ///< likewise
   BoundedSolver bounded_;
 };
 

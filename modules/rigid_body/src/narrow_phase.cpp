@@ -15,6 +15,9 @@ constexpr double kShorter = 1e-6;
 /// parts of one solid (1e-9), far below any part.
 constexpr double kBeyond = 1e-6;
 
+/// A face whose normal has more than this along z is no side of a sheet [-].
+constexpr double kOutOfPlane = 1e-6;
+
 bool any_contains(std::span<const Part* const> parts, Vec3 point) {
   return std::any_of(parts.begin(), parts.end(), [&](const Part* part) {
     return std::all_of(part->now.planes.begin(), part->now.planes.end(),
@@ -72,6 +75,23 @@ bool NarrowPhase::find(const PartPair& pair, std::span<const Part* const> beside
   const Overlap& overlap = finder_.find(pair.first->now, pair.second->now);
   if (overlap.vertices.size() < 4) return false;
   normal = direction(pair, overlap, {beside_first, beside_second});
+  patch = finder_.project(normal);
+  return patch.n_points > 0;
+}
+
+bool NarrowPhase::find_in_plane(const PartPair& pair, std::span<const Part* const> beside_first,
+                                std::span<const Part* const> beside_second) {
+  const Overlap& overlap = finder_.find(pair.first->now, pair.second->now);
+  if (overlap.vertices.size() < 4) return false;
+  axes_ = overlap.axes;
+  std::erase_if(axes_, [](const SeparatingAxis& axis) { return std::abs(axis.normal.z) > kOutOfPlane; });
+  std::stable_sort(axes_.begin(), axes_.end(),
+                   [](const SeparatingAxis& a, const SeparatingAxis& b) { return a.depth < b.depth; });
+  const auto surface = std::find_if(axes_.begin(), axes_.end(), [&](const SeparatingAxis& axis) {
+    return !leads_on(overlap, axis.normal, beside_first, beside_second);
+  });
+  if (surface == axes_.end()) return false;
+  normal = normalized(Vec3{surface->normal.x, surface->normal.y, 0.0});
   patch = finder_.project(normal);
   return patch.n_points > 0;
 }

@@ -10,7 +10,7 @@
 
 namespace brash::rigid_body {
 
-/// Two parts whose boxes overlap; `first` is a floe's.
+/// Two parts whose boxes overlap; `first` is a floe's, or both are of sheets.
 struct PartPair {
   const Part* first = nullptr;
   const Part* second = nullptr;
@@ -26,6 +26,10 @@ class NarrowPhase {
   /// @param beside_second  likewise for the second; for a part of the sheet, the sheet's other parts near by.
   bool find(const PartPair& pair, std::span<const Part* const> beside_first,
             std::span<const Part* const> beside_second);
+
+  /// Likewise for two parts of sheets, with a normal in the plane. Where no surface bounds the overlap there is none.
+  bool find_in_plane(const PartPair& pair, std::span<const Part* const> beside_first,
+                     std::span<const Part* const> beside_second);
 
   Vec3 normal{};  ///< unit, from the second part into the first
   Patch patch;

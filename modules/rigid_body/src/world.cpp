@@ -54,13 +54,39 @@ BodyId World::add_floe(const Prism& prism, const MassProperties& mass, const Pos
   return world_->insert(std::move(body));
 }
 
-BodyId World::add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& sheet) {
-  BRASH_EXPECTS(is_finite(sheet, {}), "place of a part of a sheet is not finite");
+BodyId World::add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& frame, BodyId sheet) {
+  BRASH_EXPECTS(is_finite(frame, {}), "place of a part of a sheet is not finite");
   auto body = std::make_unique<Body>();
   body->kind = BodyKind::kSheet;
-  body->pose = sheet;
+  body->pose = frame;
+  if (sheet != kNoBody) {
+    body->sheet = &world_->get(sheet);
+    BRASH_EXPECTS(body->sheet->in_plane, sheet.index);
+  }
   body->add_part(convex_prism(ring, bottom, top), world_->settings().collision_margin);
   return world_->insert(std::move(body));
+}
+
+BodyId World::add_drifting_sheet() {
+  BRASH_EXPECTS(world_->settings().engine == Engine::kBrash, "sheets drift with the engine kBrash");
+  auto body = std::make_unique<Body>();
+  body->kind = BodyKind::kSheet;
+  body->in_plane = true;
+  return world_->insert(std::move(body));
+}
+
+void World::set_sheet(BodyId sheet, const SheetInPlane& state) {
+  Body& body = world_->get(sheet);
+  const Twist twist{{state.velocity.x, state.velocity.y, 0.0}, {0.0, 0.0, state.spin}};
+  const Pose pose{{state.centre.x, state.centre.y, 0.0}, {}};
+  const Wrench load{{state.force.x, state.force.y, 0.0}, {0.0, 0.0, state.moment}};
+  BRASH_EXPECTS(body.in_plane && is_finite(pose, twist) && is_finite({}, {load.force, load.moment}), sheet.index);
+  BRASH_EXPECTS(state.mass == 0.0 || (state.mass > 0.0 && state.inertia > 0.0), state.mass, state.inertia);
+  body.pose = pose;
+  body.twist = twist;
+  body.load = load;
+  body.set_mass({.mass = state.mass, .inertia = {0.0, 0.0, state.inertia}});
+  body.place();
 }
 
 BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose,
@@ -152,6 +178,7 @@ void World::step(double dt) {
 }
 
 const std::vector<ContactLoad>& World::contacts() const { return world_->loads(); }
+const std::vector<ContactLoad>& World::contacts_of_sheets() const { return world_->loads_of_sheets(); }
 double World::last_change() const { return world_->last_change(); }
 
 void World::visit_neighbours(std::span<const BodyId> floes, double reach, const VisitNeighbours& visit) {

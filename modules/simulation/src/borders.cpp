@@ -18,8 +18,14 @@ std::vector<Vec2> box(Vec2 lower, Vec2 upper) { return {lower, {upper.x, lower.y
 
 }  // namespace
 
-void lay_borders(const model::Case& resolved, rigid_body::World& world) {
-  if (resolved.field.kind != model::FieldKind::kFloes) return;
+std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_body::World& world) {
+  std::vector<geometry::Extent> boxes;
+  if (resolved.field.kind != model::FieldKind::kFloes) return boxes;
+  const auto lay = [&](const std::vector<Vec2>& ring, double height) {
+    world.add_sheet_part(ring, -height, height);
+    boxes.emplace_back();
+    for (const Vec2 corner : ring) boxes.back().add(corner);
+  };
   const double length = resolved.field.length, half = 0.5 * resolved.field.width;
   const double height = kHeight * resolved.ice.thickness;
   const model::FloeFieldSection& floes = resolved.field.floes;
@@ -27,12 +33,12 @@ void lay_borders(const model::Case& resolved, rigid_body::World& world) {
     for (const auto& wall :
          {box({0.0, -half - kThick}, {length + kThick, -half}), box({0.0, half}, {length + kThick, half + kThick}),
           box({length, -half}, {length + kThick, half})})
-      world.add_sheet_part(wall, -height, height);
+      lay(wall, height);
   }
-  if (floes.shore.empty()) return;
+  if (floes.shore.empty()) return boxes;
   for (const geometry::Polygon& land : ice::read_outlines(floes.shore))
-    for (const geometry::Ring& part : geometry::convex_parts(land))
-      world.add_sheet_part(to_metres(part), -height, height);
+    for (const geometry::Ring& part : geometry::convex_parts(land)) lay(to_metres(part), height);
+  return boxes;
 }
 
 }  // namespace brash::simulation

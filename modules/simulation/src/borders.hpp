@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
+#include "brash/geometry/polygon.hpp"
 #include "brash/model/case.hpp"
 #include "brash/rigid_body/world.hpp"
 
@@ -8,7 +11,8 @@ namespace brash::simulation {
 
 /// Lays the fixed walls and the shore of a field of floes into `world`: ice to the floes that meet them, and nothing to
 /// the structure.
+/// @return the box around each.
 /// @throws InputError when the file of the shore cannot be read.
-void lay_borders(const model::Case& resolved, rigid_body::World& world);
+std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_body::World& world);
 
 }  // namespace brash::simulation

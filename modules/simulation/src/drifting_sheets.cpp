@@ -2,7 +2,6 @@
 #include "drifting_sheets.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "brash/core/contract.hpp"
@@ -91,6 +90,10 @@ SheetBody sheet_body(const std::vector<geometry::Polygon>& outlines, double thic
   return body;
 }
 
+bool is_plate(const std::vector<geometry::Polygon>& outlines, const failure::IceProperties& ice, double smallest) {
+  return sheet_body(outlines, ice.thickness, 1.0).breadth() >= smallest * failure::characteristic_length(ice);
+}
+
 Pose DriftingSheets::pose_of(const Drift& drift) {
   const double half = 0.5 * drift.angle;
   return {{drift.position.x, drift.position.y, 0.0}, {std::cos(half), 0.0, 0.0, std::sin(half)}};
@@ -99,11 +102,14 @@ Pose DriftingSheets::pose_of(const Drift& drift) {
 void DriftingSheets::add(const ice::Plate& plate, const Drift& drift) {
   if (!any()) return;
   BRASH_EXPECTS(plate.level_ice() == static_cast<int>(sheets_.size()), plate.level_ice());
-  sheets_.push_back({.now = drift,
+  sheets_.push_back({.id = world_->add_drifting_sheet(),
+                     .now = drift,
                      .start = drift,
                      .body = sheet_body(plate.outline(), plate.ice().thickness, case_->ice.density),
                      .of_structure = {},
-                     .of_floes = {}});
+                     .form = {},
+                     .skin = {},
+                     .wind = {}});
 }
 
 double DriftingSheets::kinetic(const Sheet& sheet) {
@@ -117,9 +123,9 @@ double DriftingSheets::weigh(const ice::Plate& plate) {
   const double before = kinetic(sheet);
   const Vec2 old_centre = sheet.body.centre;
   sheet.body = sheet_body(plate.outline(), plate.ice().thickness, case_->ice.density);
-  // Moments of this step's pushes about the new centre.
+  // The moment of this step's pushes about the new centre.
   const Vec2 moved = turn(sheet.now.angle, sheet.body.centre - old_centre);
-  for (Push* push : {&sheet.of_structure, &sheet.of_floes}) push->moment -= cross(moved, push->force);
+  sheet.of_structure.moment -= cross(moved, sheet.of_structure.force);
   return before - kinetic(sheet);
 }
 
@@ -149,7 +155,7 @@ structure::State DriftingSheets::seen_from(int number, const structure::State& s
 void DriftingSheets::begin_step() {
   for (Sheet& sheet : sheets_) {
     sheet.start = sheet.now;
-    sheet.of_structure = sheet.of_floes = {};
+    sheet.of_structure = {};
   }
 }
 
@@ -157,16 +163,15 @@ void DriftingSheets::advance(double seconds) {
   for (Sheet& sheet : sheets_) sheet.now = after(sheet.now, sheet.body, seconds);
 }
 
-void DriftingSheets::push(int number, Vec3 force, Vec3 point, bool of_structure) {
+void DriftingSheets::push(int number, Vec3 force, Vec3 point) {
   if (!any()) return;
   Sheet& sheet = sheets_.at(static_cast<std::size_t>(number));
-  Push& push = of_structure ? sheet.of_structure : sheet.of_floes;
-  push.force += plan(force);
-  push.moment += cross(plan(point) - centre_place(sheet.now, sheet.body), plan(force));
+  sheet.of_structure.force += plan(force);
+  sheet.of_structure.moment += cross(plan(point) - centre_place(sheet.now, sheet.body), plan(force));
 }
 
 /// docs/theory/free-sheet.md, (G3), (G4).
-std::pair<DriftingSheets::Push, DriftingSheets::Push> DriftingSheets::water_on(const Sheet& sheet, double dt) const {
+void DriftingSheets::load_by_water(Sheet& sheet, double dt) const {
   const model::Case& c = *case_;
   const SheetBody& body = sheet.body;
   const Vec2 past = centre_velocity(sheet.now, body) - current_past_ice(c);
@@ -183,32 +188,57 @@ std::pair<DriftingSheets::Push, DriftingSheets::Push> DriftingSheets::water_on(c
   const double skin =
       half * c.hydrodynamics.skin_friction * body.area * std::sqrt(speed * speed + gyration * spin * spin);
   const double along = 1.0 + dt * (form + skin) / body.mass, around = 1.0 + dt * skin / body.mass;
-  return {{(-form / along) * past, 0.0}, {(-skin / along) * past, -skin / around * gyration * spin}};
+  sheet.form = {(-form / along) * past, 0.0};
+  sheet.skin = {(-skin / along) * past, -skin / around * gyration * spin};
 }
 
-WorkOnSheets DriftingSheets::accelerate(double dt) {
+/// docs/theory/floe-fields.md, (F8), on a top that is dry.
+void DriftingSheets::load_by_wind(Sheet& sheet) const {
+  const model::WindSection& wind = case_->wind;
+  const Vec2 past = wind.velocity - centre_velocity(sheet.now, sheet.body);
+  sheet.wind = {};
+  if (wind.velocity != Vec2{})
+    sheet.wind.force = (wind.density * wind.skin_friction * sheet.body.area * norm(past)) * past;
+}
+
+void DriftingSheets::hand_over(double dt) {
+  for (Sheet& sheet : sheets_) {
+    const SheetBody& body = sheet.body;
+    if (!(body.mass > 0.0)) {
+      world_->set_sheet(sheet.id, {});
+      continue;
+    }
+    load_by_water(sheet, dt);
+    load_by_wind(sheet);
+    Push all;
+    for (const Push& push : {sheet.of_structure, sheet.form, sheet.skin, sheet.wind}) {
+      all.force += push.force;
+      all.moment += push.moment;
+    }
+    world_->set_sheet(sheet.id, {.mass = body.mass,
+                                 .inertia = body.inertia,
+                                 .centre = centre_place(sheet.start, body),
+                                 .velocity = centre_velocity(sheet.now, body),
+                                 .spin = sheet.now.spin,
+                                 .force = all.force,
+                                 .moment = all.moment});
+  }
+}
+
+WorkOnSheets DriftingSheets::take_back(double dt) {
   WorkOnSheets work;
   for (Sheet& sheet : sheets_) {
     const SheetBody& body = sheet.body;
     if (!(body.mass > 0.0)) continue;
-    const auto [form, skin] = water_on(sheet, dt);
-    const std::array<Push, 4> all{sheet.of_structure, sheet.of_floes, form, skin};
-    Vec2 force{};
-    double moment = 0.0;
-    for (const Push& push : all) {
-      force += push.force;
-      moment += push.moment;
-    }
-    const Vec2 before = centre_velocity(sheet.now, body), gain = (dt / body.mass) * force;
-    const double spin_before = sheet.now.spin, spin_gain = dt / body.inertia * moment;
-    const Vec2 mean = before + 0.5 * gain;
-    const double mean_spin = spin_before + 0.5 * spin_gain;
-    const auto work_of = [&](const Push& push) { return dt * (dot(push.force, mean) + push.moment * mean_spin); };
-    work.edge += work_of(all[0]);
-    work.floes += work_of(all[1]);
-    work.form += work_of(all[2]);
-    work.skin += work_of(all[3]);
-    sheet.now = by_centre(centre_place(sheet.now, body), sheet.now.angle, before + gain, spin_before + spin_gain, body);
+    const Twist after = world_->twist(sheet.id), mean = world_->mean_twist(sheet.id);
+    const auto work_of = [&](const Push& push) {
+      return dt * (dot(push.force, plan(mean.linear)) + push.moment * mean.angular.z);
+    };
+    work.edge += work_of(sheet.of_structure);
+    work.form += work_of(sheet.form);
+    work.skin += work_of(sheet.skin);
+    work.wind += work_of(sheet.wind);
+    sheet.now = by_centre(centre_place(sheet.now, body), sheet.now.angle, plan(after.linear), after.angular.z, body);
   }
   return work;
 }
@@ -260,6 +290,7 @@ void DriftingSheets::save(model::Checkpoint& checkpoint) const {
 
 void DriftingSheets::restore(std::span<const ice::Plate> level_ice, const model::Checkpoint& checkpoint) {
   if (!any()) return;
+  for (const Sheet& sheet : sheets_) world_->remove(sheet.id);
   sheets_.clear();
   const model::Table& table = checkpoint.table("drift");
   BRASH_EXPECTS(table.n_rows() == level_ice.size(), table.n_rows(), level_ice.size());

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "brash/core/vec.hpp"
 #include "brash/ice/plate.hpp"
 #include "brash/model/case.hpp"
 #include "brash/model/checkpoint.hpp"
+#include "brash/rigid_body/world.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "brash/structure/motion.hpp"
 
@@ -46,25 +46,32 @@ struct SheetBody {
 /// Mass, centre and inertia of ice with these outlines.
 SheetBody sheet_body(const std::vector<geometry::Polygon>& outlines, double thickness, double density);
 
-/// Work on the sheets in a step [J].
+/// Whether ice afloat is broad enough to bend as a plate.
+/// @param smallest  field.smallest_plate, in characteristic lengths of `ice`.
+bool is_plate(const std::vector<geometry::Polygon>& outlines, const failure::IceProperties& ice, double smallest);
+
+/// Work on the sheets in a step [J]; contacts between bodies report theirs.
 struct WorkOnSheets {
-  double edge = 0.0;   ///< of the structure at their edges
-  double floes = 0.0;  ///< of the floes
-  double form = 0.0;   ///< of the water's form drag
-  double skin = 0.0;   ///< of its skin friction
+  double edge = 0.0;  ///< of the structure at their edges
+  double form = 0.0;  ///< of the water's form drag
+  double skin = 0.0;  ///< of its skin friction
+  double wind = 0.0;
 };
 
 /// The sheets of level ice with free borders as bodies afloat, each by its number; docs/theory/free-sheet.md. They move
 /// in x, y and yaw. Weight and buoyancy are in balance, and bending is the failure model's.
 ///
-/// In a step all that touches a sheet sees it move evenly at its velocity of the start, along advance(). Its loads then
-/// change that velocity, accelerate(). Sheets with fixed borders have the world's frame, and are not kept here.
+/// In a step the structure sees a sheet move evenly at its velocity of the start, along advance(). The step of the
+/// world then finds the new velocity, from the loads of structure, water and wind and from contacts with floes, walls
+/// and other sheets. Sheets with fixed borders have the world's frame, and are not kept here.
 class DriftingSheets {
  public:
-  explicit DriftingSheets(const model::Case& resolved) : case_(&resolved) {}
+  /// @param world  where each sheet becomes a body; it outlives the sheets.
+  /// @param drift  whether sheets drift at all.
+  DriftingSheets(const model::Case& resolved, rigid_body::World& world, bool drift)
+      : case_(&resolved), world_(&world), drift_(drift) {}
 
-  /// Whether sheets drift at all.
-  bool any() const { return case_->field.border == model::Border::kFree; }
+  bool any() const { return drift_; }
 
   /// The next sheet.
   void add(const ice::Plate& plate, const Drift& drift = {});
@@ -74,6 +81,8 @@ class DriftingSheets {
 
   const Drift& drift(int number) const { return at(number).now; }
   const SheetBody& body(int number) const { return at(number).body; }
+  /// In the world; none where sheets do not drift.
+  BodyId id(int number) const { return any() ? at(number).id : rigid_body::kNoBody; }
   /// Of its frame, now.
   Pose pose(int number) const { return any() ? pose_of(at(number).now) : Pose{}; }
   /// Of its frame, at the start of the step.
@@ -92,10 +101,13 @@ class DriftingSheets {
   void begin_step();
   /// All sheets move on evenly for a time [s].
   void advance(double seconds);
-  /// A mean force over the step at a point [N], [m], world; of the structure, or of a floe.
-  void push(int number, Vec3 force, Vec3 point, bool of_structure);
-  /// The pushes and the water change the velocities (G1) to (G4). @param dt  length of the step [s].
-  WorkOnSheets accelerate(double dt);
+  /// A mean force of the structure over the step at a point [N], [m], world.
+  void push(int number, Vec3 force, Vec3 point);
+  /// Hands the sheets over to the next step of the world, with the loads of structure, water and wind (G3), (G4).
+  /// @param dt  length of the step [s].
+  void hand_over(double dt);
+  /// Takes their velocities back (G1), (G2). @return the work of these loads (G5).
+  WorkOnSheets take_back(double dt);
 
   /// The pushes of the structure so far move a sheet that is about to become a floe. @return their work [J].
   double take_pushes(int number, double dt);
@@ -116,17 +128,20 @@ class DriftingSheets {
     double moment = 0.0;  ///< about the centre [N m]
   };
   struct Sheet {
+    BodyId id;
     Drift now, start;
     SheetBody body;
-    Push of_structure, of_floes;
+    Push of_structure, form, skin, wind;
   };
   const Sheet& at(int number) const { return sheets_.at(static_cast<std::size_t>(number)); }
   static Pose pose_of(const Drift& drift);
   static double kinetic(const Sheet& sheet);
-  /// Loads of the water on a sheet over a step: form drag and skin friction.
-  std::pair<Push, Push> water_on(const Sheet& sheet, double dt) const;
+  void load_by_water(Sheet& sheet, double dt) const;
+  void load_by_wind(Sheet& sheet) const;
 
   const model::Case* case_;
+  rigid_body::World* world_;
+  bool drift_;
   std::vector<Sheet> sheets_;
 };
 

@@ -60,15 +60,14 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
   }
 }
 
-/// docs/theory/free-sheet.md, (G5). The contacts were booked at the velocity of the sheet at the start of the step.
+/// docs/theory/free-sheet.md, (G5). What contacts with floes gave the sheets was booked with them.
 void EnergyLedger::book_sheets(const World& world, const WorkOnSheets& work, double dt) {
   losses_.edge -= work.edge;
-  double as_booked = 0.0;
-  for (const ContactLoad& contact : world.contacts())
-    if (contact.other_kind == BodyKind::kSheet)
-      as_booked += dt * dot(contact.normal_force * contact.normal + contact.friction_force, contact.other_velocity);
-  losses_.sheet_contact -= work.floes + as_booked;
-  losses_.drag -= work.form;
+  for (const ContactLoad& contact : world.contacts_of_sheets()) {
+    book(losses_, contact, dt);
+    taken_.contacts += contact.loss;
+  }
+  losses_.drag -= work.form + work.wind;
   losses_.skin_friction -= work.skin;
 }
 

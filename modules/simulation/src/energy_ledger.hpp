@@ -36,8 +36,8 @@ class EnergyLedger {
   /// the waves of the ice, and into new cracks.
   void book_bent_edges(double work);
 
-  /// Work of the step on drifting sheets: the loads of the structure and of floes gave it to their kinetic energy, and
-  /// the water took some. Call after book_structure() and book_step(), `dt` as there.
+  /// Work of the step on drifting sheets: the loads of the structure gave it to their kinetic energy, and water, wind
+  /// and the contacts between sheets took some. Call after book_structure() and book_step(), `dt` as there.
   void book_sheets(const rigid_body::World& world, const WorkOnSheets& work, double dt);
 
   /// Of the structure's work on the edge, this moved a sheet [J].

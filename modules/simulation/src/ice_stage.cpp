@@ -65,11 +65,11 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
 /// A piece of level ice goes on as a body of its own: a floe, or a large piece of a drifting sheet as another sheet.
 void Simulation::Impl::let_float(ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births,
                                  StepReport& report) {
-  if (sheets.any() && is_plate(piece.outline())) {
+  if (sheets.any() && is_plate(piece.outline(), field.level_ice(level_ice).ice(), resolved.field.smallest_plate)) {
     const ice::Plate& made = field.level_ice(field.add_level_ice(std::move(piece)));
     sheets.add_part(made, level_ice);
     add_judge(made);
-    edges.add_level_ice();
+    edges.add_level_ice(level_ice);
     energy.book_left_sheets(-sheets.kinetic_energy(made.level_ice()));
     return;
   }
@@ -91,7 +91,7 @@ void Simulation::Impl::let_float(ice::Plate&& piece, int level_ice, std::vector<
 
 /// The outline of level ice has changed: collision shapes and mass follow.
 void Simulation::Impl::follow_outline(const ice::Plate& plate, const geometry::Extent& changed) {
-  tiles.renew(plate, world, changed, sheets.start_pose(plate.level_ice()));
+  tiles.renew(plate, world, changed, sheets.start_pose(plate.level_ice()), sheets.id(plate.level_ice()));
   if (!changed.is_empty()) energy.book_left_sheets(sheets.weigh(plate));
 }
 
@@ -101,8 +101,9 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
   std::vector<EdgeContact> contacts;
   for (const ice::Plate& plate : field.level_ice()) {
     const auto shift = [&](const Touch& touched) { return edges.shift(plate.level_ice(), touched, time); };
-    for (EdgeContact& contact :
-         edge_contacts(edge_model(plate), plate.sheet(), sheets.seen_from(plate.level_ice(), state, later), shift)) {
+    const structure::State seen = sheets.seen_from(plate.level_ice(), state, later);
+    if (!is_near(plate, seen)) continue;
+    for (EdgeContact& contact : edge_contacts(edge_model(plate), plate.sheet(), seen, shift)) {
       contact.level_ice = plate.level_ice();
       contacts.push_back(std::move(contact));
     }
@@ -186,8 +187,9 @@ bool Simulation::Impl::crush_passed_ice(double time) {
     ice::Plate& plate = field.level_ice(level.level_ice());
     geometry::Extent changed;
     const double shift = edges.largest_shift(plate.level_ice(), time);
-    const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
-    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), structure, shift))
+    const structure::State structure = sheets.seen_from(plate.level_ice(), motion->now());
+    if (!is_near(plate, structure)) continue;
+    for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), structure.pose, shift))
       changed.add(field.crush(plate, outline));
     follow_outline(plate, changed);
     any = any || !changed.is_empty();
@@ -271,7 +273,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
       const Vec3 force = -sheets.turned(contact.level_ice, contact.on_ice);
       const Vec3 arm = point - motion->now().pose.position;
       crushing += {share * force, share * cross(arm, force)};
-      sheets.push(contact.level_ice, -share * force, point, true);
+      sheets.push(contact.level_ice, -share * force, point);
       const Vec3 normal = sheets.turned(contact.level_ice, contact.normal);
       region_loads.add_crushing(motion->now().pose, point, normal, share * force);
     }

@@ -11,6 +11,7 @@
 #include "brash/model/case_keys.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/structure/motion.hpp"
+#include "drifting_sheets.hpp"
 #include "edge_contact.hpp"
 #include "plan.hpp"
 #include "simulation_impl.hpp"
@@ -90,27 +91,45 @@ std::vector<Ring> land_of(const model::Case& resolved) {
   return land;
 }
 
-}  // namespace
-
-std::vector<ice::Plate> laid_floes(const model::Case& resolved, const structure::Hull& hull,
-                                   const ice::Variation& variation) {
-  std::vector<Ring> keep_out = structure_at_start(resolved, hull);
+void lay_floes_of(const model::Case& resolved, ice::Field& field) {
+  std::vector<Ring> keep_out = structure_at_start(resolved, *structure::make_hull(resolved.structure.shape));
   const bool from_file = !resolved.field.file.empty();
   for (Ring& part : land_of(resolved)) keep_out.push_back(std::move(part));
-  std::vector<ice::Plate> plates;
+  std::vector<ice::Plate> plates, floes;
   const failure::IceProperties ice = ice_properties(resolved);
+  const bool may_drift = resolved.contact.engine == model::ContactEngine::kBrash;
   for (ice::GivenFloe& floe : from_file ? floes_of_file(resolved, keep_out) : packed_floes(resolved, keep_out)) {
-    failure::IceProperties own = variation.mean(ice, floe.outline);
-    own.thickness = floe.thickness.value_or(own.thickness);
-    own.flexural_strength = floe.flexural_strength.value_or(own.flexural_strength);
-    plates.emplace_back(0, ice::Hold::kAfloat, own, std::vector{std::move(floe.outline)});
+    const auto of_file = [&](failure::IceProperties own) {
+      own.thickness = floe.thickness.value_or(own.thickness);
+      own.flexural_strength = floe.flexural_strength.value_or(own.flexural_strength);
+      return own;
+    };
+    const failure::IceProperties own = of_file(ice), mean = of_file(field.variation().mean(ice, floe.outline));
+    std::vector outline{std::move(floe.outline)};
+    if (may_drift && is_plate(outline, own, resolved.field.smallest_plate))
+      plates.emplace_back(static_cast<int>(plates.size()), ice::Hold::kDrifting, own, std::move(outline));
+    else
+      floes.emplace_back(0, ice::Hold::kAfloat, mean, std::move(outline));
   }
-  return plates;
+  field.lay_floes(std::move(plates), std::move(floes));
+}
+
+}  // namespace
+
+ice::Field laid_field(const model::Case& resolved) {
+  ice::Field field(resolved.field, ice_properties(resolved), ice::Variation(resolved));
+  if (resolved.field.kind == model::FieldKind::kFloes) lay_floes_of(resolved, field);
+  return field;
+}
+
+Vec2 drift_at_start(const model::Case& resolved) {
+  return resolved.field.kind == model::FieldKind::kFloes ? resolved.water.current : Vec2{};
 }
 
 std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structure::Hull& hull, ice::Field& field) {
   std::vector<ice::Plate> floes = field.take_loose();
-  if (!model::has_ice_files(resolved.field)) return floes;
+  const bool of_field = resolved.field.kind == model::FieldKind::kFloes;  // it has kept clear
+  if (of_field || !model::has_ice_files(resolved.field)) return floes;
   std::vector<Polygon> outlines = field.outlines();
   for (const ice::Plate& floe : floes) outlines.push_back(floe.outline().front());
   expect_clear_start(resolved, hull, outlines);
@@ -120,10 +139,8 @@ std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structur
 InitialField initial_field(const model::Case& resolved) {
   InitialField start;
   const auto hull = structure::make_hull(resolved.structure.shape);
-  ice::Field field(resolved.field, ice_properties(resolved), ice::Variation(resolved));
-  const std::vector<ice::Plate> floes = resolved.field.kind == model::FieldKind::kFloes
-                                            ? laid_floes(resolved, *hull, field.variation())
-                                            : floes_beside(resolved, *hull, field);
+  ice::Field field = laid_field(resolved);
+  const std::vector<ice::Plate> floes = floes_beside(resolved, *hull, field);
   for (const ice::Plate& plate : floes)
     for (const Polygon& outline : plate.outline()) {
       start.floes.push_back(rings_in_metres(outline));
@@ -136,14 +153,11 @@ InitialField initial_field(const model::Case& resolved) {
   return start;
 }
 
-/// Floes of a field drift with the water that they begin in: docs/theory/floe-fields.md, (F7). Floes beside level ice
-/// begin at rest, as that does.
 void Simulation::Impl::lay_floes() {
   const bool of_field = resolved.field.kind == model::FieldKind::kFloes;
-  const Vec2 current = of_field ? resolved.water.current : Vec2{};
-  const structure::State drift{{}, {{current.x, current.y, 0.0}, {}}};
-  for (ice::Plate& plate :
-       of_field ? laid_floes(resolved, *hull, field.variation()) : floes_beside(resolved, *hull, field)) {
+  const Vec2 velocity = drift_at_start(resolved);
+  const structure::State drift{{}, {{velocity.x, velocity.y, 0.0}, {}}};
+  for (ice::Plate& plate : floes_beside(resolved, *hull, field)) {
     field.add_floe(plate);
     if (!of_field && plate.area().square_metres() < resolved.failure.smallest_floe) {
       field.to_brash(plate);

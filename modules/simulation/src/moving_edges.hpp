@@ -39,9 +39,9 @@ class MovingEdges {
   /// How the edge of a contact moves.
   failure::EdgeMotion motion(const EdgeContact& contact) const;
 
-  /// There is more level ice, of the same kind.
-  void add_level_ice() {
-    if (!dynamics_.empty()) dynamics_.emplace_back(dynamics_.front());
+  /// There is more level ice, of the kind of another one.
+  void add_level_ice(int like) {
+    if (!dynamics_.empty()) dynamics_.push_back(failure::EdgeDynamics(dynamics_[static_cast<std::size_t>(like)]));
   }
 
   /// The level ice has broken within `radius` of `at`.

@@ -31,16 +31,13 @@ std::vector<std::vector<Vec2>> rings_of(std::span<const geometry::Polygon> polyg
 class Recorder {
  public:
   Recorder(const model::Case& resolved, const Simulation& simulation)
-      : frame_interval_(1.0 / resolved.output.frames_per_second),
-        sheets_drift_(resolved.field.border == model::Border::kFree) {
+      : frame_interval_(1.0 / resolved.output.frames_per_second) {
     results_.initial_sheet = rings_of(simulation.sheet());
     add_births(simulation.initial_births());
     results_.frames.push_back(simulation.frame());
   }
   Recorder(const model::Case& resolved, model::RunResults so_far)
-      : frame_interval_(1.0 / resolved.output.frames_per_second),
-        sheets_drift_(resolved.field.border == model::Border::kFree),
-        results_(std::move(so_far)) {}
+      : frame_interval_(1.0 / resolved.output.frames_per_second), results_(std::move(so_far)) {}
 
   void record(const Simulation& simulation, const StepReport& report) {
     results_.loads.push_back(report.loads);
@@ -48,7 +45,8 @@ class Recorder {
     // Half a nanosecond absorbs the rounding of step times.
     const bool has_frame = simulation.time() + 5e-10 >= frame_interval_ * static_cast<double>(results_.frames.size());
     std::ranges::copy(report.splits, std::back_inserter(results_.splits));
-    if (!report.events.empty() || !report.splits.empty() || (sheets_drift_ && has_frame))
+    const bool sheets_move = has_frame && !simulation.sheet_motions().empty();
+    if (!report.events.empty() || !report.splits.empty() || sheets_move)
       results_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
     add_births(report.births);
     for (const FloeDeath& death : report.deaths) {
@@ -77,7 +75,6 @@ class Recorder {
   }
 
   double frame_interval_;
-  bool sheets_drift_;  ///< so they are recorded with each frame
   model::RunResults results_;
 };
 

@@ -12,6 +12,28 @@ namespace brash::simulation {
 
 namespace {
 
+/// Parts of sheets are laid where another box comes this near [m]: far more than a sheet moves in a step, and than it
+/// is crushed by another.
+constexpr double kNear = 1.0;
+
+Pose inverse(const Pose& pose) {
+  const Quaternion back = conjugate(pose.rotation);
+  return {rotate(back, -pose.position), back};
+}
+
+/// The box around a box that a pose turns and moves.
+geometry::Extent moved_box(const geometry::Extent& box, const Pose& pose) {
+  geometry::Extent moved;
+  for (const Vec2 corner : {box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}})
+    moved.add(plan(to_world(pose, {corner.x, corner.y, 0.0})));
+  return moved;
+}
+
+bool are_apart(const geometry::Extent& a, const geometry::Extent& b, double distance) {
+  return a.lower.x > b.upper.x + distance || b.lower.x > a.upper.x + distance || a.lower.y > b.upper.y + distance ||
+         b.lower.y > a.upper.y + distance;
+}
+
 /// A ring turned and moved with its sheet.
 geometry::Ring moved(const geometry::Ring& ring, const Pose& frame) {
   std::vector<Vec2> points = to_metres(ring);
@@ -45,33 +67,69 @@ model::CrackEvent Simulation::Impl::in_world(int level_ice, model::CrackEvent ev
   return event;
 }
 
-/// The collision shapes go with their sheets in the step of the bodies.
-void Simulation::Impl::move_sheets() {
+/// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.
+void Simulation::Impl::lay_sheet_near(BodyId body) {
+  const Vec2 reach{water.reach(), water.reach()};
+  const auto [lower, upper] = world.bounds(body);
+  const geometry::Extent near{plan(lower) - reach, plan(upper) + reach};
+  for (const ice::Plate& plate : field.level_ice()) {
+    if (!sheets.any()) {
+      tiles.lay(plate, world, near.lower, near.upper);
+      continue;
+    }
+    const int number = plate.level_ice();
+    const Pose frame = sheets.start_pose(number);
+    const geometry::Extent here = moved_box(near, inverse(frame));
+    const SheetBody& ice = sheets.body(number);
+    if (!(ice.mass > 0.0) || are_apart(here, {ice.lower, ice.upper}, 0.0)) continue;
+    tiles.lay(plate, world, here.lower, here.upper, frame, sheets.id(number));
+  }
+}
+
+/// The collision shapes of each sheet wherever it could meet another sheet, a wall or a shore in this step.
+void Simulation::Impl::lay_sheets_that_meet() {
+  std::vector<geometry::Extent> boxes;  // of the sheets, in the world
+  for (const ice::Plate& plate : field.level_ice()) {
+    const SheetBody& body = sheets.body(plate.level_ice());
+    boxes.push_back(body.mass > 0.0 ? moved_box({body.lower, body.upper}, sheets.start_pose(plate.level_ice()))
+                                    : geometry::Extent{});
+  }
+  for (const ice::Plate& plate : field.level_ice()) {
+    const auto own = static_cast<std::size_t>(plate.level_ice());
+    const auto lay = [&](const geometry::Extent& other) {
+      if (boxes[own].is_empty() || other.is_empty() || are_apart(boxes[own], other, kNear)) return;
+      const Pose frame = sheets.start_pose(plate.level_ice());
+      tiles.lay_edge(plate, world, moved_box(other, inverse(frame)), kNear, frame, sheets.id(plate.level_ice()));
+    };
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      if (i != own) lay(boxes[i]);
+    for (const geometry::Extent& border : borders) lay(border);
+  }
+}
+
+/// Sheets and their collision shapes go into the step of the bodies.
+void Simulation::Impl::hand_over_sheets() {
   if (!sheets.any()) return;
+  lay_sheets_that_meet();
   for (const ice::Plate& plate : field.level_ice()) {
     const int number = plate.level_ice();
     tiles.move(number, world, sheets.pose(number), sheets.twist(number));
   }
+  sheets.hand_over(resolved.time.step);
 }
 
-/// Floes have pushed the sheets, and so has the structure before.
-void Simulation::Impl::drift_sheets() {
+/// The step of the bodies has found the velocities of the sheets.
+void Simulation::Impl::take_back_sheets() {
   if (!sheets.any()) return;
-  for (const rigid_body::ContactLoad& contact : world.contacts()) {
-    if (contact.other_kind != rigid_body::BodyKind::kSheet) continue;
-    const std::optional<int> level_ice = tiles.level_ice_of(contact.other);
-    if (!level_ice) continue;  // a wall or a shore
-    const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
-    sheets.push(*level_ice, -force, contact.point, false);
-  }
-  energy.book_sheets(world, sheets.accelerate(resolved.time.step), resolved.time.step);
+  energy.book_sheets(world, sheets.take_back(resolved.time.step), resolved.time.step);
 }
 
-/// Whether ice afloat is broad enough to bend as a plate.
-bool Simulation::Impl::is_plate(const std::vector<geometry::Polygon>& outlines) const {
-  const double l_c = failure::characteristic_length(field.level_ice().front().ice());
-  const SheetBody body = sheet_body(outlines, resolved.ice.thickness, resolved.ice.density);
-  return body.breadth() >= resolved.field.smallest_plate * l_c;
+/// Whether the hull comes near the box of level ice. Fast ice is large, and always counts as near.
+bool Simulation::Impl::is_near(const ice::Plate& plate, const structure::State& seen) const {
+  if (!sheets.any()) return true;
+  const SheetBody& body = sheets.body(plate.level_ice());
+  const Vec2 at = plan(seen.pose.position), reach{hull_reach, hull_reach};
+  return body.mass > 0.0 && !are_apart({at - reach, at + reach}, {body.lower, body.upper}, 0.0);
 }
 
 /// Sheets split whose toughness the structure's splitting force exceeds; docs/theory/free-sheet.md, (G6), (G7), (G8).
@@ -122,7 +180,7 @@ void Simulation::Impl::release_small_sheets(StepReport& report) {
   for (int number = 0; number < n_sheets; ++number) {
     ice::Plate& plate = field.level_ice(number);
     const std::vector<geometry::Polygon> outlines = plate.outline();
-    if (outlines.empty() || is_plate(outlines)) continue;
+    if (outlines.empty() || is_plate(outlines, plate.ice(), resolved.field.smallest_plate)) continue;
     geometry::Extent changed;
     for (const geometry::Polygon& polygon : outlines) changed.add(geometry::extent(polygon));
     const double reach = norm(changed.upper - changed.lower);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet_tiles.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -17,8 +18,8 @@ int index(double coordinate) { return static_cast<int>(std::floor(coordinate / k
 
 }  // namespace
 
-std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell,
-                                       const Pose& frame) {
+std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell, const Pose& frame,
+                                       BodyId sheet) {
   const double x = cell.first * kTileSide;
   const double y = cell.second * kTileSide;
   const std::array<Vec2, 4> corners{Vec2{x, y}, Vec2{x + kTileSide, y}, Vec2{x + kTileSide, y + kTileSide},
@@ -27,18 +28,37 @@ std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::Worl
   std::vector<BodyId> bodies;
   for (const geometry::Polygon& ice : plate.sheet().within(geometry::ring(corners))) {
     for (const geometry::Ring& part : geometry::convex_parts(ice)) {
-      bodies.push_back(world.add_sheet_part(to_metres(part), heights.bottom, heights.top, frame));
+      bodies.push_back(world.add_sheet_part(to_metres(part), heights.bottom, heights.top, frame, sheet));
       level_ice_of_[bodies.back()] = plate.level_ice();
     }
   }
   return bodies;
 }
 
-void SheetTiles::lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame) {
+void SheetTiles::lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame,
+                     BodyId sheet) {
   auto& parts = parts_[plate.level_ice()];
   for (int i = index(lower.x); i <= index(upper.x); ++i)
     for (int j = index(lower.y); j <= index(upper.y); ++j)
-      if (const Cell cell{i, j}; !parts.contains(cell)) parts.emplace(cell, prisms(plate, world, cell, frame));
+      if (const Cell cell{i, j}; !parts.contains(cell)) parts.emplace(cell, prisms(plate, world, cell, frame, sheet));
+}
+
+void SheetTiles::lay_edge(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& box, double reach,
+                          const Pose& frame, BodyId sheet) {
+  const Vec2 by{reach, reach};
+  const Vec2 lower = box.lower - by, upper = box.upper + by;
+  const auto lay_along = [&](Vec2 from, Vec2 to) {
+    const auto n = std::max(1.0, std::ceil(norm(to - from) / kTileSide));
+    for (double i = 0.0; i < n; ++i) {
+      const Vec2 a = from + (i / n) * (to - from), b = from + ((i + 1.0) / n) * (to - from);
+      const Vec2 least{std::min(a.x, b.x), std::min(a.y, b.y)}, most{std::max(a.x, b.x), std::max(a.y, b.y)};
+      if (least.x > upper.x || most.x < lower.x || least.y > upper.y || most.y < lower.y) continue;
+      lay(plate, world, least - by, most + by, frame, sheet);
+    }
+  };
+  for (const geometry::Polygon& polygon : plate.outline())
+    for (const std::vector<Vec2>& ring : rings_in_metres(polygon))
+      for (std::size_t i = 0; i < ring.size(); ++i) lay_along(ring[i], ring[(i + 1) % ring.size()]);
 }
 
 void SheetTiles::move(int level_ice, rigid_body::World& world, const Pose& frame, const Twist& twist) {
@@ -47,7 +67,7 @@ void SheetTiles::move(int level_ice, rigid_body::World& world, const Pose& frame
 }
 
 void SheetTiles::renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed,
-                       const Pose& frame) {
+                       const Pose& frame, BodyId sheet) {
   if (changed.is_empty()) return;
   auto& parts = parts_[plate.level_ice()];
   for (int i = index(changed.lower.x); i <= index(changed.upper.x); ++i) {
@@ -58,7 +78,7 @@ void SheetTiles::renew(const ice::Plate& plate, rigid_body::World& world, const 
         world.remove(part);
         level_ice_of_.erase(part);
       }
-      laid->second = prisms(plate, world, laid->first, frame);
+      laid->second = prisms(plate, world, laid->first, frame, sheet);
     }
   }
 }

@@ -20,10 +20,15 @@ class SheetTiles {
 
   /// Lays the tiles that meet the box from `lower` to `upper`, frame of the plate [m], where they are missing.
   /// @param frame  of the plate, where it is at the start of the step.
-  void lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame = {});
+  /// @param sheet  the body of a plate that drifts.
+  void lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame = {},
+           BodyId sheet = rigid_body::kNoBody);
+  /// Likewise the tiles within `reach` of the edge of the plate, where that is within `reach` [m] of `box`.
+  void lay_edge(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& box, double reach,
+                const Pose& frame, BodyId sheet);
   /// Renews the tiles that are laid and meet the part of `plate` that has changed.
-  void renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed,
-             const Pose& frame = {});
+  void renew(const ice::Plate& plate, rigid_body::World& world, const geometry::Extent& changed, const Pose& frame = {},
+             BodyId sheet = rigid_body::kNoBody);
   /// The tiles of a sheet move in the next step: to the pose of its frame, as that moves.
   void move(int level_ice, rigid_body::World& world, const Pose& frame, const Twist& twist);
 
@@ -35,7 +40,8 @@ class SheetTiles {
 
  private:
   using Cell = std::pair<int, int>;
-  std::vector<BodyId> prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell, const Pose& frame);
+  std::vector<BodyId> prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell, const Pose& frame,
+                             BodyId sheet);
 
   const model::Case* case_;
   std::map<int, std::map<Cell, std::vector<BodyId>>> parts_;  ///< of each level ice

@@ -9,6 +9,7 @@
 #include "borders.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
+#include "laid_floes.hpp"
 #include "load_axes.hpp"
 #include "simulation_impl.hpp"
 
@@ -31,9 +32,24 @@ rigid_body::WorldSettings world_settings(const model::Case& c) {
 std::vector<failure::EdgeDynamics> edge_dynamics(const model::Case& c, const ice::Field& field) {
   std::vector<failure::EdgeDynamics> dynamics;
   if (c.failure.edge == model::EdgeMotion::kStatic) return dynamics;
-  for (const ice::Plate& plate : field.level_ice())
-    dynamics.push_back(failure::make_edge_dynamics(plate.ice(), c.ice.density));
+  for (const ice::Plate& plate : field.level_ice()) {
+    const ice::Plate& first = field.level_ice().front();
+    if (dynamics.empty())
+      dynamics.push_back(failure::make_edge_dynamics(plate.ice(), c.ice.density));
+    else if (plate.ice().thickness == first.ice().thickness)
+      dynamics.push_back(failure::EdgeDynamics(dynamics.front()));
+    else
+      dynamics.push_back(dynamics.front().of_thickness(plate.ice().thickness));
+  }
   return dynamics;
+}
+
+/// Of the hull, from the origin of its frame [m].
+double reach_of(const structure::Hull& hull) {
+  double reach = 0.0;
+  for (const structure::ConvexPart& part : hull.parts())
+    for (const Vec3 v : part) reach = std::max(reach, norm(v));
+  return reach;
 }
 
 }  // namespace
@@ -43,11 +59,13 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       hull(structure::make_hull(c.structure.shape)),
       motion(structure::make_motion(c, *hull)),
       field(std::move(laid)),
+      hull_reach(reach_of(*hull)),
       edges(edge_dynamics(c, field)),
       pattern(ice::make_crack_pattern(c.failure)),
       workers(threads),
       world(world_settings(c)),
-      sheets(resolved),
+      borders(lay_borders(c, world)),
+      sheets(resolved, world, field.level_ice().front().hold() == ice::Hold::kDrifting),
       tiles(resolved),
       floes(resolved),
       water(resolved),
@@ -56,17 +74,24 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       region_loads(structure::regions_of(c.structure.shape, *hull)),
       watchdog(resolved, hull->bounds()) {
   world.share_work(workers);
-  lay_borders(c, world);
   for (const ice::Plate& plate : field.level_ice()) {
     add_judge(plate);
-    sheets.add(plate);
+    sheets.add(plate, {.velocity = drift_at_start(c)});
   }
 }
 
-void Simulation::Impl::add_judge(const ice::Plate& plate) { criteria.push_back(make_criterion(resolved, plate.ice())); }
+/// Level ice of the same kind has one judge.
+void Simulation::Impl::add_judge(const ice::Plate& plate) {
+  for (std::size_t i = 0; i < criteria.size(); ++i) {
+    const failure::IceProperties& other = field.level_ice()[i].ice();
+    if (other.thickness != plate.ice().thickness || other.flexural_strength != plate.ice().flexural_strength) continue;
+    criteria.push_back(std::shared_ptr(criteria[i]));
+    return;
+  }
+  criteria.push_back(make_criterion(resolved, plate.ice()));
+}
 
-Simulation::Impl::Impl(const model::Case& c, int threads)
-    : Impl(c, ice::Field(c.field, ice_properties(c), ice::Variation(c)), threads) {
+Simulation::Impl::Impl(const model::Case& c, int threads) : Impl(c, laid_field(c), threads) {
   lay_floes();
   if (c.field.kind == model::FieldKind::kLevelIce && c.field.initial_crack) initial_crack();
   begin_watch();
@@ -113,7 +138,7 @@ Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, 
   floe_load += floe_friction;
   energy.book_structure(crushing, floe_load, {-dt * now.twist.linear, -dt * now.twist.angular});
   energy.book_step(world, floes, first_newborn, dt);
-  drift_sheets();
+  take_back_sheets();
   energy.report(world, floes, row, sheets.kinetic_energy());
 
   const geometry::Ledger& ledger = field.ledger();
@@ -141,28 +166,6 @@ void Simulation::Impl::report_motion(model::LoadRow& row) const {
   row.spin = twist.angular;
 }
 
-/// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.
-void Simulation::Impl::lay_sheet_near(BodyId body) {
-  const Vec2 reach{water.reach(), water.reach()};
-  const auto [lower, upper] = world.bounds(body);
-  const Vec2 from = plan(lower) - reach, to = plan(upper) + reach;
-  for (const ice::Plate& plate : field.level_ice()) {
-    if (!sheets.any()) {
-      tiles.lay(plate, world, from, to);
-      continue;
-    }
-    const Pose frame = sheets.start_pose(plate.level_ice());
-    const Vec2 first = plan(to_body(frame, {from.x, from.y, 0.0}));
-    Vec2 least = first, most = first;
-    for (const Vec2 corner : {Vec2{to.x, from.y}, to, Vec2{from.x, to.y}}) {
-      const Vec2 here = plan(to_body(frame, {corner.x, corner.y, 0.0}));
-      least = {std::min(least.x, here.x), std::min(least.y, here.y)};
-      most = {std::max(most.x, here.x), std::max(most.y, here.y)};
-    }
-    tiles.lay(plate, world, least, most, frame);
-  }
-}
-
 void Simulation::Impl::load_by_water() {
   const StageTimer::Scope clock(timer, times.water);
   for (const BodyId body : world.moving()) lay_sheet_near(body);
@@ -171,7 +174,7 @@ void Simulation::Impl::load_by_water() {
 
 void Simulation::Impl::step_bodies(StepReport& report) {
   const StageTimer::Scope clock(timer, times.world);
-  move_sheets();
+  hand_over_sheets();
   world.step(resolved.time.step);
   sleep.notice_woken(world, floes);
   report.last_change = world.last_change();
@@ -240,7 +243,7 @@ void Simulation::Impl::watch(const StepReport& report) {
 //     Eqs. 15, 17 to 19. Sheets that drift split in their plane.
 //  2. Water loads the floes: weight, buoyancy, drag. Eqs. 13, 14
 //  3. The bodies step: contacts with bounded impulses. Eqs. 1 to 10, 16
-//  4. Loads on the structure, impulse / dt by cause, and the energies. Drifting sheets take their loads.
+//  4. Loads on the structure, impulse / dt by cause, and the energies. Drifting sheets take their velocities.
 //  5. The watchdog looks at floes and accounts.
 //  6. Slow floes fall asleep, pushed ones wake.
 //  7. Contact forces are averaged: stress and bending of the floes, and their loads on level ice in the next step.

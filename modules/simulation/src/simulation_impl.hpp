@@ -39,11 +39,13 @@ struct Simulation::Impl {
   std::unique_ptr<const structure::Hull> hull;
   std::unique_ptr<structure::Motion> motion;
   ice::Field field;
-  std::vector<std::unique_ptr<failure::BendingCriterion>> criteria;  ///< of each level ice
+  double hull_reach;  ///< from the origin of the structure to its farthest point [m]
+  std::vector<std::shared_ptr<const failure::BendingCriterion>> criteria;  ///< of each level ice
   MovingEdges edges;
   std::unique_ptr<ice::CrackPattern> pattern;
   Workers workers;
   rigid_body::World world;
+  std::vector<geometry::Extent> borders;  ///< around each wall and each part of a shore
   DriftingSheets sheets;
   SheetTiles tiles;
   FloePopulation floes;
@@ -102,11 +104,12 @@ struct Simulation::Impl {
   void let_float(ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births, StepReport& report);
   void add_judge(const ice::Plate& plate);
   void follow_outline(const ice::Plate& plate, const geometry::Extent& changed);
-  void move_sheets();
-  bool is_plate(const std::vector<geometry::Polygon>& outlines) const;
+  void lay_sheets_that_meet();
+  void hand_over_sheets();
+  void take_back_sheets();
+  bool is_near(const ice::Plate& plate, const structure::State& seen) const;
   void split_sheets(const std::vector<EdgeContact>& contacts, StepReport& report);
   void release_small_sheets(StepReport& report);
-  void drift_sheets();
   model::CrackEvent in_world(int level_ice, model::CrackEvent event) const;
   void expect_on_the_plane() const;
   void lay_sheet_near(BodyId body);

@@ -172,13 +172,31 @@ nlohmann::ordered_json json_of(const EnergyBalance& e) {
 }
 
 /// A field of floes at the start: all that were there before the first step.
-InitialFloes floes_at_start(const model::Case& resolved, std::span<const model::FloeRecord> floes) {
-  std::vector<double> sizes;
+/// Areas of the sheets at the start, whose outlines come each with its holes [m2].
+std::vector<double> areas_of(std::span<const std::vector<Vec2>> rings) {
+  std::vector<double> areas;
+  for (const std::vector<Vec2>& ring : rings) {
+    double area = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      area += 0.5 * cross(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
+    if (area > 0.0)
+      areas.push_back(area);
+    else if (!areas.empty())
+      areas.back() += area;
+  }
+  return areas;
+}
+
+/// The small floes, and the large ones, which are sheets.
+InitialFloes floes_at_start(const model::Case& resolved, const model::RunResults& results) {
+  std::vector<double> areas, sizes;
+  for (const model::FloeRecord& floe : results.floes)
+    if (!(floe.birth > 0.0)) areas.push_back(floe.area);
+  std::ranges::copy(areas_of(results.initial_sheet), std::back_inserter(areas));
   double area = 0.0;
-  for (const model::FloeRecord& floe : floes) {
-    if (floe.birth > 0.0) continue;
-    area += floe.area;
-    sizes.push_back(std::sqrt(floe.area));
+  for (const double one : areas) {
+    area += one;
+    sizes.push_back(std::sqrt(one));
   }
   InitialFloes at_start{.n = static_cast<int>(sizes.size()),
                         .concentration = area / (resolved.field.length * resolved.field.width),
@@ -225,7 +243,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
     s.n_floes_present += floe.end == model::FloeEnd::kAlive ? 1 : 0;
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
-  if (resolved.field.kind == model::FieldKind::kFloes) s.initial_floes = floes_at_start(resolved, results.floes);
+  if (resolved.field.kind == model::FieldKind::kFloes) s.initial_floes = floes_at_start(resolved, results);
   s.mean_last_change =
       results.loads.empty() ? kUnknown : s.sum_of_last_changes / static_cast<double>(results.loads.size());
   s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);

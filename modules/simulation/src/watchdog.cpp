@@ -136,7 +136,8 @@ double Watchdog::allowance_of_all(const FloePopulation& floes) const {
 /// Sum of the contacts' normal impulses of the last step [N s].
 double Watchdog::impulses(const rigid_body::World& world) const {
   double sum = 0.0;
-  for (const rigid_body::ContactLoad& contact : world.contacts()) sum += contact.normal_force;
+  for (const auto* contacts : {&world.contacts(), &world.contacts_of_sheets()})
+    for (const rigid_body::ContactLoad& contact : *contacts) sum += contact.normal_force;
   return sum * case_->time.step;
 }
 

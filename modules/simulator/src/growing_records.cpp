@@ -31,8 +31,7 @@ std::vector<std::vector<Vec2>> rings_of(const std::vector<geometry::Polygon>& sh
 GrowingRecords::GrowingRecords(const model::Case& resolved)
     : frame_interval_(1.0 /
                       (resolved.output.frames_per_second > 0.0 ? resolved.output.frames_per_second : kFramesPerSecond)),
-      duration_(resolved.time.duration),
-      sheets_drift_(resolved.field.border == model::Border::kFree) {}
+      duration_(resolved.time.duration) {}
 
 void GrowingRecords::begin_with(const model::RunResults& results) {
   begun_ = true;
@@ -58,7 +57,8 @@ bool GrowingRecords::take(const simulation::Simulation& simulation, const simula
     ended_.push_back({death.floe, simulation.time(), death.cause});
   // Half a nanosecond absorbs the rounding of step times.
   const bool has_frame = simulation.time() + 5e-10 >= next_frame_ || simulation.time() + 5e-10 >= duration_;
-  if (!report.events.empty() || !report.splits.empty() || (sheets_drift_ && has_frame))
+  const bool sheets_move = has_frame && !simulation.sheet_motions().empty();
+  if (!report.events.empty() || !report.splits.empty() || sheets_move)
     part_.cracked_sheets.push_back({simulation.time(), rings_of(simulation.sheet())});
   if (!has_frame) return false;
   add_frame(simulation);

@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(faults_of_files_are_refused_with_the_remedy) {
   refuses("areas of open water go to field.openings");
 }
 
-BOOST_AUTO_TEST_CASE(one_sheet_drifts_and_small_parts_are_floes_beside_it) {
+BOOST_AUTO_TEST_CASE(large_parts_are_sheets_that_drift_and_small_ones_floes_beside_them) {
   field.border = model::Border::kFree;
   crack("LINESTRING(26 -11, 26 11)");
   // The part is 4 m broad, and five characteristic lengths are more.
@@ -176,7 +176,8 @@ BOOST_AUTO_TEST_CASE(one_sheet_drifts_and_small_parts_are_floes_beside_it) {
   BOOST_TEST(ice.sheets.size() == 1u);
   BOOST_TEST(ice.floes.size() == 1u);
   field.smallest_plate = 0.1;
-  refuses("sheets that would drift against each other");
+  BOOST_TEST(lay().sheets.size() == 2u);
+  BOOST_TEST(lay().floes.empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_field_has_a_plate_for_each_sheet_and_hands_the_floes_over) {

@@ -23,7 +23,7 @@ struct Broken {
 class Field {
  public:
   /// Level ice as the case lays it, all of `ice`: a rectangle, x from 0 to `length`, |y| <= width/2 [m], or the ice of
-  /// files, in one sheet or several. The level ice of a field of floes is empty.
+  /// files, in one sheet or several. A field of floes has none before lay_floes().
   /// @param variation  of its thickness and strength. A piece that breaks off has the means over itself, and is even.
   /// @throws InputError naming file and place, where a file of the ice is at fault.
   Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation = {});
@@ -32,7 +32,12 @@ class Field {
         const model::Checkpoint& checkpoint);
   void save(model::Checkpoint& checkpoint) const;
 
-  /// Takes the floes of the files of the level ice, and the parts of it that nothing holds. They are not booked yet.
+  /// Lays a field of floes: `plates` are level ice that drifts, each in the place of its number, and `floes` lie
+  /// beside it. There is no ice yet.
+  void lay_floes(std::vector<Plate> plates, std::vector<Plate> floes);
+
+  /// Takes the floes beside the level ice: of its files, parts of it that nothing holds, or of a field of floes. They
+  /// are not booked yet.
   std::vector<Plate> take_loose() { return std::exchange(loose_, {}); }
 
   /// The level ice, each in the place of its number.

@@ -165,6 +165,7 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
   visit("field", "concentration", floes.concentration);
   visit("field", "shape", floes.shape);
   visit("field", "border", floes.border);
+  visit("field", "smallest_plate", field.smallest_plate);
   visit("field", "shore", floes.shore);
   auto& size = floes.size;
   visit("field.size", "kind", size.kind);

@@ -111,6 +111,17 @@ struct ContactLoad {
   double loss = 0.0;
 };
 
+/// A sheet that drifts, as the next step finds it: a body of the plane, which moves in x, y and yaw.
+struct SheetInPlane {
+  double mass = 0.0;     ///< [kg]; 0: there is no ice left, and nothing moves it
+  double inertia = 0.0;  ///< about the vertical axis through its centre [kg m2]
+  Vec2 centre{};         ///< its centre of mass where its parts are now [m], world
+  Vec2 velocity{};       ///< of the centre [m/s]
+  double spin = 0.0;     ///< [rad/s]
+  Vec2 force{};          ///< of all but contacts [N]
+  double moment = 0.0;   ///< likewise, about the centre [N m]
+};
+
 /// Power of the normal force on both bodies together [W]; negative: kinetic energy lost to crushing and impact.
 constexpr double normal_power(const ContactLoad& c) {
   return c.normal_force * dot(c.normal, c.body_velocity - c.other_velocity);
@@ -193,7 +204,17 @@ class World {
   BodyId add_floe(const Prism& prism, const MassProperties& mass, const Pose& pose, const Twist& twist = {});
   /// A convex prism of the sheet, plan ring in the sheet's frame [m], between two heights [m]. It is fixed, or moves as
   /// move_sheet_part() says.
-  BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& sheet = {});
+  /// @param frame  pose of the sheet's frame.
+  /// @param sheet  which add_drifting_sheet() gave: contacts of the part act on it. Without it the part is fast.
+  BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& frame = {},
+                        BodyId sheet = kNoBody);
+  /// A sheet that drifts. It has no shape but its parts, and no mass until set_sheet(). Its parts meet floes, the parts
+  /// of other sheets and fixed parts, each with the law of ice on ice; normals between parts lie in the plane.
+  /// Engine::kBrash only.
+  BodyId add_drifting_sheet();
+  /// Sets the state that the next step begins with. The step changes its velocity, twist() then; its parts go where
+  /// they are told.
+  void set_sheet(BodyId sheet, const SheetInPlane& state);
   /// A structure of convex hulls, vertices in the structure's frame [m]; vertices form one face
   /// where they are coplanar to 1e-9 of the hull's size.
   ///
@@ -202,7 +223,7 @@ class World {
   /// meet each other.
   BodyId add_structure(std::span<const std::vector<Vec3>> hulls, const Pose& pose,
                        const std::optional<MassProperties>& mass = std::nullopt, const Twist& twist = {});
-  /// Its links go with it.
+  /// Its links go with it. The parts of a drifting sheet go before it.
   void remove(BodyId id);
 
   /// Ties points of two bodies together: a joint that turns freely, or a spring with a damper. At least one of them is
@@ -243,6 +264,9 @@ class World {
   /// The loads of the contact points in the last step, sorted by (body, other, point); parts of the sheet are one and
   /// come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
+  /// Likewise between parts of sheets that drift, and of one with a fixed part: `body` and `other` are the parts, and
+  /// `body` is of a sheet that drifts. In the order of the step.
+  const std::vector<ContactLoad>& contacts_of_sheets() const;
   /// By how much the last iteration of the last step changed the relative velocity of a contact point at most [m/s];
   /// how far the contacts are from solved is more than that. Bullet does not tell it: 0.
   double last_change() const;

@@ -35,7 +35,6 @@ class GrowingRecords {
 
   double frame_interval_;  ///< [s]
   double duration_;        ///< [s]
-  bool sheets_drift_;      ///< so they are shown with each frame
   double next_frame_ = 0.0;
   bool begun_ = false;
   model::RunResults part_;
