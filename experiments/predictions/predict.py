@@ -105,9 +105,9 @@ def verdict(options):
         measured = tables.measured_rows(prediction, options)
         text = tables.verdict(prediction, rows, measured, lambda other: rows_of(options, prediction_of(other)))
         folder = prediction.folder
-    print(text)
     if options.record:
         (folder / f"verdict-{options.preset}.md").write_text(text, encoding="utf-8")
+    print(text)
     return 0
 
 
@@ -115,9 +115,9 @@ def indices(options):
     prediction = prediction_of(options.folder)
     rows = rows_of(options, prediction)
     text = tables.indices(prediction, rows, options.of, options.degree)
-    print(text)
     if options.record:
         (prediction.folder / f"indices-{options.preset}-{options.of}.md").write_text(text, encoding="utf-8")
+    print(text)
     return 0
 
 
