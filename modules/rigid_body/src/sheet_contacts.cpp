@@ -34,8 +34,11 @@ void SheetContacts::list_met(std::span<const BodyPair> pairs) {
 std::span<const Part* const> SheetContacts::beside(const Body& body, const Body& met_by,
                                                    std::vector<const Part*>& parts) const {
   parts.clear();
-  for (const auto& [rank, part] : std::ranges::equal_range(met_, met_by.rank, {}, &std::pair<int, const Part*>::first))
+  auto met = std::ranges::lower_bound(met_, met_by.rank, {}, &std::pair<int, const Part*>::first);
+  for (; met != met_.end() && met->first == met_by.rank; ++met) {
+    const Part* part = met->second;
     if (part->body != &body && part->body->sheet == body.sheet) parts.push_back(part);
+  }
   return parts;
 }
 
