@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Influence of one input (Sec. 3.2 of the paper): a folder here with its plan, numbers and pictures.
 
-one_input.py cone_angle          Figs. 10 and 11: the campaign, its table and pictures in results/cone_angle
+one_input.py cone_angle          Figs. 10 and 11: the campaign, its table and pictures in results/cone_angle-paper
 one_input.py velocity            Figs. 12 and 14
 one_input.py waterline_width     Fig. 16
 one_input.py thickness           Figs. 18 and 19
+one_input.py NAME --preset brash --replicates 3    the same with the default, three replicates a setting
 one_input.py NAME --record       also rewrites the recorded numbers and pictures of NAME
 one_input.py NAME --quick        the short variant of the tests: two settings, compared with quick.csv
 """

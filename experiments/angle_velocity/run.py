@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Influence of the speed at each cone angle (the paper's Fig. 15).
 
-run.py                  the campaign, its table and pictures in results/angle_velocity
+run.py                  the campaign, its table and pictures in results/angle_velocity-paper; --preset brash: the default
 run.py --record         also rewrites the recorded numbers and pictures here
 run.py --quick          the short variant of the tests: two angles at two speeds, compared with quick.csv
 

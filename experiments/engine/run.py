@@ -3,7 +3,7 @@
 """The validation case with stock Bullet, beside the program's own contacts and solver and the paper's mean.
 
 run.py                10 replicates with each engine at each time step; a table in kN
-run.py --preset brash --replicates 4    the same with the default preset
+run.py --preset brash --replicates 2    the same with the default preset
 run.py --table        the table again, from the recorded numbers
 run.py --record       also rewrites recorded.csv here, or brash/recorded.csv
 run.py --quick        four short cases, compared with quick.csv
