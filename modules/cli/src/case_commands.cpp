@@ -88,7 +88,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
   print_hull(resolved);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) print_mesh(*mesh);
-  if (!picture.empty()) write_file(picture, report::case_picture(resolved, {field.sheets, field.floes}));
+  if (!picture.empty()) write_file(picture, report::case_picture(resolved, {field.sheets, field.floes, field.land}));
   print_warnings(scales.warnings);
 }
 

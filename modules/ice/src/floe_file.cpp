@@ -26,16 +26,33 @@ constexpr const char* kAllowed = "POLYGON or MULTIPOLYGON in WKT, or a GeoJSON F
   throw InputError(Complaint{where, what, allowed, remedy});
 }
 
+/// The coordinates as the case file writes them: the fewest decimals that read to the same numbers.
+geometry::Origin exactly(Vec2 origin) {
+  const auto decimal = [](double metres) { return *geometry::Decimal::parse(fmt::format("{}", metres)); };
+  return {decimal(origin.x), decimal(origin.y)};
+}
+
+/// What helps where a text cannot be read: the key field.origin, if its polygons would be read somewhere else.
+std::string remedy_of(const std::string& text) {
+  const auto map = geometry::read_map(text);
+  if (!map || map->origin == geometry::Origin{} || map->features.empty()) return "correct the file";
+  geometry::Extent box;
+  for (const geometry::Feature& feature : map->features) box.add(geometry::extent(feature.polygon));
+  const double x = map->origin.x.nearest_double() + std::floor(box.lower.x);
+  const double y = map->origin.y.nearest_double() + std::round(0.5 * (box.lower.y + box.upper.y));
+  return fmt::format("write field.origin = [{:.0f}, {:.0f}]: the data then begin at x = 0 and lie around y = 0", x, y);
+}
+
 /// The polygons of a text, in its order; WKT knows no kinds, and no floes.
-std::vector<geometry::Feature> features_of(const std::string& text, const std::string& path) {
+std::vector<geometry::Feature> features_of(const std::string& text, const std::string& path, Vec2 origin) {
   std::vector<geometry::Feature> features;
   if (geometry::is_json(text)) {
-    auto read = geometry::from_geojson(text);
-    if (!read) refuse(path, read.error().what, kAllowed, "correct the file");
+    auto read = geometry::from_geojson(text, exactly(origin));
+    if (!read) refuse(path, read.error().what, kAllowed, remedy_of(text));
     features = std::move(*read);
   } else {
-    auto read = geometry::from_wkt(text);
-    if (!read) refuse(path, read.error().what, kAllowed, "correct the file");
+    auto read = geometry::from_wkt(text, exactly(origin));
+    if (!read) refuse(path, read.error().what, kAllowed, remedy_of(text));
     for (geometry::Polygon& polygon : *read) features.push_back({std::move(polygon), "sheet"});
   }
   if (features.empty()) refuse(path, "holds no polygon", kAllowed, "name another file");
@@ -43,9 +60,9 @@ std::vector<geometry::Feature> features_of(const std::string& text, const std::s
 }
 
 /// The polygons of a text, in its order.
-std::vector<geometry::Polygon> polygons_of(const std::string& text, const std::string& path) {
+std::vector<geometry::Polygon> polygons_of(const std::string& text, const std::string& path, Vec2 origin) {
   std::vector<geometry::Polygon> polygons;
-  for (geometry::Feature& feature : features_of(text, path)) polygons.push_back(std::move(feature.polygon));
+  for (geometry::Feature& feature : features_of(text, path, origin)) polygons.push_back(std::move(feature.polygon));
   return polygons;
 }
 
@@ -107,21 +124,21 @@ void expect_in_field(const std::vector<GivenFloe>& floes, const model::FieldSect
                        upper.x, upper.y),
            fmt::format("x from 0 to field.length = {} m, y within +-field.width/2 = {} m", field.length,
                        0.5 * field.width),
-           "move the floes, or enlarge the field");
+           "write field.origin for the coordinates of a map, move the ice, or enlarge the field");
   }
 }
 
 }  // namespace
 
-std::vector<geometry::Polygon> read_outlines(const std::string& path) {
-  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of outlines"), path);
+std::vector<geometry::Polygon> read_outlines(const std::string& path, Vec2 origin) {
+  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of outlines"), path, origin);
   expect_no_overlap(polygons, path);
   return polygons;
 }
 
 std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field) {
   const std::string text = read_text_file(path, "file of floes");
-  std::vector<geometry::Polygon> polygons = polygons_of(text, path);
+  std::vector<geometry::Polygon> polygons = polygons_of(text, path, field.origin);
   expect_no_overlap(polygons, path);
   std::vector<GivenFloe> floes;
   for (geometry::Polygon& polygon : polygons) floes.push_back({std::move(polygon), {}, {}});
@@ -132,7 +149,7 @@ std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSec
 
 GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field) {
   const std::string text = read_text_file(path, "file of level ice");
-  const std::vector<geometry::Feature> features = features_of(text, path);
+  const std::vector<geometry::Feature> features = features_of(text, path, field.origin);
   std::vector<geometry::Polygon> polygons;
   std::vector<GivenFloe> all;
   for (const geometry::Feature& feature : features) {
@@ -160,8 +177,8 @@ GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection&
   return ice;
 }
 
-std::vector<geometry::Polygon> read_openings(const std::string& path) {
-  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of openings"), path);
+std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origin) {
+  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of openings"), path, origin);
   for (std::size_t i = 0; i < polygons.size(); ++i)
     if (const auto alone = geometry::IceSheet::from_polygons(std::span(&polygons[i], 1)); !alone)
       refuse(fmt::format("{}, polygon {} (counted from 0)", path, i), alone.error().what, "simple outlines",
@@ -169,12 +186,13 @@ std::vector<geometry::Polygon> read_openings(const std::string& path) {
   return polygons;
 }
 
-std::vector<geometry::Crack> read_cracks(const std::string& path) {
+std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin) {
   const std::string text = read_text_file(path, "file of cracks");
-  auto cracks = geometry::is_json(text) ? geometry::cracks_from_geojson(text) : geometry::cracks_from_wkt(text);
+  auto cracks = geometry::is_json(text) ? geometry::cracks_from_geojson(text, exactly(origin))
+                                        : geometry::cracks_from_wkt(text, exactly(origin));
   if (!cracks)
     refuse(path, cracks.error().what, "LINESTRING or MULTILINESTRING in WKT, or their like in GeoJSON, in metres",
-           "correct the line; areas of open water go to field.openings");
+           "correct the line; areas of open water go to field.openings; the coordinates of a map need field.origin");
   if (cracks->empty()) refuse(path, "holds no line", "one line or more", "name another file, or remove field.cracks");
   return *std::move(cracks);
 }

@@ -118,22 +118,33 @@ double breadth(const Polygon& part) {
 
 /// The name of the file that a complaint about the laid ice goes to.
 std::string files_of(const model::FieldSection& field) {
-  for (const std::string* file : {&field.cracks, &field.openings, &field.file})
+  for (const std::string* file : {&field.cracks, &field.openings, &field.shore, &field.file})
     if (!file->empty()) return *file;
   return "field";
 }
 
-void sort_held(std::vector<Polygon> parts, const model::FieldSection& field, LaidIce& laid) {
+/// Whether land lies along a part: a corner of one of them lies on an edge of the other.
+bool touches(const Polygon& part, const Polygon& land) {
+  const auto has_corner_on = [](const Polygon& one, const Polygon& other) {
+    bool has = false;
+    visit_edges(one, [&](Vec2 corner, Vec2) { has = has || distance_to_edges(other, corner) < kOnEdge; });
+    return has;
+  };
+  return has_corner_on(part, land) || has_corner_on(land, part);
+}
+
+void sort_held(std::vector<Polygon> parts, std::span<const Polygon> land, const model::FieldSection& field,
+               LaidIce& laid) {
   for (Polygon& part : parts) {
-    if (is_held(part, field))
+    if (is_held(part, field) || std::ranges::any_of(land, [&](const Polygon& one) { return touches(part, one); }))
       laid.sheets.push_back(std::move(part));
     else
       laid.floes.push_back({std::move(part), {}, {}});
   }
   if (!laid.sheets.empty()) return;
   throw InputError(Complaint{files_of(field), "leaves no ice that the borders hold",
-                             fmt::format("level ice with an edge along y = +-field.width/2 = {} m or x = field.length "
-                                         "= {} m, where land holds it",
+                             fmt::format("level ice with an edge along y = +-field.width/2 = {} m, x = field.length "
+                                         "= {} m or the shore, where land holds it",
                                          0.5 * field.width, field.length),
                              "let the ice reach a border, or write field.border = \"free\""});
 }
@@ -151,6 +162,20 @@ void sort_drifting(std::vector<Polygon> parts, const model::FieldSection& field,
       laid.sheets.push_back(std::move(parts[i]));
     else
       laid.floes.push_back({std::move(parts[i]), {}, {}});
+  }
+}
+
+/// No floe of a file lies on land.
+void expect_afloat(std::span<const GivenFloe> floes, std::span<const Polygon> land, const std::string& file) {
+  for (const GivenFloe& floe : floes) {
+    const IceSheet ice = sheet_of(std::span(&floe.outline, 1));
+    for (const Polygon& outline : land)
+      for (const Ring& part : geometry::convex_parts(outline))
+        if (const std::vector<Polygon> on_land = ice.within(part); !on_land.empty()) {
+          const Vec2 at = geometry::centroid(on_land.front());
+          throw InputError(Complaint{file, fmt::format("has a floe on land, at ({:.6g}, {:.6g}) m", at.x, at.y),
+                                     "floes beside the land of field.shore", "move or cut the floe, or the shore"});
+        }
   }
 }
 
@@ -217,15 +242,21 @@ LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& 
   GivenLevelIce given = given_ice(field);
   if (!model::has_ice_files(field)) return {std::move(given.sheets), {}};
   std::vector<Polygon> parts = std::move(given.sheets);
-  if (!field.openings.empty()) parts = with_openings(parts, read_openings(field.openings));
+  std::vector<Polygon> land;
+  if (!field.shore.empty()) {
+    land = read_outlines(field.shore, field.origin);
+    parts = with_openings(parts, land);
+    expect_afloat(given.floes, land, field.file);
+  }
+  if (!field.openings.empty()) parts = with_openings(parts, read_openings(field.openings, field.origin));
   if (!field.cracks.empty()) {
-    Parted parted = parted_by(read_cracks(field.cracks), parts);
+    Parted parted = parted_by(read_cracks(field.cracks, field.origin), parts);
     expect_no_tails(parted.tails, field.cracks);
     parts = std::move(parted.parts);
   }
   LaidIce laid;
   if (field.border == model::Border::kFixed)
-    sort_held(std::move(parts), field, laid);
+    sort_held(std::move(parts), land, field, laid);
   else
     sort_drifting(std::move(parts), field, ice, laid);
   std::ranges::move(given.floes, std::back_inserter(laid.floes));

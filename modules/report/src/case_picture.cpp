@@ -40,6 +40,16 @@ class Panel {
     }
     svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, style);
   }
+  /// The same, as far as it lies in the panel.
+  void rings_within(const std::vector<Outline>& outlines, const char* style) {
+    const Vec2 corner = on_page({lower_.x, upper_.y}), size = scale_ * (upper_ - lower_);
+    svg_ += fmt::format(
+        "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
+        "viewBox=\"{0:.1f} {1:.1f} {2:.1f} {3:.1f}\">\n",
+        corner.x, corner.y, size.x, size.y);
+    rings(outlines, style);
+    svg_ += "</svg>\n";
+  }
   void box(Vec2 lower, Vec2 upper, const char* style) {
     rings({{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}}, style);
   }
@@ -112,6 +122,7 @@ Panel field(const model::Case& c, const structure::Hull& hull, const PicturedIce
   const Vec2 upper{std::max(c.field.length, start + way + most.x) + 2.0, std::max(half, most.y) + 2.0};
   Panel panel(top, lower, upper, "The field; the structure at the start, and without resistance at the end");
   panel.box(lower, upper, "water");
+  for (const std::vector<Outline>& land : ice.land) panel.rings_within(land, "land");
   for (const std::vector<Outline>& sheet : ice.sheets) panel.rings(sheet, "ice sheet");
   for (const std::vector<Outline>& floe : ice.floes) panel.rings(floe, "ice floe");
   panel.rings(hull.footprint({{start, 0.0, 0.0}, {}}, 0.0, 0.0).leading, "hull");
@@ -125,7 +136,8 @@ constexpr const char* kStyle =
     "<style>text{font:13px sans-serif;fill:#222}.title{font-weight:600}.scale{text-anchor:end}"
     ".hull{fill:#d98032;fill-opacity:.35;stroke:#7a3f0c;stroke-width:1.6}.thin{fill:none;stroke:#7a3f0c;stroke-width:."
     "6}"
-    ".ice{fill:#dbe9f0;stroke:#5b7c8d}.sheet{fill-rule:evenodd}.floe{stroke-width:.4;fill-rule:evenodd}.water{fill:#"
+    ".ice{fill:#dbe9f0;stroke:#5b7c8d}.sheet{fill-rule:evenodd}.floe{stroke-width:.4;fill-rule:evenodd}.land{fill:#"
+    "8a7f6a;fill-rule:evenodd}.water{fill:#"
     "2c5f7c}.surface{stroke:#"
     "1d6fa5;stroke-width:1.2}"
     ".way{stroke:#7a3f0c;stroke-dasharray:6 4}.end{fill:none;stroke:#7a3f0c;stroke-dasharray:4 3}"

@@ -20,7 +20,6 @@ std::vector<Vec2> box(Vec2 lower, Vec2 upper) { return {lower, {upper.x, lower.y
 
 std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_body::World& world) {
   std::vector<geometry::Extent> boxes;
-  if (resolved.field.kind != model::FieldKind::kFloes) return boxes;
   const auto lay = [&](const std::vector<Vec2>& ring, double height) {
     world.add_sheet_part(ring, -height, height);
     boxes.emplace_back();
@@ -28,15 +27,15 @@ std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_bod
   };
   const double length = resolved.field.length, half = 0.5 * resolved.field.width;
   const double height = kHeight * resolved.ice.thickness;
-  const model::FloeFieldSection& floes = resolved.field.floes;
-  if (floes.border == model::FloeBorder::kWalls) {
+  const bool has_floes = resolved.field.kind == model::FieldKind::kFloes;
+  if (has_floes && resolved.field.floes.border == model::FloeBorder::kWalls) {
     for (const auto& wall :
          {box({0.0, -half - kThick}, {length + kThick, -half}), box({0.0, half}, {length + kThick, half + kThick}),
           box({length, -half}, {length + kThick, half})})
       lay(wall, height);
   }
-  if (floes.shore.empty()) return boxes;
-  for (const geometry::Polygon& land : ice::read_outlines(floes.shore))
+  if (resolved.field.shore.empty()) return boxes;
+  for (const geometry::Polygon& land : ice::read_outlines(resolved.field.shore, resolved.field.origin))
     for (const geometry::Ring& part : geometry::convex_parts(land)) lay(to_metres(part), height);
   return boxes;
 }

@@ -9,8 +9,8 @@
 
 namespace brash::simulation {
 
-/// Lays the fixed walls and the shore of a field of floes into `world`: ice to the floes that meet them, and nothing to
-/// the structure.
+/// Lays the walls of a field of floes and the shore of any field into `world`: ice to the floes and sheets that meet
+/// them, and nothing to the structure.
 /// @return the box around each.
 /// @throws InputError when the file of the shore cannot be read.
 std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_body::World& world);

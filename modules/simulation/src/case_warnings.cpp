@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "brash/geometry/ice_sheet.hpp"
+#include "brash/ice/floe_file.hpp"
 #include "brash/ice/variation.hpp"
 #include "brash/simulation/run.hpp"
 #include "brash/simulation/warnings.hpp"
@@ -230,11 +232,35 @@ void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
                       "locks to the crushing, are not modelled"});
 }
 
+/// Land is solid to ice alone.
+void add_land_warning(const model::Case& c, Warnings& warnings) {
+  if (c.field.shore.empty()) return;
+  constexpr int kSamples = 400;
+  const auto land = geometry::IceSheet::from_polygons(ice::read_outlines(c.field.shore, c.field.origin));
+  const auto hull = structure::make_hull(c.structure.shape);
+  const Freeboard heights = freeboard(c);
+  for (int i = 0; i <= kSamples; ++i) {
+    const double time = c.time.duration * i / kSamples;
+    const Pose pose = structure::unresisted(c.structure, time);
+    for (const structure::Outline& section : hull->footprint(pose, heights.bottom, heights.top).leading) {
+      const std::vector<geometry::Polygon> under = land->within(geometry::ring(section));
+      if (under.empty()) continue;
+      const Vec2 at = geometry::centroid(under.front());
+      warnings.push_back({"over-land", fmt::format("the structure passes over the land of field.shore at ({:.4g}, "
+                                                   "{:.4g}) m, from {:.3g} s on: land is solid to ice alone; move "
+                                                   "the land or the structure's course",
+                                                   at.x, at.y, time)});
+      return;
+    }
+  }
+}
+
 Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
   Warnings warnings;
   add_ice_warnings(c, warnings);
   add_variation_warnings(c, scales, warnings);
   add_field_warnings(c, scales, warnings);
+  add_land_warning(c, warnings);
   add_time_warnings(c, scales, warnings);
   add_front_warning(scales, warnings);
   add_model_warnings(c, scales, criterion, warnings);

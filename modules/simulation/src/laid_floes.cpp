@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "brash/core/error.hpp"
@@ -57,6 +59,15 @@ void expect_clear_start(const model::Case& resolved, const structure::Hull& hull
   }
 }
 
+/// The land of the shore, in convex parts.
+std::vector<Ring> land_of(const model::Case& resolved) {
+  std::vector<Ring> land;
+  if (resolved.field.shore.empty()) return land;
+  for (const Polygon& outline : ice::read_outlines(resolved.field.shore, resolved.field.origin))
+    for (Ring& part : geometry::convex_parts(outline)) land.push_back(std::move(part));
+  return land;
+}
+
 std::vector<ice::GivenFloe> floes_of_file(const model::Case& resolved, const std::vector<Ring>& structure) {
   const std::string& file = resolved.field.file;
   std::vector<ice::GivenFloe> floes = ice::read_floes(file, resolved.field);
@@ -66,6 +77,8 @@ std::vector<ice::GivenFloe> floes_of_file(const model::Case& resolved, const std
   for (const Ring& ring : structure)
     expect_clear(*all, ring, file, "the structure starts inside a floe",
                  "change structure.start_distance, or remove the floe");
+  for (const Ring& land : land_of(resolved))
+    expect_clear(*all, land, file, "a floe lies on the land of field.shore", "move or cut the floe, or the shore");
   return floes;
 }
 
@@ -82,19 +95,10 @@ std::vector<ice::GivenFloe> packed_floes(const model::Case& resolved, const std:
   return floes;
 }
 
-/// The land of the shore, which generated floes keep clear of and given ones may not meet.
-std::vector<Ring> land_of(const model::Case& resolved) {
-  std::vector<Ring> land;
-  if (resolved.field.floes.shore.empty()) return land;
-  for (const Polygon& outline : ice::read_outlines(resolved.field.floes.shore))
-    for (Ring& part : geometry::convex_parts(outline)) land.push_back(std::move(part));
-  return land;
-}
-
 void lay_floes_of(const model::Case& resolved, ice::Field& field) {
   std::vector<Ring> keep_out = structure_at_start(resolved, *structure::make_hull(resolved.structure.shape));
   const bool from_file = !resolved.field.file.empty();
-  for (Ring& part : land_of(resolved)) keep_out.push_back(std::move(part));
+  if (!from_file) std::ranges::move(land_of(resolved), std::back_inserter(keep_out));
   std::vector<ice::Plate> plates, floes;
   const failure::IceProperties ice = ice_properties(resolved);
   const bool may_drift = resolved.contact.engine == model::ContactEngine::kBrash;
@@ -138,6 +142,9 @@ std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structur
 
 InitialField initial_field(const model::Case& resolved) {
   InitialField start;
+  if (!resolved.field.shore.empty())
+    for (const Polygon& land : ice::read_outlines(resolved.field.shore, resolved.field.origin))
+      start.land.push_back(rings_in_metres(land));
   const auto hull = structure::make_hull(resolved.structure.shape);
   ice::Field field = laid_field(resolved);
   const std::vector<ice::Plate> floes = floes_beside(resolved, *hull, field);

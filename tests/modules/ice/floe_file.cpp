@@ -67,6 +67,22 @@ BOOST_AUTO_TEST_CASE(geojson_gives_each_floe_its_ice) {
   BOOST_TEST(floes[2].flexural_strength.value() == 4e5);
 }
 
+BOOST_AUTO_TEST_CASE(an_origin_is_taken_from_the_coordinates_of_a_map_exactly) {
+  const auto local = read("POLYGON((0.25 -3.1, 4.2 -3, 4 4, 0.25 -3.1))");
+  field.origin = {499999.75, 9000003.0};
+  // A double no longer holds 2^-30 m there; the text does.
+  const auto of_map = read("POLYGON((500000.0 8999999.9, 500003.95 9000000, 500003.75 9000007, 500000.0 8999999.9))");
+  BOOST_TEST((of_map.front().outline == local.front().outline));
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_of_a_map_are_refused_with_the_origin_to_write) {
+  refuses("POLYGON((500000.5 8999999.9, 500003.95 9000000, 500003.75 9000007, 500000.5 8999999.9))",
+          "write field.origin = [500000, 9000003]");
+  field.origin = {500000.0, 9000003.0};
+  BOOST_TEST(read("POLYGON((500000.5 8999999.9, 500003.95 9000000, 500003.75 9000007, 500000.5 8999999.9))").size() ==
+             1u);
+}
+
 BOOST_AUTO_TEST_CASE(faults_are_refused_with_their_place) {
   refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 0, 8 0, 8 4, 2 4, 2 0))", "overlaps at (2, 0)");
   refuses("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0)) POLYGON((2 1, 8 1, 8 3, 2 3, 2 1))",

@@ -102,6 +102,42 @@ BOOST_AUTO_TEST_CASE(cracks_part_the_ice_and_keep_its_area) {
   BOOST_TEST((area_of(ice) == square_metres(30.0, 20.0) - square_metres(10.0, 8.0)));
 }
 
+BOOST_AUTO_TEST_CASE(land_is_cut_from_the_ice_and_holds_what_touches_it) {
+  // An island in the middle, and a crack that parts a square of ice around it from the rest.
+  field.shore = write("shore", "POLYGON((12 -2, 16 -2, 16 2, 12 2, 12 -2))");
+  crack("LINESTRING(8 -6, 20 -6, 20 6, 8 6, 8 -6)");
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 2u);
+  BOOST_TEST(ice.floes.empty());
+  BOOST_TEST((area_of(ice) == square_metres(1.0, 584.0)));
+  field.shore.clear();
+  BOOST_TEST(lay().sheets.size() == 1u);  // without land the square is a floe
+  BOOST_TEST(lay().floes.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_on_land_is_refused_with_its_place) {
+  field.shore = write("shore", "POLYGON((12 -2, 16 -2, 16 2, 12 2, 12 -2))");
+  give(R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":
+      [[[20,-10],[30,-10],[30,10],[20,10],[20,-10]]]}},
+    {"type":"Feature","properties":{"kind":"floe"},"geometry":{"type":"Polygon","coordinates":
+      [[[10,-1],[14,-1],[14,1],[10,1],[10,-1]]]}}]})");
+  refuses("has a floe on land, at (13, 0) m");
+}
+
+BOOST_AUTO_TEST_CASE(all_files_of_the_ice_share_the_origin) {
+  field.origin = {500000.0, 7000000.0};
+  open("POLYGON((499999 6999997, 500031 6999997, 500031 7000003, 499999 7000003, 499999 6999997))");
+  crack("LINESTRING(500010 6999980, 500010 7000020)");
+  const LaidIce there = lay();
+  field.origin = {};
+  open(kChannel);
+  crack("LINESTRING(10 -20, 10 20)");
+  const LaidIce here = lay();
+  BOOST_TEST((there.sheets == here.sheets));
+  BOOST_TEST(here.sheets.size() == 4u);
+}
+
 BOOST_AUTO_TEST_CASE(a_part_without_a_border_is_a_floe) {
   crack("LINESTRING(-1 -2, 5 -2, 5 2, -1 2)");  // around a part of the front edge
   const LaidIce ice = lay();

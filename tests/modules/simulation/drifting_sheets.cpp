@@ -5,6 +5,8 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "borders.hpp"
@@ -161,6 +163,37 @@ BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_cur
   }
   BOOST_TEST(on_wall == expected, boost::test_tools::tolerance(1e-3));  // floe-fields.md, (F10)
   for (const simulation::SheetMotion& sheet : lone.sheets.motions()) BOOST_TEST(norm(sheet.velocity) < 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(wind_presses_a_sheet_of_level_ice_on_the_shore) {
+  model::Case c = free_case({"wind.velocity=[20, 0]"});
+  const std::filesystem::path shore = std::filesystem::temp_directory_path() / "brash_shore_of_a_sheet.wkt";
+  std::ofstream(shore) << "POLYGON((500040.01 7000000, 500060 7000000, 500060 7000030, 500040.01 7000030, "
+                          "500040.01 7000000))";
+  c.field.shore = shore.string();
+  c.field.origin = {500000.0, 7000000.0};
+  Lone lone(c);
+  simulation::lay_borders(c, lone.world);
+  std::filesystem::remove(shore);
+  simulation::SheetTiles tiles(c);
+  const double a = 40.0, b = 20.0, dt = 0.02;
+  const ice::Plate ice = plate(c, a, b);
+  lone.sheets.add(ice, {.position = {0.0, 5.0}});
+  tiles.lay(ice, lone.world, {0, 0}, {a, b}, lone.sheets.pose(0), lone.sheets.id(0));
+  double on_shore = 0.0;
+  constexpr int kSettle = 2000, kCount = 500;
+  for (int i = 0; i < kSettle + kCount; ++i) {
+    lone.sheets.begin_step();
+    lone.sheets.advance(dt);
+    tiles.move(0, lone.world, lone.sheets.pose(0), lone.sheets.twist(0));
+    lone.sheets.hand_over(dt);
+    lone.world.step(dt);
+    static_cast<void>(lone.sheets.take_back(dt));
+    if (i < kSettle) continue;
+    for (const rigid_body::ContactLoad& contact : lone.world.contacts_of_sheets())
+      on_shore -= contact.normal_force * contact.normal.x / kCount;
+  }
+  BOOST_TEST(on_shore == c.wind.density * c.wind.skin_friction * a * b * 400.0, boost::test_tools::tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_CASE(ice_that_leaves_a_sheet_takes_its_momentum_along_and_the_rest_moves_on) {

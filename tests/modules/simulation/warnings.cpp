@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 
@@ -63,6 +64,7 @@ BOOST_AUTO_TEST_CASE(the_validation_case_gives_no_warning) { BOOST_TEST(warnings
 BOOST_AUTO_TEST_CASE(each_row_of_the_table_before_the_run_gives_its_warning) {
   const std::vector<Row> rows = rows_under("Before the run");
   BOOST_TEST(rows.size() >= 18u);
+  std::filesystem::current_path(kSource);  // files of the settings
   for (const Row& row : rows) BOOST_TEST(has(warnings_with(row.settings), row.id), row.id);
 }
 

@@ -20,7 +20,7 @@ struct GivenFloe {
 /// Reads floes from WKT or GeoJSON, told apart by the first character. The properties `thickness` and
 /// `flexural_strength` of a GeoJSON feature are the ones of its floes.
 ///
-/// @param field  whose rectangle holds every floe.
+/// @param field  whose rectangle holds every floe, and whose origin is taken from the file's coordinates, exactly.
 /// @throws InputError naming file and place when the text is at fault, floes overlap, a floe leaves the field, or a
 ///         property is out of range.
 std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field);
@@ -36,13 +36,15 @@ struct GivenLevelIce {
 /// @throws InputError likewise; and where a sheet has a thickness or a strength, or there is no sheet.
 GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field);
 
-/// Reads polygons that may overlap and lie anywhere, each simple. @throws InputError likewise.
-std::vector<geometry::Polygon> read_openings(const std::string& path);
+/// Reads polygons that may overlap and lie anywhere, each simple.
+/// @param origin  of the case in the file's coordinates [m].
+/// @throws InputError likewise.
+std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origin);
 
 /// Reads the straight pieces of lines from WKT or GeoJSON. @throws InputError naming file and place.
-std::vector<geometry::Crack> read_cracks(const std::string& path);
+std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin);
 
 /// Reads outlines from such a file. @throws InputError likewise; they may lie anywhere.
-std::vector<geometry::Polygon> read_outlines(const std::string& path);
+std::vector<geometry::Polygon> read_outlines(const std::string& path, Vec2 origin);
 
 }  // namespace brash::ice

@@ -83,7 +83,6 @@ struct FloeFieldSection {
   FloeShape shape = FloeShape::kVoronoi;
   FloeSizes size;
   FloeBorder border = FloeBorder::kFree;  ///< along both sides and at the far end
-  std::string shore;                      ///< file of fixed outlines, absolute; empty: none
 
   friend bool operator==(const FloeFieldSection&, const FloeFieldSection&) = default;
 };
@@ -98,6 +97,8 @@ struct FieldSection {
   std::string file;                   ///< of outlines, absolute; empty: level ice is a rectangle, floes are generated
   std::string openings;               ///< file of open water in level ice, absolute; empty: none
   std::string cracks;                 ///< file of lines that part level ice, absolute; empty: none
+  std::string shore;                  ///< file of fixed outlines, absolute; empty: none
+  Vec2 origin{};                      ///< the place of x = 0, y = 0 in the coordinates of these files [m]
   Border border = Border::kFixed;
   double smallest_plate = 5.0;  ///< least breadth of ice afloat that bends as a plate, in characteristic lengths
   FloeFieldSection floes{};
@@ -192,7 +193,8 @@ struct ReferenceSection {
 
 /// Whether files say where the level ice is at the start.
 inline bool has_ice_files(const FieldSection& field) {
-  return field.kind == FieldKind::kLevelIce && !(field.file.empty() && field.openings.empty() && field.cracks.empty());
+  const bool is_plain = field.file.empty() && field.openings.empty() && field.cracks.empty() && field.shore.empty();
+  return field.kind == FieldKind::kLevelIce && !is_plain;
 }
 
 /// A resolved case: every key has its value, in SI. Valid by construction when it comes from read_case.

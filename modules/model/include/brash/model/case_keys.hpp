@@ -158,6 +158,8 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
     visit("field", "file", field.file);
     visit("field", "openings", field.openings);
     visit("field", "cracks", field.cracks);
+    visit("field", "shore", field.shore);
+    visit("field", "origin", field.origin);
     return;
   }
   auto& floes = field.floes;
@@ -166,7 +168,8 @@ void visit_keys_of_field(AnyField& field, Visitor&& visit) {
   visit("field", "shape", floes.shape);
   visit("field", "border", floes.border);
   visit("field", "smallest_plate", field.smallest_plate);
-  visit("field", "shore", floes.shore);
+  visit("field", "shore", field.shore);
+  visit("field", "origin", field.origin);
   auto& size = floes.size;
   visit("field.size", "kind", size.kind);
   switch (size.kind) {
@@ -253,7 +256,7 @@ void visit_files_of_field(AnyField& field, Visitor&& visit) {
   visit("file", field.file);
   visit("openings", field.openings);
   visit("cracks", field.cracks);
-  visit("shore", field.floes.shore);
+  visit("shore", field.shore);
 }
 
 /// The members of a case that name files: the model of the failure, the mesh of the structure, the ice and the shore.

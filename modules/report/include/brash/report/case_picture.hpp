@@ -8,10 +8,11 @@
 
 namespace brash::report {
 
-/// The ice of a case at the start: outline and holes of each piece, sheet frame [m].
+/// The ice of a case at the start and the shore: outline and holes of each piece, sheet frame [m].
 struct PicturedIce {
   std::vector<std::vector<std::vector<Vec2>>> sheets;
   std::vector<std::vector<std::vector<Vec2>>> floes;
+  std::vector<std::vector<std::vector<Vec2>>> land;
 };
 
 /// A case before its run, as SVG: lengthwise sections of the hull at the water and the ice, its waterlines from above,

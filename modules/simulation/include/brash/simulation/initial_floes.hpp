@@ -15,6 +15,7 @@ struct InitialField {
   double area = 0.0;                                   ///< of all floes [m2]
   std::vector<std::vector<std::vector<Vec2>>> sheets;  ///< level ice in its connected parts
   double sheet_area = 0.0;                             ///< [m2]
+  std::vector<std::vector<std::vector<Vec2>>> land;    ///< of the shore
 };
 
 /// The ice that a run of the case would begin with.
