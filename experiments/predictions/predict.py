@@ -11,6 +11,7 @@ predict.py quick [FOLDER...]       one short run a folder, compared with quick.c
 FOLDER is m1, m6/s4, ... or a folder of your own with a prediction.toml.
 """
 import argparse
+import functools
 import json
 import subprocess
 import sys
@@ -19,6 +20,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 import inputs
+import pictures
 import study
 import tables
 from case_numbers import collect
@@ -96,9 +98,14 @@ def rows_of(options, prediction):
 def verdict(options):
     if options.folder.rstrip("/") in ("m6", str(HERE / "m6")):
         predictions = {name: prediction_of(f"m6/{name}") for name in (f"s{i}" for i in range(1, 11))}
-        text = tables.signs({name: p for name, p in predictions.items() if options.preset in p.presets},
-                            lambda other: rows_of(options, prediction_of(other)), len(predictions))
+        rows_elsewhere = functools.cache(lambda other: rows_of(options, prediction_of(other)))
+        text, found = tables.signs({name: p for name, p in predictions.items() if options.preset in p.presets},
+                                   rows_elsewhere, len(predictions), options.preset)
         folder = HERE / "m6"
+        if options.record:
+            for name, outcomes in found.items():
+                pictures.draw(predictions[name], outcomes, lambda claim: rows_elsewhere(claim.get("from", f"m6/{name}")),
+                              folder / name, f"claims-{options.preset}")
     else:
         prediction = prediction_of(options.folder)
         rows = rows_of(options, prediction) if prediction.own_runs else []

@@ -257,8 +257,8 @@ def verdict(prediction, rows, measured, rows_elsewhere):
     return "\n".join(lines).rstrip() + "\n"
 
 
-def signs(predictions, rows_elsewhere, family):
-    """The table of all signs of one preset."""
+def signs(predictions, rows_elsewhere, family, preset):
+    """The table of all signs of one preset, and {sign: outcomes of its claims}. The pictures are predict.py's."""
     found, lines = {}, []
     for name, prediction in predictions.items():
         rows = rows_elsewhere(f"m6/{name}") if prediction.own_runs else []
@@ -266,14 +266,15 @@ def signs(predictions, rows_elsewhere, family):
         if all(needed):
             found[name] = outcomes_of(prediction, rows, rows_elsewhere)
     verdicts = judged(found, family) if found else {}
-    table = ["| sign | statement | verdict | p, Holm |", "|---|---|---|---|"]
+    table = ["| sign | statement | verdict | p, Holm | picture |", "|---|---|---|---|---|"]
     for name, prediction in predictions.items():
         word, p = verdicts.get(name, ("not run", math.nan))
         label = prediction.criterion.get("stands_for", name.upper())
-        table.append(f"| {label} | {prediction.table['title']} | **{word}** | {'-' if math.isnan(p) else f'{p:.2g}'} |")
+        picture = f"[claims]({name}/claims-{preset}.png)" if name in found else "-"
+        table.append(f"| {label} | {prediction.table['title']} | **{word}** | {'-' if math.isnan(p) else f'{p:.2g}'} | {picture} |")
         if name in found:
             lines += [f"### {label}", "", *claim_lines(found[name])]
-    return "\n".join(["## Ten signs", "", *table, "", *lines]).rstrip() + "\n"
+    return "\n".join(["## Ten signs", "", *table, "", *lines]).rstrip() + "\n", found
 
 
 def indices(prediction, rows, statistic, degree):

@@ -4,6 +4,7 @@ import math
 import os
 import pathlib
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -16,6 +17,7 @@ sys.path[:0] = [str(PREDICTIONS), str(PREDICTIONS.parent)]
 import brash
 import case_numbers
 import inputs
+import pictures
 import predict
 import regressions
 import signs
@@ -284,9 +286,35 @@ class Texts(unittest.TestCase):
     def test_the_table_of_signs_counts_ten_whatever_was_run(self):
         predictions = {name: predict.prediction_of(f"m6/{name}") for name in ("s2", "s9")}
         rows = [{**row, "arm": {"a": "light", "b": "heavy"}[row["arm"]]} for row in two_arms(0.8)]
-        text = tables.signs(predictions, lambda name: rows if name == "m6/s2" else [], 10)
-        self.assertRegex(text, r"\| S2 \|.*\| \*\*shown\*\* \|")
-        self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\* \| - \|")
+        text, found = tables.signs(predictions, lambda name: rows if name == "m6/s2" else [], 10, "paper")
+        self.assertRegex(text, r"\| S2 \|.*\| \*\*shown\*\* \|.*\| \[claims\]\(s2/claims-paper.png\) \|")
+        self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\* \| - \| - \|")
+        self.assertEqual(list(found), ["s2"])
+
+    def test_a_picture_has_what_each_kind_of_claim_saw(self):
+        prediction = predict.prediction_of("m6/s7")
+        rows = [{**row, "structure.speed": {"a": 1.0, "b": 2.0}[row["arm"]], "crushing": 0.1 * row["mean"], "one_mode": True}
+                for row in two_arms(0.8)]
+        arms = {"statistic": "mean", "arms": ["a", "b"]}
+        kinds = [{"kind": "rises", **arms}, {"kind": "falls", "along": "structure.speed", **arms},
+                 {"kind": "same", "margin": 0.25, **arms}, {"kind": "ratio-within", "low": 0.5, "high": 0.9, **arms},
+                 {"kind": "exceeds", "statistic": "mean", "bound": 1.0},
+                 {"kind": "within", "statistic": "mean", "low": 0.5, "high": 1e9},
+                 {"kind": "rises-beyond", "beside": "crushing", "times": 2.0, **arms},
+                 {"kind": "share", "statistic": "one_mode", "above": 0.5}]
+        outcomes = [signs.tested(rows, {"text": claim["kind"], **claim}) for claim in kinds]
+        with tempfile.TemporaryDirectory() as folder:
+            axes = pictures.draw(prediction, outcomes, lambda claim: rows, pathlib.Path(folder), "claims")
+            self.assertTrue((pathlib.Path(folder) / "claims.png").is_file())
+        self.assertEqual([axis.get_title().split("\n")[0] for axis in axes], [claim["kind"] for claim in kinds])
+        points = len({row["point"] for row in rows})
+        for axis in axes[:4]:  # a line a point over the arms, and the mean
+            self.assertGreaterEqual(len([line for line in axis.lines if len(line.get_xdata()) == 2]), points + 1)
+        self.assertEqual(len(axes[4].lines[0].get_xdata()), points)
+        self.assertEqual(len(axes[6].lines[0].get_xdata()), points)
+        # The mean of the pairs falls to 0.8.
+        mean = axes[0].containers[0].lines[0].get_ydata()
+        self.assertAlmostEqual(mean[1] / mean[0], outcomes[0].effect, places=10)
 
     def test_exponents_are_compared_in_pairs(self):
         prediction = predict.prediction_of("exponents")

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A picture of the claims of a sign: the numbers that each test saw, and what the claim asks of them."""
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+from scipy import stats
+
+import figures
+import signs
+from figures import BLUE, GREEN, GREY, RED
+
+PAIRED = ("rises", "falls", "differs", "same", "ratio-within")
+JITTER = 0.12
+
+
+def name_of(claim, statistic=None):
+    over = " / ".join(claim.get("over", []))
+    return (statistic or claim["statistic"]) + (f" / ({over})" if over else "")
+
+
+def arms_of(axis, rows, claim):
+    """Each point a line over the arms, over its own mean; the mean of all with its 95 % interval."""
+    arms = claim["arms"]
+    lines = []
+    for values in signs.by_point(rows, claim).values():
+        chosen = [values.get(arm) for arm in arms]
+        if all(value is not None and value > 0.0 for value in chosen):
+            lines.append(np.log(chosen) - np.mean(np.log(chosen)))
+    if not lines:
+        return axis.text(0.5, 0.5, "no point has a number in every arm", ha="center", transform=axis.transAxes)
+    x = np.arange(len(arms))
+    for line in lines:
+        axis.plot(x, np.exp(line), color=GREY, alpha=0.4, lw=0.8)
+    if len(lines) >= signs.LEAST_POINTS:
+        mean, half = zip(*(centre_and_half(column) for column in np.transpose(lines)))
+        ends = np.exp(np.subtract(mean, half)), np.exp(np.add(mean, half))
+        centre = np.exp(mean)
+        axis.errorbar(x, centre, [centre - ends[0], ends[1] - centre], color=BLUE, marker="o", ms=4, lw=1.6, capsize=3)
+    if claim["kind"] in ("same", "ratio-within"):
+        low, high = ((1.0 / (1.0 + claim["margin"]), 1.0 + claim["margin"]) if claim["kind"] == "same"
+                     else (claim["low"], claim["high"]))
+        first = math.exp(float(np.mean([line[0] for line in lines])))
+        axis.fill_between([x[0], x[-1]], [first, first * low], [first, first * high], color=GREEN, alpha=0.15, lw=0,
+                          label="what the claim allows")
+        axis.legend(fontsize=7)
+    axis.set_yscale("log")
+    axis.yaxis.set_major_formatter(plt.FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.yaxis.set_minor_formatter(plt.FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_xticks(x, arms)
+    axis.set_xlim(-0.3, len(arms) - 0.7)
+    axis.set_ylabel(f"{name_of(claim)},\nover the point's mean")
+
+
+def centre_and_half(sample):
+    mean, error, freedom = signs.student(sample)
+    return mean, stats.t.ppf(0.975, freedom) * error
+
+
+def limits_of(axis, rows, claim):
+    """Each point a dot beside the limits; the mean of all with its 95 % interval."""
+    kept = [math.exp(value) for value in signs.logarithms(rows, claim).values() if value is not None]
+    if not kept:
+        return axis.text(0.5, 0.5, "no point has a number", ha="center", transform=axis.transAxes)
+    x = np.random.default_rng(1).uniform(-JITTER, JITTER, len(kept))
+    axis.plot(x, kept, ".", color=GREY, alpha=0.6)
+    if len(kept) >= signs.LEAST_POINTS:
+        mean, half = centre_and_half(np.log(kept))
+        centre, low, high = math.exp(mean), math.exp(mean - half), math.exp(mean + half)
+        axis.errorbar([0.3], [centre], [[centre - low], [high - centre]], color=BLUE, marker="o", ms=4, capsize=3)
+    if claim["kind"] == "within":
+        axis.axhspan(claim["low"], claim["high"], color=GREEN, alpha=0.15, lw=0, label="what the claim allows")
+    else:
+        axis.axhline(claim["bound"], color=RED, ls="--", lw=1.0, label="the claim: above")
+    axis.set_xlim(-0.5, 0.6)
+    axis.set_xticks([0.0, 0.3], ["points", "mean"])
+    axis.set_ylim(bottom=min(0.0, axis.get_ylim()[0]))
+    axis.set_ylabel(name_of(claim))
+    axis.legend(fontsize=7)
+
+
+def rises_of(axis, rows, claim):
+    """The rise of one statistic over the rise of the other; the claim is the half above the line."""
+    one, other = signs.by_point(rows, claim), signs.by_point(rows, claim, claim["beside"])
+    first, last = claim["arms"][0], claim["arms"][-1]
+    ends = [(one[point], other[point]) for point in one]
+    pairs = [(b[last] - b[first], a[last] - a[first]) for a, b in ends
+             if None not in (a.get(first), a.get(last), b.get(first), b.get(last))]
+    if not pairs:
+        return axis.text(0.5, 0.5, "no point has a number in every arm", ha="center", transform=axis.transAxes)
+    x, y = np.transpose(pairs) / 1e3
+    axis.plot(x, y, ".", color=GREY)
+    span = np.array([min(0.0, x.min()), max(x.max(), 0.0)])
+    axis.plot(span, claim["times"] * span, "--", color=RED, lw=1.0, label=f"the claim: above {claim['times']:g} times")
+    axis.set_xlabel(f"rise of {claim['beside']} [kN]")
+    axis.set_ylabel(f"rise of {claim['statistic']} [kN]")
+    axis.legend(fontsize=7)
+
+
+def share_of(axis, outcome, claim):
+    low, high = outcome.interval
+    axis.errorbar([0.0], [outcome.effect], [[outcome.effect - low], [high - outcome.effect]], color=BLUE, marker="o", ms=4,
+                  capsize=3)
+    axis.axhline(claim["above"], color=RED, ls="--", lw=1.0, label="the claim: above")
+    axis.set_xlim(-0.5, 0.5)
+    axis.set_xticks([])
+    axis.set_ylim(0.0, 1.0)
+    axis.set_ylabel(f"share of the runs with {claim['statistic']}")
+    axis.legend(fontsize=7)
+
+
+def draw(prediction, outcomes, rows_of_claim, folder, name):
+    """Writes `name`.png: a panel for each claim.
+
+    outcomes: of the claims, in their order. rows_of_claim: the rows of numbers that a claim speaks of. Returns the panels.
+    """
+    figure, grid = plt.subplots(1, len(outcomes), figsize=(3.6 * len(outcomes), 3.3), squeeze=False, constrained_layout=True)
+    for axis, outcome in zip(grid[0], outcomes):
+        claim, rows = outcome.claim, rows_of_claim(outcome.claim)
+        if claim["kind"] in PAIRED:
+            arms_of(axis, rows, claim)
+        elif claim["kind"] == "rises-beyond":
+            rises_of(axis, rows, claim)
+        elif claim["kind"] == "share":
+            share_of(axis, outcome, claim)
+        else:
+            limits_of(axis, rows, claim)
+        axis.set_title(f"{claim['text']}\np = {outcome.p:.2g}", fontsize=9)
+    figure.suptitle(prediction.table["title"], fontsize=10)
+    figures.save(figure, folder, name)
+    return list(grid[0])
