@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 
@@ -127,12 +128,35 @@ void BodyWorld::list_as_moving(const Body& body, bool moves) {
   if (!listed && moves) moving_.insert(place, body.id);
 }
 
+/// The broad phase seeks out a body that wakes anew. One that settles stays where it is, and loses its pairs with other
+/// fixed bodies in the next step: at once, each would cost a walk through the pairs of all.
 void BodyWorld::set_settled(Body& body, bool settled) {
   if (body.settled == settled) return;
-  removeRigidBody(body.bullet.get());
-  body.set_settled(settled);
-  add_to_bullet(body);
+  btRigidBody& b = *body.bullet;
+  if (settled) {
+    m_nonStaticRigidBodies.remove(&b);
+    body.set_settled(true);
+    b.getBroadphaseHandle()->m_collisionFilterGroup = kFixed;
+    b.getBroadphaseHandle()->m_collisionFilterMask = kMobile;
+    has_settled_ = true;
+  } else {
+    removeRigidBody(&b);
+    body.set_settled(false);
+    add_to_bullet(body);
+  }
   list_as_moving(body, body.is_free());
+}
+
+/// Two bodies that do not move meet no more.
+void BodyWorld::part_settled() {
+  struct Fixed final : btOverlapCallback {
+    bool processOverlap(btBroadphasePair& pair) override {
+      const Body &a = body_of(*pair.m_pProxy0), &b = body_of(*pair.m_pProxy1);
+      return (a.settled && (b.settled || !b.is_floe())) || (b.settled && !a.is_floe());
+    }
+  } fixed;
+  if (std::exchange(has_settled_, false))
+    tree.getOverlappingPairCache()->processAllOverlappingPairs(&fixed, &dispatcher);
 }
 
 /// All bodies in an order that depends on their states only; ranks are set. Few change places from step to step, so
@@ -145,9 +169,17 @@ void BodyWorld::bring_into_order() {
   for (std::size_t i = 1; i < order_.size(); ++i)
     for (std::size_t j = i; j > 0 && comes_before(*order_[j], *order_[j - 1]); --j) std::swap(order_[j], order_[j - 1]);
   for (std::size_t i = 0; i < order_.size(); ++i) order_[i]->rank = static_cast<int>(i);
+  list_awake();
+}
+
+void BodyWorld::list_awake() {
+  awake_.clear();
+  for (Body* body : order_)
+    if (!body->settled) awake_.push_back(body);
 }
 
 void BodyWorld::step(double dt) {
+  part_settled();
   bring_into_order();
   links_.prepare(dt);
   stepSimulation(dt, 0);

@@ -102,11 +102,13 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   static void finish(Body& body, const Pose& pose);
   /// Ends the step of any other.
   static void move_as_told(Body& body);
-  /// Calls `task` for each body in the order of the step, several at a time.
+  /// Calls `task` for each body that is not settled in the order of the step, several at a time.
   template <typename Task>
   void each_body(Task&& task) {
-    workers_->each(order_.size(), kBodies, [&](std::size_t i) { task(*order_[i]); });
+    workers_->each(awake_.size(), kBodies, [&](std::size_t i) { task(*awake_[i]); });
   }
+  /// To be called when a body has woken within a step.
+  void list_awake();
 
   std::vector<ContactLoad> loads_;
   std::vector<ContactLoad> loads_of_sheets_;
@@ -114,6 +116,7 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
 
  private:
   void add_to_bullet(Body& body);
+  void part_settled();
   void bring_into_order();
   void list_as_moving(const Body& body, bool moves);
 
@@ -127,7 +130,9 @@ class BodyWorld : protected BulletParts, public btDiscreteDynamicsWorld {
   std::vector<Body*> by_index_;                    ///< of every body there has been; null where it is gone
   std::vector<BodyId> moving_;                     ///< floes that are not settled, sorted
   std::vector<Body*> order_;                       ///< the order of the last step; empty when bodies came or went since
+  std::vector<Body*> awake_;                       ///< those of `order_` that are not settled
   double reach_ = 0.0;                             ///< of the last search for neighbours [m]
+  bool has_settled_ = false;                       ///< whether a body has since the last step
   std::vector<std::vector<BodyPair>> some_pairs_;  ///< scratch: of each chunk of the pairs that Bullet knows
   std::vector<std::size_t> of_first_;              ///< scratch of sorted_pairs
   std::vector<BodyPair> pairs_;

@@ -72,7 +72,10 @@ void ExactWorld::performDiscreteCollisionDetection() {
   find_contacts();
   const std::vector<Body*> hit = contacts_.settled_and_hit();
   for (Body* body : hit) set_settled(*body, false);
-  if (!hit.empty()) find_contacts();
+  if (!hit.empty()) {
+    list_awake();
+    find_contacts();
+  }
   contacts_.add(given(), [this](BodyId id) { return &get(id); });
 }
 

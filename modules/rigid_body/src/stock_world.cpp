@@ -107,6 +107,7 @@ bool StockWorld::wake_hit_bodies() {
     }
   }
   for (Body* body : hit) set_settled(*body, false);
+  if (!hit.empty()) list_awake();
   return !hit.empty();
 }
 

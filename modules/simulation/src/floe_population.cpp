@@ -128,7 +128,7 @@ void FloePopulation::insert(BodyId body, Floe floe) {
   by_body_[body.index] = &kept;
   area_ += kept.area;
   weight_ += kept.weight;
-  if (kept.rest.asleep) add_up_asleep();
+  if (kept.rest.asleep) forget_asleep_height();
 }
 
 Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
@@ -138,7 +138,7 @@ Floe FloePopulation::remove(rigid_body::World& world, BodyId body) {
   area_ -= node.mapped().area;
   weight_ = 0.0;  // recomputed: a difference would leave its rounding behind
   for (const auto& [other, floe] : floes_) weight_ += floe.weight;
-  add_up_asleep();
+  forget_asleep_height();
   world.remove(body);
   return std::move(node.mapped());
 }
@@ -202,14 +202,17 @@ void FloePopulation::put_to_sleep(rigid_body::World& world, BodyId body) {
   floe.drag = floe.skin_friction = floe.pressure = {};
   floe.asleep_height = raised(world, body, floe);
   world.set_settled(body, true);
-  add_up_asleep();
+  forget_asleep_height();
 }
 
 /// In the order of the bodies, so that the sum does not depend on which fell asleep first.
-void FloePopulation::add_up_asleep() {
-  asleep_height_ = 0.0;
+double FloePopulation::asleep_height() const {
+  if (asleep_height_) return *asleep_height_;
+  double sum = 0.0;
   for (const auto& [body, floe] : floes_)
-    if (floe.rest.asleep) asleep_height_ += floe.asleep_height;
+    if (floe.rest.asleep) sum += floe.asleep_height;
+  asleep_height_ = sum;
+  return sum;
 }
 
 double FloePopulation::raised(const rigid_body::World& world, BodyId body, const Floe& floe) const {
@@ -218,7 +221,7 @@ double FloePopulation::raised(const rigid_body::World& world, BodyId body, const
 }
 
 double FloePopulation::potential_energy(const rigid_body::World& world) const {
-  double sum = asleep_height_;
+  double sum = asleep_height();
   for (const BodyId body : world.moving()) sum += raised(world, body, at(body));
   return sum;
 }

@@ -120,8 +120,8 @@ class FloePopulation {
 
   /// Fixes a floe where it is.
   void put_to_sleep(rigid_body::World& world, BodyId body);
-  /// To be called when a floe has fallen asleep, woken or gone: adds up the potential energy of those asleep.
-  void add_up_asleep();
+  /// To be called when a floe has woken: the potential energy of those asleep is added up anew when it is asked for.
+  void forget_asleep_height() { asleep_height_.reset(); }
 
   /// Potential energy of weight and buoyancy against floating at rest [J].
   double potential_energy(const rigid_body::World& world) const;
@@ -139,6 +139,7 @@ class FloePopulation {
   /// Gives a complete floe the next id and a body. @return its record, of a floe born at `time` [s].
   model::FloeRecord launch(rigid_body::World& world, Floe floe, const Pose& pose, const Twist& twist, double time);
   void insert(BodyId body, Floe floe);
+  double asleep_height() const;
   /// Potential energy against floating at rest [J].
   double raised(const rigid_body::World& world, BodyId body, const Floe& floe) const;
 
@@ -147,7 +148,8 @@ class FloePopulation {
   std::vector<Floe*> by_body_;  ///< by the index of the body
   geometry::ExactArea area_;    ///< of all
   double weight_ = 0.0;         ///< of all [N]
-  double asleep_height_ = 0.0;  ///< potential energy of all that are asleep, against floating at rest [J]
+  /// Potential energy of all that are asleep, against floating at rest [J]; nothing where one has changed since.
+  mutable std::optional<double> asleep_height_;
   std::int64_t next_id_ = 0;
 };
 

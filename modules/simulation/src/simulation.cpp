@@ -93,6 +93,7 @@ void Simulation::Impl::add_judge(const ice::Plate& plate) {
 
 Simulation::Impl::Impl(const model::Case& c, int threads) : Impl(c, laid_field(c), threads) {
   lay_floes();
+  begin_asleep();
   if (c.field.kind == model::FieldKind::kLevelIce && c.field.initial_crack) initial_crack();
   begin_watch();
 }
@@ -180,22 +181,31 @@ void Simulation::Impl::step_bodies(StepReport& report) {
   report.last_change = world.last_change();
 }
 
-/// What lies farther astern of the structure's origin than `distance` [m].
-HalfPlane Simulation::Impl::astern(double distance) const {
-  const Vec2 ahead = normalized(motion->course());
-  return {ahead, dot(ahead, plan(motion->now().pose.position)) - distance};
-}
-
-/// Floes fall asleep a structure's width behind it, and beyond its reach. They wake before it comes back.
-void Simulation::Impl::fall_asleep_or_wake() {
-  const StageTimer::Scope clock(timer, times.loads);
-  if (resolved.time.settle_speed == 0.0 || sheets.any()) return;
-  const double width = 2.0 * hull->displaced(motion->now().pose).waterplane.radius;
+/// Where floes may sleep: beyond the reach of the structure astern, and in a field of floes all around it.
+/// @param fall  whether they may fall asleep, which takes a structure's width too.
+Clear Simulation::Impl::clear_of_structure(bool fall) const {
   double reach = 0.0;
   for (const structure::ConvexPart& part : hull->parts())
     for (const Vec3 v : part) reach = std::max(reach, norm(plan(v)));
-  sleep.wake_beyond(world, floes, astern(reach));
-  energy.book_fallen_asleep(sleep.update(world, floes, astern(std::max(width, reach))));
+  const double width = fall ? 2.0 * hull->displaced(motion->now().pose).waterplane.radius : 0.0;
+  return {.origin = plan(motion->now().pose.position),
+          .course = normalized(motion->course()),
+          .distance = std::max(width, reach),
+          .all_around = resolved.field.kind == model::FieldKind::kFloes};
+}
+
+void Simulation::Impl::fall_asleep_or_wake() {
+  const StageTimer::Scope clock(timer, times.loads);
+  if (resolved.time.settle_speed == 0.0 || sheets.any()) return;
+  sleep.wake_beyond(world, floes, clear_of_structure(false));
+  energy.book_fallen_asleep(sleep.update(world, floes, clear_of_structure(true)));
+}
+
+/// A field that nothing drives rests until the structure comes.
+void Simulation::Impl::begin_asleep() {
+  const bool at_rest = resolved.water.current == Vec2{} && resolved.wind.velocity == Vec2{};
+  if (resolved.time.settle_speed == 0.0 || sheets.any() || !at_rest) return;
+  if (resolved.field.kind == model::FieldKind::kFloes) sleep.begin(world, floes, clear_of_structure(true));
 }
 
 /// Contact forces averaged over each floe's collision time: its stress, its bending, and its load on level ice.

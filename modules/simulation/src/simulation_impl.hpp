@@ -113,7 +113,8 @@ struct Simulation::Impl {
   model::CrackEvent in_world(int level_ice, model::CrackEvent event) const;
   void expect_on_the_plane() const;
   void lay_sheet_near(BodyId body);
-  HalfPlane astern(double distance) const;
+  Clear clear_of_structure(bool fall) const;
+  void begin_asleep();
   std::vector<geometry::Polygon> outlines_in_world() const;
   model::Checkpoint checkpoint() const;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 namespace brash::simulation {
@@ -12,15 +13,23 @@ namespace {
 constexpr double kTimeToSleep = 2.0;
 /// A mean push is forgotten when it is this share of the push that would wake a cube of the ice [-].
 constexpr double kNoPush = 1e-3;
+/// Farther than any structure goes [m].
+constexpr double kFar = 1e9;
 
-/// Whether a box is wholly in the half plane.
-bool is_within(const HalfPlane& half, const std::pair<Vec3, Vec3>& box) {
+/// The point of a box that is nearest to `at`.
+Vec2 nearest(const std::pair<Vec3, Vec3>& box, Vec2 at) {
   const auto& [lower, upper] = box;
-  const Vec2 farthest{half.along.x < 0.0 ? lower.x : upper.x, half.along.y < 0.0 ? lower.y : upper.y};
-  return dot(half.along, farthest) < half.limit;
+  return {std::clamp(at.x, lower.x, upper.x), std::clamp(at.y, lower.y, upper.y)};
 }
 
 }  // namespace
+
+double Clear::slack(const std::pair<Vec3, Vec3>& box) const {
+  if (all_around) return norm(nearest(box, origin) - origin) - distance;
+  const auto& [lower, upper] = box;
+  const Vec2 farthest{course.x < 0.0 ? lower.x : upper.x, course.y < 0.0 ? lower.y : upper.y};
+  return dot(course, origin) - distance - dot(course, farthest);
+}
 
 double Sleep::slow_energy(const Floe& floe) const {
   return 0.5 * floe.inertia.mass * case_->time.settle_speed * case_->time.settle_speed;
@@ -38,7 +47,7 @@ void Sleep::woken(FloePopulation& floes, BodyId body) {
   floe.rest = {};
   floe.kept_drag = {};
   pushes_.wake(body);
-  floes.add_up_asleep();
+  floes.forget_asleep_height();
 }
 
 void Sleep::notice_woken(const rigid_body::World& world, FloePopulation& floes) {
@@ -49,15 +58,34 @@ void Sleep::notice_woken(const rigid_body::World& world, FloePopulation& floes) 
 void Sleep::wake_within(rigid_body::World& world, FloePopulation& floes, Vec2 at, double radius) {
   for (const auto& [body, floe] : floes.floes()) {
     if (!world.is_settled(body)) continue;
-    const auto [lower, upper] = world.bounds(body);
-    const Vec2 nearest{std::clamp(at.x, lower.x, upper.x), std::clamp(at.y, lower.y, upper.y)};
-    if (norm(nearest - at) < radius) wake(world, floes, body);
+    if (norm(nearest(world.bounds(body), at) - at) < radius) wake(world, floes, body);
   }
 }
 
-void Sleep::wake_beyond(rigid_body::World& world, FloePopulation& floes, const HalfPlane& clear) {
-  for (const auto& [body, floe] : floes.floes())
-    if (world.is_settled(body) && !is_within(clear, world.bounds(body))) wake(world, floes, body);
+/// All around, the structure reaches no sleeping floe before it has gone as far as the nearest one is away.
+void Sleep::wake_beyond(rigid_body::World& world, FloePopulation& floes, const Clear& clear) {
+  if (clear.all_around && norm(clear.origin - looked_.origin) < slack_) return;
+  looked_ = clear;
+  slack_ = kFar;
+  for (const auto& [body, floe] : floes.floes()) {
+    if (!world.is_settled(body)) continue;
+    const double slack = clear.slack(world.bounds(body));
+    if (slack > 0.0)
+      slack_ = std::min(slack_, slack);
+    else
+      wake(world, floes, body);
+  }
+}
+
+void Sleep::fall_asleep(rigid_body::World& world, FloePopulation& floes, BodyId body) {
+  slack_ = std::min(slack_, looked_.slack(world.bounds(body)));
+  floes.put_to_sleep(world, body);
+}
+
+void Sleep::begin(rigid_body::World& world, FloePopulation& floes, const Clear& clear) {
+  const std::vector<BodyId> moving = world.moving();
+  for (const BodyId body : moving | std::views::reverse)
+    if (clear.holds(world.bounds(body))) fall_asleep(world, floes, body);
 }
 
 void Sleep::push(FloePopulation& floes, BodyId body, Vec3 change) {
@@ -74,7 +102,7 @@ void Sleep::wake_pushed(rigid_body::World& world, FloePopulation& floes) {
   pushed_.clear();
 }
 
-double Sleep::update(rigid_body::World& world, FloePopulation& floes, const HalfPlane& astern) {
+double Sleep::update(rigid_body::World& world, FloePopulation& floes, const Clear& clear) {
   if (case_->time.settle_speed == 0.0) return 0.0;
   const double dt = case_->time.step;
   const double cube = case_->ice.density * std::pow(case_->ice.thickness, 3);
@@ -87,8 +115,8 @@ double Sleep::update(rigid_body::World& world, FloePopulation& floes, const Half
     Floe& floe = floes.at(body);
     const double kinetic = world.kinetic_energy(body);
     floe.rest.slow_for = kinetic <= slow_energy(floe) ? floe.rest.slow_for + dt : 0.0;
-    if (floe.rest.slow_for < kTimeToSleep || !is_within(astern, world.bounds(body))) continue;
-    floes.put_to_sleep(world, body);
+    if (floe.rest.slow_for < kTimeToSleep || !clear.holds(world.bounds(body))) continue;
+    fall_asleep(world, floes, body);
     taken += kinetic;
   }
   return taken;

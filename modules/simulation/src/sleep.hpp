@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "floe_population.hpp"
@@ -8,10 +9,17 @@
 
 namespace brash::simulation {
 
-/// The points of the plan whose way along a direction is less than a limit.
-struct HalfPlane {
-  Vec2 along{};        ///< unit
-  double limit = 0.0;  ///< [m]
+/// The part of the plan where the structure does not come soon: behind it, or all around it beyond a distance.
+struct Clear {
+  Vec2 origin{};          ///< of the structure
+  Vec2 course{};          ///< unit
+  double distance = 0.0;  ///< from the origin, along the course or in any direction [m]
+  bool all_around = false;
+
+  /// Whether a box is wholly in it.
+  bool holds(const std::pair<Vec3, Vec3>& box) const { return slack(box) > 0.0; }
+  /// How far the structure may move before a box in it no longer is, if it keeps its course or `all_around` is set [m].
+  double slack(const std::pair<Vec3, Vec3>& box) const;
 };
 
 /// Puts floes to sleep that have been slow for long, and wakes them; for time.settle_speed > 0.
@@ -25,15 +33,18 @@ class Sleep {
 
   /// Wakes the floes that others push on more, or less, than when they fell asleep. Puts those to sleep that have been
   /// slow for long.
-  /// @param astern  only floes wholly in it fall asleep.
+  /// @param clear  only floes wholly in it fall asleep.
   /// @return the kinetic energy that this took [J].
-  double update(rigid_body::World& world, FloePopulation& floes, const HalfPlane& astern);
+  double update(rigid_body::World& world, FloePopulation& floes, const Clear& clear);
+
+  /// Puts floes that float at rest, with nothing that drives them, to sleep at the start of a run.
+  void begin(rigid_body::World& world, FloePopulation& floes, const Clear& clear);
 
   /// Level ice has broken within `radius` of `at`, and may have held floes there.
   void wake_within(rigid_body::World& world, FloePopulation& floes, Vec2 at, double radius);
 
   /// The structure may come where a floe is not wholly in `clear`: it wakes, for a structure meets no sleeping floe.
-  void wake_beyond(rigid_body::World& world, FloePopulation& floes, const HalfPlane& clear);
+  void wake_beyond(rigid_body::World& world, FloePopulation& floes, const Clear& clear);
 
   /// The floe is about to be removed.
   void forget(FloePopulation& floes, BodyId body);
@@ -45,6 +56,7 @@ class Sleep {
  private:
   void wake(rigid_body::World& world, FloePopulation& floes, BodyId body);
   void woken(FloePopulation& floes, BodyId body);
+  void fall_asleep(rigid_body::World& world, FloePopulation& floes, BodyId body);
   /// Wakes the floes among `pushed_` whose push may move them.
   void wake_pushed(rigid_body::World& world, FloePopulation& floes);
   /// Changes the mean force on a floe since it fell asleep [N].
@@ -57,6 +69,8 @@ class Sleep {
   const model::Case* case_;
   MeanPushes pushes_;
   std::vector<BodyId> pushed_;  ///< floes whose push has changed since it was looked at
+  Clear looked_{};              ///< of the last look at all that sleep
+  double slack_ = 0.0;          ///< least of all that sleep, against that look [m]
 };
 
 }  // namespace brash::simulation

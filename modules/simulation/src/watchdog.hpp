@@ -58,7 +58,8 @@ class Watchdog {
   /// (docs/theory/dynamics.md, Energy). F is the weight, or the lift under water where the lift is more.
   /// @param travel  longest travel of the floe in a step [m].
   double allowance(double weight, double travel) const { return 0.5 * most_lift_ * weight * std::max(travel, travel_); }
-  double allowance_of_all(const FloePopulation& floes) const;
+  /// Summed up until it is `enough` [J].
+  double allowance_of_all(const FloePopulation& floes, double enough) const;
   /// Of a floe.
   struct Account {
     double explained = 0.0;  ///< energy that its work explains [J]

@@ -141,13 +141,49 @@ BOOST_AUTO_TEST_CASE(a_run_through_a_field_closes_its_ledger_and_its_energies) {
   BOOST_TEST(s.horizontal.maximum > 0.0);                                                  // the cone has met floes
 }
 
+BOOST_AUTO_TEST_CASE(a_field_that_sleeps_until_it_is_pushed_gives_the_structure_the_same_impulse) {
+  const std::vector<std::string> common{"field.border=walls", "time.duration=8"};
+  const auto with = [&](const std::string& more) {
+    std::vector<std::string> overrides = common;
+    overrides.push_back(more);
+    return simulation::run(field_case(overrides));
+  };
+  const double slow = 0.02;
+  const Run asleep = with("time.settle_speed=0.02"), awake = with("time.settle_speed=0");
+  const auto impulse = [](const Run& run) {
+    double sum = 0.0;
+    for (const model::LoadRow& row : run.results.loads) sum += 0.01 * row.total.force.x;
+    return sum;
+  };
+  // Up to the first blow nothing differs. After it no floe's speed is off by more than `slow`.
+  std::size_t first = 0;
+  while (awake.results.loads[first].total.force.x == 0.0) ++first;
+  BOOST_TEST(asleep.results.loads[first].total.force.x == awake.results.loads[first].total.force.x);
+  const double mass = awake.summary.ledger.floes.square_metres() * 0.33 * 900.0;
+  BOOST_TEST(impulse(awake) > 2.0 * slow * mass);
+  BOOST_TEST(std::abs(impulse(asleep) - impulse(awake)) < slow * mass);
+  BOOST_TEST(asleep.summary.ledger.closes());
+}
+
+BOOST_AUTO_TEST_CASE(a_field_in_a_current_or_wind_begins_awake) {
+  for (const std::string drive : {"water.current=[0.2, 0]", "wind.velocity=[10, 0]"}) {
+    const Run run = simulation::run(field_case({"time.settle_speed=0.05", "time.duration=1", drive}));
+    BOOST_TEST(run.results.loads.back().kinetic_energy > 0.0);
+    Run still = simulation::run(field_case({"time.settle_speed=0", "time.duration=1", drive}));
+    BOOST_TEST(run.results.loads.back().kinetic_energy == still.results.loads.back().kinetic_energy,
+               tt::tolerance(1e-2));  // one slow floe may touch another
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_resumed_run_ends_with_the_same_bytes) {
-  const model::Case resolved = field_case({"time.duration=1"});
-  simulation::Simulation whole(resolved), first(resolved);
-  for (int i = 0; i < 50; ++i) (void)whole.step(), (void)first.step();
-  simulation::Simulation second(resolved, first.checkpoint());
-  for (int i = 0; i < 50; ++i) (void)whole.step(), (void)second.step();
-  BOOST_TEST((whole.checkpoint() == second.checkpoint()));
+  for (const std::string sleep : {"time.settle_speed=0", "time.settle_speed=0.05"}) {
+    const model::Case resolved = field_case({"time.duration=3", sleep});
+    simulation::Simulation whole(resolved), first(resolved);
+    for (int i = 0; i < 150; ++i) (void)whole.step(), (void)first.step();
+    simulation::Simulation second(resolved, first.checkpoint());
+    for (int i = 0; i < 150; ++i) (void)whole.step(), (void)second.step();
+    BOOST_TEST((whole.checkpoint() == second.checkpoint()));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(floes_of_a_file_have_their_own_ice_and_may_not_lie_under_the_structure) {

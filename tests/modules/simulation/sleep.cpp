@@ -15,12 +15,15 @@ constexpr double kSlow = 0.05;  // m/s
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 const std::vector<std::string> kSleeping{"time.settle_speed=0.05", "time.step=0.01"};
 
+/// What lies before x = `limit` [m].
+Clear before(double limit) { return {.origin = {limit, 0.0}, .course = {1.0, 0.0}}; }
+
 /// Steps for `seconds`. @return the kinetic energy that falling asleep took [J].
 double advance(Pool& pool, double seconds, double astern = kEverywhere) {
   double taken = 0.0;
   for (int i = 0; i < std::lround(seconds / kStep); ++i) {
     (void)pool.step(kStep);
-    taken += pool.sleep.update(pool.world, pool.floes, {{1.0, 0.0}, astern});
+    taken += pool.sleep.update(pool.world, pool.floes, before(astern));
   }
   return taken;
 }
@@ -61,12 +64,28 @@ BOOST_AUTO_TEST_CASE(a_sleeping_floe_wakes_where_the_structure_may_come) {
   (void)advance(pool, 2.5);
   BOOST_REQUIRE(pool.world.is_settled(near));
   BOOST_REQUIRE(pool.world.is_settled(far));
-  pool.sleep.wake_beyond(pool.world, pool.floes, {{1.0, 0.0}, 7.0});
+  pool.sleep.wake_beyond(pool.world, pool.floes, before(7.0));
   BOOST_TEST(!pool.world.is_settled(near));
   BOOST_TEST(pool.world.is_settled(far));
   // The structure turns about.
-  pool.sleep.wake_beyond(pool.world, pool.floes, {{-1.0, 0.0}, 0.0});
+  pool.sleep.wake_beyond(pool.world, pool.floes, {.course = {-1.0, 0.0}});
   BOOST_TEST(!pool.world.is_settled(far));
+}
+
+BOOST_AUTO_TEST_CASE(floes_of_a_field_sleep_from_the_start_all_around_the_structure) {
+  Pool pool(kSleeping);
+  const BodyId near = pool.add({6, -1}, {8, 1}, {}), ahead = pool.add({11, -1}, {13, 1}, {});
+  const BodyId beside = pool.add({-1, 10.5}, {1, 12.5}, {}), astern = pool.add({-13, -1}, {-11, 1}, {});
+  const Clear clear{.course = {1.0, 0.0}, .distance = 10.0, .all_around = true};
+  pool.sleep.begin(pool.world, pool.floes, clear);
+  BOOST_TEST(!pool.world.is_settled(near));
+  for (const BodyId far : {ahead, beside, astern}) BOOST_TEST(pool.world.is_settled(far));
+  BOOST_TEST(pool.floes.potential_energy(pool.world) == 0.0);
+  // The structure comes nearer.
+  pool.sleep.wake_beyond(pool.world, pool.floes, {.origin = {2.5, 0.0}, .distance = 10.0, .all_around = true});
+  BOOST_TEST(!pool.world.is_settled(ahead));
+  BOOST_TEST(pool.world.is_settled(beside));
+  BOOST_TEST(pool.world.is_settled(astern));
 }
 
 BOOST_AUTO_TEST_CASE(a_sleeping_floe_that_is_pushed_goes_on_as_if_it_had_never_slept) {
