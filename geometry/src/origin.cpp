@@ -147,6 +147,15 @@ std::string Decimal::to_string() const {
   return text;
 }
 
+Origin origin_from_metres(Vec2 metres) {
+  const auto decimal = [](double value) {
+    const std::optional<Decimal> read = Decimal::parse(fmt::format("{}", value));
+    BRASH_EXPECTS(read.has_value(), value);
+    return *read;
+  };
+  return {decimal(metres.x), decimal(metres.y)};
+}
+
 std::optional<Origin> origin_from_text(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "commands.hpp"
 #include "fmu.hpp"
 #include "gltf.hpp"
+#include "ice_map.hpp"
+#include "map_file.hpp"
 #include "messages.hpp"
 #include "openfast.hpp"
 #include "replay.hpp"
@@ -73,6 +76,14 @@ void export_gltf(const std::string& run_file, const std::string& file) {
   print("{} frames in {}\n", run.results.frames.size(), file);
 }
 
+void export_map(const std::string& run_file, const std::string& file, double time) {
+  check_map_name(file);
+  refuse_overwriting(file, {run_file});
+  const geometry::Map map = ice_map(read_replay(run_file), time);
+  write_map_file(file, map);
+  print("{} polygons in {}\n", map.features.size(), file);
+}
+
 void export_openfast(const std::string& run_file, const std::string& directory, const OpenFastOptions& options) {
   const model::RunResults results = io::read_results(run_file);
   const double end = results.loads.empty() ? 0.0 : results.loads.back().time;
@@ -98,6 +109,24 @@ void add_gltf_command(CLI::App& command) {
   gltf->callback([options] {
     const std::string beside = (fs::path(options->run).parent_path() / "run.glb").string();
     export_gltf(options->run, options->file.empty() ? beside : options->file);
+  });
+}
+
+void add_map_command(CLI::App& command) {
+  struct Options {
+    std::string run, file;
+    double time = std::numeric_limits<double>::infinity();
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* map = command.add_subcommand("map", "The ice of a run as a map, in the coordinates of field.origin");
+  map->add_option("run", options->run, "run.nc of a run")->required();
+  map->add_option("-o,--output", options->file, "file of the map, .geojson or .wkt [ice.geojson beside the run.nc]");
+  map->add_option("--time", options->time, "the frame at this time, or the last before it [s] [the last one]")
+      ->check(CLI::NonNegativeNumber);
+  map->footer("Example: brash export map results/cone/run.nc -o ice.geojson --time 10");
+  map->callback([options] {
+    const std::string beside = (fs::path(options->run).parent_path() / "ice.geojson").string();
+    export_map(options->run, options->file.empty() ? beside : options->file, options->time);
   });
 }
 
@@ -162,6 +191,7 @@ void add_export_command(CLI::App& app) {
     export_openfast(options->run, options->directory.empty() ? beside : options->directory, options->openfast);
   });
   add_gltf_command(*command);
+  add_map_command(*command);
   add_fmu_command(*command);
 }
 

@@ -26,12 +26,6 @@ constexpr const char* kAllowed = "POLYGON or MULTIPOLYGON in WKT, or a GeoJSON F
   throw InputError(Complaint{where, what, allowed, remedy});
 }
 
-/// The coordinates as the case file writes them: the fewest decimals that read to the same numbers.
-geometry::Origin exactly(Vec2 origin) {
-  const auto decimal = [](double metres) { return *geometry::Decimal::parse(fmt::format("{}", metres)); };
-  return {decimal(origin.x), decimal(origin.y)};
-}
-
 /// What helps where a text cannot be read: the key field.origin, if its polygons would be read somewhere else.
 std::string remedy_of(const std::string& text) {
   const auto map = geometry::read_map(text);
@@ -47,11 +41,11 @@ std::string remedy_of(const std::string& text) {
 std::vector<geometry::Feature> features_of(const std::string& text, const std::string& path, Vec2 origin) {
   std::vector<geometry::Feature> features;
   if (geometry::is_json(text)) {
-    auto read = geometry::from_geojson(text, exactly(origin));
+    auto read = geometry::from_geojson(text, geometry::origin_from_metres(origin));
     if (!read) refuse(path, read.error().what, kAllowed, remedy_of(text));
     features = std::move(*read);
   } else {
-    auto read = geometry::from_wkt(text, exactly(origin));
+    auto read = geometry::from_wkt(text, geometry::origin_from_metres(origin));
     if (!read) refuse(path, read.error().what, kAllowed, remedy_of(text));
     for (geometry::Polygon& polygon : *read) features.push_back({std::move(polygon), "sheet"});
   }
@@ -188,8 +182,8 @@ std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origi
 
 std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin) {
   const std::string text = read_text_file(path, "file of cracks");
-  auto cracks = geometry::is_json(text) ? geometry::cracks_from_geojson(text, exactly(origin))
-                                        : geometry::cracks_from_wkt(text, exactly(origin));
+  auto cracks = geometry::is_json(text) ? geometry::cracks_from_geojson(text, geometry::origin_from_metres(origin))
+                                        : geometry::cracks_from_wkt(text, geometry::origin_from_metres(origin));
   if (!cracks)
     refuse(path, cracks.error().what, "LINESTRING or MULTILINESTRING in WKT, or their like in GeoJSON, in metres",
            "correct the line; areas of open water go to field.openings; the coordinates of a map need field.origin");

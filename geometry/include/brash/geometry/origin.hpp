@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "brash/core/vec.hpp"
 #include "brash/geometry/area.hpp"
 
 namespace brash::geometry {
@@ -56,6 +57,8 @@ struct Origin {
   friend constexpr bool operator==(const Origin&, const Origin&) = default;
 };
 
+/// The fewest decimals that read to these numbers of metres, each within +-10^15.
+Origin origin_from_metres(Vec2 metres);
 /// Reads "X,Y".
 std::optional<Origin> origin_from_text(std::string_view text);
 /// "X,Y", every digit.
