@@ -15,8 +15,7 @@ JITTER = 0.12
 
 
 def name_of(claim, statistic=None):
-    over = " / ".join(claim.get("over", []))
-    return (statistic or claim["statistic"]) + (f" / ({over})" if over else "")
+    return " / ".join([statistic or claim["statistic"], *claim.get("over", [])])
 
 
 def arms_of(axis, rows, claim):
