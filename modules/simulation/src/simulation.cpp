@@ -181,17 +181,24 @@ void Simulation::Impl::step_bodies(StepReport& report) {
   report.last_change = world.last_change();
 }
 
-/// Where floes may sleep: beyond the reach of the structure astern, and in a field of floes all around it.
+/// Where floes may sleep: beyond the reach of the structure astern, and in a field of floes all around it, where the
+/// water that gives way to it is slow. That falls with the cube of the distance at least; docs/theory/simulation.md,
+/// (S2).
 /// @param fall  whether they may fall asleep, which takes a structure's width too.
 Clear Simulation::Impl::clear_of_structure(bool fall) const {
   double reach = 0.0;
   for (const structure::ConvexPart& part : hull->parts())
     for (const Vec3 v : part) reach = std::max(reach, norm(plan(v)));
-  const double width = fall ? 2.0 * hull->displaced(motion->now().pose).waterplane.radius : 0.0;
-  return {.origin = plan(motion->now().pose.position),
+  const structure::State& now = motion->now();
+  const bool all_around = resolved.field.kind == model::FieldKind::kFloes;
+  const bool stirs = all_around && resolved.hydrodynamics.structure_flow;
+  const double speed = norm(plan(now.twist.linear) - resolved.water.current);
+  const double stirred = stirs ? reach * std::cbrt(speed / resolved.time.settle_speed) : 0.0;
+  const double width = fall ? 2.0 * hull->displaced(now.pose).waterplane.radius : 0.0;
+  return {.origin = plan(now.pose.position),
           .course = normalized(motion->course()),
-          .distance = std::max(width, reach),
-          .all_around = resolved.field.kind == model::FieldKind::kFloes};
+          .distance = std::max({width, reach, stirred}),
+          .all_around = all_around};
 }
 
 void Simulation::Impl::fall_asleep_or_wake() {

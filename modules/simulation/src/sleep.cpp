@@ -64,7 +64,7 @@ void Sleep::wake_within(rigid_body::World& world, FloePopulation& floes, Vec2 at
 
 /// All around, the structure reaches no sleeping floe before it has gone as far as the nearest one is away.
 void Sleep::wake_beyond(rigid_body::World& world, FloePopulation& floes, const Clear& clear) {
-  if (clear.all_around && norm(clear.origin - looked_.origin) < slack_) return;
+  if (clear.all_around && norm(clear.origin - looked_.origin) + clear.distance - looked_.distance < slack_) return;
   looked_ = clear;
   slack_ = kFar;
   for (const auto& [body, floe] : floes.floes()) {
