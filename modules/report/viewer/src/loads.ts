@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The load history: every sample, its causes, the cracks, and the replay's time.
 import uPlot from "uplot";
-import { axis, Chart } from "./charts";
+import { axis, Chart, pixelRatio } from "./charts";
 import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el } from "./dom";
@@ -204,7 +204,7 @@ export class LoadHistory {
   /** Mean with its interval, the reference and cracks. */
   private mark(plot: uPlot): void {
     const { ctx, bbox } = plot;
-    const ratio = devicePixelRatio || 1;
+    const ratio = pixelRatio();
     const x = (t: number) => plot.valToPos(t, "x", true);
     const y = (n: number) => plot.valToPos(n / 1e3, "y", true);
     const [right, bottom] = [bbox.left + bbox.width, bbox.top + bbox.height];
