@@ -49,8 +49,8 @@ function enlarged(options: Options, k: number): Options {
   };
 }
 
-/** Height of a chart on paper over that on screen: columns are narrower there. */
-const kLower = 0.82;
+/** Largest height of a chart on paper over its width. */
+const kTallest = 0.6;
 
 /** A chart that fills its element's width, made anew when the theme changes. */
 export class Chart {
@@ -81,7 +81,7 @@ export class Chart {
     this.plot?.destroy();
     const { options, data } = this.make();
     const k = fineness();
-    this.plot = new uPlot({ ...enlarged(options, k), width: k * width, height: k * Math.round((isOnPaper() ? kLower : 1) * this.height) }, data, this.holder);
+    this.plot = new uPlot({ ...enlarged(options, k), width: k * width, height: k * (isOnPaper() ? Math.min(this.height, Math.round(kTallest * width)) : this.height) }, data, this.holder);
     if (range && this.keepsRange) this.plot.setScale("x", range);
     this.open(this.plot);
   }
@@ -126,6 +126,7 @@ export class Chart {
   }
 
   private fit(): void {
+    if (isOnPaper()) return;
     if (!this.plot) this.redraw();
     else if (this.plot.width !== this.holder.clientWidth && this.holder.clientWidth > 0)
       this.plot.setSize({ width: this.holder.clientWidth, height: this.height });

@@ -6,6 +6,7 @@ import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el } from "./dom";
 import { kN, seconds } from "./format";
+import { isOnPaper } from "./paper";
 import type { Player } from "./player";
 import { csv, saveButtons, saveText } from "./save";
 import type { LoadName } from "./types";
@@ -225,6 +226,7 @@ export class LoadHistory {
     }
     for (const t of this.run.column("event.time")) this.line(ctx, css("--red"), [x(t), bottom], [x(t), bottom - 7 * ratio]);
     for (const t of this.run.column("split.time")) this.line(ctx, css("--violet"), [x(t), bbox.top], [x(t), bbox.top + 12 * ratio]);
+    if (isOnPaper()) this.line(ctx, css("--ink"), [x(this.player.time), bbox.top], [x(this.player.time), bottom]);
     ctx.restore();
     this.placeNow(plot);
   }

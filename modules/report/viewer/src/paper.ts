@@ -4,8 +4,8 @@
 /** Width of the text on A4, as the style has its margins. */
 const kWidth = "182mm";
 
-/** What hears of it: elements whose pictures depend on their width. */
-const kPictures = ".plan, .stage";
+/** What hears of it: pictures that depend on their width, and forms. */
+const kListeners = ".plan, .stage, .form";
 
 let onPaper = false;
 
@@ -21,7 +21,7 @@ export function onRefit(element: Element, fit: () => void): void {
 }
 
 function refit(): void {
-  for (const picture of document.querySelectorAll(kPictures)) picture.dispatchEvent(new Event("refit"));
+  for (const each of document.querySelectorAll(kListeners)) each.dispatchEvent(new Event("refit"));
 }
 
 /** Calls `act` while the page is laid out as on paper. A browser tells of a print before it lays the page out for it. */
