@@ -75,6 +75,9 @@ test("a campaign is printed, and names each of its inputs once", async () => {
   const page = await browser.open(join(folder, "campaign", "report.html"));
   await onPaper(page);
   await expectPrintable(page);
+  const paths = await page.locator("#inputs table").nth(1).locator("tbody td:first-child").allTextContents();
+  assert.equal(paths.length, 2);
+  assert.equal(new Set(paths).size, 2);
   assert.ok(!/links to/.test(await page.locator("#report").innerText()));
   await page.close();
 });
