@@ -26,7 +26,7 @@ void LiveView::watch(simulation::RunOptions& options) {
       std::optional<model::Checkpoint> saved = newest();
       if (saved) {
         records_.begin_with(saved->results);
-        send();
+        waits_ = true;
       }
       return saved;
     };
@@ -34,11 +34,14 @@ void LiveView::watch(simulation::RunOptions& options) {
                                                                     const simulation::StepReport& report) {
     if (observer) observer(simulation, report);
     waits_ |= records_.take(simulation, report);
-    if (waits_ && std::chrono::steady_clock::now() - sent_ >= kBetween) send();
+    if (waits_ && std::chrono::steady_clock::now() - sent_ >= kBetween) send_rest();
   };
   options.interrupted = [this, interrupted = std::move(options.interrupted)] {
-    if (server_.is_paused()) send_rest();
-    server_.wait_while_paused(is_asked_to_end);
+    // A browser may come during a pause.
+    server_.wait_while_paused([this] {
+      send_rest();
+      return is_asked_to_end();
+    });
     return (interrupted && interrupted()) || server_.is_asked_to_end();
   };
 }
@@ -50,7 +53,7 @@ void LiveView::send() {
 }
 
 void LiveView::send_rest() {
-  if (waits_) send();
+  if (waits_ && server_.is_watched()) send();
 }
 
 void LiveView::end(const std::string& text) {

@@ -29,13 +29,13 @@ class LiveView {
 
  private:
   void send();
-  /// Sends what waits, if anything does.
+  /// Sends what waits, if anything does and a browser takes it. Until then the records are kept as they are.
   void send_rest();
 
   live::Server server_;
   simulator::GrowingRecords records_;
   std::chrono::steady_clock::time_point sent_{};  ///< when records were sent last
-  bool waits_ = false;                            ///< a frame was taken since
+  bool waits_ = false;                            ///< there is something to draw since
 };
 
 }  // namespace brash::cli

@@ -147,6 +147,8 @@ const std::string& Server::address() const { return impl_->address; }
 
 void Server::publish(const std::string& event, const std::string& data) { impl_->stream.publish(event, data); }
 
+bool Server::is_watched() const { return impl_->stream.n_readers() > 0; }
+
 bool Server::is_paused() const { return impl_->is_paused; }
 
 bool Server::is_asked_to_end() const { return impl_->is_ended; }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/report/live.hpp"
 
-#include <fmt/format.h>
-
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
-#include <iterator>
 #include <utility>
 
+#include "brash/core/contract.hpp"
 #include "brash/io/result_columns.hpp"
 
 namespace brash::report {
@@ -25,12 +25,16 @@ class Json {
  public:
   void number(double value) {
     if (std::isfinite(value))
-      fmt::format_to(std::back_inserter(text_), "{}", value);
+      digits(value);
     else
       text_ += "null";
   }
-  void number(std::int64_t value) { fmt::format_to(std::back_inserter(text_), "{}", value); }
-  void key(const std::string& name) { fmt::format_to(std::back_inserter(text_), "\"{}\":", name); }
+  void number(std::int64_t value) { digits(value); }
+  void key(const std::string& name) {
+    text_ += '"';
+    text_ += name;
+    text_ += "\":";
+  }
 
   /// What `write` writes for each of `items`, between brackets.
   template <typename Items, typename Write>
@@ -47,6 +51,15 @@ class Json {
   std::string text() && { return std::move(text_); }
 
  private:
+  /// The fewest digits that give the same number back.
+  template <typename Number>
+  void digits(Number value) {
+    std::array<char, 32> buffer{};  // a double takes 24 at most
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    BRASH_EXPECTS(error == std::errc(), value);
+    text_.append(buffer.data(), end);
+  }
+
   std::string text_;
 };
 

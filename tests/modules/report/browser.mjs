@@ -46,6 +46,48 @@ export async function expectAccessible(page) {
   assert.deepEqual(await faults(), [], "narrow");
 }
 
+/** Lays a page out as a browser does for a print on A4: 182 mm between the margins. */
+export async function onPaper(page) {
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await page.emulateMedia({ media: "print" });
+  await page.setViewportSize({ width: 688, height: 1000 });
+}
+
+/** Back to a screen. */
+export async function offPaper(page) {
+  await page.emulateMedia({ media: "screen" });
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+}
+
+/** Holds that a page on paper is light, shows nothing to click, has its whole width and charts that are drawn for it. */
+export async function expectPrintable(page) {
+  const found = await page.evaluate(() => {
+    const seen = (selector) => [...document.querySelectorAll(selector)].filter((e) => e.checkVisibility());
+    const brightness = (colour) => colour.match(/[\d.]+/g).slice(0, 3).reduce((sum, n) => sum + Number(n), 0);
+    return {
+      width: document.documentElement.scrollWidth,
+      controls: seen("button:not(.link), select, input, textarea, a.skip:focus").map((e) => e.outerHTML.slice(0, 120)),
+      paper: brightness(getComputedStyle(document.body).backgroundColor),
+      ink: brightness(getComputedStyle(document.body).color),
+      // Three pixels for one, but for half a pixel of a column's width.
+      charts: seen(".plot canvas").map((canvas) => canvas.width / canvas.clientWidth),
+      // A grid in the colours of a dark page is nearly black.
+      darkest: seen(".plot canvas").map((canvas) => {
+        const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+        let [n, dark] = [0, 0];
+        for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) ++n && (dark += data[i] + data[i + 1] + data[i + 2] < 200);
+        return dark / n;
+      }),
+    };
+  });
+  assert.equal(found.width, 688);
+  assert.deepEqual(found.controls, []);
+  assert.ok(found.paper > 3 * 250 && found.ink < 3 * 60, JSON.stringify(found));
+  for (const ratio of found.charts) assert.ok(Math.abs(ratio - 3) < 0.02, `a chart has ${ratio} pixels for one of the page`);
+  for (const share of found.darkest) assert.ok(share < 0.35, `${share} of a chart is dark`);
+}
+
 /** Software draws the replay, and a busy machine draws it slowly [ms]. */
 const kPatience = 300e3;
 

@@ -137,6 +137,42 @@ test("two browsers see the run go on, and one pauses it for both", { timeout: kP
   }
 });
 
+test("a page that nobody sees is not drawn until somebody does", { timeout: kPatience }, async () => {
+  const run = await watched("hidden", "--set", "time.duration=100");
+  await paused(run.address);
+  const [seen, hidden] = [await browser.open(run.address), await browser.open(run.address)];
+  const duration = (page) => page.evaluate(() => window.brashReport.run.duration);
+  for (const page of [seen, hidden]) await until(page, () => window.brashReport.run.duration > 0);
+  const hide = (on) => hidden.evaluate((is) => {
+    Object.defineProperty(document, "hidden", { get: () => is, configurable: true });
+    document.dispatchEvent(new Event("visibilitychange"));
+  }, on);
+  await new Promise((done) => setTimeout(done, 1000));
+  await hide(true);
+  const stood = await duration(hidden);
+  await seen.getByRole("button", { name: "Continue the run" }).click();
+  while ((await duration(seen)) < stood + 1) await new Promise((done) => setTimeout(done, 100));
+  assert.equal(await duration(hidden), stood);
+  await hide(false);
+  while ((await duration(hidden)) < stood + 1) await new Promise((done) => setTimeout(done, 100));
+  run.process.kill("SIGINT");
+  assert.equal(await run.ended, 3);
+  for (const page of [seen, hidden]) await page.close();
+});
+
+test("what nobody takes is not made before somebody does, also in a pause", { timeout: kPatience }, async () => {
+  const run = await watched("late", "--set", "time.duration=100");
+  await new Promise((done) => setTimeout(done, 1500));
+  await paused(run.address);
+  await new Promise((done) => setTimeout(done, 500));
+  const text = await stream(run.address, (got) => /^event: records\n.*\n\n/ms.test(got));
+  const records = [...text.matchAll(/^data: (\{.*)$/gm)].map((found) => JSON.parse(found[1]).load.time);
+  assert.equal(records.length, 1, "records that nobody took came one by one");
+  assert.ok(records[0].length > 1);
+  run.process.kill("SIGINT");
+  assert.equal(await run.ended, 3);
+});
+
 test("watching changes no byte of the results, and neither does a browser that is killed", { timeout: kPatience }, async () => {
   brash("run", kCase, "-o", join(folder, "alone"), ...kSettings);
   const run = await watched("watched");

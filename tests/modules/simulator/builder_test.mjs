@@ -5,7 +5,7 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { browse, expectAccessible, scratch } from "../report/browser.mjs";
+import { browse, expectAccessible, offPaper, onPaper, scratch } from "../report/browser.mjs";
 import { openPage } from "./pages.mjs";
 
 const folder = scratch();
@@ -78,6 +78,24 @@ test("a value out of its range is refused at once", async () => {
   await page.locator("#key-ice-density").fill("917 kg/m3");
   await page.evaluate(() => window.brashSimulator.store.checked);
   assert.equal(await page.getByRole("alert").count(), 0);
+  await page.close();
+});
+
+test("paper shows the case file in full, and the keys that it has", async () => {
+  const page = await openPage(browser, page_file);
+  await page.getByLabel("Colours").selectOption("dark");
+  const open = () => page.locator(".form details").evaluateAll((all) => all.map((each) => each.open));
+  const before_print = await open();
+  await onPaper(page);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 688);
+  assert.equal(await page.locator("pre.on-paper").innerText(), await page.locator("textarea").inputValue());
+  assert.equal(await page.locator("textarea:visible, button:visible").count(), 0);
+  const keys = await page.locator(".field:visible label").allTextContents();
+  const written = (await page.locator("textarea").inputValue()).match(/^\w+(?= = )/gm);
+  assert.deepEqual(keys.map((text) => text.split(" ")[0]).sort(), written.sort());
+  await offPaper(page);
+  assert.deepEqual(await open(), before_print);
+  assert.equal(await page.locator("pre.on-paper:visible").count(), 0);
   await page.close();
 });
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results over what was varied: small charts of one scale, a line for each value of a second input, bars for intervals.
 import uPlot from "uplot";
-import { axis, Chart } from "./charts";
+import { axis, Chart, pixelRatio } from "./charts";
 import { inputOf, type Quantity, resultOf, titleOf, valueOf } from "./campaign_names";
 import { css, el } from "./dom";
 import { number } from "./format";
@@ -113,7 +113,7 @@ const scaled = (value: number | null | undefined, scale: number): number | null 
 /** Intervals as bars, runs as pale dots. */
 function mark(plot: uPlot, colour: string, points: Point[], scale: number): void {
   const { ctx } = plot;
-  const ratio = devicePixelRatio || 1;
+  const ratio = pixelRatio();
   ctx.save();
   ctx.strokeStyle = ctx.fillStyle = colour;
   ctx.lineWidth = ratio;

@@ -4,6 +4,7 @@ import uPlot from "uplot";
 import { chartSvg } from "./chart_svg";
 import { css, el } from "./dom";
 import { number } from "./format";
+import { fineness, isOnPaper } from "./paper";
 import { csv, pixels, save, saveButtons, saveText } from "./save";
 
 /** A tick as tables write their numbers: no separator of thousands, which depends on the reader's browser. */
@@ -27,6 +28,30 @@ export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis 
   };
 }
 
+/** Pixels of a canvas for each pixel of the page: for what a chart draws itself. */
+export const pixelRatio = (): number => (devicePixelRatio || 1) * fineness();
+
+type Options = Omit<uPlot.Options, "width" | "height">;
+
+/** The same chart, `k` times as large in all. */
+function enlarged(options: Options, k: number): Options {
+  if (k === 1) return options;
+  const font = (text: string | undefined) => text?.replace(/^\d+/, (size) => String(k * Number(size)));
+  const scaled = <T extends object>(of: T, ...names: (keyof T)[]): T =>
+    ({ ...of, ...Object.fromEntries(names.filter((name) => typeof of[name] === "number").map((name) => [name, k * Number(of[name])])) });
+  return {
+    ...options,
+    axes: options.axes?.map((each, i) => ({
+      ...scaled(each, "labelSize", "size", "gap"), font: font(each.font as string), labelFont: font(each.labelFont),
+      space: k * (i === 0 ? 50 : 30), grid: scaled(each.grid!, "width"), ticks: scaled(each.ticks!, "width", "size"),
+    })),
+    series: options.series.map((each) => ({ ...scaled(each, "width"), points: scaled(each.points ?? {}, "size") })),
+  };
+}
+
+/** Largest height of a chart on paper over its width. */
+const kTallest = 0.6;
+
 /** A chart that fills its element's width, made anew when the theme changes. */
 export class Chart {
   readonly element: HTMLElement;
@@ -38,7 +63,7 @@ export class Chart {
   constructor(
     readonly name: string,
     private readonly height: number,
-    private readonly make: () => { options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData },
+    private readonly make: () => { options: Options; data: uPlot.AlignedData },
     private readonly tell?: () => string,
   ) {
     this.holder = el("div", { class: "plot", role: "group", "aria-label": name });
@@ -55,7 +80,8 @@ export class Chart {
     const range = x && this.plot && x.min !== undefined && x.max !== undefined ? { min: x.min!, max: x.max! } : null;
     this.plot?.destroy();
     const { options, data } = this.make();
-    this.plot = new uPlot({ ...options, width, height: this.height }, data, this.holder);
+    const k = fineness();
+    this.plot = new uPlot({ ...enlarged(options, k), width: k * width, height: k * (isOnPaper() ? Math.min(this.height, Math.round(kTallest * width)) : this.height) }, data, this.holder);
     if (range && this.keepsRange) this.plot.setScale("x", range);
     this.open(this.plot);
   }
@@ -100,6 +126,7 @@ export class Chart {
   }
 
   private fit(): void {
+    if (isOnPaper()) return;
     if (!this.plot) this.redraw();
     else if (this.plot.width !== this.holder.clientWidth && this.holder.clientWidth > 0)
       this.plot.setSize({ width: this.holder.clientWidth, height: this.height });

@@ -140,6 +140,11 @@ function files(title: string, list: Manifest["inputs"]): HTMLElement | null {
     table(["file", "size", "SHA-256"], list.map((file) => [file.path, bytes(file.bytes), el("code", { class: "hash" }, file.sha256)])));
 }
 
+/** The inputs and the plan, which may be one of them. */
+function inputsOf({ plan, inputs = [] }: Manifest): Manifest["inputs"] {
+  return plan && !inputs.some(({ path }) => path === plan.path) ? [plan, ...inputs] : inputs;
+}
+
 export function manifestTables(manifest: Manifest): HTMLElement {
   const v = manifest.volatile ?? {};
   const rows: [string, string][] = [["program", `${manifest.program?.name ?? "brash"} ${manifest.program?.version ?? ""}`]];
@@ -150,7 +155,7 @@ export function manifestTables(manifest: Manifest): HTMLElement {
   if (v.wall_seconds !== undefined) rows.push(["wall time", `${seconds(v.wall_seconds, 1)} s`]);
   if (v.host_cpu) rows.push(["processor", v.host_cpu]);
   return el("div", { class: "columns even" }, el("div", {}, el("h3", {}, "Manifest"), table([], rows)), el("div", {},
-    files("Inputs", manifest.plan ? [manifest.plan, ...(manifest.inputs ?? [])] : manifest.inputs), files("Outputs", manifest.outputs)));
+    files("Inputs", inputsOf(manifest)), files("Outputs", manifest.outputs)));
 }
 
 export function inputsSection(run: Run, schema: Schema): HTMLElement {

@@ -22,6 +22,8 @@ export interface LiveReport {
 
 /** Time between two pictures of a run that goes on [ms]. A browser that draws all the time slows the run on its machine. */
 const kPause = 300;
+/** Time without a picture over the time that one took: pictures of a long run take longer. */
+const kRest = 2;
 
 /** Asks the server for something. */
 const wish = (what: "pause" | "resume" | "stop") => void fetch(what, { method: "POST" });
@@ -68,20 +70,24 @@ export function showLive(data: LiveData, blocks: Blocks, parent: HTMLElement): L
   const duration = run.input("time", "duration");
   let view: LiveView | null = null;
   let renewing = false;
-  let lastRenewal = -kPause;
+  let nextRenewal = 0;
   const renew = () => {
     renewing = false;
+    const start = performance.now();
     run.take(growing.blocks());
     view ??= new LiveView(run, player, parent, () => controls.letGo(), report);
     view.renew(controls.followsNewest);
     controls.tell(`${seconds(run.duration)} of ${number(duration, 3)} s`);
-    lastRenewal = performance.now();
+    const end = performance.now();
+    nextRenewal = end + Math.max(kPause, kRest * (end - start));
   };
+  // One picture for all that has come, and none while nobody looks. The run has the processor first.
+  const renewSoon = () => setTimeout(() => renewing && !document.hidden && renew(), Math.max(0, nextRenewal - performance.now()));
+  document.addEventListener("visibilitychange", renewSoon);
   const events = new EventSource("events");
   events.addEventListener("records", ({ data: text }: MessageEvent<string>) => {
     growing.add(JSON.parse(text) as Records);
-    // One picture for all that has come. The run has the processor first.
-    if (!renewing) setTimeout(() => renewing && renew(), Math.max(0, lastRenewal + kPause - performance.now()));
+    if (!renewing) renewSoon();
     renewing = true;
   });
   events.addEventListener("paused", ({ data: text }: MessageEvent<string>) => controls.setPaused(text === "true"));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The load history: every sample, its causes, the cracks, and the replay's time.
 import uPlot from "uplot";
-import { axis, Chart } from "./charts";
+import { axis, Chart, pixelRatio } from "./charts";
 import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el } from "./dom";
 import { kN, seconds } from "./format";
+import { isOnPaper } from "./paper";
 import type { Player } from "./player";
 import { csv, saveButtons, saveText } from "./save";
 import type { LoadName } from "./types";
@@ -204,7 +205,7 @@ export class LoadHistory {
   /** Mean with its interval, the reference and cracks. */
   private mark(plot: uPlot): void {
     const { ctx, bbox } = plot;
-    const ratio = devicePixelRatio || 1;
+    const ratio = pixelRatio();
     const x = (t: number) => plot.valToPos(t, "x", true);
     const y = (n: number) => plot.valToPos(n / 1e3, "y", true);
     const [right, bottom] = [bbox.left + bbox.width, bbox.top + bbox.height];
@@ -225,6 +226,7 @@ export class LoadHistory {
     }
     for (const t of this.run.column("event.time")) this.line(ctx, css("--red"), [x(t), bottom], [x(t), bottom - 7 * ratio]);
     for (const t of this.run.column("split.time")) this.line(ctx, css("--violet"), [x(t), bbox.top], [x(t), bbox.top + 12 * ratio]);
+    if (isOnPaper()) this.line(ctx, css("--ink"), [x(this.player.time), bbox.top], [x(this.player.time), bottom]);
     ctx.restore();
     this.placeNow(plot);
   }

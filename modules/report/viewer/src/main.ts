@@ -4,6 +4,7 @@ import { redrawCharts } from "./charts";
 import { part, readBlocks, readData, Run } from "./data";
 import { el } from "./dom";
 import { type LiveReport, showLive } from "./live";
+import { preparePrints } from "./paper";
 import { type RunReport, showRun } from "./run";
 import type { Manifest, PageData } from "./types";
 
@@ -43,21 +44,6 @@ function header(data: PageData, title: string, onTheme: () => void): HTMLElement
     el("nav", { "aria-label": "Contents" }), keys, el("label", { class: "theme" }, "colours ", theme));
 }
 
-/** Paper is white, whatever the screen is. */
-function printInLight(onTheme: () => void): void {
-  const root = document.documentElement;
-  let chosen: string | undefined;
-  addEventListener("beforeprint", () => {
-    chosen = root.dataset.theme;
-    root.dataset.theme = "light";
-    onTheme();
-  });
-  addEventListener("afterprint", () => {
-    root.dataset.theme = chosen ?? "auto";
-    onTheme();
-  });
-}
-
 function fillContents(head: HTMLElement): void {
   head.querySelector("nav")!.append(...[...document.querySelectorAll("section")].map((part) =>
     el("a", { href: `#${part.id}` }, part.querySelector("h2")!.textContent)));
@@ -87,7 +73,7 @@ async function main(): Promise<void> {
   const head = header(data, title, retheme);
   parent.append(head, el("div", { id: "start", tabindex: -1 }));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
-  printInLight(retheme);
+  preparePrints(retheme);
   if (data.kind === "campaign") {
     showCampaign(data, parent);
   } else if (data.kind === "live") {

@@ -4,6 +4,7 @@ import { type Crack, crackOf, type Segment } from "./crack";
 import type { Ring, Run } from "./data";
 import { el, svg } from "./dom";
 import { legend, type Swatch } from "./legend";
+import { onRefit } from "./paper";
 import { drawingButtons } from "./save";
 import { splitMarks, splitsOf } from "./splits";
 
@@ -68,12 +69,14 @@ const kFloePoint = 0.75;  // of that, for a floe that broke again
 /** Calls back with the width [px] at which a drawing is shown, whenever that changes. */
 function onWidth(picture: SVGSVGElement, change: (width: number) => void): void {
   let last = 0;
-  new ResizeObserver(() => {
+  const measure = () => {
     const { width } = picture.getBoundingClientRect();
     if (width === 0 || Math.abs(width - last) < 1) return;
     last = width;
     change(width);
-  }).observe(picture);
+  };
+  new ResizeObserver(measure).observe(picture);
+  onRefit(picture, measure);
 }
 
 /** Gives a drawing a ruler whose letters have one size, however wide the drawing is shown. */

@@ -82,10 +82,9 @@ export class Replay {
     for (const scene of this.scenes) scene.look(name);
   }
 
-  /** Draws into an image, for print. */
-  still(stage = this.stages[0]): string {
-    stage.scene?.drawNow();
-    return stage.canvas.toDataURL("image/png");
+  /** Draws the first run into an image. */
+  still(): string {
+    return this.stages[0].picture();
   }
 
   /** Makes a film of the run from its start, or ends the one that is being made. */

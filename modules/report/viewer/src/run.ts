@@ -36,14 +36,6 @@ export interface RunReport {
 function makeReplay(runs: Run[], player: Player, names: string[]): Replay {
   const replay = new Replay(runs, player, names);
   bindKeys(player, replay, () => runs[0].column("frame.time"));
-  for (const stage of replay.stages) {
-    const still = el("img", { class: "still", alt: "Replay at the time of printing", hidden: true });
-    stage.element.prepend(still);
-    addEventListener("beforeprint", () => {
-      still.src = replay.still(stage);
-      still.hidden = false;
-    });
-  }
   return replay;
 }
 

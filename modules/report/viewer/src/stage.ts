@@ -5,6 +5,7 @@ import { el } from "./dom";
 import type { Colouring } from "./floe_mesh";
 import { kN } from "./format";
 import { legend, type Swatch } from "./legend";
+import { isOnPaper, onRefit } from "./paper";
 import { ReplayScene } from "./scene";
 import { scaleLength } from "./views";
 
@@ -19,6 +20,8 @@ export class Stage {
   readonly canvas: HTMLCanvasElement;
   private legend = legend([]);
   private readonly scale = el("div", { class: "scale" });
+  /** The picture on paper: a canvas may be empty there. */
+  private readonly still = el("img", { class: "still", alt: "Replay at the time of printing", hidden: true });
 
   /** @param title of the run, if there are several. */
   constructor(readonly run: Run, title = "") {
@@ -28,8 +31,9 @@ export class Stage {
       this.element.append(el("p", { class: "note" }, "This browser offers no WebGL, which the replay in three dimensions needs. Everything else is here."));
       return;
     }
-    this.element.append(this.canvas, this.scale, this.legend);
     if (title) this.element.append(el("p", { class: "stage-title" }, title));
+    this.element.append(this.still, this.canvas, this.scale, this.legend);
+    onRefit(this.element, () => isOnPaper() && this.takeStill());
     this.canvas.addEventListener("keydown", (event) => kMoves[event.key] && this.scene!.move(...kMoves[event.key]));
     this.scene.onDraw = () => this.showScale(this.scene!);
     new ResizeObserver(() => this.scene?.resize(this.element.clientWidth, this.element.clientHeight)).observe(this.element);
@@ -44,6 +48,17 @@ export class Stage {
     const next = legend([...this.swatches(colouring), ...always, { colour: "--scene-ripple", text: `lines on the water: ${this.scene.water.spacing} m apart`, kind: "line" }]);
     this.legend.replaceWith(next);
     this.legend = next;
+  }
+
+  /** Draws into an image. */
+  picture(): string {
+    this.scene?.drawNow();
+    return this.canvas.toDataURL("image/png");
+  }
+
+  private takeStill(): void {
+    this.still.src = this.picture();
+    this.still.hidden = false;
   }
 
   private makeScene(): ReplayScene | null {

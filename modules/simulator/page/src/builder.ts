@@ -2,6 +2,7 @@
 // A form for every key of a case, made from its JSON Schema, beside the file that it writes.
 import { el, section } from "../../../report/viewer/src/dom";
 import { number } from "../../../report/viewer/src/format";
+import { isOnPaper, onRefit } from "../../../report/viewer/src/paper";
 import { saveText } from "../../../report/viewer/src/save";
 import { tomlOf, typedOf, valueIn } from "./case_text";
 import { type KeySchema, ofKind, readSchema, type Section, sectionsOf } from "./schema";
@@ -72,6 +73,7 @@ class Field {
         if (option.value === "") option.textContent = this.required ? "choose" : `default: ${hint(schema)}`;
         else option.hidden = schema.enum?.includes(option.value) === false && option.value !== shown;
     }
+    this.element.classList.toggle("unset", written === null);
     this.element.hidden = written === null && kinds !== undefined && this.section === "structure" && !kinds.includes(kind);
     // The program names the keys that it refuses.
     const bad = this.store.error.includes(`${this.section}.${this.key}`);
@@ -79,7 +81,7 @@ class Field {
   }
 }
 
-function fieldset(store: CaseStore, { name, description, keys }: Section): HTMLElement {
+function fieldset(store: CaseStore, { name, description, keys }: Section): HTMLDetailsElement {
   const kinds = keys.find((each) => each.name === "kind")?.schema;
   const usual = String(kinds?.default ?? kinds?.enum?.[0] ?? "");
   return el("details", { open: kOpen.includes(name) },
@@ -90,6 +92,8 @@ function fieldset(store: CaseStore, { name, description, keys }: Section): HTMLE
 /** The text of the case; whoever likes writes in it. */
 export function caseFile(store: CaseStore): { element: HTMLElement; copy: HTMLElement } {
   const text = el("textarea", { spellcheck: "false", rows: 24, "aria-label": "Case file (TOML)", input: () => store.set(text.value) });
+  // A field shows on paper as much of a text as it does on screen.
+  const printed = el("pre", { class: "on-paper" });
   const told = el("span", { role: "status", class: "hint" });
   const copied = async () => {
     try {
@@ -105,20 +109,34 @@ export function caseFile(store: CaseStore): { element: HTMLElement; copy: HTMLEl
     el("button", { type: "button", click: () => saveText(store.name, store.text, "application/toml") }, "Save the case"),
   ];
   store.onChange(() => {
+    printed.textContent = store.text;
     if (document.activeElement !== text && text.value !== store.text) text.value = store.text;
     told.textContent = "";
   });
   return {
-    element: el("div", { class: "case-file", id: "case-file" }, el("div", { class: "bar" }, el("strong", {}, "Case file"), ...buttons()), text),
+    element: el("div", { class: "case-file", id: "case-file" }, el("div", { class: "bar" }, el("strong", {}, "Case file"), ...buttons()), text, printed),
     copy: el("span", { class: "pair" }, ...buttons(), told),
   };
 }
 
+/** Paper shows the keys that are written, also those of sections that are closed. */
+function openForPaper(form: HTMLElement, sections: HTMLDetailsElement[]): void {
+  let open: boolean[] | null = null;
+  onRefit(form, () => {
+    if (isOnPaper()) open ??= sections.map((each) => each.open);
+    sections.forEach((each, i) => (each.open = isOnPaper() || (open?.[i] ?? each.open)));
+    if (!isOnPaper()) open = null;
+  });
+}
+
 export function builderSection(store: CaseStore, file: HTMLElement, messages: HTMLElement, beside: HTMLElement | null): HTMLElement {
-  const form = el("div", { class: "form" }, ...sectionsOf(readSchema()).map((each) => fieldset(store, each)));
+  const sections = sectionsOf(readSchema()).map((each) => fieldset(store, each));
+  const form = el("div", { class: "form" }, ...sections);
+  openForPaper(form, sections);
   const note = store.core ? ["Every message is the program's own."]
     : ["This page checks names, choices and ranges. ", el("code", {}, "brash check"), " also reads units and knows which keys go together."];
   return section("builder", "Case builder",
-    el("p", {}, "Every key of a case, its unit, range, default and source. An empty field takes its default, which is shown in grey. ", ...note),
+    el("p", { class: "do" }, "Every key of a case, its unit, range, default and source. An empty field takes its default, which is shown in grey. ", ...note),
+    el("p", { class: "on-paper" }, "The case file, and the meaning of its keys. Every other key takes its default."),
     el("div", { class: "builder" }, form, el("div", { class: "file" }, file, messages, beside)));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { redrawCharts } from "../../../report/viewer/src/charts";
 import { el, section } from "../../../report/viewer/src/dom";
+import { preparePrints } from "../../../report/viewer/src/paper";
 import { builderSection, caseFile } from "./builder";
 import { besides, controlPanel, messages } from "./controls";
 import { Core } from "./core";
@@ -55,6 +56,7 @@ async function main(): Promise<void> {
     return part ? [el("a", { href: `#${id}` }, part.querySelector("h2")!.textContent)] : [];
   }), el("a", { href: "#case-file" }, "Case file"));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
+  preparePrints(retheme);
   await store.check();
   await simulation?.reset();
   requestAnimationFrame(() => setTimeout(() => (window.brashSimulator!.firstPicture = performance.now())));

@@ -30,6 +30,9 @@ class Server {
   /// @param data  one line of text.
   void publish(const std::string& event, const std::string& data);
 
+  /// Whether a browser takes the stream now. What nobody takes need not be made yet.
+  bool is_watched() const;
+
   /// Whether a browser asked for a pause that goes on.
   bool is_paused() const;
 
