@@ -89,9 +89,10 @@ void check_initial_crack(const model::Case& c, Checks& checks) {
 
 }  // namespace
 
-void check_field(const model::Case& c, Checks& checks) {
+void check_field(const model::Case& c, FieldFiles files, Checks& checks) {
   check_extent(c, checks);
   check_initial_crack(c, checks);
+  if (files == FieldFiles::kMayBeGone) return;
   check_files(c, checks);
   check_floes(c, checks);
 }
