@@ -116,11 +116,12 @@ double breadth(const Polygon& part) {
   return geometry::area(part).square_metres() / std::max(upper.x - lower.x, upper.y - lower.y);
 }
 
-/// The name of the file that a complaint about the laid ice goes to.
+/// The names of the files that a complaint about the laid ice goes to.
 std::string files_of(const model::FieldSection& field) {
-  for (const std::string* file : {&field.cracks, &field.openings, &field.shore, &field.file})
-    if (!file->empty()) return *file;
-  return "field";
+  std::string names;
+  for (const std::string* file : {&field.file, &field.shore, &field.openings, &field.cracks})
+    if (!file->empty()) names += (names.empty() ? "" : " with ") + *file;
+  return names.empty() ? "field" : names;
 }
 
 /// Whether land lies along a part: a corner of one of them lies on an edge of the other.

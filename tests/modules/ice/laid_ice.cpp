@@ -199,6 +199,9 @@ BOOST_AUTO_TEST_CASE(faults_of_files_are_refused_with_the_remedy) {
   refuses("polygon 0");
   open("POLYGON((-1 -11, 31 -11, 31 11, -1 11, -1 -11))");
   refuses("leaves no ice");
+  crack("LINESTRING(26 -11, 26 11)");
+  refuses("openings with ");  // the crack is no fault of its own
+  field.cracks.clear();
   open(kChannel);
   crack("POLYGON((0 0, 4 4, 4 0, 0 0))");
   refuses("areas of open water go to field.openings");
