@@ -25,8 +25,9 @@ struct Replay {
 Replay read_replay(const std::string& run_file);
 
 /// The sheets at the frames of a run, which stores them after each step with cracks: since then the structure's section
-/// in the waterplane has been crushed. Each is cut by itself, for sheets that drift may overlap. Between frames its path is not followed, so the channel's walls differ from the
-/// run's by less than the structure moves in a frame.
+/// in the waterplane has been crushed. Each is cut by itself, for sheets that drift may overlap. Between frames the
+/// path of the structure is not followed, so the channel's walls differ from the run's by less than it moves in a
+/// frame.
 class SheetReplay {
  public:
   explicit SheetReplay(const Replay& replay);

@@ -62,7 +62,8 @@ void check_files(const model::Case& c, Checks& checks) {
   });
   checks.require(!model::has_ice_files(c.field) || !c.field.initial_crack, {"field", "initial_crack"},
                  {"field", "file"}, "stands beside files of the ice, which may have any edge",
-                 "false with field.file, openings, cracks or shore", "remove it, or draw the broken part into field.openings");
+                 "false with field.file, openings, cracks or shore",
+                 "remove it, or draw the broken part into field.openings");
 }
 
 void check_floes(const model::Case& c, Checks& checks) {
