@@ -10,6 +10,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
+#include "brash/model/case_keys.hpp"
 #include "brash/report/case_picture.hpp"
 #include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/scales.hpp"
@@ -65,7 +66,8 @@ void print_floes(const model::Case& resolved, const simulation::InitialField& fi
 
 void check_case(const std::string& path, const std::vector<std::string>& overrides, const std::string& picture) {
   refuse_overwriting(picture, {path});
-  const model::Case resolved = io::read_case(path, overrides);
+  model::Case resolved = io::read_case(path, overrides);
+  for (const std::string* const file : model::files_of(resolved)) refuse_overwriting(picture, {*file});
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
   print_data(io::to_toml(resolved));
   const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));

@@ -15,6 +15,7 @@
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
 #include "map_file.hpp"
+#include "vtk_meshes.hpp"
 
 namespace brash::cli {
 namespace {
@@ -31,13 +32,20 @@ constexpr std::size_t kThinTail = 50;  // a tail of fewer says little
 
 PieceSizes sizes_of_run(const std::string& file, bool born) {
   PieceSizes sizes{fmt::format("floes {} of {}", born ? "ever born" : "afloat at the end", file), {}, {}, 0};
-  for (const model::FloeRecord& floe : io::read_results(file).floes) {
+  const model::RunResults results = io::read_results(file);
+  for (const model::FloeRecord& floe : results.floes) {
     if (!born && floe.end != model::FloeEnd::kAlive) {
       ++sizes.n_left_out;
     } else if (!floe.rings.empty()) {
       sizes.diameters.push_back(geometry::mean_caliper_diameter(geometry::ring(floe.rings.front())));
       sizes.areas.push_back(floe.area);
     }
+  }
+  // The large floes of a field are plates.
+  if (io::read_case_of(file).find("[field]\nkind = \"floes\"") == std::string::npos) return sizes;
+  for (const geometry::Polygon& plate : polygons_of(born ? results.initial_sheet : results.final_sheet)) {
+    sizes.diameters.push_back(geometry::mean_caliper_diameter(plate.outline));
+    sizes.areas.push_back(geometry::area(plate).square_metres());
   }
   return sizes;
 }

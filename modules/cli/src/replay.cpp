@@ -3,9 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <utility>
+
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
-#include "brash/io/case.hpp"
+#include "brash/io/recorded_case.hpp"
 #include "brash/io/results.hpp"
 #include "vtk_meshes.hpp"
 
@@ -14,14 +19,19 @@ namespace {
 
 using geometry::IceSheet;
 
-/// Refuses polygons that cannot be drawn, before anything is written.
+auto sheet_of(const geometry::Polygon& polygon) { return IceSheet::from_polygons(std::span(&polygon, 1)); }
+
+/// Refuses polygons that cannot be drawn, before anything is written. Sheets that drift may overlap.
 void check_polygons(const std::string& run_file, const model::RunResults& results) {
   const auto check = [&](const std::string& of, std::span<const std::vector<Vec2>> rings) {
-    const auto sheet = IceSheet::from_polygons(polygons_of(rings));
-    if (sheet) return;
-    throw InputError(Complaint{fmt::format("{}, {}", run_file, of), sheet.error().what,
-                               "polygons that neither cross nor overlap",
-                               "copy the run.nc again, or run the case again"});
+    const std::vector<geometry::Polygon> polygons = polygons_of(rings);
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const auto sheet = sheet_of(polygons[i]);
+      if (sheet) continue;
+      throw InputError(Complaint{fmt::format("{}, {}, polygon {}", run_file, of, i), sheet.error().what,
+                                 "polygons that do not cross themselves",
+                                 "copy the run.nc again, or run the case again"});
+    }
   };
   check("initial_sheet", results.initial_sheet);
   check("final_sheet", results.final_sheet);
@@ -35,8 +45,9 @@ void check_polygons(const std::string& run_file, const model::RunResults& result
 Replay read_replay(const std::string& run_file) {
   Replay replay;
   replay.results = io::read_results(run_file);
-  // The failure model is not needed: its file may be gone.
-  replay.resolved = io::parse_case(io::read_case_of(run_file), run_file, {"failure.file=''"});
+  // Neither the failure model nor the files of the ice are needed: they may be gone.
+  replay.resolved =
+      io::parse_recorded_case(io::read_case_of(run_file), run_file, {"failure.file=''"}, io::ModelFile::kInItsFolder);
   check_polygons(run_file, replay.results);
   replay.hull = structure::make_hull(replay.resolved.structure.shape);
   return replay;
@@ -51,16 +62,23 @@ std::vector<geometry::Polygon> SheetReplay::at(const model::Frame& frame) {
   has_cracked_ = next_ > before;
   if (&frame == &replay_.results.frames.back()) return polygons_of(replay_.results.final_sheet);
   if (has_cracked_) take(cracked[next_ - 1].rings);
-  for (const structure::Outline& outline : replay_.hull->footprint(frame.structure, 0.0, 0.0).leading)
-    sheet_->cut(geometry::ring(outline));
-  sheet_->release_detached();
-  return sheet_->polygons();
+  const structure::Footprint footprint = replay_.hull->footprint(frame.structure, 0.0, 0.0);
+  std::vector<geometry::Polygon> all;
+  for (IceSheet& sheet : sheets_) {
+    for (const structure::Outline& outline : footprint.leading) sheet.cut(geometry::ring(outline));
+    sheet.release_detached();
+    std::ranges::move(sheet.polygons(), std::back_inserter(all));
+  }
+  return all;
 }
 
 void SheetReplay::take(std::span<const std::vector<Vec2>> rings) {
-  auto sheet = IceSheet::from_polygons(polygons_of(rings));
-  BRASH_EXPECTS(sheet.has_value(), sheet.error().what);
-  sheet_ = std::make_unique<IceSheet>(*std::move(sheet));
+  sheets_.clear();
+  for (const geometry::Polygon& polygon : polygons_of(rings)) {
+    auto sheet = sheet_of(polygon);
+    BRASH_EXPECTS(sheet.has_value(), sheet.error().what);
+    sheets_.push_back(*std::move(sheet));
+  }
 }
 
 io::PolyData sheet_surface(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons) {

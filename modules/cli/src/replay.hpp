@@ -24,14 +24,15 @@ struct Replay {
 /// @throws InputError when the file is no run, or has polygons that cannot be drawn.
 Replay read_replay(const std::string& run_file);
 
-/// The sheet at the frames of a run, which stores it after each step with cracks: since then the structure's section in
-/// the waterplane has been crushed. Between frames its path is not followed, so the channel's walls differ from the
-/// run's by less than the structure moves in a frame.
+/// The sheets at the frames of a run, which stores them after each step with cracks: since then the structure's section
+/// in the waterplane has been crushed. Each is cut by itself, for sheets that drift may overlap. Between frames the
+/// path of the structure is not followed, so the channel's walls differ from the run's by less than it moves in a
+/// frame.
 class SheetReplay {
  public:
   explicit SheetReplay(const Replay& replay);
 
-  /// The sheet at `frame`; frames in the order of time.
+  /// The sheets at `frame`; frames in the order of time.
   std::vector<geometry::Polygon> at(const model::Frame& frame);
 
   /// Whether cracks changed the sheet between the last frame and the one before.
@@ -41,7 +42,7 @@ class SheetReplay {
   void take(std::span<const std::vector<Vec2>> rings);
 
   const Replay& replay_;
-  std::unique_ptr<geometry::IceSheet> sheet_;
+  std::vector<geometry::IceSheet> sheets_;
   std::size_t next_ = 0;  ///< of the cracked sheets
   bool has_cracked_ = false;
 };

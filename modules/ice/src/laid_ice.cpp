@@ -40,6 +40,17 @@ IceSheet sheet_of(std::span<const Polygon> polygons) {
   return std::move(*sheet);
 }
 
+/// One sheet of all polygons, or one of each where some touch along an edge: that edge is a crack, and one sheet would
+/// close it.
+std::vector<IceSheet> sheets_of(std::span<const Polygon> polygons) {
+  std::vector<IceSheet> sheets;
+  sheets.push_back(sheet_of(polygons));
+  if (sheets.front().polygons().size() >= polygons.size()) return sheets;
+  sheets.clear();
+  for (const Polygon& polygon : polygons) sheets.push_back(sheet_of(std::span(&polygon, 1)));
+  return sheets;
+}
+
 /// Calls `visit(a, b)` for each edge of a polygon [m].
 void visit_edges(const Polygon& polygon, auto&& visit) {
   const auto visit_ring = [&](const Ring& ring) {
@@ -116,11 +127,12 @@ double breadth(const Polygon& part) {
   return geometry::area(part).square_metres() / std::max(upper.x - lower.x, upper.y - lower.y);
 }
 
-/// The name of the file that a complaint about the laid ice goes to.
+/// The names of the files that a complaint about the laid ice goes to.
 std::string files_of(const model::FieldSection& field) {
-  for (const std::string* file : {&field.cracks, &field.openings, &field.shore, &field.file})
-    if (!file->empty()) return *file;
-  return "field";
+  std::string names;
+  for (const std::string* file : {&field.file, &field.shore, &field.openings, &field.cracks})
+    if (!file->empty()) names += (names.empty() ? "" : " with ") + *file;
+  return names.empty() ? "field" : names;
 }
 
 /// Whether land lies along a part: a corner of one of them lies on an edge of the other.
@@ -195,8 +207,7 @@ void expect_no_tails(const std::vector<Tail>& tails, const std::string& file) {
 }  // namespace
 
 std::vector<Polygon> with_openings(std::span<const Polygon> ice, std::span<const Polygon> openings) {
-  std::vector<IceSheet> sheets;
-  sheets.push_back(sheet_of(ice));
+  std::vector<IceSheet> sheets = sheets_of(ice);
   for (const Polygon& opening : openings) {
     std::vector<IceSheet> islands;
     for (IceSheet& sheet : sheets) {
@@ -221,7 +232,9 @@ Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon
   if (box.is_empty()) return {};
   const Vec2 beyond{kBeyond, kBeyond}, lower = box.lower - beyond, upper = box.upper + beyond;
   const std::array<Vec2, 4> corners{lower, Vec2{upper.x, lower.y}, upper, Vec2{lower.x, upper.y}};
-  Parted parted{sheet_of(ice).cut(geometry::ring(corners), lines).pieces, {}};
+  Parted parted;
+  for (IceSheet& sheet : sheets_of(ice))
+    std::ranges::move(sheet.cut(geometry::ring(corners), lines).pieces, std::back_inserter(parted.parts));
   std::vector<geometry::Extent> boxes;
   std::vector<IceSheet> sheets;
   for (const Polygon& part : parted.parts) {

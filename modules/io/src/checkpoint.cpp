@@ -14,6 +14,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/recorded_case.hpp"
 #include "result_tables.hpp"
 #include "tables.hpp"
 
@@ -127,7 +128,7 @@ void read_values(const NetcdfReader& file, const model::Table& table, model::Col
 
 model::Case read_resolved_case(const NetcdfReader& file) {
   try {
-    return parse_case(file.attribute("case"), file.attribute("case_name") + ".toml", {}, ModelFile::kAnywhere);
+    return parse_recorded_case(file.attribute("case"), file.attribute("case_name") + ".toml", {}, ModelFile::kAnywhere);
   } catch (const InputError& error) {
     file.refuse(std::string("its case cannot be read: ") + error.what());
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brash/model/case.hpp"
+#include "resolve.hpp"
 #include "toml_source.hpp"
 
 namespace brash::io {
@@ -45,6 +46,6 @@ void check_structure(const model::Case& c, Checks& checks);
 void check_hull(const model::Case& c, Checks& checks);
 
 /// [field] and its files.
-void check_field(const model::Case& c, Checks& checks);
+void check_field(const model::Case& c, FieldFiles files, Checks& checks);
 
 }  // namespace brash::io

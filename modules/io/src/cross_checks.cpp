@@ -86,11 +86,11 @@ void check_rest(const model::Case& c, Checks& checks) {
 
 }  // namespace
 
-std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& source) {
+std::vector<Problem> cross_check(const model::Case& resolved, const CaseSource& source, FieldFiles files) {
   Checks checks(source);
   check_ice(resolved, checks);
   check_structure(resolved, checks);
-  check_field(resolved, checks);
+  check_field(resolved, files, checks);
   check_hull(resolved, checks);
   check_contact(resolved, checks);
   check_water(resolved, checks);

@@ -62,7 +62,8 @@ void check_files(const model::Case& c, Checks& checks) {
   });
   checks.require(!model::has_ice_files(c.field) || !c.field.initial_crack, {"field", "initial_crack"},
                  {"field", "file"}, "stands beside files of the ice, which may have any edge",
-                 "false with field.file, openings, cracks or shore", "remove it, or draw the broken part into field.openings");
+                 "false with field.file, openings, cracks or shore",
+                 "remove it, or draw the broken part into field.openings");
 }
 
 void check_floes(const model::Case& c, Checks& checks) {
@@ -89,9 +90,10 @@ void check_initial_crack(const model::Case& c, Checks& checks) {
 
 }  // namespace
 
-void check_field(const model::Case& c, Checks& checks) {
+void check_field(const model::Case& c, FieldFiles files, Checks& checks) {
   check_extent(c, checks);
   check_initial_crack(c, checks);
+  if (files == FieldFiles::kMayBeGone) return;
   check_files(c, checks);
   check_floes(c, checks);
 }

@@ -8,6 +8,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/recorded_case.hpp"
 #include "brash/io/series.hpp"
 #include "brash/model/case_keys.hpp"
 #include "cross_checks.hpp"
@@ -122,6 +123,14 @@ void drop_water_laws_not_taken(model::Case& c, const CaseSource& source) {
   if (by_share && !is_written("added_mass_law")) h.added_mass_law = model::AddedMassLaw::kIsotropic;
 }
 
+std::string name_of_case(const std::string& path) {
+  // "...toml" would name its results "..".
+  const std::string name = std::filesystem::path(path).stem().string();
+  if (name.empty() || name == "." || name == "..")
+    throw InputError(Complaint{path, "gives its case no name", "a file name such as cone.toml", "rename the file"});
+  return name;
+}
+
 /// The initial crack belongs to the straight edge of a rectangle.
 void drop_initial_crack_of_files(model::Case& c, const CaseSource& source) {
   if (model::has_ice_files(c.field) && source.tree["field"]["initial_crack"].node() == nullptr)
@@ -130,7 +139,7 @@ void drop_initial_crack_of_files(model::Case& c, const CaseSource& source) {
 
 }  // namespace
 
-model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file) {
+model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file, FieldFiles files) {
   Json document = validated(source, schema_of_cases());
   read_path(document.at("structure.motion"), source, model_file);
   model::Case result = model::from_tree(document);
@@ -142,7 +151,7 @@ model::Case resolve(const CaseSource& source, const std::string& name, ModelFile
   std::vector<Problem> problems;
   if (model_file == ModelFile::kInItsFolder)
     for (const FileKey& file : file_keys(result)) add_leads_out(file, source, problems);
-  if (problems.empty()) problems = cross_check(result, source);
+  if (problems.empty()) problems = cross_check(result, source, files);
   if (!problems.empty()) refuse(std::move(problems));
   return result;
 }
@@ -165,11 +174,14 @@ std::string read_case_text(const std::string& path) { return read_text(path, "ca
 
 model::Case parse_case(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
                        ModelFile model_file) {
-  // "...toml" would name its results "..".
-  const std::string name = std::filesystem::path(path).stem().string();
-  if (name.empty() || name == "." || name == "..")
-    throw InputError(Complaint{path, "gives its case no name", "a file name such as cone.toml", "rename the file"});
+  const std::string name = name_of_case(path);
   return resolve(parse_source(text, path, overrides), name, model_file);
+}
+
+model::Case parse_recorded_case(const std::string& text, const std::string& path,
+                                const std::vector<std::string>& overrides, ModelFile model_file) {
+  const std::string name = name_of_case(path);
+  return resolve(parse_source(text, path, overrides), name, model_file, FieldFiles::kMayBeGone);
 }
 
 }  // namespace brash::io

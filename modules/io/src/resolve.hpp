@@ -8,8 +8,12 @@
 
 namespace brash::io {
 
+/// Whether the files of [field] are there: those of a recorded case need not be.
+enum class FieldFiles { kThere, kMayBeGone };
+
 /// The case that `source` describes, under `name`.
 /// @throws InputError that lists every problem.
-model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file = ModelFile::kInItsFolder);
+model::Case resolve(const CaseSource& source, const std::string& name, ModelFile model_file = ModelFile::kInItsFolder,
+                    FieldFiles files = FieldFiles::kThere);
 
 }  // namespace brash::io

@@ -94,6 +94,7 @@ void Simulation::Impl::add_judge(const ice::Plate& plate) {
 Simulation::Impl::Impl(const model::Case& c, int threads) : Impl(c, laid_field(c), threads) {
   lay_floes();
   begin_asleep();
+  energy.book_drift_at_start(sheets.kinetic_energy());
   if (c.field.kind == model::FieldKind::kLevelIce && c.field.initial_crack) initial_crack();
   begin_watch();
 }

@@ -49,8 +49,11 @@ void Watchdog::see_structure(const Twist& twist) {
 void Watchdog::begin(const Watched& start) {
   see_structure(start.structure);
   booked_error_ = start.row.energy_error;
-  for (const auto& [body, floe] : start.floes.floes())
-    accounts_[body].explained = start.floes.energy(start.world, body, floe);
+  for (const auto& [body, floe] : start.floes.floes()) {
+    const double energy = start.floes.energy(start.world, body, floe);
+    accounts_[body].explained = energy;
+    booked_error_ += energy;  // the first step books it as a birth
+  }
 }
 
 void Watchdog::look(const Watched& now) {

@@ -95,6 +95,25 @@ class Export(unittest.TestCase):
             self.assertAlmostEqual(volume(read_vtp(path)) / 0.33, wanted[row], delta=crushed_in_a_frame)
         self.assertAlmostEqual(volume(read_vtp(self.steps[1][-1][1])) / 0.33, wanted[-1], delta=1e-6)
 
+    def test_all_sheets_are_replayed_also_where_they_drift_and_overlap_along_a_crack(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder)
+            (path / "crack.wkt").write_text("LINESTRING (-1 19, 51 18)\n")
+            for border in ("fixed", "free"):
+                sets = (f"field.border={border}", f"field.cracks={path / 'crack.wkt'}", "field.initial_crack=false",
+                        "field.smallest_plate=1", "time.duration=1", "output.frames_per_second=4",
+                        "output.statistics_from=0.1")
+                subprocess.run([BRASH, "run", SOURCE / "experiments/validation/cone.toml", "-o", path / border,
+                                *(word for one in sets for word in ("--set", one))], check=True, capture_output=True)
+                (path / border / "run.nc").rename(path / f"{border}.nc")  # without the copies of its inputs
+                subprocess.run([BRASH, "export", "vtk", path / f"{border}.nc", "-o", path / f"{border}_vtk"], check=True,
+                               capture_output=True)
+                with xr.open_dataset(path / f"{border}.nc") as run:
+                    for frame, time in enumerate(run.frame_time.values):
+                        row = int(np.argmin(np.abs(run.time.values - time)))
+                        shown = volume(read_vtp(path / f"{border}_vtk/sheet_{frame:05d}.vtp")) / 0.33
+                        self.assertAlmostEqual(shown, run.area_sheet.values[row], delta=13.6 * 1.202 * 0.25)
+
     def test_the_structure_is_a_closed_frustum_that_moves(self):
         first, last = (read_vtp(self.steps[2][i][1]) for i in (0, -1))
         np.testing.assert_allclose((last["Points"] - first["Points"])[:, 0], 1.202 * 3, atol=1e-9)

@@ -131,6 +131,13 @@ class Mesh(unittest.TestCase):
         self.assertRegex(done.stdout, r"# displacement +505\.\d")
         self.assertRegex(done.stdout, r"# convex parts of the mesh +1,")
 
+    def test_check_draws_over_no_file_that_it_reads(self):
+        mesh = self.mesh.read_bytes()
+        refused = brash("check", self.case, "--picture", self.mesh)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("which is an input", refused.stderr)
+        self.assertEqual(self.mesh.read_bytes(), mesh)
+
     def test_check_draws_hull_waterlines_and_field(self):
         picture = self.path / "case.svg"
         done = brash("check", self.case, "--picture", picture)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Units against the program: loads, parameters, saved states and driven structures, to the bit."""
 import os
+import pathlib
+import tempfile
 import unittest
 
 import brash as module
-from units import (CASE, Common, DRIVEN, INPUTS, LOADS, OUTPUTS, SOURCE, STEP, UNITS, Under2, Under3, quaternion,
-                   rows, started, swaying)
+from units import (CASE, Common, DRIVEN, INPUTS, LOADS, OUTPUTS, SOURCE, STEP, UNITS, Under2, Under3, Unit, brash,
+                   quaternion, rows, started, swaying)
 
 
 class Tests(Common):
@@ -78,6 +80,23 @@ class Tests(Common):
             self.assertEqual(other.serialize(state), data)
             other.set_state(state)
             self.assertEqual(rows(other, n, n + 40), history[n:n + 40])
+
+    def test_a_state_of_a_unit_with_files_goes_into_the_same_unit_unpacked_elsewhere(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder)
+            (path / "shore.wkt").write_text("POLYGON ((30 10, 40 10, 40 20, 30 20, 30 10))")
+            said = brash("export", "fmu", SOURCE / "experiments/fields/cone.toml", "-o", path / "shore.fmu", "--fmi",
+                         self.fmi, "--set", f"field.shore={path / 'shore.wkt'}", "--set", "field.length=40", "--set",
+                         "field.width=40", "--set", "field.concentration=0.4")
+            self.assertEqual(said.returncode, 0, said.stderr)
+            instance = self.keep(started(Unit(path / "shore.fmu", path / "first")))
+            rows(instance, 0, 20)
+            data = instance.serialize(instance.get_state())
+            on = rows(instance, 20, 40)
+            (path / "first/resources/inputs/shore/shore.wkt").unlink()
+            other = self.keep(Unit(path / "shore.fmu", path / "second").instantiate())
+            other.set_state(other.deserialize(data))
+            self.assertEqual(rows(other, 20, 40), on)
 
     def test_a_state_holds_parameters_and_phase(self):
         instance = self.keep(self.unit().instantiate())

@@ -183,6 +183,17 @@ BOOST_AUTO_TEST_CASE(a_file_has_level_ice_with_holes_and_floes_in_them) {
   BOOST_TEST((area_of(ice) == square_metres(28.0, 20.0) - square_metres(6.0, 6.0) + square_metres(4.0, 4.0)));
 }
 
+BOOST_AUTO_TEST_CASE(outlines_that_touch_stay_apart_beside_openings_and_cracks) {
+  give("MULTIPOLYGON(((0 -10, 30 -10, 30 0, 0 0, 0 -10)),((0 0, 30 0, 30 10, 0 10, 0 0)))");
+  BOOST_TEST(lay().sheets.size() == 2u);
+  open("POLYGON((10 4, 12 4, 12 6, 10 6, 10 4))");
+  BOOST_TEST(lay().sheets.size() == 2u);
+  crack("LINESTRING(20 0, 20 11)");  // ends at the edge of the other
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() == 3u);
+  BOOST_TEST((area_of(ice) == square_metres(30.0, 20.0) - square_metres(2.0, 2.0)));
+}
+
 BOOST_AUTO_TEST_CASE(faults_of_files_are_refused_with_the_remedy) {
   give("POLYGON((2 -5, 20 -5, 20 5, 2 5, 2 -5))");
   refuses("write field.border = \"free\"");
@@ -199,6 +210,9 @@ BOOST_AUTO_TEST_CASE(faults_of_files_are_refused_with_the_remedy) {
   refuses("polygon 0");
   open("POLYGON((-1 -11, 31 -11, 31 11, -1 11, -1 -11))");
   refuses("leaves no ice");
+  crack("LINESTRING(26 -11, 26 11)");
+  refuses("openings with ");  // the crack is no fault of its own
+  field.cracks.clear();
   open(kChannel);
   crack("POLYGON((0 0, 4 4, 4 0, 0 0))");
   refuses("areas of open water go to field.openings");

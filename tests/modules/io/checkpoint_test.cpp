@@ -76,6 +76,17 @@ BOOST_AUTO_TEST_CASE(the_checkpoint_of_an_empty_world_reads_back) {
   BOOST_TEST((read_checkpoint(scratch.path("checkpoint.nc")) == empty));
 }
 
+BOOST_AUTO_TEST_CASE(the_checkpoint_of_floes_from_a_file_that_it_does_not_name_reads_back) {
+  const Scratch scratch;
+  scratch.write("floes.wkt", "POLYGON ((20 -5, 30 -5, 30 5, 20 5, 20 -5))");
+  std::string text = kLeastCase;
+  text.insert(text.find("[field]\n") + 8, "kind = \"floes\"\nfile = \"floes.wkt\"\n");
+  Checkpoint written{.resolved = read_case(scratch.write("floes.toml", text)), .tables = {}, .results = {}};
+  written.resolved.field.file.clear();  // as recording::checkpoint_file() does
+  write_checkpoint(scratch.path("checkpoint.nc"), written);
+  BOOST_TEST((read_checkpoint(scratch.path("checkpoint.nc")) == written));
+}
+
 BOOST_AUTO_TEST_CASE(a_table_whose_columns_differ_in_length_is_a_bug) {
   const Scratch scratch;
   Checkpoint uneven = sample();

@@ -175,6 +175,15 @@ BOOST_AUTO_TEST_CASE(a_field_in_a_current_or_wind_begins_awake) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_field_runs_in_a_fast_current) {
+  simulation::Simulation simulation(field_case({"time.duration=0.05", "water.current=[-2, 1]"}));
+  model::LoadRow row;
+  for (int i = 0; i < 5; ++i) row = simulation.step().loads;  // the watchdog would throw
+  BOOST_TEST(row.kinetic_energy > 1e6);
+  BOOST_TEST(row.birth_energy == row.kinetic_energy, tt::tolerance(0.1));
+  BOOST_TEST(std::abs(row.energy_error) < 1e-3 * row.kinetic_energy);
+}
+
 BOOST_AUTO_TEST_CASE(a_resumed_run_ends_with_the_same_bytes) {
   for (const std::string sleep : {"time.settle_speed=0", "time.settle_speed=0.05"}) {
     const model::Case resolved = field_case({"time.duration=3", sleep});

@@ -108,9 +108,16 @@ BOOST_AUTO_TEST_CASE(plates_of_a_field_begin_with_the_current) {
   const IceFile file(kThreeFloes);
   std::vector<std::string> more = kBay;
   more.insert(more.end(), {"wind.velocity=[0, 0]", "water.current=[0.1, -0.05]"});
-  const simulation::Simulation simulation(field_case(file, more));
-  for (const simulation::SheetMotion& sheet : simulation.sheet_motions())
+  simulation::Simulation simulation(field_case(file, more));
+  double kinetic = 0.0;
+  for (const simulation::SheetMotion& sheet : simulation.sheet_motions()) {
     BOOST_TEST((sheet.velocity == Vec2{0.1, -0.05}));
+    kinetic += 0.5 * sheet.mass * dot(sheet.velocity, sheet.velocity);
+  }
+  // The balance has the energy that they begin with; round-off of its sums.
+  const model::LoadRow row = simulation.step().loads;
+  BOOST_TEST(row.birth_energy == kinetic, tt::tolerance(1e-12));
+  BOOST_TEST(std::abs(row.energy_error) < 1e-9 * kinetic);
 }
 
 BOOST_AUTO_TEST_CASE(wind_jams_a_row_of_plates_against_a_wall_and_they_come_to_rest_side_by_side) {
