@@ -194,7 +194,8 @@ std::string ends_text(const ordered_json& trend) {
   const auto verdict = trend["trend"].get<std::string>();
   if (verdict.starts_with("last"))
     text += "  the ends differ at 5 %, but the values between them do not rise or fall steadily\n";
-  if (verdict == "undecided") text += fmt::format("  a change of up to {:.6g} could hide\n", std::max(-lower, upper));
+  if (verdict == "undecided")
+    text += fmt::format("  a change of up to {:.6g} could hide\n", std::max({0.0, -lower, upper}));
   return text;
 }
 

@@ -165,7 +165,7 @@ void sort_drifting(std::vector<Polygon> parts, const model::FieldSection& field,
                    LaidIce& laid) {
   if (parts.empty())
     throw InputError(Complaint{files_of(field), "leaves no ice", "level ice beside the openings",
-                               "make the openings smaller, or write field.kind = \"floes\""});
+                               "take less ice away, or write field.kind = \"floes\""});
   std::ranges::stable_sort(parts,
                            [](const Polygon& a, const Polygon& b) { return geometry::area(b) < geometry::area(a); });
   const double least = field.smallest_plate * failure::characteristic_length(ice);
