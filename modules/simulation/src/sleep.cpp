@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 namespace brash::simulation {
@@ -84,8 +83,8 @@ void Sleep::fall_asleep(rigid_body::World& world, FloePopulation& floes, BodyId 
 
 void Sleep::begin(rigid_body::World& world, FloePopulation& floes, const Clear& clear) {
   const std::vector<BodyId> moving = world.moving();
-  for (const BodyId body : moving | std::views::reverse)
-    if (clear.holds(world.bounds(body))) fall_asleep(world, floes, body);
+  for (auto body = moving.rbegin(); body != moving.rend(); ++body)  // the last leaves a sorted list at no cost
+    if (clear.holds(world.bounds(*body))) fall_asleep(world, floes, *body);
 }
 
 void Sleep::push(FloePopulation& floes, BodyId body, Vec3 change) {
