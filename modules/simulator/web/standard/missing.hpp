@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <iterator>
@@ -37,6 +38,20 @@ requires is_same_v<Float, double> from_chars_result from_chars(const char* first
   if (errno == ERANGE) return {stop, errc::result_out_of_range};
   value = read;
   return {stop, errc{}};
+}
+
+/// The fewest digits, of 15 or more, that give the number back; without zeros at the end.
+template <typename Float>
+requires is_same_v<Float, double> to_chars_result to_chars(char* first, char* last, Float value) {
+  constexpr int kMost = 17;
+  char text[32];
+  int n = 0;
+  for (int digits = 15; digits <= kMost; ++digits) {
+    n = snprintf(text, sizeof text, "%.*g", digits, value);
+    if (strtod(text, nullptr) == value) break;
+  }
+  if (n > last - first) return {last, errc::value_too_large};
+  return {copy_n(text, n, first), errc{}};
 }
 
 namespace ranges {
