@@ -102,7 +102,9 @@ Simulation::Impl::Impl(const model::Case& c, int threads) : Impl(c, laid_field(c
 void Simulation::Impl::begin_watch() {
   model::LoadRow row;
   energy.report(world, floes, row, sheets.kinetic_energy());
-  watchdog.begin({world, floes, energy, field.ledger(), row, {}, motion->now().twist});
+  double births = 0.0;
+  for (const auto& [body, floe] : floes.floes()) births += floes.energy(world, body, floe);
+  watchdog.begin({world, floes, energy, field.ledger(), row, {}, motion->now().twist}, births);
 }
 
 /// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.

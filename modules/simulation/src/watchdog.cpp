@@ -46,14 +46,11 @@ void Watchdog::see_structure(const Twist& twist) {
   travel_ = std::max(travel_, case_->time.step * (speed + rise + norm(current_past_ice(*case_))));
 }
 
-void Watchdog::begin(const Watched& start) {
+void Watchdog::begin(const Watched& start, double births) {
   see_structure(start.structure);
-  booked_error_ = start.row.energy_error;
-  for (const auto& [body, floe] : start.floes.floes()) {
-    const double energy = start.floes.energy(start.world, body, floe);
-    accounts_[body].explained = energy;
-    booked_error_ += energy;  // the first step books it as a birth
-  }
+  booked_error_ = start.row.energy_error + births;
+  for (const auto& [body, floe] : start.floes.floes())
+    accounts_[body].explained = start.floes.energy(start.world, body, floe);
 }
 
 void Watchdog::look(const Watched& now) {

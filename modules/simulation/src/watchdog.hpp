@@ -34,7 +34,8 @@ class Watchdog {
   Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hull);
 
   /// Takes the state before the first step as the start.
-  void begin(const Watched& start);
+  /// @param births  what the first step will book as born: the energy of the floes that are there [J].
+  void begin(const Watched& start, double births = 0.0);
   /// @throws RunError naming the floe or the account and the numbers that do not fit.
   void look(const Watched& now);
 
