@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "brash/core/contract.hpp"
@@ -28,8 +29,10 @@ void check_polygons(const std::string& run_file, const model::RunResults& result
     for (std::size_t i = 0; i < polygons.size(); ++i) {
       const auto sheet = sheet_of(polygons[i]);
       if (sheet) continue;
-      throw InputError(Complaint{fmt::format("{}, {}, polygon {}", run_file, of, i), sheet.error().what,
-                                 "polygons that do not cross themselves",
+      constexpr std::string_view kAlone = "polygon 0 ";  // its number among those that were looked at together
+      std::string what = sheet.error().what;
+      if (what.starts_with(kAlone)) what.replace(0, kAlone.size(), fmt::format("polygon {} ", i));
+      throw InputError(Complaint{fmt::format("{}, {}", run_file, of), what, "polygons that do not cross themselves",
                                  "copy the run.nc again, or run the case again"});
     }
   };
