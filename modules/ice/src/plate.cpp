@@ -23,6 +23,8 @@ geometry::ExactArea Plate::area() const {
   return sum;
 }
 
+bool Plate::is_gone() const { return sheet_ ? sheet_->area() == geometry::ExactArea{} : outline_.empty(); }
+
 const geometry::IceSheet& Plate::sheet() const {
   if (!sheet_) {
     auto laid = geometry::IceSheet::from_polygons(outline_);

@@ -20,6 +20,15 @@ void book(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
   if (contact.other_kind == BodyKind::kFloe) add(losses.floe_contact, losses.floe_friction);
 }
 
+WorkOfWater work_of_water(const World& world, BodyId body, const Floe& floe, double dt) {
+  const Twist twist = world.mean_twist(body);
+  return {.drag = dt * power(floe.drag, twist),
+          .skin_friction = dt * power(floe.skin_friction, twist),
+          .pressure = dt * power(floe.pressure, twist) + world.gained_by_turning(body),
+          .taken =
+              dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, world.start_twist(body)))};
+}
+
 }  // namespace
 
 void EnergyLedger::book_structure(const Wrench& edge, const Wrench& floes, const Twist& passage) {
@@ -34,29 +43,33 @@ void EnergyLedger::book_bent_edges(double work) {
   losses_.edge -= work;
 }
 
+/// Contacts first: they reach two floes each, so one thread books them.
 void EnergyLedger::book_step(const World& world, const FloePopulation& floes, std::int64_t first_newborn, double dt) {
   taken_ = {};
-  for (const BodyId body : world.moving()) received_[body] = 0.0;
+  const std::vector<BodyId>& moving = world.moving();
+  if (!floes.floes().empty()) received_.resize(floes.floes().rbegin()->first.index + 1);
+  for (const BodyId body : moving) received_[body.index] = 0.0;
   for (const ContactLoad& contact : world.contacts()) {
     book(losses_, contact, dt);
     taken_.contacts += contact.loss;
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
-    received_[contact.body] += dt * dot(force, contact.body_velocity);
-    if (contact.other_kind == BodyKind::kFloe) received_[contact.other] -= dt * dot(force, contact.other_velocity);
+    received_[contact.body.index] += dt * dot(force, contact.body_velocity);
+    if (contact.other_kind == BodyKind::kFloe) received_[contact.other.index] -= dt * dot(force, contact.other_velocity);
   }
-  for (const BodyId body : world.moving()) {
+  from_water_.resize(moving.size());
+  world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) {
+    from_water_[i] = work_of_water(world, moving[i], floes.at(moving[i]), dt);
+  });
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    const BodyId body = moving[i];
     const Floe& floe = floes.at(body);
-    const Twist twist = world.mean_twist(body);
-    const double drag = dt * power(floe.drag, twist);
-    const double skin_friction = dt * power(floe.skin_friction, twist);
-    const double pressure = dt * power(floe.pressure, twist) + world.gained_by_turning(body);
+    const auto& [drag, skin_friction, pressure, taken] = from_water_[i];
     taken_.water += floe.shed;
-    taken_.water -=
-        dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, world.start_twist(body)));
+    taken_.water -= taken;
     losses_.drag += floe.shed - drag - pressure;
     losses_.skin_friction -= skin_friction;
-    received_[body] += drag + skin_friction - floe.shed + pressure;
-    if (floe.id >= first_newborn) birth_ += floes.energy(world, body, floe) - received_[body];
+    received_[body.index] += drag + skin_friction - floe.shed + pressure;
+    if (floe.id >= first_newborn) birth_ += floes.energy(world, body, floe) - received_[body.index];
   }
 }
 
@@ -72,7 +85,6 @@ void EnergyLedger::book_sheets(const World& world, const WorkOnSheets& work, dou
 }
 
 void EnergyLedger::remove(const World& world, const FloePopulation& floes, BodyId body) {
-  received_.erase(body);
   removed_ += floes.energy(world, body, floes.at(body));
 }
 

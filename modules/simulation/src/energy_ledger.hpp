@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <vector>
 
 #include "brash/model/records.hpp"
 #include "brash/rigid_body/world.hpp"
@@ -15,6 +15,14 @@ namespace brash::simulation {
 struct Taken {
   double contacts = 0.0;  ///< by all contacts, from the energy that the loads left
   double water = 0.0;     ///< by drag and skin friction at the velocities that they were made for; in water at rest
+};
+
+/// Work of the water and the air on a floe in a step [J].
+struct WorkOfWater {
+  double drag = 0.0;
+  double skin_friction = 0.0;
+  double pressure = 0.0;
+  double taken = 0.0;  ///< against Taken::water, by drag and skin friction
 };
 
 /// Where the structure's work goes: sums since the start of the run, each from loads and the mean velocities of the
@@ -55,8 +63,8 @@ class EnergyLedger {
   /// Floes have lost `kinetic` [J] by falling asleep.
   void book_fallen_asleep(double kinetic) { removed_ += kinetic; }
 
-  /// Work of contacts and drag on each moving floe in the last step [J]; weight and buoyancy are its potential energy.
-  const std::map<BodyId, double>& received() const { return received_; }
+  /// Work of contacts and drag on a moving floe in the last step [J]; weight and buoyancy are its potential energy.
+  double received(BodyId body) const { return received_[body.index]; }
 
   /// By contacts and water in the last step.
   const Taken& taken() const { return taken_; }
@@ -82,7 +90,8 @@ class EnergyLedger {
   double birth_ = 0.0;
   double removed_ = 0.0;
   model::EnergyLosses losses_;
-  std::map<BodyId, double> received_;
+  std::vector<double> received_;         ///< by the index of the body
+  std::vector<WorkOfWater> from_water_;  ///< of the moving floes
   Taken taken_;
 };
 

@@ -221,9 +221,9 @@ double FloePopulation::raised(const rigid_body::World& world, BodyId body, const
 }
 
 double FloePopulation::potential_energy(const rigid_body::World& world) const {
-  double sum = asleep_height();
-  for (const BodyId body : world.moving()) sum += raised(world, body, at(body));
-  return sum;
+  const std::vector<BodyId>& moving = world.moving();
+  return world.workers().sum(asleep_height(), moving.size(), kCheapFloes,
+                             [&](std::size_t i) { return raised(world, moving[i], at(moving[i])); });
 }
 
 double FloePopulation::energy(const rigid_body::World& world, BodyId body, const Floe& floe) const {

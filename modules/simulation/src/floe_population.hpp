@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -22,6 +23,9 @@
 #include "kept_drag.hpp"
 
 namespace brash::simulation {
+
+/// Floes that a thread takes at a time in loops of some 0.2 us for each.
+constexpr std::size_t kCheapFloes = 64;
 
 /// How near a floe is to rest, and the push that would wake it.
 struct Rest {

@@ -30,6 +30,15 @@ double largest_compression(const std::array<double, 6>& s) {
   return -solver.eigenvalues()[0];
 }
 
+/// The stress of the last step, from its dipole, into the mean.
+void add_to_mean(Floe& floe, double dt) {
+  const double volume = floe.area.square_metres() * floe.prism.thickness;
+  const double share = averaging_share(floe, dt);
+  MeanStress& stress = floe.stress;
+  for (std::size_t i = 0; i < 6; ++i) stress.now[i] += share * (floe.dipole[i] / volume - stress.now[i]);
+  stress.peak_compression = std::max(stress.peak_compression, largest_compression(stress.now));
+}
+
 }  // namespace
 
 std::vector<const rigid_body::ContactLoad*> contacts_by_place(const rigid_body::World& world) {
@@ -50,14 +59,8 @@ void average_stress(const rigid_body::World& world, const std::vector<const rigi
     if (contact->other_kind == rigid_body::BodyKind::kFloe)
       add_dipole(floes.at(contact->other).dipole, contact->point - world.pose(contact->other).position, -force);
   }
-  for (const BodyId body : world.moving()) {
-    Floe& floe = floes.at(body);
-    const double volume = floe.area.square_metres() * floe.prism.thickness;
-    const double share = averaging_share(floe, dt);
-    MeanStress& stress = floe.stress;
-    for (std::size_t i = 0; i < 6; ++i) stress.now[i] += share * (floe.dipole[i] / volume - stress.now[i]);
-    stress.peak_compression = std::max(stress.peak_compression, largest_compression(stress.now));
-  }
+  const std::vector<BodyId>& moving = world.moving();
+  world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) { add_to_mean(floes.at(moving[i]), dt); });
 }
 
 std::vector<BodyId> overstressed(const rigid_body::World& world, const FloePopulation& floes, double strength) {

@@ -69,6 +69,8 @@ model::CrackEvent Simulation::Impl::in_world(int level_ice, model::CrackEvent ev
 
 /// The collision shapes of level ice wherever the floe could meet them, or be in the lee of them, in this step.
 void Simulation::Impl::lay_sheet_near(BodyId body) {
+  const auto has_ice = [](const ice::Plate& plate) { return !plate.is_gone(); };
+  if (std::ranges::none_of(field.level_ice(), has_ice)) return;  // a field of floes
   const Vec2 reach{water.reach(), water.reach()};
   const auto [lower, upper] = world.bounds(body);
   const geometry::Extent near{plan(lower) - reach, plan(upper) + reach};

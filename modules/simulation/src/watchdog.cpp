@@ -55,15 +55,26 @@ void Watchdog::begin(const Watched& start, double births) {
 
 void Watchdog::look(const Watched& now) {
   see_structure(now.structure);
-  if (accounts_.size() > now.floes.floes().size())
-    std::erase_if(accounts_, [&](const auto& entry) { return !now.floes.floes().contains(entry.first); });
-  for (const BodyId body : now.world.moving()) {
-    const Floe& floe = now.floes.at(body);
-    look_at_place(floe, now.world.pose(body).position, now.row.time);
-    look_at_energy(now, body, floe);
-  }
+  open_accounts(now.floes);
+  const std::vector<BodyId>& moving = now.world.moving();
+  now.world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) {
+    const Floe& floe = now.floes.at(moving[i]);
+    look_at_place(floe, now.world.pose(moving[i]).position, now.row.time);
+    look_at_energy(now, moving[i], floe);
+  });
   look_at_losses(now);
   look_at_balance(now);
+}
+
+/// One for each floe that is there, with nothing in that of a new one.
+void Watchdog::open_accounts(const FloePopulation& floes) {
+  if (next_id_ != floes.next_id()) {
+    for (const auto& [body, floe] : floes.floes())
+      if (floe.id >= next_id_) accounts_.try_emplace(body);
+    next_id_ = floes.next_id();
+  }
+  if (accounts_.size() > floes.floes().size())
+    std::erase_if(accounts_, [&](const auto& entry) { return !floes.floes().contains(entry.first); });
 }
 
 void Watchdog::add_piece(double energy, BodyId body, BodyId parent) {
@@ -112,8 +123,8 @@ void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
 /// nothing afloat to its weight in air. So the errors of its steps, dt F (u' - u) / 2, add up to as much again.
 void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe) {
   const double energy = now.floes.energy(now.world, body, floe);
-  const double received = now.energy.received().at(body);
-  Account& account = accounts_[body];  // nothing of a floe that is new
+  const double received = now.energy.received(body);
+  Account& account = accounts_.at(body);
   account.explained += received;
   account.travel = std::max(account.travel, case_->time.step * norm(now.world.twist(body).linear));
   const double allowed = 2.0 * allowance(floe.weight, account.travel);

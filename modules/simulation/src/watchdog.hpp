@@ -68,6 +68,7 @@ class Watchdog {
   };
 
   void see_structure(const Twist& twist);
+  void open_accounts(const FloePopulation& floes);
   double impulses(const rigid_body::World& world) const;
 
   void look_at_place(const Floe& floe, Vec3 place, double time) const;
@@ -81,6 +82,7 @@ class Watchdog {
   double most_lift_;            ///< F over the weight
   double booked_error_ = 0.0;   ///< of the energies at the start [J]
   std::map<BodyId, Account> accounts_;
+  std::int64_t next_id_ = 0;  ///< floes with lower ids have had their accounts opened
 };
 
 }  // namespace brash::simulation

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <type_traits>
+#include <vector>
 
 namespace brash {
 
@@ -46,6 +48,14 @@ class Workers {
     chunks(n, chunk, [&task](std::size_t begin, std::size_t end, int) {
       for (std::size_t i = begin; i < end; ++i) task(i);
     });
+  }
+
+  /// `start` and `term(i)` for each i in [0, n), found `chunk` of them at a time and added in the order of i.
+  template <typename Term>
+  double sum(double start, std::size_t n, std::size_t chunk, Term&& term) {
+    std::vector<double> terms(n);
+    each(n, chunk, [&](std::size_t i) { terms[i] = term(i); });
+    return std::accumulate(terms.begin(), terms.end(), start);
   }
 
  private:

@@ -56,6 +56,8 @@ class Plate {
   /// The ice that is left of it now.
   std::vector<geometry::Polygon> outline() const;
   geometry::ExactArea area() const;
+  /// Whether no ice is left of it.
+  bool is_gone() const;
 
   /// Its edges with their index, for cuts and questions about the free edge. The index is made on the first call: most
   /// floes never need it.
