@@ -54,9 +54,11 @@ struct Place {
     std::ofstream(root / "outside/summary.json") << "{}";
     std::ofstream(root / "outside/lock") << "process 1 on nobody\n";
     std::ofstream(root / "plan.toml") << kPlan;
-    plan = io::read_campaign_plan(
-        (root / "plan.toml").string(),
-        {.quick = false, .replicates = {}, .overrides = {}, .known_columns = campaign::known_columns()});
+    plan = io::read_campaign_plan((root / "plan.toml").string(), {.quick = false,
+                                                                  .replicates = {},
+                                                                  .overrides = {},
+                                                                  .known_columns = campaign::known_columns(),
+                                                                  .default_columns = campaign::default_columns()});
   }
   ~Place() { fs::remove_all(root); }
   bool is_whole() const {

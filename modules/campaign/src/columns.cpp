@@ -44,19 +44,39 @@ class Walk {
   std::vector<double> levels_;
 };
 
+/// A summary with each of the numbers that every run has.
+simulation::RunSummary summary_of_any_run() {
+  simulation::RunSummary summary;
+  const std::size_t n_levels = Json::parse(simulation::to_json(summary)).at("quantile_levels").size();
+  // Enough samples for an interval, so that its ends are numbers.
+  summary.horizontal.effective_sample_size = summary.vertical.effective_sample_size = 1e3;
+  summary.piece_area_quantiles.resize(n_levels);
+  summary.breaking_length_quantiles.resize(n_levels);
+  return summary;
+}
+
+std::vector<std::string> names_in(const simulation::RunSummary& summary) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : Walk(Json::parse(simulation::to_json(summary))).found) names.push_back(name);
+  return names;
+}
+
 }  // namespace
+
+const std::vector<std::string>& default_columns() {
+  static const std::vector<std::string> names = names_in(summary_of_any_run());
+  return names;
+}
 
 const std::vector<std::string>& known_columns() {
   static const std::vector<std::string> names = [] {
-    simulation::RunSummary summary;
-    const std::size_t n_levels = Json::parse(simulation::to_json(summary)).at("quantile_levels").size();
-    // Enough samples for an interval, so that its ends are numbers.
-    summary.horizontal.effective_sample_size = summary.vertical.effective_sample_size = 1e3;
-    summary.piece_area_quantiles.resize(n_levels);
-    summary.breaking_length_quantiles.resize(n_levels);
-    std::vector<std::string> all;
-    for (const auto& [name, value] : Walk(Json::parse(simulation::to_json(summary))).found) all.push_back(name);
-    return all;
+    simulation::RunSummary summary = summary_of_any_run();
+    model::RegionLoads::visit([&](const char* region, const char*, std::size_t) {
+      summary.regions.push_back({region, {}});  // of a ship
+    });
+    summary.initial_floes.emplace();
+    summary.initial_floes->size_quantiles.resize(summary.piece_area_quantiles.size());
+    return names_in(summary);
   }();
   return names;
 }

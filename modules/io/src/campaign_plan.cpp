@@ -98,7 +98,7 @@ class PlanReader {
     plan_.replicates =
         options_.replicates.value_or(quick.value("replicates", document.at("campaign").at("replicates").get<int>()));
     plan_.keep = document.at("output").at("keep").get<std::string>();
-    plan_.columns = document.at("output").value("columns", options_.known_columns);
+    plan_.columns = document.at("output").value("columns", options_.default_columns);
     for (const std::string& column : plan_.columns) check_column("output", "columns", column);
     if (!source_.tree.contains("stop")) return;
     const Json& stop = document.at("stop");

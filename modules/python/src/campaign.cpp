@@ -45,8 +45,11 @@ py::dict run(const py::object& plan, const py::object& output, int jobs, bool re
   const std::string plan_file = path_of(plan), directory = path_of(output);
   if (jobs < 0 || jobs > 100'000) throw InputError(fmt::format("jobs = {}: 1 to 100000, or 0 for the cores", jobs));
   const campaign::Campaign campaign{
-      .plan = io::read_campaign_plan(
-          plan_file, {.quick = quick, .replicates = {}, .overrides = {}, .known_columns = campaign::known_columns()}),
+      .plan = io::read_campaign_plan(plan_file, {.quick = quick,
+                                                 .replicates = {},
+                                                 .overrides = {},
+                                                 .known_columns = campaign::known_columns(),
+                                                 .default_columns = campaign::default_columns()}),
       .plan_file = plan_file,
       .directory = directory,
       .resume = resume,

@@ -13,8 +13,11 @@ namespace brash::campaign {
 /// The format that the manifest of a campaign names.
 constexpr const char* kManifestFormat = "brash-campaign-manifest-1";
 
-/// The numbers that the summary of a run has, by their names in campaign.csv.
+/// The numbers that the summary of a run can have, by their names in campaign.csv.
 const std::vector<std::string>& known_columns();
+
+/// Those that the summary of every run has.
+const std::vector<std::string>& default_columns();
 
 /// How far a campaign is. With a stop rule `n_cases` grows until each setting has enough.
 struct Counts {

@@ -68,10 +68,11 @@ struct CampaignPlan {
 
 /// How a plan is read.
 struct PlanOptions {
-  bool quick = false;                      ///< with the plan's [quick]
-  std::optional<int> replicates = {};      ///< of each setting, in place of the plan's number and its [stop]
-  std::vector<std::string> overrides;      ///< `section.key=value`, applied last to every case
-  std::vector<std::string> known_columns;  ///< names allowed in `output.columns` and `stop.statistic`
+  bool quick = false;                        ///< with the plan's [quick]
+  std::optional<int> replicates = {};        ///< of each setting, in place of the plan's number and its [stop]
+  std::vector<std::string> overrides;        ///< `section.key=value`, applied last to every case
+  std::vector<std::string> known_columns;    ///< names allowed in `output.columns` and `stop.statistic`
+  std::vector<std::string> default_columns;  ///< `output.columns` of a plan without that key
 };
 
 /// Reads, checks and resolves the plan of a campaign and each of its settings.
