@@ -1,0 +1,192 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The icebreaker over speed and thickness, and over the size of her floes.
+
+run.py speeds [--replicates N]    speeds.toml: mean resistance beside Lindqvist, Riska, Jeong and the friction of open water
+run.py floe_sizes                 floe_sizes.toml: the speed that an even thrust gives her, and the test of its head
+run.py NAME --record              also writes NAME.csv, NAME.md and NAME.png here
+run.py NAME --from FOLDER         of a campaign that has run, also where not all of its cases are done
+
+Options of both: --brash PROGRAM, -o FOLDER of the campaign [results/NAME], --jobs N.
+"""
+import json
+import math
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+sys.path.insert(1, str(HERE.parent / "predictions"))
+import figures
+import regressions
+import study
+
+SPEED, THICKNESS = "structure.speed", "ice.thickness"
+REGIONS = ["bow", "shoulders", "sides", "bottom", "stern"]
+VISCOSITY = 1.83e-6  # m2/s, sea water at 0 C (ITTC 7.5-02-01-03)
+BOW_LENGTH = 34.6  # m, of the icebreaker's waterline: icebreaker.toml
+
+
+# Resistance over speed and thickness.
+
+def open_water_friction(ship, speed, water_density):
+    """Friction of the hull in open water [N]: the line of ITTC 1957 over Mumford's wetted surface, 1.7 L T + V / T."""
+    length, draught = ship["length"], ship["draught"]
+    volume = 0.6 * length * ship["breadth"] * draught  # a block coefficient of 0.6, assumed
+    coefficient = 0.075 / (math.log10(speed * length / VISCOSITY) - 2.0) ** 2
+    return 0.5 * water_density * speed**2 * coefficient * (1.7 * length * draught + volume / draught)
+
+
+def lindqvist(brash, path):
+    done = subprocess.run([str(brash), "loads", str(path), "--json"], check=True, capture_output=True)
+    return next(load["horizontal"] for load in json.loads(done.stdout)["loads"] if "Lindqvist" in load["source"])
+
+
+def formulas(brash, path):
+    """Resistance of one setting by regressions and closed forms [N]."""
+    case = tomllib.loads(path.read_text(encoding="utf-8"))
+    ship, ice, water = case["hull"], case["ice"], case["water"]["density"]
+    thickness, speed = ice["thickness"], case["structure"]["speed"]
+    return {"lindqvist": lindqvist(brash, path),
+            "riska": regressions.riska(
+                length=ship["length"], breadth=ship["breadth"], draught=ship["draught"], midbody=ship["midbody"],
+                bow_length=BOW_LENGTH, stem_angle=ship["stem_angle"], thickness=thickness, speed=speed),
+            "jeong": regressions.jeong(
+                breadth=ship["breadth"], draught=ship["draught"], thickness=thickness, speed=speed,
+                flexural_strength=ice["flexural_strength"], ice_density=ice["density"], water_density=water),
+            "open_water": open_water_friction(ship, speed, water)}
+
+
+def with_interval(values, unit=1e3):
+    """`mean (lower to upper)`, or the one value there is."""
+    values = [value / unit for value in values]
+    if len(values) == 1:
+        return f"{values[0]:.0f}"
+    mean, half = study.mean_interval(values)
+    return f"{mean:.0f} ({mean - half:.0f} to {mean + half:.0f})"
+
+
+def speeds_table(rows):
+    lines = ["| thickness [m] | speed [m/s] | runs | resistance [kN] | deviation [kN] | bow, shoulders, sides, bottom, stern [%] | "
+             "crushing of the edge [%] | Lindqvist [kN] | Riska [kN] | Jeong [kN] | friction of open water [kN] |",
+             "|---|---|---|---|---|---|---|---|---|---|---|"]
+    for thickness, speed in sorted({(row[THICKNESS], row[SPEED]) for row in rows}):
+        of = [row for row in rows if (row[THICKNESS], row[SPEED]) == (thickness, speed)]
+        mean = {key: np.mean([row[key] for row in of]) for key in of[0] if isinstance(of[0][key], float)}
+        shares = ", ".join(f"{100 * mean[f'mean_by_region.{name}.total.Fx'] / mean['horizontal.mean']:.0f}" for name in REGIONS)
+        crushing = 100 * mean["horizontal.mean_by_cause.crushing"] / mean["horizontal.mean"]
+        lines.append(f"| {thickness:g} | {speed:g} | {len(of)} | {with_interval([row['horizontal.mean'] for row in of])} | "
+                     f"{mean['horizontal.standard_deviation'] / 1e3:.0f} | {shares} | {crushing:.0f} | "
+                     + " | ".join(f"{mean[name] / 1e3:.0f}" for name in ("lindqvist", "riska", "jeong", "open_water")) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def speeds_figure(rows, folder):
+    thicknesses = sorted({row[THICKNESS] for row in rows})
+    figure, axes = figures.plt.subplots(1, len(thicknesses), figsize=(11, 3.8), constrained_layout=True, squeeze=False)
+    styles = {"lindqvist": ("Lindqvist 1989", figures.RED, "--"), "riska": ("Riska 1997", figures.GREEN, "-."),
+              "jeong": ("Jeong 2010", figures.ORANGE, ":"), "open_water": ("open water, friction", figures.GREY, "-")}
+    for axis, thickness in zip(axes[0], thicknesses):
+        of = [row for row in rows if row[THICKNESS] == thickness]
+        for name, (label, colour, style) in styles.items():
+            x, y = zip(*sorted({(row[SPEED], row[name] / 1e3) for row in of}))
+            axis.plot(x, y, style, color=colour, lw=1.2, label=label)
+        for row in of:
+            axis.plot(row[SPEED], row["horizontal.mean"] / 1e3, ".", color=figures.BLUE, alpha=0.4, ms=6, mew=0)
+        values = study.groups(of, SPEED, "horizontal.mean")
+        centres = [study.mean_interval(v) if len(v) > 1 else (v[0], 0.0) for v in values.values()]
+        axis.errorbar(list(values), [c / 1e3 for c, _ in centres], [half / 1e3 for _, half in centres], color=figures.BLUE,
+                      marker="o", ms=4, lw=1.2, capsize=3, label="brash, mean")
+        axis.set(title=f"ice of {thickness:g} m", xlabel="speed [m/s]", ylim=(0, None))
+    axes[0, 0].set_ylabel("resistance [kN]")
+    axes[0, 0].legend(fontsize=7)
+    figures.save(figure, folder, "speeds")
+
+
+def speeds(options, output, rows):
+    known = {}
+    for row in rows:
+        path = output / "settings" / f"icebreaker_{row['setting']}.toml"
+        known.setdefault(row["setting"], None)
+        known[row["setting"]] = known[row["setting"]] or formulas(options.brash, path)
+        row.update(known[row["setting"]])
+    return speeds_table(rows), speeds_figure
+
+
+# The size of floes.
+
+def mean_speed(folder):
+    """Mean of the speed ahead over the statistics of a run [m/s]."""
+    start = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["statistics_from"]
+    with open(folder / "history.csv", encoding="utf-8") as file:
+        names = file.readline().strip().split(",")
+        time, speed = np.loadtxt(file, delimiter=",", usecols=[names.index("time"), names.index("structure_vx")]).T
+    return float(speed[time >= start].mean())
+
+
+def sizes_of(rows):
+    """{size: rows}, in rising order."""
+    sizes = sorted({float(row["setting"].removesuffix("m")) for row in rows})
+    return {size: [row for row in rows if row["setting"] == f"{size:g}m"] for size in sizes}
+
+
+def floe_sizes_table(rows):
+    by_size = sizes_of(rows)
+    lines = ["| floes [m] | fields | mean speed [m/s] | load of the ice [kN] | breaks | floes that broke |", "|---|---|---|---|---|---|"]
+    for size, of in by_size.items():
+        mean, half = study.mean_interval([row["mean_speed"] for row in of]) if len(of) > 1 else (of[0]["mean_speed"], math.nan)
+        lines.append(f"| {size:g} | {len(of)} | {mean:.2f} ± {half:.2f} | {with_interval([row['horizontal.mean'] for row in of])} | "
+                     f"{np.mean([row['n_breaks'] for row in of]):.1f} | {np.mean([row['n_floes_broken'] for row in of]):.1f} |")
+    test = study.brash_module().jonckheere_terpstra([[row["mean_speed"] for row in of] for of in by_size.values()])
+    falls = 0.5 * test.p_value if test.statistic < 0 else 1.0 - 0.5 * test.p_value
+    lines += ["", f"Jonckheere and Terpstra, one-sided, that the speed falls with the size: z = {test.statistic:.2f}, p = {falls:.2g}."]
+    return "\n".join(lines) + "\n"
+
+
+def floe_sizes_figure(rows, folder):
+    figure, axis = figures.plt.subplots(figsize=(5.2, 3.6), constrained_layout=True)
+    by_size = {size: [row["mean_speed"] for row in of] for size, of in sizes_of(rows).items()}
+    figures.means(axis, by_size, "size", figures.BLUE, "mean, 95 % interval", unit=1.0)
+    axis.set(xlabel="size of the floes [m]", ylabel="mean speed at a thrust of 1 MN [m/s]")
+    axis.legend(fontsize=7)
+    figures.save(figure, folder, "floe_sizes")
+
+
+def floe_sizes(_options, output, rows):
+    for row in rows:
+        row["mean_speed"] = mean_speed(output / "cases" / row["case"])
+    return floe_sizes_table(rows), floe_sizes_figure
+
+
+STUDIES = {"speeds": speeds, "floe_sizes": floe_sizes}
+
+
+def main():
+    if len(sys.argv) < 2 or sys.argv[1] not in STUDIES:
+        sys.exit(__doc__ if "-h" in sys.argv or "--help" in sys.argv else f"run.py: name one of {', '.join(STUDIES)}")
+    name = sys.argv.pop(1)
+    parser = study.arguments(__doc__)
+    parser.add_argument("--replicates", type=int, help="of each setting [the plan's]")
+    parser.add_argument("--from", dest="done", type=Path, help="take a campaign as it is, and run nothing")
+    options = parser.parse_args()
+    output = options.done or options.output or Path("results") / name
+    if not options.done:
+        study.campaign(options.brash, HERE / f"{name}.toml", output, options.quick, options.jobs, (), options.replicates)
+    rows = study.read_rows(output / "campaign.csv")
+    table, draw = STUDIES[name](options, output, rows)
+    print(table)
+    folder = HERE if options.record else output
+    if options.record:
+        study.write_rows(HERE / f"{name}.csv", rows)
+        (HERE / f"{name}.md").write_text(table, encoding="utf-8")
+    draw(rows, folder)
+    print(f"picture in {folder}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
