@@ -18,7 +18,7 @@ const std::vector<std::string> kColumns{"horizontal.mean", "vertical.mean"};
 CampaignPlan read(const std::string& text, bool quick = false, std::vector<std::string> overrides = {}) {
   const Scratch scratch;
   scratch.write("cone.toml", kLeastCase);
-  return read_campaign_plan(scratch.write("plan.toml", text), {quick, {}, std::move(overrides), kColumns});
+  return read_campaign_plan(scratch.write("plan.toml", text), {quick, {}, std::move(overrides), kColumns, kColumns});
 }
 
 const std::string kBase = "[campaign]\ncase = \"cone.toml\"\n";
