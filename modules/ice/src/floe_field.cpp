@@ -140,7 +140,8 @@ tl::expected<FloePacking, FloeFieldError> pack_floes(const model::FieldSection& 
     if (packing)
       return error("is more than floes of this shape and these sizes reach at random places",
                    fmt::format("at most {:.3g}, which was reached", packing->concentration),
-                   "lower it, spread the sizes, or take field.shape = \"voronoi\"");
+                   at_random ? "lower it, spread the sizes, or take field.shape = \"voronoi\""
+                             : "lower it or field.size, enlarge the field, or take another random.seed");
   }
   return error("finds no place for one floe", "floes smaller than the field", "lower field.size, or enlarge the field");
 }

@@ -187,6 +187,21 @@ BOOST_AUTO_TEST_CASE(a_concentration_out_of_reach_is_refused_with_the_one_that_w
   BOOST_TEST(packing.error().allowed == "at most 0.5, which was reached");
 }
 
+BOOST_AUTO_TEST_CASE(a_few_large_cells_that_do_not_fit_are_refused_with_a_remedy_for_cells) {
+  model::FieldSection field = field_of(model::FloeShape::kVoronoi, 0.7, 400.0);
+  field.width = 300.0;
+  field.floes.size = {.kind = model::SizeLaw::kList, .values = {100.0}};
+  int n_refused = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto packing = pack_floes(field, {}, stream(seed));
+    if (packing) continue;
+    ++n_refused;
+    BOOST_TEST(packing.error().remedy == "lower it or field.size, enlarge the field, or take another random.seed");
+  }
+  BOOST_TEST(n_refused > 0);
+  BOOST_TEST(n_refused < 20);
+}
+
 BOOST_AUTO_TEST_CASE(a_field_of_a_single_floe_is_a_field) {
   model::FieldSection field = field_of(model::FloeShape::kVoronoi, 0.5, 100.0);
   field.floes.size = {.kind = model::SizeLaw::kList, .values = {70.0}};
