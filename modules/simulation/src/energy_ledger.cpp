@@ -22,11 +22,11 @@ void book(model::EnergyLosses& losses, const ContactLoad& contact, double dt) {
 
 WorkOfWater work_of_water(const World& world, BodyId body, const Floe& floe, double dt) {
   const Twist twist = world.mean_twist(body);
-  return {.drag = dt * power(floe.drag, twist),
-          .skin_friction = dt * power(floe.skin_friction, twist),
-          .pressure = dt * power(floe.pressure, twist) + world.gained_by_turning(body),
-          .taken =
-              dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, world.start_twist(body)))};
+  return {
+      .drag = dt * power(floe.drag, twist),
+      .skin_friction = dt * power(floe.skin_friction, twist),
+      .pressure = dt * power(floe.pressure, twist) + world.gained_by_turning(body),
+      .taken = dt * (power(floe.drag, world.loaded_twist(body)) + power(floe.skin_friction, world.start_twist(body)))};
 }
 
 }  // namespace
@@ -54,7 +54,8 @@ void EnergyLedger::book_step(const World& world, const FloePopulation& floes, st
     taken_.contacts += contact.loss;
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
     received_[contact.body.index] += dt * dot(force, contact.body_velocity);
-    if (contact.other_kind == BodyKind::kFloe) received_[contact.other.index] -= dt * dot(force, contact.other_velocity);
+    if (contact.other_kind == BodyKind::kFloe)
+      received_[contact.other.index] -= dt * dot(force, contact.other_velocity);
   }
   from_water_.resize(moving.size());
   world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) {
