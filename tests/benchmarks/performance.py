@@ -19,7 +19,7 @@ import tempfile
 import time
 
 from measure import BIN, REPETITIONS, ROOT, line, ratios, user_seconds
-from peers import plate, rigid_bodies, rigid_body_peers
+from peers import plate, rigid_bodies, rigid_body_peers, threads_beside_bullet
 
 CASE = "experiments/validation/cone.toml"
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}  # of Google Benchmark
@@ -258,10 +258,11 @@ def build():
 
 
 LINES = {function.__name__: function
-         for function in (coupled, real_time, growth, many, threads, length, channel, water, geometry, failure, plate,
-                          rigid_bodies, rigid_body_peers, campaign, workers, recording, build)}
+         for function in (coupled, real_time, growth, many, threads, threads_beside_bullet, length, channel, water, geometry,
+                          failure, plate, rigid_bodies, rigid_body_peers, campaign, workers, recording, build)}
 TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "many": ["bench_growth"], "threads": ["bench_growth"],
-           "channel": ["brash_python"], "water": ["bench_growth"], "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
+           "threads_beside_bullet": ["bench_threads"], "channel": ["brash_python"], "water": ["bench_growth"],
+           "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
            "rigid_bodies": ["bench_rigid_bodies"], "rigid_body_peers": ["bench_rigid_bodies"]}
 
 NOT_MEASURED = """**Siconos and Yade** were not run on the pack of 174 floes that ODE steps above. Single steps show that they take a minute and
