@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wall time of a step of rubble on one thread and on two: bench_threads program|bullet [steps] [floes...].
 //
-// `program` is water and world. `bullet` is Bullet's own world for threads over the same floes, set to the program's state
-// before each step; it needs a Bullet that was built with threads. As many packs as have 10^4 floes take the steps, each on
-// one thread and then on two, and times are their means. The first step, which finds neighbours, is left out. The places
-// of the floes after each step are compared bit by bit. Prints a JSON object.
+// `program` is water and world. `bullet` is Bullet's own world for threads over the same floes, set to the program's
+// state before each step; it needs a Bullet that was built with threads. As many packs as have 10^4 floes take the
+// steps, each on one thread, on two and on two again, and times are the means of the first two. The first step, which
+// finds neighbours, is left out. The places of the floes after each step are compared bit by bit. Prints a JSON object.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -72,19 +72,19 @@ bool same_bits(const Pose& a, const Pose& b) {
   return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-/// The largest share of a pack's floes that a step leaves elsewhere on two threads than on one, and the distance [m].
+/// The largest share of a pack's floes that one step of two leaves at another place, and the distance [m].
 struct Difference {
   double share = 0.0;
   double distance = 0.0;
 
-  void add(const Steps& one, const Steps& two) {
-    for (std::size_t i = 0; i < one.poses.size(); ++i) {
+  void add(const Steps& first, const Steps& second) {
+    for (std::size_t i = 0; i < first.poses.size(); ++i) {
       int n = 0;
-      for (std::size_t k = 0; k < one.poses[i].size(); ++k) {
-        n += same_bits(one.poses[i][k], two.poses[i][k]) ? 0 : 1;
-        distance = std::max(distance, norm(one.poses[i][k].position - two.poses[i][k].position));
+      for (std::size_t k = 0; k < first.poses[i].size(); ++k) {
+        n += same_bits(first.poses[i][k], second.poses[i][k]) ? 0 : 1;
+        distance = std::max(distance, norm(first.poses[i][k].position - second.poses[i][k].position));
       }
-      share = std::max(share, static_cast<double>(n) / static_cast<double>(one.poses[i].size()));
+      share = std::max(share, static_cast<double>(n) / static_cast<double>(first.poses[i].size()));
     }
   }
 };
@@ -101,21 +101,24 @@ std::string measure(bool of_bullet, int n_wanted, int n_steps) {
   const auto states = states_before_steps(field, of_bullet ? n_steps + 1 : 0);
   const int n_packs = std::max(1, 10000 / n_wanted);
   std::vector<double> one, two;
-  Difference difference;
+  Difference of_threads, of_runs;
   for (int pack = 0; pack < n_packs; ++pack) {
     const auto on = [&](int threads) {
       return of_bullet ? step_bullet(field.ice, threads, states) : step_program(n_wanted, threads, n_steps + 1);
     };
-    const Steps alone = on(1), shared = on(2);
+    const Steps alone = on(1), shared = on(2), again = on(2);
     add(one, alone.seconds);
     add(two, shared.seconds);
-    difference.add(alone, shared);
+    of_threads.add(alone, shared);
+    of_runs.add(shared, again);
   }
   for (std::vector<double>* times : {&one, &two})
     for (double& seconds : *times) seconds /= n_packs;
   return fmt::format(
-      "{{\"floes\": {}, \"one_s\": [{}], \"two_s\": [{}], \"share_elsewhere\": {}, \"distance_m\": {}}}", n_floes,
-      fmt::join(one, ", "), fmt::join(two, ", "), difference.share, difference.distance);
+      "{{\"floes\": {}, \"one_s\": [{}], \"two_s\": [{}], \"share_elsewhere\": {}, \"distance_m\": {}, "
+      "\"share_elsewhere_again\": {}, \"distance_again_m\": {}}}",
+      n_floes, fmt::join(one, ", "), fmt::join(two, ", "), of_threads.share, of_threads.distance, of_runs.share,
+      of_runs.distance);
 }
 
 }  // namespace

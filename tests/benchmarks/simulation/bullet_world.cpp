@@ -25,7 +25,8 @@ void use_threads(int threads) {
   btSetTaskScheduler(scheduler.get());
   scheduler->setNumThreads(threads);
   if (scheduler->getNumThreads() != threads)
-    throw std::runtime_error("Bullet has a thread for each core, and this machine has fewer cores than threads asked for");
+    throw std::runtime_error(
+        "Bullet has a thread for each core, and this machine has fewer cores than threads asked for");
 }
 
 }  // namespace
@@ -34,8 +35,8 @@ BulletWorld::BulletWorld(const model::Case& c)
     : case_(c),
       dispatcher_(std::make_unique<btCollisionDispatcher>(&configuration_)),
       solver_(std::make_unique<btSequentialImpulseConstraintSolver>()),
-      world_(std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), &broad_phase_, solver_.get(),
-                                                       &configuration_)) {
+      world_(
+          std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), &broad_phase_, solver_.get(), &configuration_)) {
   set_up();
 }
 

@@ -38,8 +38,8 @@ struct BulletBody {
 class BulletWorld {
  public:
   explicit BulletWorld(const model::Case& c);
-  /// The same with Bullet's classes for threads: its dispatcher, its solvers and its scheduler, on `threads` threads. All
-  /// worlds share the scheduler, so that the latest world says how many threads work.
+  /// The same with Bullet's classes for threads: its dispatcher, its solvers and its scheduler, on `threads` threads.
+  /// All worlds share the scheduler, so that the latest world says how many threads work.
   ///
   /// @throws std::runtime_error  if Bullet was built without threads, or has fewer of them.
   BulletWorld(const model::Case& c, int threads);
