@@ -2,7 +2,7 @@
 // Wall time of a step of rubble on one thread and on two: bench_threads program|bullet [steps] [floes...].
 //
 // `program` is water and world. `bullet` is Bullet's own world for threads over the same floes, set to the program's
-// state before each step; it needs a Bullet that was built with threads. As many packs as have 10^4 floes take the
+// state before each step. It needs a Bullet that was built with threads. As many packs as have 10^4 floes take the
 // steps, each on one thread, on two and on two again, and times are the means of the first two. The first step, which
 // finds neighbours, is left out. The places of the floes after each step are compared bit by bit. Prints a JSON object.
 #include <fmt/format.h>

@@ -21,7 +21,9 @@ namespace {
 /// Sets how many of Bullet's threads work, the calling thread among them.
 void use_threads(int threads) {
   static const std::unique_ptr<btITaskScheduler> scheduler(btCreateDefaultTaskScheduler());
-  if (!scheduler) throw std::runtime_error("this Bullet was built without threads; ./dev bench builds one with them");
+  if (!scheduler)
+    throw std::runtime_error(
+        "this Bullet was built without threads: run ./dev bench threads_beside_bullet, which builds it with them");
   btSetTaskScheduler(scheduler.get());
   scheduler->setNumThreads(threads);
   if (scheduler->getNumThreads() != threads)
