@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines of the benchmarks beside peers that solve the same problem at equal accuracy: plates and packs of floes."""
+"""Lines of the benchmarks beside peers: plates and packs of floes at equal accuracy, and threads over the same floes."""
 import json
 import os
 import pathlib
 import resource
 import shutil
 import statistics
+import subprocess
 import sys
 import tempfile
 
@@ -135,3 +136,49 @@ def rigid_body_peers():
     """6. Rigid bodies beside ODE, Siconos (without its checks of its own graph) and Yade: the same on a small pack."""
     runs = pack_runs(SMALL)
     return pack_ratios(runs) + pack_figures(runs)
+
+
+# Bullet with threads, which Debian's packages are built without, and bench_threads with it.
+THREADED = ROOT / "build/threads_beside_bullet"
+
+
+def threads_runs(sizes):
+    """Steps of packs of `sizes` floes in both worlds, in turn: {(world, threads, floes): [s, ...]}, rows of both worlds."""
+    times, rows = {}, {"program": [], "Bullet": []}
+    for _ in range(REPETITIONS):
+        for world, folder in (("program", BIN), ("Bullet", THREADED / "bin")):
+            output = subprocess.run([str(folder / "bench_threads"), world.lower(), "5", *map(str, sizes)], cwd=ROOT,
+                                    check=True, stdout=subprocess.PIPE).stdout
+            for n, row in zip(sizes, json.loads(output), strict=True):
+                rows[world].append(row)
+                for threads, key in ((1, "one_s"), (2, "two_s")):
+                    times.setdefault((world, threads, n), []).append(statistics.median(row[key]))
+    return times, rows
+
+
+def threads_beside_bullet():
+    """2. Two threads beside Bullet's own world for threads, wall time of water and world: it needs two idle cores."""
+    subprocess.run([str(ROOT / "tests/benchmarks/simulation/threads_beside_bullet"), str(THREADED)], cwd=ROOT, check=True)
+    sizes, words, lines = (300, 1000, 10000), {1: "one thread", 2: "two threads"}, []
+    times, rows = threads_runs(sizes)
+    for n in sizes:
+        lines += [line(f"water and world / Bullet's world for threads, {n} floes of rubble, {words[of]} each",
+                       ratios(times["program", of, n], times["Bullet", of, n]), "< 1") for of in words]
+    for world in rows:
+        lines += [line(f"wall time of a step on one thread / on two, {n} floes, {world}",
+                       ratios(times[world, 1, n], times[world, 2, n])) for n in sizes]
+        lines += [line(f"milliseconds of a step, {n} floes, {world} on {words[of]}", [1e3 * t for t in times[world, of, n]])
+                  for n in sizes for of in words]
+    return lines + [row for world, of_world in rows.items() for row in places(world, of_world)]
+
+
+def places(world, rows):
+    """How far a result depends on the threads: rows of bench_threads over all packs."""
+    limit = ["<= 0"] if world == "program" else []
+    lines = []
+    for key, pair in (("", "on two threads than on one"), ("_again", "in a second run on two threads")):
+        lines += [line(f"floes with another place or attitude {pair}, in the worst step, {world} [%]",
+                       [100 * max(row[f"share_elsewhere{key}"] for row in rows)], *limit),
+                  line(f"largest distance of these two places, {world} [mm]",
+                       [1000 * max(row[f"distance{key}_m"] for row in rows)])]
+    return lines

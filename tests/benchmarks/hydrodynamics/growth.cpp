@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "bullet_world.hpp"
-#include "field.hpp"
+#include "field_states.hpp"
 
 namespace {
 
@@ -31,14 +30,6 @@ double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER
 double allocated() {
   const struct mallinfo2 heap = mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd);
-}
-
-/// The state of each floe for Bullet's world.
-std::vector<FloeThen> state(const Field& field) {
-  std::vector<FloeThen> floes;
-  for (const auto& [body, floe] : field.floes.floes())
-    floes.push_back({floe.id, floe.plate.outline().front(), field.world.pose(body), field.world.twist(body)});
-  return floes;
 }
 
 /// Times of each step but the first, which has to find neighbours and allocate memory [s].
@@ -69,12 +60,7 @@ struct Options {
 /// Times of Bullet's steps from the state before each step of the program but the first.
 std::vector<double> bullet_seconds(int n_wanted, int layers, int n_steps) {
   Field field(n_wanted, layers, {});
-  std::vector<std::vector<FloeThen>> states;
-  for (int i = 0; i <= n_steps; ++i) {
-    states.push_back(state(field));
-    field.water.apply(field.world, field.floes, kStep, {});
-    field.world.step(kStep);
-  }
+  const auto states = states_before_steps(field, n_steps + 1);
   BulletWorld bullet(field.ice);
   std::vector<double> seconds;
   for (const auto& floes : states) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorldMt.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdint>
@@ -37,6 +38,11 @@ struct BulletBody {
 class BulletWorld {
  public:
   explicit BulletWorld(const model::Case& c);
+  /// The same with Bullet's classes for threads: its dispatcher, its solvers and its scheduler, on `threads` threads.
+  /// All worlds share the scheduler, so that the latest world says how many threads work.
+  ///
+  /// @throws std::runtime_error  if Bullet was built without threads, or has fewer of them.
+  BulletWorld(const model::Case& c, int threads);
   ~BulletWorld();
   BulletWorld(const BulletWorld&) = delete;
 
@@ -46,22 +52,26 @@ class BulletWorld {
   void set_floes(const std::vector<FloeThen>& floes);
   /// The sheet, in convex parts; known parts stay.
   void set_sheet(const std::vector<geometry::Polygon>& sheet, double bottom, double top);
-  void step(double dt) { world_.stepSimulation(dt, 0); }
+  void step(double dt) { world_->stepSimulation(dt, 0); }
   int n_points();
+  /// Of the floes, in the order of their ids.
+  std::vector<Pose> poses() const;
 
  private:
   using Outline = std::vector<std::pair<double, double>>;
 
+  void set_up();
   BulletBody make(const std::vector<rigid_body::ConvexPart>& solids, const rigid_body::MassProperties& mass,
                   const Pose& pose, double friction) const;
   BulletBody make_floe(const FloeThen& floe);
 
   const model::Case& case_;
   btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broad_phase_;
-  btSequentialImpulseConstraintSolver solver_;
-  btDiscreteDynamicsWorld world_;
+  std::unique_ptr<btCollisionDispatcher> dispatcher_;
+  std::unique_ptr<btConstraintSolver> solver_;      ///< with threads of large islands, which it solves on all of them
+  std::unique_ptr<btConstraintSolverPoolMt> pool_;  ///< with threads of small islands, each of which one thread solves
+  std::unique_ptr<btDiscreteDynamicsWorld> world_;
   std::map<std::int64_t, BulletBody> floes_;
   std::map<Outline, std::vector<BulletBody>> sheet_;
   BulletBody structure_;
