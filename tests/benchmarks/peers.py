@@ -176,9 +176,10 @@ def places(world, rows):
     """How far a result depends on the threads: rows of bench_threads over all packs."""
     limit = ["<= 0"] if world == "program" else []
     lines = []
-    for key, pair in (("", "on two threads than on one"), ("_again", "in a second run on two threads")):
+    for key, pair, of in (("", "on two threads than on one", "on one thread and on two"),
+                          ("_again", "in a second run on two threads", "of two runs on two threads")):
         lines += [line(f"floes with another place or attitude {pair}, in the worst step, {world} [%]",
                        [100 * max(row[f"share_elsewhere{key}"] for row in rows)], *limit),
-                  line(f"largest distance of these two places, {world} [mm]",
-                       [1000 * max(row[f"distance{key}_m"] for row in rows)])]
+                  line(f"largest distance between the places of a floe {of}, {world} [mm]",
+                       [1000 * max(row[f"distance{key}_m"] for row in rows)], *limit)]
     return lines
