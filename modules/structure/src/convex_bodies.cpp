@@ -49,7 +49,7 @@ TriangleMesh in_order(const TriangleMesh& mesh) {
   }
   for (std::array<int, 3> triangle : mesh.triangles) {
     for (int& corner : triangle) corner = number[static_cast<std::size_t>(corner)];
-    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     sorted.triangles.push_back(triangle);
   }
   std::ranges::sort(sorted.triangles);

@@ -39,7 +39,7 @@ void simplify(const Outline& ring, std::size_t first, std::size_t last, double t
 /// A ring through some of its vertices, among them the one with the least and the one with the largest x.
 Outline simplified(Outline ring, double tolerance) {
   if (ring.size() < 4) return ring;
-  std::ranges::rotate(ring, std::ranges::min_element(ring, {}, &Vec2::x));
+  std::rotate(ring.begin(), std::ranges::min_element(ring, {}, &Vec2::x), ring.end());
   const auto middle = static_cast<std::size_t>(std::ranges::max_element(ring, {}, &Vec2::x) - ring.begin());
   Outline kept;
   if (middle > 0) simplify(ring, 0, middle, tolerance, kept);
