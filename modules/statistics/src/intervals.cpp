@@ -121,7 +121,7 @@ Interval bootstrap_interval(std::span<const double> samples,
 
   Studentised plain{estimate(samples, settings.block_length, statistic)};
   std::optional<Studentised> logarithmic;
-  if (plain.original.is_positive()) logarithmic.emplace(plain.original.logarithm());
+  if (plain.original.is_positive()) logarithmic = Studentised{plain.original.logarithm()};
   std::vector<double> resample(n);
   for (std::size_t r = 0; r < settings.n_resamples; ++r) {
     for (std::size_t filled = 0; filled < n;) {
