@@ -110,6 +110,7 @@ test("loads, plan and crack are saved as they are", async () => {
   const drawing = (await saved(page, page.locator(".plan-view").getByRole("button", { name: "SVG" }))).bytes.toString();
   assert.equal((drawing.match(/<circle/g) ?? []).length >= events.length, true);
   assert.ok(!/var\(|color\(srgb/.test(drawing), "a drawing's colours are its own");
+  assert.ok(/<text[^>]*paint-order: ?stroke/.test(drawing), "numbers are readable over floes");
   const lines = (await saved(page, page.locator(".loads .chart").getByRole("button", { name: "SVG" }))).bytes.toString();
   assert.ok(lines.includes("Fx [kN]") && lines.includes("crushing"));
   const picture = await saved(page, page.locator(".plan-view").getByRole("button", { name: "PNG" }));
@@ -203,6 +204,18 @@ test("a measured history lies over the loads, with its statistics", async () => 
   const cells = await shown.locator("#moments tbody tr").first().locator("td").allTextContents();
   assert.equal(cells[names.indexOf("Fx measured [kN]")], mean.toFixed(1));
   await shown.close();
+});
+
+test("a field of floes is not taken for level ice", async () => {
+  const field = join(folder, "field");
+  brash("run", join(process.env.BRASH_SOURCE, "experiments/fields/cone.toml"), "-o", field,
+    ...["time.duration=1", "output.statistics_from=0.5", "field.length=60", "field.width=60"].flatMap((set) => ["--set", set]));
+  const at = await browser.open(join(field, "report.html"));
+  assert.match(await at.locator("#channel").innerText(), /The field from above/);
+  assert.match(await at.locator("#closed-forms").innerText(), /They are for level ice, not for a field of floes/);
+  assert.doesNotMatch(await page.locator("#closed-forms").innerText(), /field of floes/);
+  assert.match(await at.locator("#ledger").innerText(), /of the ice[^]*Where the ice has gone/);
+  await at.close();
 });
 
 test("two runs move under one slider", async () => {

@@ -100,6 +100,8 @@ export class Chart {
     const hooks = { ...options.hooks, draw: [(plot: uPlot) => paintMarks(plot, marks?.() ?? [], pixelRatio()), ...(options.hooks?.draw ?? [])] };
     this.plot = new uPlot({ ...enlarged({ ...options, hooks }, k), width: k * width, height: k * (isOnPaper() ? Math.min(this.height, Math.round(kTallest * width)) : this.height) }, data, this.holder);
     if (range && this.keepsRange) this.plot.setScale("x", range);
+    // uPlot draws once the script has ended. Firefox prints what is drawn before that.
+    if (isOnPaper()) this.plot.batch(() => {});
     this.open(this.plot);
   }
 

@@ -147,6 +147,11 @@ export class Run {
     this.piecesOf.forEach((floes, event) => floes.forEach((floe) => (this.madeBy[floe] = event)));
   }
 
+  /** Whether the ice is a field of floes, and no sheet. */
+  get isField(): boolean {
+    return this.inputs.field?.kind?.value === "floes";
+  }
+
   get name(): string {
     return this.data.manifest.case?.name ?? "run";
   }

@@ -185,9 +185,8 @@ export class PlanView {
     const { run } = this;
     const brokeOff: Swatch = { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" };
     const ofField: Swatch = { colour: "--plan-young", text: "floe where it was at the start" };
-    const isField = run.inputs.field?.kind?.value === "floes";
     return [
-      ...(isField ? [ofField] : []), ...(isField && run.nEvents === 0 ? [] : [brokeOff]),
+      ...(run.isField ? [ofField] : []), ...(run.isField && run.nEvents === 0 ? [] : [brokeOff]),
       ...(run.sheets.at(-1)!.length > 0 ? [{ colour: "--plan-sheet", text: "sheet at the end" }] : []),
       { colour: "--plan-open", text: "open water, or crushed" },
       { colour: "--scene-structure", text: "structure's waterline at the end" }, ...(run.nEvents > 0 ? [kAtCrack] : []),

@@ -14,7 +14,7 @@ export const saveText = (name: string, text: string, type: string): void => save
 /** What of the page's style a drawing needs to look the same alone. */
 const kStyles = [
   "fill", "fill-opacity", "fill-rule", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "opacity",
-  "font-family", "font-size", "text-anchor", "vector-effect",
+  "font-family", "font-size", "text-anchor", "vector-effect", "paint-order", "stroke-linejoin",
 ];
 
 /** Mixed colours in the older notation, which every program for drawings reads. */
