@@ -19,7 +19,8 @@ constexpr std::chrono::seconds kFarewell{5};
 
 }  // namespace
 
-LiveView::LiveView(const model::Case& resolved) : server_(report::live_page(resolved, simulation::land_outlines(resolved))), records_(resolved) {}
+LiveView::LiveView(const model::Case& resolved)
+    : server_(report::live_page(resolved, simulation::land_outlines(resolved))), records_(resolved) {}
 
 void LiveView::watch(simulation::RunOptions& options) {
   if (options.checkpoint.newest)
