@@ -9,10 +9,10 @@
 
 namespace brash::cli {
 
-void check_ending(const std::string& file, std::string_view what, std::initializer_list<std::string_view> endings) {
+void check_ending(const std::string& file, std::string_view kind, std::initializer_list<std::string_view> endings) {
   const auto has = [&](std::string_view ending) { return file.ends_with(ending); };
   if (file.empty() || std::ranges::any_of(endings, has)) return;
-  throw InputError(Complaint{file, fmt::format("is no name of {}", what),
+  throw InputError(Complaint{file, fmt::format("is no name of {}", kind),
                              fmt::format("a name that ends in {}", fmt::join(endings, " or ")), "change the name"});
 }
 

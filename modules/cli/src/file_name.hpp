@@ -10,9 +10,9 @@ namespace brash::cli {
 /// Refuses to write a file under a name that promises another format.
 ///
 /// @param file     as the user named it; empty: none is written.
-/// @param what     it is, such as "a picture".
+/// @param kind     of file, such as "a picture".
 /// @param endings  that such files have, with their dots.
 /// @throws InputError naming the file, the endings and the remedy.
-void check_ending(const std::string& file, std::string_view what, std::initializer_list<std::string_view> endings);
+void check_ending(const std::string& file, std::string_view kind, std::initializer_list<std::string_view> endings);
 
 }  // namespace brash::cli

@@ -125,7 +125,7 @@ export async function saved(page, element) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
-/** What a saved drawing of a chart shows: its words, and under each name the paths, with the numbers of its axes. */
+/** The content of a saved drawing of a chart: its words, and under each name the paths, with the numbers of its axes. */
 export async function readChart(page, svg) {
   return page.evaluate((text) => {
     const root = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;

@@ -61,7 +61,7 @@ test("a print takes the paper that is there, and its charts are drawn before it 
   const paper = async (format) => /\/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/.exec((await page.pdf({ format, preferCSSPageSize: true })).toString("latin1")).slice(1).map((n) => Math.round(Number(n) / 72 * 25.4));
   assert.deepEqual(await paper("Letter"), [216, 279]);
   assert.deepEqual(await paper("A4"), [210, 297]);
-  // Firefox prints what is drawn once the event has been told.
+  // Firefox begins to print once the event has been told.
   const drawn = await page.evaluate(() => {
     dispatchEvent(new Event("beforeprint"));
     return [...document.querySelectorAll(".plot canvas")].map((c) => new Set(new Uint32Array(c.getContext("2d").getImageData(0, 0, c.width, c.height).data.buffer)).size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart as a drawing that can be edited: what uPlot's canvas shows as paths, and the names and words beside it.
+// A chart as a drawing that can be edited: the picture of uPlot's canvas as paths, and the names and words beside it.
 import type uPlot from "uplot";
 import { css, svg } from "./dom";
 import { circle, type Mark, type Plane, shapesOf } from "./marks";
@@ -10,7 +10,7 @@ interface DrawnAxis {
   _values?: (string | number | null)[] | null;
 }
 
-/** What uPlot makes of the points of a series. */
+/** uPlot's own form of the points of a series. */
 interface DrawnPoints {
   show: (plot: uPlot, series: number, first: number, last: number) => boolean;
   filter: (plot: uPlot, series: number, show: boolean) => number[] | null;
@@ -20,7 +20,7 @@ interface DrawnPoints {
 export interface Drawn {
   plot: uPlot;
   title: string;
-  /** What the page says below the chart. */
+  /** The words below the chart. */
   caption: string;
   marks: Mark[];
   /** Width of columns over their distance, for a chart of columns. */

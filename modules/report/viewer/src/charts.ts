@@ -34,11 +34,11 @@ const pixelRatio = (): number => (devicePixelRatio || 1) * fineness();
 
 type Options = Omit<uPlot.Options, "width" | "height">;
 
-/** What a chart shows. */
+/** The content of a chart. */
 export interface Shown {
   options: Options;
   data: uPlot.AlignedData;
-  /** What it shows besides its lines, asked at each drawing. */
+  /** The marks besides its lines, asked at each drawing. */
   marks?: () => Mark[];
   /** Width of columns over their distance, for a chart of columns. */
   columns?: number;
@@ -100,7 +100,7 @@ export class Chart {
     const hooks = { ...options.hooks, draw: [(plot: uPlot) => paintMarks(plot, marks?.() ?? [], pixelRatio()), ...(options.hooks?.draw ?? [])] };
     this.plot = new uPlot({ ...enlarged({ ...options, hooks }, k), width: k * width, height: k * (isOnPaper() ? Math.min(this.height, Math.round(kTallest * width)) : this.height) }, data, this.holder);
     if (range && this.keepsRange) this.plot.setScale("x", range);
-    // uPlot draws once the script has ended. Firefox prints what is drawn before that.
+    // uPlot draws once the script has ended, too late for a print in Firefox.
     if (isOnPaper()) this.plot.batch(() => {});
     this.open(this.plot);
   }
@@ -129,7 +129,7 @@ export class Chart {
 
   keepsRange = false;
 
-  /** All that it shows as an editable drawing; null before the chart was drawn. */
+  /** The whole chart as an editable drawing; null before the chart was drawn. */
   drawing(): SVGSVGElement | null {
     if (!this.plot || !this.shown) return null;
     const { marks, columns } = this.shown;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a chart shows besides its lines: means, intervals, single runs and cracks; on the page and in a saved drawing alike.
+// The marks of a chart besides its lines: means, intervals, single runs and cracks; on the page and in a saved drawing alike.
 import type uPlot from "uplot";
 
 /** In the chart's numbers; lengths in pixels. Those of one name are explained once. */
