@@ -6,7 +6,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { browse, look, root, saved, sized } from "./replay_page.mjs";
+import { browse, look, root, saved, sized, smoothed } from "./replay_page.mjs";
 
 const [run, pictures = join(root, "docs/figures")] = process.argv.slice(2);
 const kSpeed = "4";           // of the report's film
@@ -89,6 +89,7 @@ first.save(path, save_all=True, append_images=rest, duration=durations, loop=0, 
 `;
 
 await figures();
+await smoothed(browser);
 const webm = await film();
 const frames = await picturesOf(webm);
 const path = join(pictures, "validation-film.webp");

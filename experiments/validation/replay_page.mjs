@@ -8,6 +8,14 @@ export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
 process.env.BRASH_PACKAGES ??= join(root, "build/release/modules/report/viewer");
 export const { browse, saved } = await import(join(root, "tests/modules/report/browser.mjs"));
 
+/** Lets a browser's pages draw as with a graphics card, whatever draws: with smooth lines. For pages opened afterwards. */
+export const smoothed = (browser) => browser.context.addInitScript(() => {
+  const ask = WebGL2RenderingContext.prototype.getExtension;
+  WebGL2RenderingContext.prototype.getExtension = function (name) {
+    return name === "WEBGL_debug_renderer_info" ? null : ask.call(this, name);
+  };
+});
+
 /** Gives the replay alone the size of a picture [px]. */
 export async function sized(page, width, height) {
   await page.addStyleTag({

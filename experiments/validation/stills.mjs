@@ -3,13 +3,14 @@
 // Stills of a run's replay, as they stand on the site: stills.mjs RUN_FOLDER [PICTURE_FOLDER]
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { browse, look, root, sized } from "./replay_page.mjs";
+import { browse, look, root, sized, smoothed } from "./replay_page.mjs";
 
 const [run, pictures = join(root, "docs/figures")] = process.argv.slice(2);
 /** Views of the end of the run. */
 const kViews = ["Wake", "Below"];
 
 const browser = await browse({ width: 1600, height: 1000 });
+await smoothed(browser);
 const page = await browser.open(join(run, "report.html"));
 await sized(page, 880, 480);
 for (const view of kViews) {

@@ -7,7 +7,6 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/input_file.hpp"
-#include "brash/core/write_file.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
 #include "brash/model/case_keys.hpp"
@@ -19,6 +18,7 @@
 #include "brash/structure/motion.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
+#include "picture_file.hpp"
 #include "table.hpp"
 
 namespace brash::cli {
@@ -68,6 +68,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   refuse_overwriting(picture, {path});
   model::Case resolved = io::read_case(path, overrides);
   for (const std::string* const file : model::files_of(resolved)) refuse_overwriting(picture, {*file});
+  check_picture_name(picture);
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
   print_data(io::to_toml(resolved));
   const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));
@@ -90,7 +91,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   if (scales.correlation_length > 0.0) print("# correlation length of the ice  {:.4g} m\n", scales.correlation_length);
   print_hull(resolved);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) print_mesh(*mesh);
-  if (!picture.empty()) write_file(picture, report::case_picture(resolved, {field.sheets, field.floes, field.land}));
+  if (!picture.empty()) write_picture(picture, report::case_picture(resolved, {field.sheets, field.floes, field.land}));
   print_warnings(scales.warnings);
 }
 
@@ -105,7 +106,7 @@ void add_check_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("check", "Read a case, print it in SI with derived lengths and warnings");
   command->add_option("case", options->case_file, "case file (TOML)")->required();
   command->add_option("--set", options->overrides, "section.key=value")->take_all()->allow_extra_args(false);
-  command->add_option("--picture", options->picture, "draw hull, waterline and field into this file, SVG");
+  command->add_option("--picture", options->picture, "draw hull, waterline and field into this file, SVG or PNG");
   command->footer("Example: brash check experiments/ships/icebreaker.toml --picture ship.svg");
   command->callback([options] { check_case(options->case_file, options->overrides, options->picture); });
 }

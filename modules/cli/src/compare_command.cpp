@@ -82,6 +82,7 @@ std::vector<LoadHistory> measurements(const CompareOptions& options) {
 
 void compare(CompareOptions& options) {
   for (const std::string& given : options.measured) refuse_overwriting(options.picture, {options.run, given});
+  check_picture_name(options.picture);
   const std::vector<LoadHistory> runs = side(options.run, options.of_run, options.where);
   const std::vector<LoadHistory> measured = measurements(options);
   for (const LoadHistory& load : runs) refuse_overwriting(options.picture, {load.file});

@@ -76,6 +76,7 @@ void add_design_command(CLI::App& app) {
     o.choice.has_from = command->count("--from") > 0;
     if (command->count("--dead-band") > 0) o.asked.extremes.dead_band = o.dead_band;
     if (!o.asked.scatter.empty()) refuse_overwriting(o.picture, {o.asked.scatter});
+    check_picture_name(o.picture);
     const auto settings = read_campaign_histories(o.campaign, o.choice, o.where);
     const Design design = design_of(settings, o.asked);
     if (!o.picture.empty()) write_picture(o.picture, design_picture(design, o.asked));

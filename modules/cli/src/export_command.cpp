@@ -13,6 +13,7 @@
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
 #include "commands.hpp"
+#include "file_name.hpp"
 #include "fmu.hpp"
 #include "gltf.hpp"
 #include "ice_map.hpp"
@@ -71,6 +72,7 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
 
 void export_gltf(const std::string& run_file, const std::string& file) {
   refuse_overwriting(file, {run_file});
+  check_ending(file, "a replay in binary glTF", {".glb"});
   const Replay run = read_replay(run_file);
   write_file(file, to_glb(run));
   print("{} frames in {}\n", run.results.frames.size(), file);

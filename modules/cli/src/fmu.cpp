@@ -16,6 +16,7 @@
 #include "brash/model/case_keys.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/simulation/scales.hpp"
+#include "file_name.hpp"
 #include "messages.hpp"
 #include "table.hpp"
 #include "zip_file.hpp"
@@ -93,6 +94,7 @@ std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& inputs)
 void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
                 fmu::Standard standard) {
   refuse_overwriting(file, {case_file});
+  check_ending(file, "a co-simulation unit", {".fmu"});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
   fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), ""};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "brash/simulation/initial_floes.hpp"
 #include "requests_to_end.hpp"
 
 namespace brash::cli {
@@ -18,7 +19,8 @@ constexpr std::chrono::seconds kFarewell{5};
 
 }  // namespace
 
-LiveView::LiveView(const model::Case& resolved) : server_(report::live_page(resolved)), records_(resolved) {}
+LiveView::LiveView(const model::Case& resolved)
+    : server_(report::live_page(resolved, simulation::land_outlines(resolved))), records_(resolved) {}
 
 void LiveView::watch(simulation::RunOptions& options) {
   if (options.checkpoint.newest)

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "geometry_commands.hpp"
 #include "messages.hpp"
@@ -19,9 +18,7 @@ struct PiecesOptions {
 
 void pieces(const PiecesOptions& options) {
   refuse_overwriting(options.picture, {options.file});
-  if (!options.picture.empty() && !options.picture.ends_with(".svg") && !options.picture.ends_with(".png"))
-    throw InputError(
-        Complaint{options.picture, "is no name of a picture", "a name that ends in .svg or .png", "change the name"});
+  check_picture_name(options.picture);
   const PieceSizes sizes = read_piece_sizes(options.file, options.born);
   const PieceAnalysis analysis = analyse_pieces(sizes);
   if (!options.picture.empty()) write_picture(options.picture, pieces_picture(sizes, analysis));

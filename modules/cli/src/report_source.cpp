@@ -10,6 +10,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "brash/simulation/initial_floes.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
 
@@ -51,9 +52,11 @@ ordered_json loads_of_run(const std::string& directory) {
 }  // namespace
 
 report::RunSource report_source(const std::string& directory) {
+  const model::Case resolved = report::case_of_run(directory);
   return {.directory = directory,
-          .closed_forms = closed_form_loads(report::case_of_run(directory)).dump(),
-          .loads = [directory] { return loads_of_run(directory).dump(); }};
+          .closed_forms = closed_form_loads(resolved).dump(),
+          .loads = [directory] { return loads_of_run(directory).dump(); },
+          .land = simulation::land_outlines(resolved)};
 }
 
 report::MeasuredHistory measured_history(const std::string& file, const HistoryChoice& choice) {

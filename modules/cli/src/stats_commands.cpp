@@ -81,6 +81,7 @@ void run_stats(const StatsOptions& o) {
                                "a finite number in the unit of the column", "give a number"});
   for (const std::string& out : {o.spectrum, o.events, o.exceedance, o.cycles, o.picture})
     for (const std::string& file : o.files) refuse_overwriting(out, {file});
+  check_picture_name(o.picture);
   const std::vector<LoadHistory> loads = histories_of(o);
   write_outputs(o, loads);
   ordered_json all = ordered_json::array();

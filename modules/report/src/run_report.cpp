@@ -175,6 +175,12 @@ void add_structure(Blocks& blocks, const structure::Hull& hull, const Pose& end)
   blocks.add("structure.end", std::vector<double>{p.x, p.y, p.z, q.w, q.x, q.y, q.z});
 }
 
+void add_land(Blocks& blocks, const std::vector<Rings>& land) {
+  std::vector<const Rings*> polygons;
+  for (const Rings& rings : land) polygons.push_back(&rings);
+  add_polygons(blocks, "land", polygons, kPlaceUnit);
+}
+
 void add_run(Blocks& blocks, const model::Case& resolved, const model::RunResults& results) {
   add_structure(blocks, *structure::make_hull(resolved.structure.shape), pose_at_end(resolved, results));
   add_columns(blocks, "load", results.loads);
@@ -198,6 +204,7 @@ ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& b
                                "the summary.json of a run", "copy it again, or run the case again"});
   blocks.begin(prefix);
   add_run(blocks, case_of_run(run.directory), results);
+  add_land(blocks, run.land);
   return {{"kind", "run"},
           {"manifest", read_json(run.directory + "/manifest.json")},
           {"summary", summary},
@@ -258,8 +265,9 @@ void write_comparison(const RunSource& run, const RunSource& other, const std::s
   write_page(std::move(data), blocks, path);
 }
 
-std::string live_page(const model::Case& resolved) {
+std::string live_page(const model::Case& resolved, const std::vector<Rings>& land) {
   Blocks blocks;
+  add_land(blocks, land);
   add_structure(blocks, *structure::make_hull(resolved.structure.shape), {});
   const ordered_json data{{"format", "brash-report-1"},
                           {"kind", "live"},

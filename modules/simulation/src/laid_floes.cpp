@@ -140,11 +140,17 @@ std::vector<ice::Plate> floes_beside(const model::Case& resolved, const structur
   return floes;
 }
 
+std::vector<std::vector<std::vector<Vec2>>> land_outlines(const model::Case& resolved) {
+  std::vector<std::vector<std::vector<Vec2>>> land;
+  if (resolved.field.shore.empty()) return land;
+  for (const Polygon& outline : ice::read_outlines(resolved.field.shore, resolved.field.origin))
+    land.push_back(rings_in_metres(outline));
+  return land;
+}
+
 InitialField initial_field(const model::Case& resolved) {
   InitialField start;
-  if (!resolved.field.shore.empty())
-    for (const Polygon& land : ice::read_outlines(resolved.field.shore, resolved.field.origin))
-      start.land.push_back(rings_in_metres(land));
+  start.land = land_outlines(resolved);
   const auto hull = structure::make_hull(resolved.structure.shape);
   ice::Field field = laid_field(resolved);
   const std::vector<ice::Plate> floes = floes_beside(resolved, *hull, field);

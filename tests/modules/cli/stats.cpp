@@ -318,8 +318,8 @@ BOOST_AUTO_TEST_CASE(several_histories_and_tables_are_written_at_once) {
     text += std::to_string(0.05 * static_cast<double>(i)) + "," + std::to_string(load[i]) + "," +
             std::to_string(-load[i]) + "\n";
   const TemporaryFile file(text);
-  const auto lines_of = [&](const std::string& arguments, const char* table) {
-    const std::string out = file.path() + ".table.csv";
+  const auto lines_of = [&](const std::string& arguments, const std::string& table) {
+    const std::string out = file.path() + (table == "--picture" ? ".svg" : ".table.csv");
     CLI::App app;
     add_stats_command(app);
     app.parse("stats " + file.path() + " --json " + arguments + " " + table + " " + out);

@@ -125,6 +125,28 @@ export async function saved(page, element) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
+/** The content of a saved drawing of a chart: its words, and under each name the paths, with the numbers of its axes. */
+export async function readChart(page, svg) {
+  return page.evaluate((text) => {
+    const root = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
+    const number = (of) => Number(of.textContent.replace("−", "-"));
+    const ticks = (anchor, axis) => [...root.querySelectorAll(`text[text-anchor=${anchor}]`)].filter((t) => t.hasAttribute(axis) && t.textContent !== "" && !Number.isNaN(number(t)))
+      .map((t) => [Number(t.getAttribute(axis)) - (axis === "y" ? 4 : 0), number(t)]);
+    return {
+      words: [...root.querySelectorAll("text")].map((t) => t.textContent),
+      x: ticks("middle", "x"), y: ticks("end", "y"),
+      paths: Object.fromEntries([...root.querySelectorAll("g[clip-path] > g")].map((group) =>
+        [group.querySelector("title").textContent, [...group.querySelectorAll("path")].map((path) => path.getAttribute("d"))])),
+    };
+  }, svg);
+}
+
+/** The number at a place of an axis [px], from the first and the last of its ticks. */
+export function numberAt(ticks, place) {
+  const [[p0, n0], [p1, n1]] = [ticks[0], ticks.at(-1)];
+  return n0 + ((place - p0) * (n1 - n0)) / (p1 - p0);
+}
+
 /** A browser of its own that can be killed: its pages, and `kill`. */
 export async function doomedBrowser() {
   const { chromium } = createRequire(join(BRASH_PACKAGES, "package.json"))("playwright-core");

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { brash, browse, scratch } from "./browser.mjs";
+import { brash, browse, numberAt, readChart, saved, scratch } from "./browser.mjs";
 
 const folder = scratch();
 const listed = join(folder, "listed");
@@ -90,6 +90,26 @@ test("what was varied together is one input: for each result a chart over the an
   // The second input is a line for each of its values.
   const lines = await page.locator("#trends .chart").first().locator(".u-legend .u-label").allTextContents();
   assert.deepEqual(lines, ["structure angle [°]", "structure speed 0.5 m/s", "structure speed 1.2 m/s"]);
+});
+
+test("a saved chart has the mean, the interval and the single runs of each setting", async () => {
+  const chart = page.locator("#trends .chart").nth(1);  // mean horizontal load over speed
+  const shown = await readChart(page, (await saved(page, chart.getByRole("button", { name: "SVG", exact: true }))).bytes.toString());
+  const near = (place, newtons) => assert.ok(Math.abs(numberAt(shown.y, Number(place)) - newtons / 1e3) < 0.1, `${newtons} N at ${place}`);
+  const bars = shown.paths["95 % interval of the mean"].map((path) => [.../M\S+ (\S+)h\S+ ?\S*M\S+ (\S+)h/.exec(path)].slice(1));
+  assert.equal(bars.length, kSettings.length);
+  kSettings.forEach(({ statistics: of }, i) => bars[i].forEach((place, k) => near(place, of["horizontal.mean"].mean_95[k])));
+  assert.equal(shown.paths["single run"].length, 7);
+  const places = (path) => [...path.matchAll(/M\S+ (\S+)a/g)].map(([, y]) => y);
+  near(places(shown.paths["single run"][0])[0], kSettings[0].statistics["horizontal.mean"].mean);
+  for (const [name, [first, second]] of [["structure angle 50°", [80e3, 90e3]], ["structure angle 70°", [110e3, 240e3]]]) {
+    assert.ok(shown.words.includes(name));
+    const means = places(shown.paths[name][1]);
+    near(means[0], first);
+    near(means[1], second);
+  }
+  assert.ok(shown.words.includes("single run") && shown.words.includes("95 % interval of the mean"));
+  assert.ok(shown.words.some((text) => text.startsWith("mean horizontal load [kN] over structure speed [m/s]")));
 });
 
 test("no key path is shown where a name can be", async () => {

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { brash, browse, pixelsOf, plainScreenshot, readCsv, saved, scratch } from "./browser.mjs";
+import { brash, browse, numberAt, pixelsOf, plainScreenshot, readChart, readCsv, saved, scratch } from "./browser.mjs";
 
 const folder = scratch();
 const [run, other, drifting] = [join(folder, "disc"), join(folder, "stress"), join(folder, "drifting")];
@@ -110,10 +110,49 @@ test("loads, plan and crack are saved as they are", async () => {
   const drawing = (await saved(page, page.locator(".plan-view").getByRole("button", { name: "SVG" }))).bytes.toString();
   assert.equal((drawing.match(/<circle/g) ?? []).length >= events.length, true);
   assert.ok(!/var\(|color\(srgb/.test(drawing), "a drawing's colours are its own");
+  assert.ok(/<text[^>]*paint-order: ?stroke/.test(drawing), "numbers are readable over floes");
   const lines = (await saved(page, page.locator(".loads .chart").getByRole("button", { name: "SVG" }))).bytes.toString();
   assert.ok(lines.includes("Fx [kN]") && lines.includes("crushing"));
   const picture = await saved(page, page.locator(".plan-view").getByRole("button", { name: "PNG" }));
   assert.ok(new Set((await pixelsOf(page, picture.bytes, 997)).map(String)).size > 5, "the picture is empty");
+});
+
+test("a saved chart shows the mean with its interval, the reference, cracks, points and columns where the page has them", async () => {
+  const longer = join(folder, "longer");
+  brash("run", kCase, "-o", longer, ...["time.duration=8", "output.statistics_from=1", "output.frames_per_second=0"].flatMap((set) => ["--set", set]));
+  const at = await browser.open(join(longer, "report.html"));
+  const chartOf = (name) => at.locator("figure.chart", { has: at.getByRole("group", { name, exact: true }) });
+  const save = async (name, format) => (await saved(at, chartOf(name).getByRole("button", { name: format, exact: true }))).bytes;
+  const drawing = (await save("Load history", "SVG")).toString();
+  const loads = await readChart(at, drawing);
+  const { mean, mean_95 } = JSON.parse(readFileSync(join(longer, "summary.json"), "utf8")).horizontal;
+  // Places are written to a hundredth of a pixel, of which the highest tick is at most 340 from the lowest.
+  const kN = (place) => numberAt(loads.y, Number(place));
+  const isNear = (shown, newtons) => assert.ok(Math.abs(shown - newtons / 1e3) < (0.02 / 340) * 2 * loads.y.at(-1)[1], `${shown} kN for ${newtons} N`);
+  const [, low, , high] = /^M\S+ (\S+)H(\S+)V(\S+)H/.exec(loads.paths["95 % interval of the mean"][0]);
+  isNear(kN(low), mean_95[0]);
+  isNear(kN(high), mean_95[1]);
+  isNear(kN(/^M\S+ (\S+)H/.exec(loads.paths.mean[0])[1]), mean);
+  isNear(kN(/^M\S+ (\S+)H/.exec(loads.paths["reference mean"][0])[1]), 111.8e3);
+  const times = readCsv(join(longer, "events.csv")).filter((row) => row.event === "break").map((row) => Number(row.time));
+  assert.equal(loads.paths.cracks.length, times.length);
+  loads.paths.cracks.forEach((path, i) => assert.ok(Math.abs(numberAt(loads.x, Number(/^M(\S+)/.exec(path)[1])) - times[i]) < 0.01));
+  for (const name of ["total", "mean", "95 % interval of the mean", "reference mean", "cracks", "Load history."]) assert.ok(loads.words.includes(name), name);
+  assert.ok(!loads.words.includes("friction"), "the name of a line that is hidden");
+  // The picture is the drawing, twice as fine.
+  const picture = await pixelsOf(at, await save("Load history", "PNG"), 7);
+  const [red, green, blue] = [0, 1, 2].map((part) => picture.filter((pixel) => pixel[part] > 250).length / picture.length);
+  assert.ok(red > 0.5 && green > 0.5 && blue > 0.5, "a picture on white");
+  assert.ok(picture.some(([r, g, b]) => r > 150 && g < 60 && b < 60), "cracks are red");
+
+  const shares = await readChart(at, (await save("Exceedance of the load", "SVG")).toString());
+  const nPeaks = await at.evaluate(() => window.brashReport.run.data.statistics.Fx.peaks.value.length);
+  assert.equal(shares.paths["of the peaks"][1].match(/Z/g).length, nPeaks);
+  const lengths = await readChart(at, (await save("Histogram: breaking length", "SVG")).toString());
+  const columns = lengths.paths.count[0].match(/V[\d.]+h/g).map((top) => Math.round(numberAt(lengths.y, Number(top.slice(1, -1)))));
+  assert.equal(columns.reduce((sum, n) => sum + n, 0), times.length);
+  assert.ok(lengths.words.some((text) => /Quantiles 5, 25, 50, 75, 95 %/.test(text)));
+  await at.close();
 });
 
 test("the film shows the run from start to end", async () => {
@@ -165,6 +204,18 @@ test("a measured history lies over the loads, with its statistics", async () => 
   const cells = await shown.locator("#moments tbody tr").first().locator("td").allTextContents();
   assert.equal(cells[names.indexOf("Fx measured [kN]")], mean.toFixed(1));
   await shown.close();
+});
+
+test("a field of floes is not taken for level ice", async () => {
+  const field = join(folder, "field");
+  brash("run", join(process.env.BRASH_SOURCE, "experiments/fields/cone.toml"), "-o", field,
+    ...["time.duration=1", "output.statistics_from=0.5", "field.length=60", "field.width=60"].flatMap((set) => ["--set", set]));
+  const at = await browser.open(join(field, "report.html"));
+  assert.match(await at.locator("#channel").innerText(), /The field from above/);
+  assert.match(await at.locator("#closed-forms").innerText(), /They are for level ice, not for a field of floes/);
+  assert.doesNotMatch(await page.locator("#closed-forms").innerText(), /field of floes/);
+  assert.match(await at.locator("#ledger").innerText(), /of the ice[^]*Where the ice has gone/);
+  await at.close();
 });
 
 test("two runs move under one slider", async () => {

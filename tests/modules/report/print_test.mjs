@@ -56,6 +56,21 @@ test("a run in dark colours is printed in light ones, with its replay, and is da
   await page.close();
 });
 
+test("a print takes the paper that is there, and its charts are drawn before it begins", async () => {
+  const page = await browser.open(join(folder, "one", "report.html"));
+  const paper = async (format) => /\/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/.exec((await page.pdf({ format, preferCSSPageSize: true })).toString("latin1")).slice(1).map((n) => Math.round(Number(n) / 72 * 25.4));
+  assert.deepEqual(await paper("Letter"), [216, 279]);
+  assert.deepEqual(await paper("A4"), [210, 297]);
+  // Firefox begins to print once the event has been told.
+  const drawn = await page.evaluate(() => {
+    dispatchEvent(new Event("beforeprint"));
+    return [...document.querySelectorAll(".plot canvas")].map((c) => new Set(new Uint32Array(c.getContext("2d").getImageData(0, 0, c.width, c.height).data.buffer)).size);
+  });
+  assert.ok(drawn.length > 3);
+  for (const colours of drawn) assert.ok(colours > 10, `${colours} colours`);
+  await page.close();
+});
+
 test("two runs are printed, each with its picture and under its name", async () => {
   brash("report", join(folder, "one"), join(folder, "one"), "-o", join(folder, "two.html"));
   const page = await browser.open(join(folder, "two.html"));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results over what was varied: small charts of one scale, a line for each value of a second input, bars for intervals.
 import uPlot from "uplot";
-import { axis, Chart, pixelRatio } from "./charts";
+import { axis, Chart } from "./charts";
 import { inputOf, type Quantity, resultOf, titleOf, valueOf } from "./campaign_names";
 import { css, el } from "./dom";
 import { number } from "./format";
+import type { Mark } from "./marks";
 import type { CampaignData, CampaignSetting } from "./types";
 
 /** Values of a column in the runs of a setting. */
@@ -100,8 +101,8 @@ function trend({ data, runs, column, key, lines, facet, range }: Trend): Chart {
       series: [{ label: titleOf(input), value: shown }, ...[...groups.keys()].map((label, i) => ({
         label, stroke: css(kLines[i]), width: 1.3, spanGaps: true, points: { show: true, size: 6, fill: css(kLines[i]) }, value: shown,
       }))],
-      hooks: { draw: [(plot: uPlot) => points.forEach((list, i) => mark(plot, css(kLines[i]), list, result.scale))] },
     },
+    marks: () => points.flatMap((list, i) => marksOf(list, css(kLines[i]), result.scale)),
   }));
 }
 
@@ -111,33 +112,9 @@ const scaled = (value: number | null | undefined, scale: number): number | null 
   value === null || value === undefined ? null : value * scale;
 
 /** Intervals as bars, runs as pale dots. */
-function mark(plot: uPlot, colour: string, points: Point[], scale: number): void {
-  const { ctx } = plot;
-  const ratio = pixelRatio();
-  ctx.save();
-  ctx.strokeStyle = ctx.fillStyle = colour;
-  ctx.lineWidth = ratio;
-  for (const { x, interval, runs } of points) {
-    const px = plot.valToPos(x, "x", true);
-    ctx.globalAlpha = 0.35;
-    for (const value of runs) {
-      ctx.beginPath();
-      ctx.arc(px, plot.valToPos(value * scale, "y", true), 2 * ratio, 0, 2 * Math.PI);
-      ctx.fill();
-    }
-    ctx.globalAlpha = 1;
-    if (interval) bar(ctx, px, ...(interval.map((n) => plot.valToPos(n * scale, "y", true)) as [number, number]), 4 * ratio);
-  }
-  ctx.restore();
-}
-
-function bar(ctx: CanvasRenderingContext2D, x: number, a: number, b: number, half: number): void {
-  ctx.beginPath();
-  for (const y of [a, b]) {
-    ctx.moveTo(x - half, y);
-    ctx.lineTo(x + half, y);
-  }
-  ctx.moveTo(x, a);
-  ctx.lineTo(x, b);
-  ctx.stroke();
+function marksOf(points: Point[], colour: string, scale: number): Mark[] {
+  return points.flatMap(({ x, interval, runs }): Mark[] => [
+    ...runs.map((value): Mark => ({ kind: "dot", name: "single run", colour, x, y: value * scale, radius: 2, opacity: 0.35 })),
+    ...(interval ? [{ kind: "bar", name: "95 % interval of the mean", colour, x, low: interval[0] * scale, high: interval[1] * scale } as const] : []),
+  ]);
 }

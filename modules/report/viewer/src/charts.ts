@@ -4,8 +4,9 @@ import uPlot from "uplot";
 import { chartSvg } from "./chart_svg";
 import { css, el } from "./dom";
 import { number } from "./format";
+import { type Mark, paintMarks } from "./marks";
 import { fineness, isOnPaper } from "./paper";
-import { csv, pixels, save, saveButtons, saveText } from "./save";
+import { csv, pngOf, save, saveButtons, saveText } from "./save";
 
 /** A tick as tables write their numbers: no separator of thousands, which depends on the reader's browser. */
 const plain = (n: number): string => (Math.abs(n) >= 1e6 ? number(n, 3) : String(Number(n.toPrecision(6)))).replace("-", "−");
@@ -29,9 +30,19 @@ export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis 
 }
 
 /** Pixels of a canvas for each pixel of the page: for what a chart draws itself. */
-export const pixelRatio = (): number => (devicePixelRatio || 1) * fineness();
+const pixelRatio = (): number => (devicePixelRatio || 1) * fineness();
 
 type Options = Omit<uPlot.Options, "width" | "height">;
+
+/** The content of a chart. */
+export interface Shown {
+  options: Options;
+  data: uPlot.AlignedData;
+  /** The marks besides its lines, asked at each drawing. */
+  marks?: () => Mark[];
+  /** Width of columns over their distance, for a chart of columns. */
+  columns?: number;
+}
 
 /** The same chart, `k` times as large in all. */
 function enlarged(options: Options, k: number): Options {
@@ -49,6 +60,9 @@ function enlarged(options: Options, k: number): Options {
   };
 }
 
+/** Pixels of a saved picture for each of its drawing. */
+const kFinePng = 2;
+
 /** Largest height of a chart on paper over its width. */
 const kTallest = 0.6;
 
@@ -56,6 +70,7 @@ const kTallest = 0.6;
 export class Chart {
   readonly element: HTMLElement;
   plot: uPlot | null = null;
+  private shown: Shown | null = null;
   private readonly holder: HTMLElement;
   private readonly caption = el("figcaption");
 
@@ -63,7 +78,7 @@ export class Chart {
   constructor(
     readonly name: string,
     private readonly height: number,
-    private readonly make: () => { options: Options; data: uPlot.AlignedData },
+    private readonly make: () => Shown,
     private readonly tell?: () => string,
   ) {
     this.holder = el("div", { class: "plot", role: "group", "aria-label": name });
@@ -79,10 +94,14 @@ export class Chart {
     const x = this.plot?.scales.x;
     const range = x && this.plot && x.min !== undefined && x.max !== undefined ? { min: x.min!, max: x.max! } : null;
     this.plot?.destroy();
-    const { options, data } = this.make();
+    this.shown = this.make();
+    const { options, data, marks } = this.shown;
     const k = fineness();
-    this.plot = new uPlot({ ...enlarged(options, k), width: k * width, height: k * (isOnPaper() ? Math.min(this.height, Math.round(kTallest * width)) : this.height) }, data, this.holder);
+    const hooks = { ...options.hooks, draw: [(plot: uPlot) => paintMarks(plot, marks?.() ?? [], pixelRatio()), ...(options.hooks?.draw ?? [])] };
+    this.plot = new uPlot({ ...enlarged({ ...options, hooks }, k), width: k * width, height: k * (isOnPaper() ? Math.min(this.height, Math.round(kTallest * width)) : this.height) }, data, this.holder);
     if (range && this.keepsRange) this.plot.setScale("x", range);
+    // uPlot draws once the script has ended, too late for a print in Firefox.
+    if (isOnPaper()) this.plot.batch(() => {});
     this.open(this.plot);
   }
 
@@ -110,17 +129,23 @@ export class Chart {
 
   keepsRange = false;
 
-  /** The lines as an editable drawing; null before the chart was drawn. */
+  /** The whole chart as an editable drawing; null before the chart was drawn. */
   drawing(): SVGSVGElement | null {
-    return this.plot && chartSvg(this.plot, this.name);
+    if (!this.plot || !this.shown) return null;
+    const { marks, columns } = this.shown;
+    return chartSvg({ plot: this.plot, title: this.name, caption: this.caption.textContent ?? "", marks: marks?.() ?? [], columns });
+  }
+
+  private svgText(): string {
+    return new XMLSerializer().serializeToString(this.drawing()!);
   }
 
   private saves(): HTMLElement {
     const file = this.name.toLowerCase().replace(/[^a-z0-9]+/g, "-");
     const withPlot = (act: (plot: uPlot) => void | Promise<void>) => () => (this.plot ? act(this.plot) : undefined);
     return saveButtons(this.name, {
-      SVG: withPlot(() => saveText(`${file}.svg`, new XMLSerializer().serializeToString(this.drawing()!), "image/svg+xml")),
-      PNG: withPlot(async (plot) => save(`${file}.png`, await pixels(onPaper(plot.ctx.canvas)))),
+      SVG: withPlot(() => saveText(`${file}.svg`, this.svgText(), "image/svg+xml")),
+      PNG: withPlot(async () => save(`${file}.png`, await pngOf(this.svgText(), kFinePng))),
       CSV: withPlot((plot) => saveText(`${file}.csv`, csv(plot.series.map((series, i) => [String(series.label ?? "x"), plot.data[i]])), "text/csv")),
     });
   }
@@ -131,17 +156,6 @@ export class Chart {
     else if (this.plot.width !== this.holder.clientWidth && this.holder.clientWidth > 0)
       this.plot.setSize({ width: this.holder.clientWidth, height: this.height });
   }
-}
-
-/** A picture on the page's paper; uPlot's own is transparent. */
-function onPaper(picture: HTMLCanvasElement): HTMLCanvasElement {
-  const { width, height } = picture;
-  const canvas = el("canvas", { width, height });
-  const context = canvas.getContext("2d")!;
-  context.fillStyle = css("--paper");
-  context.fillRect(0, 0, width, height);
-  context.drawImage(picture, 0, 0);
-  return canvas;
 }
 
 const kCharts: Chart[] = [];

@@ -94,6 +94,8 @@ export class Run {
   sheets: Ring[][] = [];
   /** The structure's waterline at rest, its frame. */
   readonly waterline: Ring[];
+  /** Outlines of the land, each with its holes. */
+  readonly land: Ring[][];
   /** Half the length or the width of the waterline, whichever is more [m]. */
   readonly radius: number;
   readonly inputs: Record<string, Record<string, InputValue>>;
@@ -112,6 +114,7 @@ export class Run {
     public blocks: Blocks,
   ) {
     this.waterline = polygons(blocks, "waterline")[0];
+    this.land = blocks.has("land.rings") ? polygons(blocks, "land") : [];
     const extent = (axis: number) => {
       const places = this.waterline.flat().map((point) => point[axis]);
       return Math.max(...places) - Math.min(...places);
@@ -142,6 +145,11 @@ export class Run {
     }
     this.madeBy = new Int32Array(this.nFloes).fill(-1);
     this.piecesOf.forEach((floes, event) => floes.forEach((floe) => (this.madeBy[floe] = event)));
+  }
+
+  /** Whether the ice is a field of floes, and no sheet. */
+  get isField(): boolean {
+    return this.inputs.field?.kind?.value === "floes";
   }
 
   get name(): string {

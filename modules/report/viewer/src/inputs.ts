@@ -22,7 +22,7 @@ function symbolsOf({ loads }: RunFiles["closed_forms"]): string {
   return Object.entries(kSymbols).filter(([name]) => used.has(name)).map(([name, meaning]) => `${name}: ${meaning}`).join(" · ");
 }
 
-export function closedFormsSection(data: RunFiles): HTMLElement {
+export function closedFormsSection({ data, isField }: Run): HTMLElement {
   const rows = data.closed_forms.loads.map((load) => {
     const components = Object.entries(load.components ?? {}).map(([name, value]) => `${name} ${kN(value)}`);
     const note = load.not_applicable ?? components.join(", ") + (load.in_range === false ? "; outside the formula's range" : "");
@@ -32,7 +32,7 @@ export function closedFormsSection(data: RunFiles): HTMLElement {
   rows.push(["this run", "mean", kN(horizontal.mean), kN(vertical.mean), ""]);
   rows.push(["this run", "99 % quantile", kN(horizontal.quantile_99), kN(vertical.quantile_99), ""]);
   return section("closed-forms", "Closed forms",
-    el("p", {}, `Loads of standards and textbooks for the same structure and ice: ${data.closed_forms.kind}.`),
+    el("p", {}, `Loads of standards and textbooks for the same structure and ice: ${data.closed_forms.kind}.${isField ? " They are for level ice, not for a field of floes." : ""}`),
     table(["source", "method", "horizontal [kN]", "vertical [kN]", "components [kN]"], rows),
     el("p", { class: "note" }, symbolsOf(data.closed_forms)));
 }
@@ -53,7 +53,7 @@ function ledgerChart(run: Run): Chart {
       axes: [axis("time [s]"), axis("area [m²]", { size: 50 })],
       series: [{ label: "time", value: shown }, ...names.map((name) => ({ label: name, stroke: css(colours[name]), width: 1.3, points: { show: false }, value: shown }))],
     },
-  }), () => "Where the ice of the sheet has gone.");
+  }), () => "Where the ice has gone.");
 }
 
 /** What became of the ice in each account. */
@@ -97,7 +97,7 @@ export function ledgerSection(run: Run): HTMLElement {
   return section("ledger", "Ledger and energy",
     el("div", { class: "columns even" },
       el("div", {},
-        table(["area", "m²", "of the sheet"], [
+        table(["area", "m²", "of the ice"], [
           ["initial", area("initial").toFixed(4), "100.0 %"],
           ...kAccounts.map((name) => [el("span", {}, name, " ", el("small", {}, kMeanings[name])), area(name).toFixed(4), percent(area(name) / area("initial"))]),
           [`rounding (${ledger.n_rounded} crossings)`, number(area("snap"), 3), ""],

@@ -9,6 +9,8 @@ export interface Swatch {
   kind?: "area" | "line" | "dashes" | "dot";
 }
 
+export const kLand: Swatch = { colour: "--scene-land", text: "land" };
+
 export function legend(swatches: Swatch[], attributes: Record<string, string> = {}): HTMLElement {
   return el("div", { class: "legend", ...attributes }, ...swatches.map(({ colour, text, kind = "area" }) => {
     const ramp = Array.isArray(colour);

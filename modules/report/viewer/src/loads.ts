@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The load history: every sample, its causes, the cracks, and the replay's time.
 import uPlot from "uplot";
-import { axis, Chart, pixelRatio } from "./charts";
+import { axis, Chart, type Shown } from "./charts";
 import { kLoadNames, kLoads, type LoadChoice } from "./choice";
 import type { Run } from "./data";
 import { css, el } from "./dom";
 import { kN, seconds } from "./format";
+import type { Mark } from "./marks";
 import { isOnPaper } from "./paper";
 import type { Player } from "./player";
 import { csv, saveButtons, saveText } from "./save";
@@ -140,7 +141,7 @@ export class LoadHistory {
     return best;
   }
 
-  private make(): { options: Omit<uPlot.Options, "width" | "height">; data: uPlot.AlignedData } {
+  private make(): Shown {
     const kilo = (values: ArrayLike<number>) => Array.from(values, (n) => n / 1e3);
     const column = (cause: string) => kilo(this.run.column(`load.${cause}${this.choice.name}`));
     const own = [Array.from(this.run.column("load.time")), ...kCauses.map(([cause]) => column(cause))] as uPlot.AlignedData;
@@ -150,7 +151,7 @@ export class LoadHistory {
     const series = (label: string, colour: string, width: number, show = true): uPlot.Series => ({
       label, width, show, stroke: css(colour), spanGaps: true, points: { show: false }, value: (plot, value, i) => this.valueAt(plot, value, i),
     });
-    const options: Omit<uPlot.Options, "width" | "height"> = {
+    const options: Shown["options"] = {
       cursor: { drag: { x: true, y: false }, points: { size: 5 } },
       legend: { live: true },
       scales: { x: { time: false } },
@@ -160,9 +161,9 @@ export class LoadHistory {
         ...kCauses.map(([, label, colour], i) => series(label, colour, i === 0 ? 1.4 : 1, i < 3)),
         ...overlays.map(({ label, colour }) => series(label, colour, 1.3)),
       ],
-      hooks: { draw: [(plot) => this.mark(plot)], ready: [(plot) => this.listen(plot)] },
+      hooks: { draw: [(plot) => this.placeNow(plot)], ready: [(plot) => this.listen(plot)] },
     };
-    return { options, data };
+    return { options, data, marks: () => this.marks() };
   }
 
   private shown(): { label: string; colour: string; times: ArrayLike<number>; values: ArrayLike<number> }[] {
@@ -203,48 +204,36 @@ export class LoadHistory {
   }
 
   /** Mean with its interval, the reference and cracks. */
-  private mark(plot: uPlot): void {
-    const { ctx, bbox } = plot;
-    const ratio = pixelRatio();
-    const x = (t: number) => plot.valToPos(t, "x", true);
-    const y = (n: number) => plot.valToPos(n / 1e3, "y", true);
-    const [right, bottom] = [bbox.left + bbox.width, bbox.top + bbox.height];
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-    ctx.clip();
-    ctx.lineWidth = ratio;
+  private marks(): Mark[] {
+    const ticks = (column: string, name: string, colour: string, edge: "top" | "bottom", length: number): Mark[] =>
+      Array.from(this.run.column(column), (x) => ({ kind: "tick", name, colour: css(colour), x, edge, length }));
+    return [
+      ...this.levelMarks(),
+      ...ticks("event.time", "cracks", "--red", "bottom", 7),
+      ...ticks("split.time", "sheets that split", "--violet", "top", 12),
+      ...(isOnPaper() ? [{ kind: "upright", name: "time of the replay", colour: css("--ink"), x: this.player.time } as const] : []),
+    ];
+  }
+
+  private levelMarks(): Mark[] {
     const levels = this.levels();
-    if (levels) {
-      const from = x(this.run.data.summary.statistics_from);
-      if (levels.interval) {
-        ctx.fillStyle = css("--band");
-        ctx.fillRect(from, y(levels.interval[1]), right - from, y(levels.interval[0]) - y(levels.interval[1]));
-      }
-      this.line(ctx, css("--accent"), [from, y(levels.mean)], [right, y(levels.mean)], [5 * ratio, 4 * ratio]);
-      this.line(ctx, css("--ink"), [bbox.left, y(levels.reference)], [right, y(levels.reference)], [2 * ratio, 3 * ratio]);
+    if (!levels) return [];
+    const [mean, reference] = [levels.mean / 1e3, levels.reference / 1e3];
+    const from = this.run.data.summary.statistics_from;
+    const marks: Mark[] = [];
+    if (levels.interval) {
+      const [low, high] = levels.interval.map((n) => n / 1e3);
+      marks.push({ kind: "band", name: "95 % interval of the mean", colour: css("--band"), from, low, high });
     }
-    for (const t of this.run.column("event.time")) this.line(ctx, css("--red"), [x(t), bottom], [x(t), bottom - 7 * ratio]);
-    for (const t of this.run.column("split.time")) this.line(ctx, css("--violet"), [x(t), bbox.top], [x(t), bbox.top + 12 * ratio]);
-    if (isOnPaper()) this.line(ctx, css("--ink"), [x(this.player.time), bbox.top], [x(this.player.time), bottom]);
-    ctx.restore();
-    this.placeNow(plot);
+    if (Number.isFinite(mean)) marks.push({ kind: "level", name: "mean", colour: css("--accent"), from, at: mean, dash: [5, 4] });
+    if (Number.isFinite(reference)) marks.push({ kind: "level", name: "reference mean", colour: css("--ink"), from: 0, at: reference, dash: [2, 3] });
+    return marks;
   }
 
   private placeNow(plot: uPlot): void {
     const x = plot.valToPos(this.player.time, "x");
     this.now.hidden = x < 0 || x > plot.over.clientWidth;
     this.now.style.transform = `translateX(${x.toFixed(2)}px)`;
-  }
-
-  private line(ctx: CanvasRenderingContext2D, colour: string, a: number[], b: number[], dash: number[] = []): void {
-    if (![...a, ...b].every(Number.isFinite)) return;
-    ctx.strokeStyle = colour;
-    ctx.setLineDash(dash);
-    ctx.beginPath();
-    ctx.moveTo(a[0], a[1]);
-    ctx.lineTo(b[0], b[1]);
-    ctx.stroke();
   }
 
   private listen(plot: uPlot): void {

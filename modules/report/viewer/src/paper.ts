@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page on paper: in light, and with pictures that are drawn for the width that they have there.
 
-/** Width of the text on A4, as the style has its margins. */
+/** Width of the text on A4, as the style has its margins. Letter is 6 mm wider, to which pictures stretch. */
 const kWidth = "182mm";
 
 /** What hears of it: pictures that depend on their width, and forms. */

@@ -3,7 +3,7 @@
 import { type Crack, crackOf, type Segment } from "./crack";
 import type { Ring, Run } from "./data";
 import { el, svg } from "./dom";
-import { legend, type Swatch } from "./legend";
+import { kLand, legend, type Swatch } from "./legend";
 import { onRefit } from "./paper";
 import { drawingButtons } from "./save";
 import { splitMarks, splitsOf } from "./splits";
@@ -59,6 +59,15 @@ function ruler(box: Box, lettering: number): SVGGElement {
   group.append(svg("text", { x: box.x1 - 0.5 * size, y: -box.y0 - 0.8 * size, "text-anchor": "end" }, "x [m]"));
   group.append(svg("text", { x: box.x0 + 0.9 * size, y: -box.y1 + 1.2 * size, "text-anchor": "start" }, "y [m]"));
   return group;
+}
+
+/** Land that may lie in a drawing, which cuts it off at its border. */
+function landIn(box: Box, run: Run): SVGGElement | false {
+  const near = run.land.filter((rings) => {
+    const of = around(rings[0], 0);
+    return of.x0 < box.x1 && of.x1 > box.x0 && of.y0 < box.y1 && of.y1 > box.y0;
+  });
+  return near.length > 0 && svg("g", { class: "land" }, ...near.map((rings) => svg("path", { d: path(rings), "fill-rule": "evenodd" })));
 }
 
 /** Letters of a drawing [px], and the radius of a point that is clicked. */
@@ -131,10 +140,12 @@ export class PlanView {
     const places = splits.map(({ x, y }): Ring => [[x, y]]);
     const box = around([...run.offSheet.flatMap((floe) => run.bornAt(floe)), ...structure, ...places].flat(), 2.5);
     const point = (box.x1 - box.x0) / 210;
+    const land = landIn(box, run);
     this.splits = splitMarks(splits, point, onSplit);
     this.drawing = drawing(
       box,
       "Plan of the channel with all cracks",
+      land,
       svg("path", { class: "sheet", d: path(run.sheets.at(-1)!), "fill-rule": "evenodd" }),
       this.floes(),
       svg("path", { class: "structure", d: path(structure) }),
@@ -149,7 +160,7 @@ export class PlanView {
     this.element = el("figure", { class: "plan-view" }, this.drawing,
       el("div", { class: "under" },
         legend([
-          ...this.swatches(),
+          ...(land ? [kLand] : []), ...this.swatches(),
           ...(splits.some(({ of }) => of === "sheet") ? [kSheetSplit] : []), ...(splits.some(({ of }) => of === "floe") ? [kFloeSplit] : []),
         ]),
         drawingButtons("the plan", "channel", () => this.drawing)),
@@ -174,9 +185,8 @@ export class PlanView {
     const { run } = this;
     const brokeOff: Swatch = { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" };
     const ofField: Swatch = { colour: "--plan-young", text: "floe where it was at the start" };
-    const isField = run.inputs.field?.kind?.value === "floes";
     return [
-      ...(isField ? [ofField] : []), ...(isField && run.nEvents === 0 ? [] : [brokeOff]),
+      ...(run.isField ? [ofField] : []), ...(run.isField && run.nEvents === 0 ? [] : [brokeOff]),
       ...(run.sheets.at(-1)!.length > 0 ? [{ colour: "--plan-sheet", text: "sheet at the end" }] : []),
       { colour: "--plan-open", text: "open water, or crushed" },
       { colour: "--scene-structure", text: "structure's waterline at the end" }, ...(run.nEvents > 0 ? [kAtCrack] : []),
@@ -256,6 +266,7 @@ export function eventFigure(run: Run, event: number, crack: Crack): HTMLElement 
   const picture = drawing(
     box,
     `Crack ${event + 1} from above`,
+    landIn(box, run),
     svg("path", { class: "sheet", d: path(run.sheetOf(event, false)), "fill-rule": "evenodd" }),
     pieces,
     ...eventMarks(run, event, crack),

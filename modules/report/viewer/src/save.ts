@@ -14,7 +14,7 @@ export const saveText = (name: string, text: string, type: string): void => save
 /** What of the page's style a drawing needs to look the same alone. */
 const kStyles = [
   "fill", "fill-opacity", "fill-rule", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "opacity",
-  "font-family", "font-size", "text-anchor", "vector-effect",
+  "font-family", "font-size", "text-anchor", "vector-effect", "paint-order", "stroke-linejoin",
 ];
 
 /** Mixed colours in the older notation, which every program for drawings reads. */
@@ -43,13 +43,13 @@ export function svgText(drawing: SVGSVGElement): string {
 /** Width of a drawing as a file [px]. */
 const kWide = 1600;
 
-/** A drawing as pixels. */
-export async function pngOf(svg: string): Promise<Blob> {
+/** A drawing as pixels, `fine` for each of its own. */
+export async function pngOf(svg: string, fine = 1): Promise<Blob> {
   const image = new Image();
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
   await image.decode();
-  const canvas = el("canvas", { width: image.width, height: image.height });
-  canvas.getContext("2d")!.drawImage(image, 0, 0);
+  const canvas = el("canvas", { width: fine * image.width, height: fine * image.height });
+  canvas.getContext("2d")!.drawImage(image, 0, 0, canvas.width, canvas.height);
   return pixels(canvas);
 }
 

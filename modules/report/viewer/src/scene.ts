@@ -14,10 +14,13 @@ import { hullOf, partOf } from "./hull";
 import { polygonsOf, Prisms } from "./prisms";
 import { frameAt } from "./tracks";
 import { furtherIn, kViews, sizeOf } from "./views";
-import { Water } from "./water";
+import { kFloor, Water } from "./water";
 
 /** A run of more floes is drawn with less around it. */
 const kMany = 1000;
+
+/** Height of land over the ice, in sizes of the scene. */
+const kShore = 0.04;
 
 /** From so many sizes of the scene on, its mist hides edges. */
 const kLinesReach = 12;
@@ -89,6 +92,7 @@ export class ReplayScene {
     this.scene.add(this.floes.solid, this.floes.lines, this.sheetMesh, this.sheetLines, this.water.group);
 
     this.addStructure();
+    this.addLand();
     this.addLights();
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.maxDistance = 30 * this.size;
@@ -120,12 +124,13 @@ export class ReplayScene {
   setTheme(): void {
     for (const name of [
       "sky", "water", "deep", "ice", "floe", "initial", "crushed", "newborn", "structure", "line", "young", "old", "calm", "loaded",
-      "ripple",
+      "ripple", "land",
     ])
       this.palette[name] = new Color(css(`--scene-${name}`));
     this.scene.background = this.palette.sky;
     this.scene.fog = new Fog(this.palette.sky, 11 * this.size, 40 * this.size);
     this.materials.sheet.color = this.palette.ice;
+    this.materials.land.color = this.palette.land;
     this.water.setTheme(this.palette);
     this.floes.repaint();
     this.materials.structure.color = this.palette.structure;
@@ -296,6 +301,17 @@ export class ReplayScene {
     this.hull.add(this.aboveWater, this.belowWater, lines);
     this.structure.add(this.hull);
     this.scene.add(this.structure);
+  }
+
+  /** Land from the floor of the water to a little above the ice. */
+  private addLand(): void {
+    const prisms = new Prisms();
+    for (const polygon of this.run.land) prisms.add(polygon, -kFloor * this.size, this.top + kShore * this.size);
+    this.materials.land = new MeshLambertMaterial({ flatShading: true });
+    this.water.fades(this.materials.land);
+    const land = new Mesh(new BufferGeometry().setIndex(prisms.triangles).setAttribute("position", new BufferAttribute(prisms.positions(), 3)), this.materials.land);
+    land.receiveShadow = true;
+    if (this.run.land.length > 0) this.scene.add(land);
   }
 
   /** A level surface in the sun has its own colour, as the legend shows it: sun, sky and the rest add up to pi there. */

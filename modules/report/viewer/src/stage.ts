@@ -4,7 +4,7 @@ import type { Run } from "./data";
 import { el } from "./dom";
 import type { Colouring } from "./floe_mesh";
 import { kN } from "./format";
-import { legend, type Swatch } from "./legend";
+import { kLand, legend, type Swatch } from "./legend";
 import { isOnPaper, onRefit } from "./paper";
 import { ReplayScene } from "./scene";
 import { scaleLength } from "./views";
@@ -43,7 +43,8 @@ export class Stage {
     if (!this.scene) return;
     this.scene.floes.colouring = colouring;
     const always: Swatch[] = [
-      ...(this.run.sheets.at(-1)!.length > 0 ? [{ colour: "--scene-ice", text: "level ice" }] : []), { colour: "--scene-structure", text: "structure" },
+      ...(this.run.sheets.at(-1)!.length > 0 ? [{ colour: "--scene-ice", text: "level ice" }] : []),
+      ...(this.run.land.length > 0 ? [kLand] : []), { colour: "--scene-structure", text: "structure" },
     ];
     const next = legend([...this.swatches(colouring), ...always, { colour: "--scene-ripple", text: `lines on the water: ${this.scene.water.spacing} m apart`, kind: "line" }]);
     this.legend.replaceWith(next);

@@ -87,6 +87,9 @@ const line = (label: string, colour: string, width = 1.2): uPlot.Series => ({
   value: shownOrNothing,
 });
 
+/** Width of the columns of a histogram over their distance. */
+const kColumns = 0.96;
+
 /** Steps of an axis that counts. */
 const kWhole = [1, 2, 5].flatMap((n) => [n, 10 * n, 100 * n, 1000 * n, 10000 * n]).sort((a, b) => a - b);
 
@@ -142,6 +145,7 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
     200,
     () => ({
       data,
+      columns: kColumns,
       options: {
         scales: { x: { time: false, range: [0, largest * 1.02] }, y: { range: [0, Math.max(...counts) * 1.08] } },
         legend: { show: false },
@@ -151,7 +155,7 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
           {},
           {
             label: "count", stroke: css("--accent"), fill: css("--bars"), width: 1, points: { show: false },
-            paths: uPlot.paths.bars!({ size: [0.96, Infinity], align: 0 }),
+            paths: uPlot.paths.bars!({ size: [kColumns, Infinity], align: 0 }),
           },
         ],
       },

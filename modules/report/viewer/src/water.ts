@@ -8,6 +8,9 @@ import {
 /** Lines across and along the surface on either side of the structure. */
 const kLines = 40;
 
+/** Depth of the floor, in sizes of the scene. */
+export const kFloor = 5;
+
 /** A length of 1, 2 or 5 times a power of ten near another. */
 const roundLength = (length: number): number => {
   const power = 10 ** Math.floor(Math.log10(length));
@@ -29,7 +32,7 @@ export class Water {
     this.spacing = roundLength(0.8 * size);
     const extent = 180 * size;
     const floor = new Mesh(new PlaneGeometry(extent, extent), this.deep);
-    floor.position.z = -5 * size;
+    floor.position.z = -kFloor * size;
     const top = new Mesh(new PlaneGeometry(extent, extent), this.surface);
     const shaded = new Mesh(new PlaneGeometry(20 * size, 20 * size), this.shadow);
     shaded.receiveShadow = true;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/core/vec.hpp"
 #include "brash/model/case.hpp"
 #include "brash/model/records.hpp"
 
@@ -19,8 +20,9 @@ struct EndedFloe {
 
 /// The page of a run that goes on. It takes what live_records() gives as events named `records`, from `events` beside
 /// it.
+/// @param land  its outlines, each with its holes, sheet frame [m].
 /// @throws RunError in a build without the page.
-std::string live_page(const model::Case& resolved);
+std::string live_page(const model::Case& resolved, const std::vector<std::vector<std::vector<Vec2>>>& land = {});
 
 /// Records that a run has made since the last ones, as one line of JSON. Only `initial_sheet`, `cracked_sheets`,
 /// `loads`, `events`, `floes` (births) and `frames` are looked at. Poses are rounded as in a report.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/core/vec.hpp"
 #include "brash/model/case.hpp"
 
 namespace brash::report {
@@ -33,6 +34,8 @@ struct RunSource {
   /// `events`; null where the run is over before its statistics begin. It is called once the run's files are known to
   /// be whole.
   std::function<std::string()> loads;
+  /// Outlines of the land, each with its holes, sheet frame [m]; empty: none.
+  std::vector<std::vector<std::vector<Vec2>>> land{};
   std::optional<MeasuredHistory> measured{};
 };
 

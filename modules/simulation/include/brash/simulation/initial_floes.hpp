@@ -18,6 +18,10 @@ struct InitialField {
   std::vector<std::vector<std::vector<Vec2>>> land;    ///< of the shore
 };
 
+/// The land of a case, field.shore: each outline with its holes, sheet frame [m]; empty without one.
+/// @throws InputError when its file cannot be read.
+std::vector<std::vector<std::vector<Vec2>>> land_outlines(const model::Case& resolved);
+
 /// The ice that a run of the case would begin with.
 /// @throws InputError when they cannot be laid: file, key or place.
 InitialField initial_field(const model::Case& resolved);
