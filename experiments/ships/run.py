@@ -5,7 +5,7 @@
 run.py speeds [--replicates N]    speeds.toml: mean resistance beside Lindqvist, Riska, Jeong and the friction of open water
 run.py floe_sizes                 floe_sizes.toml: the speed that an even thrust gives her, and the test of its head
 run.py NAME --record              also writes NAME.csv, NAME.md and NAME.png here
-run.py NAME --from FOLDER         of a campaign that has run, also where not all of its cases are done
+run.py NAME --from FOLDER         of a campaign that has run, or of the cases that it has finished so far
 
 Options of both: --brash PROGRAM, -o FOLDER of the campaign [results/NAME], --jobs N.
 """
@@ -85,7 +85,7 @@ def speeds_table(rows):
     return "\n".join(lines) + "\n"
 
 
-def speeds_figure(rows, folder):
+def speeds_figure(rows, curves, folder):
     thicknesses = sorted({row[THICKNESS] for row in rows})
     figure, axes = figures.plt.subplots(1, len(thicknesses), figsize=(11, 3.8), constrained_layout=True, squeeze=False)
     styles = {"lindqvist": ("Lindqvist 1989", figures.RED, "--"), "riska": ("Riska 1997", figures.GREEN, "-."),
@@ -93,7 +93,7 @@ def speeds_figure(rows, folder):
     for axis, thickness in zip(axes[0], thicknesses):
         of = [row for row in rows if row[THICKNESS] == thickness]
         for name, (label, colour, style) in styles.items():
-            x, y = zip(*sorted({(row[SPEED], row[name] / 1e3) for row in of}))
+            x, y = zip(*sorted((speed, values[name] / 1e3) for (h, speed), values in curves.items() if h == thickness))
             axis.plot(x, y, style, color=colour, lw=1.2, label=label)
         for row in of:
             axis.plot(row[SPEED], row["horizontal.mean"] / 1e3, ".", color=figures.BLUE, alpha=0.4, ms=6, mew=0)
@@ -108,13 +108,13 @@ def speeds_figure(rows, folder):
 
 
 def speeds(options, output, rows):
-    known = {}
+    curves = {}
+    for path in sorted((output / "settings").glob("icebreaker_*.toml")):
+        case = tomllib.loads(path.read_text(encoding="utf-8"))
+        curves[case["ice"]["thickness"], case["structure"]["speed"]] = formulas(options.brash, path)
     for row in rows:
-        path = output / "settings" / f"icebreaker_{row['setting']}.toml"
-        known.setdefault(row["setting"], None)
-        known[row["setting"]] = known[row["setting"]] or formulas(options.brash, path)
-        row.update(known[row["setting"]])
-    return speeds_table(rows), speeds_figure
+        row.update(curves[row[THICKNESS], row[SPEED]])
+    return speeds_table(rows), lambda rows, folder: speeds_figure(rows, curves, folder)
 
 
 # The size of floes.
@@ -162,6 +162,38 @@ def floe_sizes(_options, output, rows):
     return floe_sizes_table(rows), floe_sizes_figure
 
 
+# Of a whole campaign, or of one that still runs.
+
+def number_in(summary, column):
+    """The number that a column of campaign.csv names; docs/reference/plan.md."""
+    *path, last = column.split(".")
+    for name in path:
+        summary = summary.get(name, {})
+    if isinstance(summary, list):
+        return summary[[f"{100 * level:02.0f}" for level in (0.05, 0.25, 0.5, 0.75, 0.95)].index(last)]
+    return summary.get(last, 0.0)  # a region that bore no load is not there
+
+
+def finished_rows(output, name):
+    """A row for each finished case, as campaign.csv has them."""
+    plan = tomllib.loads((HERE / f"{name}.toml").read_text(encoding="utf-8"))
+    base = Path(plan["campaign"]["case"]).stem
+    rows = []
+    for folder in sorted(folder for folder in (output / "cases").iterdir() if (folder / "summary.json").exists()):
+        setting, _, replicate = folder.name.rpartition("-r")
+        case = tomllib.loads((output / "settings" / f"{base}_{setting}.toml").read_text(encoding="utf-8"))
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        rows.append({"case": folder.name, "setting": setting, "replicate": float(replicate), "status": "done",
+                     SPEED: case["structure"]["speed"], THICKNESS: case["ice"]["thickness"],
+                     **{column: float(number_in(summary, column)) for column in plan["output"]["columns"]}})
+    return rows
+
+
+def rows_of(output, name):
+    whole = output / "campaign.csv"
+    return study.read_rows(whole) if whole.exists() else finished_rows(output, name)
+
+
 STUDIES = {"speeds": speeds, "floe_sizes": floe_sizes}
 
 
@@ -176,7 +208,7 @@ def main():
     output = options.done or options.output or Path("results") / name
     if not options.done:
         study.campaign(options.brash, HERE / f"{name}.toml", output, options.quick, options.jobs, (), options.replicates)
-    rows = study.read_rows(output / "campaign.csv")
+    rows = rows_of(output, name)
     table, draw = STUDIES[name](options, output, rows)
     print(table)
     folder = HERE if options.record else output

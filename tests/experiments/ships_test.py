@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The ship's experiments: recorded tables follow from recorded rows, rows of unfinished campaigns, friction by ITTC."""
+import json
+import math
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SHIPS = Path(os.environ["BRASH_SOURCE_DIR"]) / "experiments/ships"
+sys.path.insert(0, str(SHIPS))
+import run
+import study
+
+
+class Ships(unittest.TestCase):
+    def test_recorded_tables_follow_from_the_recorded_rows(self):
+        for name, table in (("speeds", run.speeds_table), ("floe_sizes", run.floe_sizes_table)):
+            self.assertEqual(table(study.read_rows(SHIPS / f"{name}.csv")), (SHIPS / f"{name}.md").read_text(), name)
+
+    def test_the_page_has_the_recorded_tables(self):
+        page = (SHIPS / "README.md").read_text()
+        for name in ("speeds", "floe_sizes"):
+            self.assertIn((SHIPS / f"{name}.md").read_text().split("\n\n")[0].strip(), page, name)
+
+    def test_friction_of_open_water_is_that_of_ittc_1957(self):
+        ship = {"length": 100.0, "breadth": 20.0, "draught": 5.0}
+        speed = 1e9 * run.VISCOSITY / 100.0  # Re = 1e9, where C_F = 0.075 / 7^2
+        wetted = 1.7 * 500.0 + 0.6 * 100.0 * 20.0
+        self.assertAlmostEqual(run.open_water_friction(ship, speed, 1000.0) / (500.0 * speed**2 * wetted), 0.075 / 49, 12)
+
+    def test_an_unfinished_campaign_has_a_row_for_each_finished_case(self):
+        with tempfile.TemporaryDirectory() as folder:
+            output, label = Path(folder), "speed-2.0_thickness-0.3"
+            (output / "settings").mkdir()
+            (output / "settings" / f"icebreaker_{label}.toml").write_text("[structure]\nspeed = 2.0\n[ice]\nthickness = 0.3\n")
+            for replicate in (0, 1):
+                (output / "cases" / f"{label}-r000{replicate}").mkdir(parents=True)
+            summary = {"horizontal": {"mean": 5.0, "standard_deviation": 1.0, "quantile_99": 7.0,
+                                      "mean_by_cause": {"crushing": 1.0, "floe_normal": 3.0, "floe_friction": 1.0}},
+                       "vertical": {"mean": 2.0}, "mean_by_region": {"bow": {"total": {"Fx": 4.0}}}, "n_breaks": 3,
+                       "n_floes_broken": 0, "breaking_length_quantiles": [1, 2, 3, 4, 5], "piece_area_quantiles": [6, 7, 8, 9, 10]}
+            (output / "cases" / f"{label}-r0001" / "summary.json").write_text(json.dumps(summary))
+            rows = run.rows_of(output, "speeds")
+        self.assertEqual([row["case"] for row in rows], [f"{label}-r0001"])
+        expected = {"replicate": 1.0, run.SPEED: 2.0, run.THICKNESS: 0.3, "horizontal.mean": 5.0, "n_breaks": 3.0,
+                    "mean_by_region.bow.total.Fx": 4.0, "mean_by_region.stern.total.Fx": 0.0,
+                    "breaking_length_quantiles.50": 3.0, "piece_area_quantiles.50": 8.0}
+        self.assertEqual({key: rows[0][key] for key in expected}, expected)
+        self.assertFalse(any(math.isnan(value) for value in rows[0].values() if isinstance(value, float)))
+
+
+if __name__ == "__main__":
+    unittest.main()
