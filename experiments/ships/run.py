@@ -62,10 +62,10 @@ def formulas(brash, path):
 
 
 def with_interval(values, unit=1e3):
-    """`mean (lower to upper)`, or the one value there is."""
+    """`mean (lower to upper)`; of fewer than three values, whose interval says nothing, the values."""
     values = [value / unit for value in values]
-    if len(values) == 1:
-        return f"{values[0]:.0f}"
+    if len(values) < 3:
+        return " and ".join(f"{value:.0f}" for value in values)
     mean, half = study.mean_interval(values)
     return f"{mean:.0f} ({mean - half:.0f} to {mean + half:.0f})"
 
@@ -77,7 +77,8 @@ def speeds_table(rows):
     for thickness, speed in sorted({(row[THICKNESS], row[SPEED]) for row in rows}):
         of = [row for row in rows if (row[THICKNESS], row[SPEED]) == (thickness, speed)]
         mean = {key: np.mean([row[key] for row in of]) for key in of[0] if isinstance(of[0][key], float)}
-        shares = ", ".join(f"{100 * mean[f'mean_by_region.{name}.total.Fx'] / mean['horizontal.mean']:.0f}" for name in REGIONS)
+        shares = ", ".join(f"{100 * mean[f'mean_by_region.{name}.total.Fx'] / mean['horizontal.mean']:.0f}".replace("-0", "0")
+                           for name in REGIONS)
         crushing = 100 * mean["horizontal.mean_by_cause.crushing"] / mean["horizontal.mean"]
         lines.append(f"| {thickness:g} | {speed:g} | {len(of)} | {with_interval([row['horizontal.mean'] for row in of])} | "
                      f"{mean['horizontal.standard_deviation'] / 1e3:.0f} | {shares} | {crushing:.0f} | "
@@ -98,9 +99,9 @@ def speeds_figure(rows, curves, folder):
         for row in of:
             axis.plot(row[SPEED], row["horizontal.mean"] / 1e3, ".", color=figures.BLUE, alpha=0.4, ms=6, mew=0)
         values = study.groups(of, SPEED, "horizontal.mean")
-        centres = [study.mean_interval(v) if len(v) > 1 else (v[0], 0.0) for v in values.values()]
+        centres = [study.mean_interval(v) if len(v) > 2 else (np.mean(v), 0.0) for v in values.values()]
         axis.errorbar(list(values), [c / 1e3 for c, _ in centres], [half / 1e3 for _, half in centres], color=figures.BLUE,
-                      marker="o", ms=4, lw=1.2, capsize=3, label="brash, mean")
+                      marker="o", ms=4, lw=1.2, capsize=3, label="brash, mean; dots: runs")
         axis.set(title=f"ice of {thickness:g} m", xlabel="speed [m/s]", ylim=(0, None))
     axes[0, 0].set_ylabel("resistance [kN]")
     axes[0, 0].legend(fontsize=7)
