@@ -37,11 +37,12 @@ void print_mesh(const model::Mesh& mesh) {
 
 /// The hull as it lies in the water.
 void print_hull(const model::Case& resolved) {
-  const auto hull = structure::make_hull(resolved.structure.shape);
+  const auto hull = structure::make_hull(resolved.structure);
   const auto [least, most] = hull->bounds();
   const structure::Displacement wet = hull->displaced({});
   print("# hull                           {:.4g} m long, {:.4g} m wide, {:.4g} m high\n", most.x - least.x,
         most.y - least.y, most.z - least.z);
+  if (!resolved.structure.legs.empty()) print("# legs                           {}\n", resolved.structure.legs.size());
   print("# displacement                   {:.5g} m3, {:.5g} kg\n", wet.volume, resolved.water.density * wet.volume);
   print("# centre of buoyancy             {:.4g} m ahead, {:.4g} m to port, {:.4g} m under water\n", wet.centre.x,
         wet.centre.y, -wet.centre.z);

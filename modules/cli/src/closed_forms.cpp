@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 namespace {
 constexpr double kKilo = 1e3;
 
-/// The structure as closed forms see it: one slope at the waterline.
+/// The structure as closed forms see it, or one of its legs: one slope at the waterline.
 struct Slope {
   double angle = 0.0;  ///< from the horizontal [rad]
   double width = 0.0;  ///< across its way [m]
@@ -229,7 +229,9 @@ ordered_json closed_form_loads(const model::Case& c) {
   if (const auto hull = lindqvist_of(c))
     loads.push_back(*hull ? lindqvist_json(**hull)
                           : refused("ship's hull at the structure's speed", "Lindqvist 1989", hull->error()));
-  return {{"case", c.name}, {"kind", "peaks of one breaking event; a ship's is a mean"}, {"loads", loads}};
+  const char* const kind = c.structure.legs.size() < 2 ? "peaks of one breaking event; a ship's is a mean"
+                                                       : "peaks of one breaking event at one leg, as if alone";
+  return {{"case", c.name}, {"kind", kind}, {"loads", loads}};
 }
 
 std::string loads_text(const ordered_json& loads) {

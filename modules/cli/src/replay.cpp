@@ -52,7 +52,7 @@ Replay read_replay(const std::string& run_file) {
   replay.resolved =
       io::parse_recorded_case(io::read_case_of(run_file), run_file, {"failure.file=''"}, io::ModelFile::kInItsFolder);
   check_polygons(run_file, replay.results);
-  replay.hull = structure::make_hull(replay.resolved.structure.shape);
+  replay.hull = structure::make_hull(replay.resolved.structure);
   return replay;
 }
 

@@ -42,11 +42,11 @@ std::string loads(const simulation::RunSummary& s) {
   return text + whole;
 }
 
-/// Of a ship or a mesh: where its hull bears the load.
+/// Where a ship, a mesh or a structure with legs bears the load.
 std::string regions(const simulation::RunSummary& s) {
   if (s.regions.empty()) return "";
   std::string text =
-      "mean load by region of the hull [kN]\n                 horizontal  vertical   crushing, horizontal\n";
+      "mean load by region of the structure [kN]\n                 horizontal  vertical   crushing, horizontal\n";
   for (const auto& [region, load] : s.regions)
     text += fmt::format("  {:<13}{:>12.1f}{:>10.1f}{:>12.1f}\n", region, load.total.x / kKilo, load.total.z / kKilo,
                         load.crushing.x / kKilo);
@@ -55,7 +55,8 @@ std::string regions(const simulation::RunSummary& s) {
 
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
 std::string comparison(const model::Case& resolved) {
-  std::string text = "for comparison, horizontal [kN]\n";
+  std::string text = fmt::format("for comparison, horizontal{} [kN]\n",
+                                 resolved.structure.legs.size() < 2 ? "" : ", on one leg alone");
   if (const auto load = croasdale_of(resolved))
     text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
   if (const auto load = ralston_of(resolved, standards::Yield::kTresca))

@@ -110,7 +110,7 @@ void Instance::reset() {
 }
 
 void Instance::place_structure() {
-  const auto hull = structure::make_hull(state_.resolved.structure.shape);
+  const auto hull = structure::make_hull(state_.resolved.structure);
   const structure::State start = structure::make_motion(state_.resolved, *hull)->now();
   state_.outputs.place = plan(start.pose.position);
   state_.outputs.velocity = plan(start.twist.linear);

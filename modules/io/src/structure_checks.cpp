@@ -140,6 +140,26 @@ bool check_heights(const structure::Hull& hull, const HeightKeys& keys, double d
   return draught < under_water && freeboard < most.z;
 }
 
+/// Legs apart from each other: the boxes around them in plan do not touch. @return whether there is a structure.
+bool check_legs(const model::StructureSection& s, Checks& checks) {
+  if (s.legs.size() < 2) return true;
+  const auto [least, most] = structure::make_hull(s.shape)->bounds();
+  const Vec2 size = plan(most - least);
+  for (std::size_t i = 0; i < s.legs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec2 apart = s.legs[i] - s.legs[j];
+      if (std::abs(apart.x) > size.x || std::abs(apart.y) > size.y) continue;
+      checks.require(false, {"structure", "legs"}, {"structure", "waterline_width"},
+                     fmt::format("legs {} and {} touch, or may touch", j + 1, i + 1),
+                     fmt::format("places more than {:.6g} m apart along x, or {:.6g} m along y: a leg's largest "
+                                 "extent",
+                                 size.x, size.y),
+                     "move the legs apart, or make them thinner");
+      return false;
+    }
+  return true;
+}
+
 /// Ice that slides on the slope ahead, or a vertical front, which crushes ice and breaks none.
 void check_front(const model::Case& c, double slope, Checks& checks) {
   if (slope < structure::kSteepestSlope) {
@@ -240,7 +260,8 @@ void check_mooring(const model::Moored& moored, Checks& checks) {
 
 void check_structure(const model::Case& c, Checks& checks) {
   if (!std::visit([&](const auto& shape) { return check_shape(shape, checks); }, c.structure.shape)) return;
-  const auto hull = structure::make_hull(c.structure.shape);
+  if (!check_legs(c.structure, checks)) return;
+  const auto hull = structure::make_hull(c.structure);
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   const double freeboard = c.ice.thickness - draught;
   if (!check_heights(*hull, height_keys(c.structure.shape), draught, freeboard, checks)) return;

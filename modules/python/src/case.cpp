@@ -81,7 +81,7 @@ py::dict derived(const Case& c) {
 }
 
 py::tuple mesh(const Case& c) {
-  const auto hull = structure::make_hull(c.resolved.structure.shape);
+  const auto hull = structure::make_hull(c.resolved.structure);
   const auto& [vertices, triangles] = hull->mesh();
   py::array_t<double> places({static_cast<py::ssize_t>(vertices.size()), py::ssize_t{3}});
   py::array_t<int> corners({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});

@@ -146,7 +146,7 @@ constexpr const char* kStyle =
 }  // namespace
 
 std::string case_picture(const model::Case& resolved, const PicturedIce& of_start) {
-  const auto hull = structure::make_hull(resolved.structure.shape);
+  const auto hull = structure::make_hull(resolved.structure);
   const Panel side = side_view(resolved, *hull, 10.0);
   const Panel above = plan(*hull, side.bottom());
   const Panel ice = field(resolved, *hull, of_start, above.bottom());

@@ -101,7 +101,7 @@ constexpr const char* kStyle =
 
 std::string plan_view(const model::Case& resolved, const model::RunResults& results) {
   const Pose& pose = results.frames.back().structure;
-  const auto waterline = structure::make_hull(resolved.structure.shape)->footprint(pose, 0.0, 0.0).leading;
+  const auto waterline = structure::make_hull(resolved.structure)->footprint(pose, 0.0, 0.0).leading;
   const View view = view_of(waterline, results);
   const Vec2 size = kPixelsPerMetre * (view.upper - view.lower);
   std::string svg = fmt::format(

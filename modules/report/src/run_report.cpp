@@ -182,7 +182,7 @@ void add_land(Blocks& blocks, const std::vector<Rings>& land) {
 }
 
 void add_run(Blocks& blocks, const model::Case& resolved, const model::RunResults& results) {
-  add_structure(blocks, *structure::make_hull(resolved.structure.shape), pose_at_end(resolved, results));
+  add_structure(blocks, *structure::make_hull(resolved.structure), pose_at_end(resolved, results));
   add_columns(blocks, "load", results.loads);
   add_columns(blocks, "event", results.events);
   add_columns(blocks, "split", results.splits);
@@ -268,7 +268,7 @@ void write_comparison(const RunSource& run, const RunSource& other, const std::s
 std::string live_page(const model::Case& resolved, const std::vector<Rings>& land) {
   Blocks blocks;
   add_land(blocks, land);
-  add_structure(blocks, *structure::make_hull(resolved.structure.shape), {});
+  add_structure(blocks, *structure::make_hull(resolved.structure), {});
   const ordered_json data{{"format", "brash-report-1"},
                           {"kind", "live"},
                           {"manifest",

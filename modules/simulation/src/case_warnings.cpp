@@ -68,7 +68,7 @@ Course course_on_path(const model::Case& c, const structure::Hull& hull) {
 }
 
 Course course_of(const model::Case& c) {
-  const auto hull = structure::make_hull(c.structure.shape);
+  const auto hull = structure::make_hull(c.structure);
   const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
   return towed != nullptr && !towed->path.empty() ? course_on_path(c, *hull) : straight_course(c, *hull);
 }
@@ -237,7 +237,7 @@ void add_land_warning(const model::Case& c, Warnings& warnings) {
   if (c.field.shore.empty()) return;
   constexpr int kSamples = 400;
   const auto land = geometry::IceSheet::from_polygons(ice::read_outlines(c.field.shore, c.field.origin));
-  const auto hull = structure::make_hull(c.structure.shape);
+  const auto hull = structure::make_hull(c.structure);
   const Freeboard heights = freeboard(c);
   for (int i = 0; i <= kSamples; ++i) {
     const double time = c.time.duration * i / kSamples;

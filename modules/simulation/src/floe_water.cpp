@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "floe_water.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "added_mass.hpp"
@@ -44,10 +45,14 @@ FloeWater::FloeWater(const model::Case& resolved)
             .density = resolved.wind.density,
             .skin_friction = resolved.wind.skin_friction} {
   if (!resolved.hydrodynamics.structure_flow) return;
-  const auto body = structure::fitted_ellipsoid(*structure::make_hull(resolved.structure.shape));
+  const auto hull = structure::make_hull(resolved.structure);
+  const structure::HullCopies copies = hull->copies();
+  const auto body = structure::fitted_ellipsoid(*copies.hull);
   flow_.emplace(body.semi_axes);
   const double half = 0.5 * body.heading;
-  ellipsoid_ = {{body.centre.x, body.centre.y, 0.0}, {std::cos(half), 0.0, 0.0, std::sin(half)}};
+  for (const Vec2 place : copies.places)
+    ellipsoids_.push_back(
+        {{body.centre.x + place.x, body.centre.y + place.y, 0.0}, {std::cos(half), 0.0, 0.0, std::sin(half)}});
 }
 
 FloeWater::Flow FloeWater::flow_at(Vec3 position, const structure::State& structure) const {
@@ -56,11 +61,13 @@ FloeWater::Flow FloeWater::flow_at(Vec3 position, const structure::State& struct
   const double heading = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
   const Pose hull{{structure.pose.position.x, structure.pose.position.y, 0.0},
                   {std::cos(0.5 * heading), 0.0, 0.0, std::sin(0.5 * heading)}};
-  const auto inwards = [&](Vec3 v) {
-    return rotate(conjugate(ellipsoid_.rotation), rotate(conjugate(hull.rotation), v));
+  const Quaternion& turned = ellipsoids_.front().rotation;
+  const auto inwards = [&](Vec3 v) { return rotate(conjugate(turned), rotate(conjugate(hull.rotation), v)); };
+  const auto outwards = [&](Vec3 v) { return rotate(hull.rotation, rotate(turned, v)); };
+  const auto distance = [&](const Pose& ellipsoid) {
+    return norm(plan(position - to_world(hull, ellipsoid.position)));
   };
-  const auto outwards = [&](Vec3 v) { return rotate(hull.rotation, rotate(ellipsoid_.rotation, v)); };
-  const Vec3 centre = to_world(hull, ellipsoid_.position);
+  const Vec3 centre = to_world(hull, std::ranges::min_element(ellipsoids_, {}, distance)->position);
   const Twist moves{structure.twist.linear, {0.0, 0.0, structure.twist.angular.z}};
   const Vec2 velocity = plan(inwards(velocity_at(moves, centre - hull.position) - water_.current));
   const Vec3 point = inwards(position - centre);

@@ -26,7 +26,7 @@ class FloeWater {
   double reach() const { return hydrodynamics::kShadingReach * water_.shading_gap; }
 
  private:
-  /// The structure's flow as a floe meets it.
+  /// The structure's flow as a floe meets it; of legs that of the nearest one alone.
   struct Flow {
     Vec3 velocity{};      ///< [m/s]
     Vec3 acceleration{};  ///< Du/Dt [m/s2]
@@ -47,7 +47,7 @@ class FloeWater {
   hydrodynamics::Water water_;
   hydrodynamics::Wind wind_;
   std::optional<hydrodynamics::StructureFlow> flow_;
-  Pose ellipsoid_;                    ///< of the flow, hull's frame
+  std::vector<Pose> ellipsoids_;      ///< of the flow around each leg, structure's frame
   std::vector<std::uint8_t> is_due_;  ///< scratch: whether the drag of each moving floe is to be computed
   std::vector<BodyId> due_;           ///< floes whose drag is to be computed
 };

@@ -31,14 +31,20 @@ EdgeModel Simulation::Impl::edge_model(const ice::Plate& plate) const {
           variation ? &variation : nullptr};
 }
 
-/// Fig. 5: the ice has broken once before the structure comes.
+/// Fig. 5: the ice has broken once before the structure comes; ahead of each leg that has a way of its own.
 void Simulation::Impl::initial_crack() {
   EdgeContact contact;
-  contact.assessment.breaking_length =
-      initial_crack_radius(resolved, field.level_ice(contact.level_ice).ice(), *criteria.front());
+  const double radius = initial_crack_radius(resolved, field.level_ice(contact.level_ice).ice(), *criteria.front());
+  contact.assessment.breaking_length = radius;
   contact.region.normal = {1.0, 0.0};
+  std::vector<double> ways;
   StepReport report;
-  initial_births = break_off(contact, report).births;
+  for (const Vec2 place : hull->copies().places) {
+    if (std::ranges::any_of(ways, [&](double way) { return std::abs(way - place.y) < 2.0 * radius; })) continue;
+    ways.push_back(place.y);
+    contact.region.chord_from = contact.region.chord_to = {0.0, place.y};
+    std::ranges::move(break_off(contact, report).births, std::back_inserter(initial_births));
+  }
 }
 
 /// The ice cracks at a contact: level ice, floes and collision shapes follow. One random stream a break, so that a

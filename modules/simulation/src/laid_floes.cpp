@@ -96,7 +96,7 @@ std::vector<ice::GivenFloe> packed_floes(const model::Case& resolved, const std:
 }
 
 void lay_floes_of(const model::Case& resolved, ice::Field& field) {
-  std::vector<Ring> keep_out = structure_at_start(resolved, *structure::make_hull(resolved.structure.shape));
+  std::vector<Ring> keep_out = structure_at_start(resolved, *structure::make_hull(resolved.structure));
   const bool from_file = !resolved.field.file.empty();
   if (!from_file) std::ranges::move(land_of(resolved), std::back_inserter(keep_out));
   std::vector<ice::Plate> plates, floes;
@@ -151,7 +151,7 @@ std::vector<std::vector<std::vector<Vec2>>> land_outlines(const model::Case& res
 InitialField initial_field(const model::Case& resolved) {
   InitialField start;
   start.land = land_outlines(resolved);
-  const auto hull = structure::make_hull(resolved.structure.shape);
+  const auto hull = structure::make_hull(resolved.structure);
   ice::Field field = laid_field(resolved);
   const std::vector<ice::Plate> floes = floes_beside(resolved, *hull, field);
   for (const ice::Plate& plate : floes)

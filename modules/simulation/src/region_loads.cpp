@@ -4,7 +4,7 @@
 namespace brash::simulation {
 
 model::RegionLoad& RegionLoadSums::at(const Pose& structure, Vec3 point, Vec3 outward) {
-  return sums_.of(regions_->at(to_body(structure, point), rotate(conjugate(structure.rotation), outward)));
+  return sums_[regions_->at(to_body(structure, point), rotate(conjugate(structure.rotation), outward))];
 }
 
 void RegionLoadSums::add_crushing(const Pose& structure, Vec3 point, Vec3 outward, Vec3 force) {

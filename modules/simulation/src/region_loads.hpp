@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "brash/model/records.hpp"
 #include "brash/structure/regions.hpp"
@@ -9,10 +10,10 @@
 
 namespace brash::simulation {
 
-/// The loads of a step by region of the hull; nothing for shapes without regions.
+/// The loads of a step by region of the structure; nothing for shapes without regions.
 class RegionLoadSums {
  public:
-  explicit RegionLoadSums(std::optional<structure::HullRegions> regions) : regions_(regions) {}
+  explicit RegionLoadSums(std::optional<structure::Regions> regions) : regions_(std::move(regions)) {}
 
   void begin_step() { sums_ = {}; }
   /// A force on the structure, sheet axes [N].
@@ -26,7 +27,7 @@ class RegionLoadSums {
  private:
   model::RegionLoad& at(const Pose& structure, Vec3 point, Vec3 outward);
 
-  std::optional<structure::HullRegions> regions_;
+  std::optional<structure::Regions> regions_;
   model::RegionLoads sums_;  ///< sheet axes
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 /// Of the structure where it meets the ice straight ahead [rad].
 double slope_ahead(const model::Case& c) {
-  const auto hull = structure::make_hull(c.structure.shape);
+  const auto hull = structure::make_hull(c.structure);
   const auto motion = structure::make_motion(c, *hull);
   const Freeboard heights = freeboard(c);
   return structure::foremost(*hull, motion->now().pose, heights.bottom, heights.top, motion->course()).surface.slope;

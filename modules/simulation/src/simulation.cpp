@@ -56,7 +56,7 @@ double reach_of(const structure::Hull& hull) {
 
 Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
     : resolved(c),
-      hull(structure::make_hull(c.structure.shape)),
+      hull(structure::make_hull(c.structure)),
       motion(structure::make_motion(c, *hull)),
       field(std::move(laid)),
       hull_reach(reach_of(*hull)),
@@ -71,7 +71,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       water(resolved),
       sleep(resolved),
       structure_body(world.add_structure(hull->parts(), motion->now().pose)),
-      region_loads(structure::regions_of(c.structure.shape, *hull)),
+      region_loads(structure::regions_of(c.structure, *hull)),
       watchdog(resolved, hull->bounds()) {
   world.share_work(workers);
   for (const ice::Plate& plate : field.level_ice()) {

@@ -54,10 +54,14 @@ LoadSplit split(std::span<const model::LoadRow> rows, Axis axis) {
           mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_friction.force); })};
 }
 
-std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows) {
+/// Of the legs, or of the regions of a hull that has any.
+std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, std::size_t n_legs) {
+  const std::size_t first = n_legs > 0 ? model::kHullRegions : 0;
+  const std::size_t end = n_legs > 0 ? first + n_legs : model::kHullRegions;
   std::vector<RegionMean> means;
   bool any = false;
   model::RegionLoads::visit([&](const char* region, const char*, std::size_t i) {
+    if (i < first || i >= end) return;
     const auto mean_of = [&](Vec3 model::RegionLoad::*force) {
       const auto along = [&](double Vec3::*axis) {
         return mean(rows, [&](const model::LoadRow& row) { return row.regions[i].*force.*axis; });
@@ -220,7 +224,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   s.vertical = summarise_component(window, resolved.time.step, total_z);
   s.horizontal_split = split(window, x);
   s.vertical_split = split(window, z);
-  s.regions = mean_by_region(window);
+  s.regions = mean_by_region(window, resolved.structure.legs.size());
   s.mean_horizontal_whole = mean(results.loads, total_x);
   s.mean_vertical_whole = mean(results.loads, total_z);
 

@@ -56,7 +56,7 @@ std::string Session::head() const {
                        {{"program", {{"name", "brash"}, {"version", kVersion}}},
                         {"seeds", {{"seed", case_.random.seed}}},
                         {"case", {{"name", case_.name}, {"toml", io::to_toml(case_)}}}}},
-                      {"arrays", structure_arrays(*structure::make_hull(case_.structure.shape))}}
+                      {"arrays", structure_arrays(*structure::make_hull(case_.structure))}}
       .dump();
 }
 

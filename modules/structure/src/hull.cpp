@@ -6,6 +6,7 @@
 
 #include "brash/core/contract.hpp"
 #include "cone.hpp"
+#include "legs.hpp"
 #include "mesh_hull.hpp"
 #include "plane_sided.hpp"
 
@@ -20,6 +21,11 @@ std::unique_ptr<const Hull> make_hull(const model::Shape& shape) {
   return std::visit([](const auto& kind) { return hull_of(kind); }, shape);
 }
 
+std::unique_ptr<const Hull> make_hull(const model::StructureSection& structure) {
+  if (structure.legs.empty()) return make_hull(structure.shape);
+  return std::make_unique<Legs>(make_hull(structure.shape), structure.legs);
+}
+
 std::pair<Vec3, Vec3> Hull::bounds() const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Vec3 least{kFar, kFar, kFar}, most = -least;
@@ -30,16 +36,22 @@ std::pair<Vec3, Vec3> Hull::bounds() const {
   return {least, most};
 }
 
-/// In the middle of the vertices that reach as far, so that a straight front is met in its middle.
+/// In the middle of the vertices that reach as far, so that a straight front is met in its middle; of several outlines
+/// that do, the first counts.
 Foremost foremost(const Hull& hull, const Pose& pose, double bottom, double top, Vec2 course) {
   constexpr double kAsFar = 1e-6;  // [m]
   const Vec2 ahead = normalized(course);
-  std::vector<Vec2> vertices;
-  for (const Outline& outline : hull.footprint(pose, bottom, top).leading)
-    vertices.insert(vertices.end(), outline.begin(), outline.end());
-  BRASH_EXPECTS(!vertices.empty(), bottom, top);
-  double reach = dot(ahead, vertices.front());
-  for (const Vec2 v : vertices) reach = std::max(reach, dot(ahead, v));
+  const auto reach_of = [ahead](const Outline& outline) {
+    double reach = -HUGE_VAL;
+    for (const Vec2 v : outline) reach = std::max(reach, dot(ahead, v));
+    return reach;
+  };
+  std::vector<Outline> outlines = hull.footprint(pose, bottom, top).leading;
+  BRASH_EXPECTS(!outlines.empty(), bottom, top);
+  double reach = -HUGE_VAL;
+  for (const Outline& outline : outlines) reach = std::max(reach, reach_of(outline));
+  Outline& vertices =
+      *std::ranges::find_if(outlines, [&](const Outline& outline) { return reach_of(outline) >= reach - kAsFar; });
   std::erase_if(vertices, [&](Vec2 v) { return dot(ahead, v) < reach - kAsFar; });
   Vec2 sum{};
   for (const Vec2 v : vertices) sum += v;

@@ -69,10 +69,32 @@ model::HullRegion HullRegions::at(Vec3 point, Vec3 outward) const {
   return point.x >= stern_start_ ? model::HullRegion::kSides : model::HullRegion::kStern;
 }
 
-std::optional<HullRegions> regions_of(const model::Shape& shape, const Hull& hull) {
-  const bool has_regions = std::holds_alternative<model::Ship>(shape) || std::holds_alternative<model::Mesh>(shape);
-  if (!has_regions || hull.displaced(Pose{}).waterplane.area <= 0.0) return std::nullopt;
-  return HullRegions(hull);
+LegRegions::LegRegions(const HullCopies& legs) : places_(legs.places) {
+  BRASH_EXPECTS(!places_.empty() && places_.size() <= model::kMostLegs, places_.size());
+  const auto [least, most] = legs.hull->bounds();
+  least_ = plan(least);
+  most_ = plan(most);
+}
+
+std::size_t LegRegions::at(Vec3 point) const {
+  const auto distance = [&](Vec2 place) {
+    const Vec2 p = plan(point) - place;
+    return norm(Vec2{std::max({least_.x - p.x, p.x - most_.x, 0.0}), std::max({least_.y - p.y, p.y - most_.y, 0.0})});
+  };
+  return static_cast<std::size_t>(std::ranges::min_element(places_, {}, distance) - places_.begin());
+}
+
+std::size_t Regions::at(Vec3 point, Vec3 outward) const {
+  if (const auto* const legs = std::get_if<LegRegions>(&regions_)) return model::kHullRegions + legs->at(point);
+  return static_cast<std::size_t>(std::get<HullRegions>(regions_).at(point, outward));
+}
+
+std::optional<Regions> regions_of(const model::StructureSection& structure, const Hull& hull) {
+  if (!structure.legs.empty()) return Regions(LegRegions(hull.copies()));
+  const bool is_long =
+      std::holds_alternative<model::Ship>(structure.shape) || std::holds_alternative<model::Mesh>(structure.shape);
+  if (!is_long || hull.displaced(Pose{}).waterplane.area <= 0.0) return std::nullopt;
+  return Regions(HullRegions(hull));
 }
 
 }  // namespace brash::structure

@@ -19,7 +19,7 @@ class EdgeOfRun {
       : resolved(io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
                                {"algorithm.preset=brash", "random.seed=" + std::to_string(seed)})),
         ice(simulation::ice_properties(resolved)),
-        hull(structure::make_hull(resolved.structure.shape)),
+        hull(structure::make_hull(resolved.structure)),
         simulation(resolved),
         motion_(structure::make_motion(resolved, *hull)) {}
 

@@ -134,4 +134,28 @@ BOOST_AUTO_TEST_CASE(a_mooring_is_read_and_one_that_cannot_hold_is_refused) {
   check_refused(lopsided.replace(at, 3, "[3"), "is not symmetric");
 }
 
+BOOST_AUTO_TEST_CASE(legs_are_places_of_the_shape_that_do_not_touch) {
+  const auto with_legs = [](const std::string& legs) {
+    std::string text = kLeastCase;
+    return text.replace(text.find("start_distance = 7"), 18, "start_distance = 20\nlegs = " + legs);
+  };
+  const model::Case c = read(with_legs("[[\"8 m\", 10], [8, -10]]"));
+  BOOST_REQUIRE(c.structure.legs.size() == 2u);
+  BOOST_TEST((c.structure.legs[1] == Vec2{8.0, -10.0}));
+  BOOST_TEST((read(to_toml(c)).structure == c.structure));
+  BOOST_TEST(read(kLeastCase).structure.legs.empty());
+  // The cone is 17.3 m wide at its top.
+  check_refused(with_legs("[[0, 10], [17, -7]]"), "legs 1 and 2 touch, or may touch");
+  check_refused(with_legs("[[0, 10], [17, -7]]"), "places more than 17.3");
+  check_refused(with_legs("[[0, 10, 0]]"), "structure.legs");
+  check_refused(with_legs("[[0, 40], [0, -40]]"), "the sheet is narrower than the structure");
+  check_refused(with_legs("[[20, 0], [-20, 0]]"), "the structure starts inside the ice");
+}
+
+BOOST_AUTO_TEST_CASE(a_ship_has_no_legs) {
+  std::string text = kLeastCase;
+  text.replace(text.find("angle"), text.find("speed") - text.find("angle"), "kind = \"ship\"\nlegs = [[0, 0]]\n");
+  check_refused(text, "structure.legs");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

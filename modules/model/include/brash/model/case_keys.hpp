@@ -141,6 +141,7 @@ void visit_material_keys(AnyCase& c, Visitor&& visit) {
   visit("wind", "skin_friction", c.wind.skin_friction);
   visit_kind("structure", c.structure.shape, visit);
   std::visit([&](auto& shape) { visit_keys_of(shape, visit); }, c.structure.shape);
+  if (!std::holds_alternative<Ship>(c.structure.shape)) visit("structure", "legs", c.structure.legs);
   visit_kind("structure.motion", c.structure.motion, visit);
   std::visit([&](auto& motion) { visit_keys_of(motion, visit); }, c.structure.motion);
   visit("structure.motion", "frame", c.structure.frame);

@@ -78,8 +78,11 @@ struct BodyEnergy {
 
 /// Regions of a ship's hull, from the stem to the stern, then below: docs/theory/hulls.md, (K7).
 enum class HullRegion { kBow, kShoulders, kSides, kStern, kBottom };
+constexpr std::size_t kHullRegions = 5;
+/// Each leg of a structure with legs is a region.
+constexpr std::size_t kMostLegs = 8;
 
-/// Force of the ice on a region of the hull [N], load axes.
+/// Force of the ice on a region of the structure [N], load axes.
 struct RegionLoad {
   Vec3 total{};
   Vec3 crushing{};  ///< the part of `total` from the edge of level ice; the rest is of floes
@@ -87,10 +90,8 @@ struct RegionLoad {
   friend bool operator==(const RegionLoad&, const RegionLoad&) = default;
 };
 
-/// In the order of HullRegion.
-struct RegionLoads : std::array<RegionLoad, 5> {
-  RegionLoad& of(HullRegion region) { return (*this)[static_cast<std::size_t>(region)]; }
-
+/// In the order of HullRegion, then of the legs.
+struct RegionLoads : std::array<RegionLoad, kHullRegions + kMostLegs> {
   /// Calls `visit(name, meaning, index)` for each region: one list serves files and sums.
   template <typename Visit>
   static void visit(Visit&& visit) {
@@ -99,6 +100,15 @@ struct RegionLoads : std::array<RegionLoad, 5> {
     visit("sides", "the sides", 2);
     visit("stern", "the stern", 3);
     visit("bottom", "the bottom", 4);
+    constexpr std::array<std::array<const char*, 2>, kMostLegs> kLegs{{{"leg_1", "leg 1"},
+                                                                       {"leg_2", "leg 2"},
+                                                                       {"leg_3", "leg 3"},
+                                                                       {"leg_4", "leg 4"},
+                                                                       {"leg_5", "leg 5"},
+                                                                       {"leg_6", "leg 6"},
+                                                                       {"leg_7", "leg 7"},
+                                                                       {"leg_8", "leg 8"}}};
+    for (std::size_t i = 0; i < kMostLegs; ++i) visit(kLegs[i][0], kLegs[i][1], kHullRegions + i);
   }
 };
 
@@ -138,7 +148,7 @@ struct LoadRow {
   Vec3 attitude{};      ///< roll, pitch and heading: turned by the heading first, by the roll last [rad]
   Vec3 spin{};          ///< angular velocity, mean over the step, sheet frame [rad/s]
   BodyEnergy body;      ///< of a free or moored structure
-  RegionLoads regions;  ///< of a ship or a mesh
+  RegionLoads regions;  ///< of a ship, a mesh or a structure with legs
 
   friend bool operator==(const LoadRow&, const LoadRow&) = default;
 };

@@ -212,6 +212,7 @@ inline double speed(const Motion& motion) {
 /// [structure]
 struct StructureSection {
   Shape shape;
+  std::vector<Vec2> legs{};  ///< places of copies of the shape, structure's frame, all alike; empty: one, at the origin
   Motion motion;
   MotionFrame frame = MotionFrame::kStructureMoves;
   double start_distance = 0.0;  ///< from its origin to the ice edge at the start; not of a path

@@ -64,6 +64,14 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
+class Hull;
+
+/// A structure as copies of one hull, all turned alike.
+struct HullCopies {
+  const Hull* hull = nullptr;  ///< of one copy
+  std::vector<Vec2> places{};  ///< of their origins, frame of the structure [m]; never empty
+};
+
 /// The closed surface of a structure: an immutable value behind one interface, whatever its shape.
 ///
 /// Its frame is the frame of the structure: z upwards, the origin on the waterplane, x ahead. Poses place it in the
@@ -88,6 +96,9 @@ class Hull {
   /// The displacement of the hull where it lies; all zero when it is out of the water.
   virtual Displacement displaced(const Pose& pose) const = 0;
 
+  /// The legs of a structure that has any; otherwise the hull itself.
+  virtual HullCopies copies() const { return {this, {Vec2{}}}; }
+
   /// The surface that report, ParaView and pictures draw, and nothing else.
   virtual const TriangleMesh& mesh() const = 0;
 
@@ -110,7 +121,7 @@ struct HalfEllipsoid {
   double heading = 0.0;  ///< of its x axis, hull's frame [rad]
 };
 /// The half ellipsoid with a hull's displaced volume, its waterplane's area and the ratio of that area's principal
-/// second moments. The hull lies as its frame says, in the water.
+/// second moments. The hull lies as its frame says, in the water, and has no legs.
 HalfEllipsoid fitted_ellipsoid(const Hull& hull);
 
 /// Faces steeper than this are vertical [rad]: ice crushes on them and does not bend. 89.5 degrees, beyond the slopes
@@ -120,5 +131,7 @@ inline constexpr double kSteepestSlope = 1.5620697;
 /// The hull of a shape.
 /// @throws InputError when it is a mesh whose file is no hull, as examine() says.
 std::unique_ptr<const Hull> make_hull(const model::Shape& shape);
+/// The hull of a structure, with its legs. They may not touch.
+std::unique_ptr<const Hull> make_hull(const model::StructureSection& structure);
 
 }  // namespace brash::structure

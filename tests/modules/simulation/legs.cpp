@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Structures of several legs in the step.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "brash/core/constants.hpp"
+#include "brash/io/case.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace {
+
+using namespace brash;
+
+/// Cones of 6 m with Nevel's wedges in ice 90 m wide, for some seconds.
+model::Case case_of(const std::string& keys, double duration, const std::string& preset = "paper") {
+  return io::parse_case(
+      "[algorithm]\npreset = \"" + preset +
+          "\"\n[ice]\nthickness = 0.33\nyoungs_modulus = 0.35e9\nflexural_strength = 539e3\n"
+          "[structure]\nangle = \"61.4 deg\"\nwaterline_width = 6\nheight = 6\nheight_under_water = 4\n" +
+          keys +
+          "[field]\nlength = 50\nwidth = 90\ninitial_crack = false\n[failure]\nmodel = \"wedge\"\n"
+          "[time]\nduration = " +
+          std::to_string(duration) + "\n",
+      "legs.toml", {});
+}
+
+const std::string kTow = "speed = 1.2\nstart_distance = 4\n";
+
+BOOST_AUTO_TEST_SUITE(legs)
+
+BOOST_AUTO_TEST_CASE(one_leg_at_the_origin_runs_as_the_shape_alone) {
+  const simulation::Run alone = simulation::run(case_of(kTow, 8.0));
+  const simulation::Run leg = simulation::run(case_of(kTow + "legs = [[0, 0]]\n", 8.0));
+  BOOST_REQUIRE(alone.results.events.size() > 2u);
+  BOOST_REQUIRE(leg.results.loads.size() == alone.results.loads.size());
+  for (std::size_t i = 0; i < alone.results.loads.size(); ++i) {
+    model::LoadRow row = leg.results.loads[i];
+    const Vec3 on_leg = row.regions[model::kHullRegions].total, total = row.total.force;
+    BOOST_TEST(norm(on_leg - total) <= 1e-9 * (1.0 + norm(total)));
+    row.regions = {};
+    BOOST_TEST((row == alone.results.loads[i]));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(legs_far_apart_bear_each_what_one_bears_alone_until_the_ice_breaks) {
+  const simulation::Run alone = simulation::run(case_of(kTow, 2.0));
+  const simulation::Run two = simulation::run(case_of(kTow + "legs = [[0, 24], [0, -24]]\n", 2.0));
+  BOOST_REQUIRE(!alone.results.events.empty());
+  const double first_break = std::min(alone.results.events.front().time, two.results.events.front().time);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < alone.results.loads.size(); ++i) {
+    if (alone.results.loads[i].time >= first_break) break;
+    const Vec3 expected = alone.results.loads[i].total.force;
+    // Rounding to the grid moves outlines by 2^-30 m, some 0.01 N.
+    for (const std::size_t leg : {0, 1}) {
+      const Vec3 force = two.results.loads[i].regions[model::kHullRegions + leg].total;
+      BOOST_TEST(norm(force - expected) <= 0.1);
+    }
+    BOOST_TEST(norm(two.results.loads[i].total.force - 2.0 * expected) <= 0.2);
+    BOOST_TEST(std::abs(two.results.loads[i].work - 2.0 * alone.results.loads[i].work) <= 1.0);
+    largest = std::max(largest, expected.x);
+  }
+  BOOST_TEST(largest > 1e3);
+}
+
+BOOST_AUTO_TEST_CASE(the_leg_behind_goes_through_the_channel_of_the_one_ahead) {
+  const simulation::Run run =
+      simulation::run(case_of("speed = 1.2\nstart_distance = 12\nlegs = [[8, 0], [-8, 0]]\n", 21.0));
+  const auto& regions = run.summary.regions;
+  BOOST_REQUIRE(regions.size() == 2u);
+  BOOST_TEST(regions[0].region == "leg_1");
+  BOOST_TEST(regions[1].region == "leg_2");
+  // The second one meets no edge ahead.
+  BOOST_TEST(regions[0].load.crushing.x > 300.0);
+  BOOST_TEST(regions[1].load.crushing.x < 0.2 * regions[0].load.crushing.x);
+  Vec3 sum{};
+  for (const auto& region : regions) sum += region.load.total;
+  BOOST_TEST(sum.x == run.summary.horizontal.mean, boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(the_first_crack_is_ahead_of_each_leg_with_a_way_of_its_own) {
+  model::Case resolved = case_of("speed = 1.2\nstart_distance = 12\nlegs = [[8, 20], [-8, 20], [0, -20]]\n", 0.1);
+  resolved.field.initial_crack = true;
+  resolved.field.initial_crack_radius = 3.0;
+  const simulation::Simulation simulation(resolved);
+  int port = 0, starboard = 0;
+  for (const model::FloeRecord& birth : simulation.initial_births())
+    (birth.birth_pose.position.y > 0.0 ? port : starboard) += 1;
+  BOOST_TEST(port > 0);
+  BOOST_TEST(starboard > 0);
+  BOOST_TEST(std::abs(port - starboard) <= std::max(port, starboard) / 2);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace
