@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The icebreaker over speed and thickness, and over the size of her floes.
+"""The icebreaker over speed and thickness, the speed that a thrust gives her, and her speed over the size of floes.
 
 run.py speeds [--replicates N]    speeds.toml: mean resistance beside Lindqvist, Riska, Jeong and the friction of open water
+run.py attained                   attained.toml: the speed at which an even thrust no longer accelerates her
 run.py floe_sizes                 floe_sizes.toml: the speed that an even thrust gives her, and the test of its head
 run.py NAME --record              also writes NAME.csv, NAME.md and NAME.png here
 run.py NAME --from FOLDER         of a campaign that has run, or of the cases that it has finished so far
 
-Options of both: --brash PROGRAM, -o FOLDER of the campaign [results/NAME], --jobs N.
+Options of all: --brash PROGRAM, -o FOLDER of the campaign [results/NAME], --jobs N.
 """
 import json
 import math
@@ -17,6 +18,7 @@ import tomllib
 from pathlib import Path
 
 import numpy as np
+from scipy import stats
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
@@ -118,6 +120,78 @@ def speeds(options, output, rows):
     return speeds_table(rows), lambda rows, folder: speeds_figure(rows, curves, folder)
 
 
+# The speed that a thrust gives her.
+
+THRUST, DAMPING = 400e3, 2e4  # N, N s/m: free.toml
+WAY = 46.0, 66.0  # m, where the mean speed and the acceleration are taken
+
+
+def ride(folder):
+    """Mean speed [m/s] and mean acceleration [m/s2] of a run while the ship goes over WAY."""
+    with open(folder / "history.csv", encoding="utf-8") as file:
+        names = file.readline().strip().split(",")
+        columns = [names.index(name) for name in ("time", "structure_x", "structure_vx")]
+        time, place, speed = np.loadtxt(file, delimiter=",", usecols=columns).T
+    there = (place - place[0] >= WAY[0]) & (place - place[0] <= WAY[1])
+    return float(speed[there].mean()), float(np.polyfit(time[there], speed[there], 1)[0])
+
+
+def steady_speed(speeds, accelerations):
+    """Where a line through the accelerations is zero, and the speeds at which they may be zero, at 95 % (Fieller 1954)."""
+    speeds, accelerations = np.asarray(speeds), np.asarray(accelerations)
+    slope, offset = np.polyfit(speeds, accelerations, 1)
+    spread = np.sum((speeds - speeds.mean()) ** 2)
+    residual = np.sum((accelerations - slope * speeds - offset) ** 2) / (len(speeds) - 2)
+    at = np.linspace(0.0, 2.0 * speeds.max(), 20001)
+    error = np.sqrt(residual * (1 / len(speeds) + (at - speeds.mean()) ** 2 / spread))
+    inside = at[np.abs(slope * at + offset) <= stats.t.ppf(0.975, len(speeds) - 2) * error]
+    return -offset / slope, inside.min(), inside.max()
+
+
+def towed_speed(rows, thickness=0.8):
+    """Where the towed ship's mean resistance and the damping add up to the thrust [m/s], of rows of speeds.csv."""
+    of = study.groups([row for row in rows if row[THICKNESS] == thickness], SPEED, "horizontal.mean")
+    speeds = np.array(sorted(of))
+    need = np.array([np.mean(of[speed]) for speed in speeds]) + DAMPING * speeds
+    # The resistance falls from creeping speeds to its least; the steady speed lies above that.
+    rising = int(np.argmin(need))
+    return float(np.interp(THRUST, need[rising:], speeds[rising:]))
+
+
+def attained_table(rows):
+    lines = ["| speed at the start [m/s] | runs | mean speed [m/s] | acceleration [mm/s2] | load of the ice [kN] |",
+             "|---|---|---|---|---|"]
+    for start in sorted({row["setting"] for row in rows}):
+        of = [row for row in rows if row["setting"] == start]
+        lines.append(f"| {start.removeprefix('from-')} | {len(of)} | {np.mean([row['mean_speed'] for row in of]):.2f} | "
+                     f"{with_interval([row['acceleration'] for row in of], 1e-3)} | "
+                     f"{with_interval([row['horizontal.mean'] for row in of])} |")
+    speed, lower, upper = steady_speed([row["mean_speed"] for row in rows], [row["acceleration"] for row in rows])
+    lines += ["", f"Steady speed at a thrust of {THRUST / 1e3:.0f} kN: {speed:.2f} m/s ({lower:.2f} to {upper:.2f}). The towed ship "
+                  f"needs that thrust at {towed_speed(study.read_rows(HERE / 'speeds.csv')):.2f} m/s."]
+    return "\n".join(lines) + "\n"
+
+
+def attained_figure(rows, folder):
+    figure, axis = figures.plt.subplots(figsize=(5.2, 3.6), constrained_layout=True)
+    speeds = np.array([row["mean_speed"] for row in rows])
+    accelerations = 1e3 * np.array([row["acceleration"] for row in rows])
+    line = np.polyfit(speeds, accelerations, 1)
+    x = np.linspace(speeds.min(), speeds.max(), 2)
+    axis.axhline(0.0, color=figures.GREY, lw=0.8)
+    axis.plot(x, np.polyval(line, x), color=figures.RED, lw=1.2, label="straight line")
+    axis.plot(speeds, accelerations, "o", color=figures.BLUE, ms=5, label="runs")
+    axis.set(xlabel="mean speed [m/s]", ylabel="mean acceleration [mm/s²]")
+    axis.legend(fontsize=7)
+    figures.save(figure, folder, "attained")
+
+
+def attained(_options, output, rows):
+    for row in rows:
+        row["mean_speed"], row["acceleration"] = ride(output / "cases" / row["case"])
+    return attained_table(rows), attained_figure
+
+
 # The size of floes.
 
 def mean_speed(folder):
@@ -195,7 +269,7 @@ def rows_of(output, name):
     return study.read_rows(whole) if whole.exists() else finished_rows(output, name)
 
 
-STUDIES = {"speeds": speeds, "floe_sizes": floe_sizes}
+STUDIES = {"speeds": speeds, "attained": attained, "floe_sizes": floe_sizes}
 
 
 def main():

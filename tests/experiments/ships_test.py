@@ -24,6 +24,30 @@ class Ships(unittest.TestCase):
         for name in ("speeds", "floe_sizes"):
             self.assertIn((SHIPS / f"{name}.md").read_text().split("\n\n")[0].strip(), page, name)
 
+    def test_the_steady_speed_is_where_the_acceleration_vanishes(self):
+        speed, lower, upper = run.steady_speed([1.0, 1.0, 3.0, 3.0], [0.011, 0.009, -0.011, -0.009])
+        self.assertAlmostEqual(speed, 2.0, 12)
+        # Residuals of 1 mm/s2 about a line of -10 mm/s2 to m/s, two degrees of freedom: 4.303 * 1.414 / sqrt(4) / 10.
+        self.assertAlmostEqual(upper, 2.0 + 0.4303 * math.sqrt(2) / 2, 1)
+        self.assertAlmostEqual(upper - 2.0, 2.0 - lower, 3)
+
+    def test_the_towed_ship_needs_the_thrust_on_the_rising_branch(self):
+        rows = [{run.SPEED: speed, run.THICKNESS: 0.8, "horizontal.mean": load}
+                for speed, load in ((0.2, 390e3), (1.0, 300e3), (2.0, 380e3), (4.0, 500e3))]
+        # 320 kN at 1 m/s and 420 kN at 2 m/s with the damping.
+        self.assertAlmostEqual(run.towed_speed(rows), 1.8, 12)
+
+    def test_a_ride_is_taken_over_its_way_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            times = [0.1 * i for i in range(400)]
+            lines = ["time,structure_x,structure_vx"]
+            lines += [f"{t},{-45.5 + 2.0 * t - 0.005 * t * t},{2.0 - 0.01 * t}" for t in times]
+            (Path(folder) / "history.csv").write_text("\n".join(lines) + "\n")
+            speed, acceleration = run.ride(Path(folder))
+        self.assertAlmostEqual(acceleration, -0.01, 9)
+        # 46 m after 24.5 s, 66 m after 36.3 s.
+        self.assertAlmostEqual(speed, 2.0 - 0.01 * 0.5 * (24.5 + 36.3), 2)
+
     def test_friction_of_open_water_is_that_of_ittc_1957(self):
         ship = {"length": 100.0, "breadth": 20.0, "draught": 5.0}
         speed = 1e9 * run.VISCOSITY / 100.0  # Re = 1e9, where C_F = 0.075 / 7^2
