@@ -50,7 +50,8 @@ def allowed(key):
     if "x-units" in key:
         return f"{len(key['x-units'])} values in {', '.join(key['x-units'])}"
     if kind == "array":
-        count = f"{key['minItems']}{'' if 'maxItems' in key else ' or more'}"
+        least, most = key["minItems"], key.get("maxItems")
+        count = f"{least} or more" if most is None else f"{least}" if least == most else f"{least} to {most}"
         rows = key["items"]["type"] == "array"
         other = ", or a file" if "string" in key["type"] else ""
         return f"{count} {'rows' if rows else 'values'}, each {allowed(key['items'])}{other}"

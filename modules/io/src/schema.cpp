@@ -182,6 +182,14 @@ std::string number_text(const OrderedJson& key_schema) {
   return text;
 }
 
+/// How many items an array has.
+std::string count_text(const OrderedJson& key_schema) {
+  const int least = key_schema.at("minItems").get<int>();
+  if (!key_schema.contains("maxItems")) return fmt::format("{} or more", least);
+  const int most = key_schema.at("maxItems").get<int>();
+  return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
+}
+
 }  // namespace
 
 std::string allowed_values(const OrderedJson& key_schema) {
@@ -196,12 +204,8 @@ std::string allowed_values(const OrderedJson& key_schema) {
   if (type == "boolean") return "true or false";
   if (key_schema.contains("x-units"))
     return fmt::format("[{}]", fmt::join(key_schema.at("x-units").get<std::vector<std::string>>(), ", "));
-  if (type == "array" && !key_schema.contains("maxItems") && key_schema.contains("minItems"))
-    return fmt::format("an array of {} or more, each {}", key_schema.at("minItems").get<int>(),
-                       allowed_values(key_schema.at("items")));
   if (type == "array" && key_schema.contains("minItems"))
-    return fmt::format("an array of {}, each {}", key_schema.at("minItems").get<int>(),
-                       allowed_values(key_schema.at("items")));
+    return fmt::format("an array of {}, each {}", count_text(key_schema), allowed_values(key_schema.at("items")));
   if (type == "array") return "an array, each item " + allowed_values(key_schema.at("items"));
   return "a string";
 }

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(legs_are_places_of_the_shape_that_do_not_touch) {
   // The cone is 17.3 m wide at its top.
   check_refused(with_legs("[[0, 10], [17, -7]]"), "legs 1 and 2 touch, or may touch");
   check_refused(with_legs("[[0, 10], [17, -7]]"), "places more than 17.3");
-  check_refused(with_legs("[[0, 10, 0]]"), "structure.legs");
+  check_refused(with_legs("[[0, 10, 0]]"), "an array of 1 to 8, each [m, m]");
   check_refused(with_legs("[[0, 40], [0, -40]]"), "the sheet is narrower than the structure");
   check_refused(with_legs("[[20, 0], [-20, 0]]"), "the structure starts inside the ice");
 }
