@@ -202,21 +202,36 @@ Workers::~Workers() = default;
 
 int Workers::available() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
+void Workers::record(LoopRecord* record) {
+  BRASH_EXPECTS(count_ == 1, "times of the chunks of several threads", count_);
+  record_ = record;
+}
+
 void Workers::share_out(Loop loop, Call call) {
   BRASH_EXPECTS(loop.chunk > 0);
   BRASH_EXPECTS(!inside, "a loop inside an item of a loop");
   if (loop.n == 0) return;
   loop.chunk = std::max(loop.chunk, loop.n / kMostChunks + 1);
   if (team_ && loop.n > loop.chunk) return team_->run(loop, call);
+  do_alone(loop, call);
+}
+
+void Workers::do_alone(Loop loop, Call call) {
   const Inside mark;
   FirstError error;
+  const auto note_moment = [this] {
+    if (record_ != nullptr) record_->moments.push_back(LoopRecord::Clock::now());
+  };
+  note_moment();
   for (std::size_t begin = 0; begin < loop.n; begin += loop.chunk) {
     try {
       call.function(call.context, begin, std::min(loop.n, begin + loop.chunk), 0);
     } catch (...) {
       error.keep(begin);
     }
+    note_moment();
   }
+  if (record_ != nullptr) record_->loops.push_back({loop.caller, n_chunks(loop.n, loop.chunk)});
   error.rethrow();
 }
 
