@@ -66,14 +66,14 @@ def lines_of_pack(floes, steps, whole, costs):
              over_steps("step / its critical path", lambda s: s.seconds() / s.critical_path()),
              *(speed_up(threads, "", costs) for threads in (2, 4, 8, 16, 32))]
     for threads in (8, 16):
-        runs = [simulate(step, threads, costs) for step in steps]
         lines += [speed_up(threads, f", words {DEAR} times as dear", costs.times(DEAR, Costs.WORDS)),
                   speed_up(threads, f", waking {DEAR} times as dear", costs.times(DEAR, Costs.WAKING))]
-        counts = {"loops, at the end of which threads wait": [run.shared_loops for run in runs],
-                  "chunks taken, two exchanges each": [run.exchanges for run in runs],
-                  "of them from the share of another thread": [run.foreign for run in runs],
-                  "times that a thread found no chunk": [run.without_chunk for run in runs]}
-        lines += [line(f"{what}, {threads} threads, {floes} floes", samples) for what, samples in counts.items()]
+    runs = {threads: [simulate(step, threads, costs) for step in steps] for threads in (8, 16)}
+    counts = {"loops, at the end of which threads wait": [run.shared_loops for run in runs[8]],
+              "chunks taken, two exchanges each": [run.exchanges for run in runs[8]],
+              **{f"of them from the share of another of {n} threads": [run.foreign for run in runs[n]] for n in runs},
+              **{f"times that one of {n} threads found no chunk": [run.without_chunk for run in runs[n]] for n in runs}}
+    lines += [line(f"{what}, {floes} floes", samples) for what, samples in counts.items()]
     return lines
 
 
