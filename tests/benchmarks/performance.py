@@ -266,7 +266,7 @@ TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "many": ["b
            "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
            "rigid_bodies": ["bench_rigid_bodies"], "rigid_body_peers": ["bench_rigid_bodies"]}
 
-NOTES = {"schedule": NOTE}  # below the figures of a line
+NOTES = {"schedule": NOTE}  # above the figures of a line
 NOT_MEASURED = """**Bullet's threads.** `./dev bench threads_beside_bullet` builds Bullet 3.24 from the source of Debian's package, because Debian
 builds it without threads. It sets `BULLET2_MULTITHREADING` and double precision, and keeps Bullet's own compiler flags. The peer is
 `btDiscreteDynamicsWorldMt` with `btCollisionDispatcherMt`, `btSequentialImpulseConstraintSolverMt`, `btConstraintSolverPoolMt` and
@@ -342,11 +342,11 @@ def table(results):
         text += [f"## {LINES[name].__doc__.splitlines()[0]}", "",
                  "| command | date | machine | load |", "|---|---|---|---|",
                  f"| `./dev bench {name}` | {entry['date']} | {entry['machine']} | {entry['load']:.1f} |", "",
-                 "| figure | median | range | limit | met |", "|---|---|---|---|---|"]
+                 *([NOTES[name], ""] if name in NOTES else []), "| figure | median | range | limit | met |", "|---|---|---|---|---|"]
         for row in entry["lines"]:
             spread = f"{row['lowest']:.3g} to {row['highest']:.3g} ({row['n']})" if row["n"] > 1 else ""
             text.append(f"| {row['what']} | {row['median']:.3g} | {spread} | {row['limit']} | {met(row)} |")
-        text += ["", *([NOTES[name], ""] if name in NOTES else [])]
+        text.append("")
     waiting = [f"- `./dev bench {name}`: {function.__doc__.splitlines()[0]}" for name, function in LINES.items()
                if name not in results]
     return "\n".join(text + ["## Not in the table", "", *waiting, *([""] if waiting else []), NOT_MEASURED])
