@@ -72,6 +72,7 @@ std::vector<double> medians(const std::vector<std::vector<Step>>& repeats, std::
   std::vector<double> result(times(repeats[0][step]).size());
   for (std::size_t i = 0; i < result.size(); ++i) {
     std::vector<double> samples;
+    samples.reserve(repeats.size());
     for (const auto& steps : repeats) samples.push_back(times(steps[step]).at(i));
     result[i] = median(samples);
   }
@@ -86,6 +87,7 @@ struct Packs {
 
 std::string json_of_step(const Packs& packs, std::size_t step) {
   std::vector<double> whole;
+  whole.reserve(packs.whole.size());
   for (const auto& steps : packs.whole) whole.push_back(steps[step]);
   const auto serial = medians(packs.recorded, step, [](const Step& s) { return s.serial; });
   const auto chunks = medians(packs.recorded, step, [](const Step& s) { return s.chunks; });
