@@ -83,7 +83,7 @@ class Schedule:
     without_chunk: int = 0  # threads that took no chunk, over all loops
     work: float = 0.0  # in chunks
     serial: float = 0.0  # of the caller between loops
-    idle: float = 0.0  # of the others meanwhile, and while the caller does a loop of one chunk
+    idle: float = 0.0  # of the others meanwhile, and of those without a part in a loop
     start: float = 0.0  # until a thread has seen a loop
     exchange: float = 0.0  # looking for chunks, taking and counting them
     wait: float = 0.0  # for the last chunk of a loop
@@ -127,9 +127,10 @@ class Loop:
         return self.last_done, at, self.seek
 
     def run(self, begins):
-        """@param begins  when each thread looks for a chunk first. @return when each has found that there are no more."""
+        """@param begins  when each thread looks for a chunk first, or None if it sleeps.
+        @return when each has found that there are no more, or None."""
         idle, order = list(begins), itertools.count()
-        events = [(begin, next(order), worker, 0, self.seek) for worker, begin in enumerate(begins)]
+        events = [(begin, next(order), worker, 0, self.seek) for worker, begin in enumerate(begins) if begin is not None]
         heapq.heapify(events)
         while events:
             now, _, worker, at, act = heapq.heappop(events)
@@ -141,19 +142,22 @@ class Loop:
         return idle
 
 
-def begins_of(idle_since, now, costs):
-    """When each thread looks for its first chunk of a loop that is called now."""
+def begins_of(idle_since, now, n_chunks, costs):
+    """When each thread looks for its first chunk of a loop that is called now; None if it sleeps through the loop."""
     threads = len(idle_since)
     called = now + costs.call + (threads - 2) * costs.far
+    awake = [now - since <= costs.awake for since in idle_since[1:]]
+    n_to_rouse = min(max(0, n_chunks - 1 - sum(awake)), len(awake) - sum(awake))
     begins, n_seen, n_roused = [called], 0, 0
-    for since in idle_since[1:]:
-        if now - since > costs.awake:
-            seen = called + costs.wake + n_roused * costs.rouse_more
+    for is_awake, since in zip(awake, idle_since[1:]):
+        if is_awake:
+            begins.append(max(since, called + costs.see + n_seen * costs.far))
+            n_seen += 1
+        elif n_roused < n_to_rouse:
+            begins.append(called + costs.wake + n_roused * costs.rouse_more)
             n_roused += 1
         else:
-            seen = called + costs.see + n_seen * costs.far
-            n_seen += 1
-        begins.append(max(since, seen))
+            begins.append(None)
     if n_roused > 0:
         begins[0] += costs.rouse + (n_roused - 1) * costs.rouse_more
     return begins
@@ -162,15 +166,18 @@ def begins_of(idle_since, now, costs):
 def share_loop(schedule, chunks, stage, idle_since, costs):
     """Adds a loop that is shared out at the end of the schedule so far."""
     threads, called = schedule.threads, schedule.seconds
-    begins = begins_of(idle_since, called, costs)
+    begins = begins_of(idle_since, called, len(chunks), costs)
     loop = Loop(chunks, threads, costs)
-    idle_since[:] = loop.run(begins)
+    idle_since[:] = [before if idle is None else idle for before, idle in zip(idle_since, loop.run(begins))]
     end = max(idle_since[0], loop.last_done + (costs.end if loop.owner[threads] != 0 else 0.0))
     schedule.seconds = end
     schedule.shared_loops += 1
     schedule.exchanges += len(chunks)
     schedule.foreign += loop.foreign
     for worker, taken in enumerate(loop.taken):
+        if begins[worker] is None:
+            schedule.idle += end - called
+            continue
         work = sum(until - begin for begin, until in taken)
         began, ended = min(begins[worker], end), min(idle_since[worker], end)
         schedule.without_chunk += not taken

@@ -24,8 +24,8 @@ which measures them.
 
 The costs of threads are measured with two. No loop takes a lock: threads exchange atomic words, and one core has a word at a time.
 Cores may be further apart than these two, and other systems wake threads at other costs. So some rows have dearer words or dearer
-waking. Waking may take so long that the first threads sleep again before the caller has woken the last. Then a small pack is slower
-on many threads than on one.
+waking. A loop wakes no more threads than it has chunks for. If the caller woke all, the first could sleep again before it has
+woken the last. A small pack would then be slower on many threads than on one.
 
 The simulation leaves out shared caches and memory, processors that slow down under load, threads that share a core, and the
 system's own scheduling."""

@@ -113,6 +113,15 @@ class CostsOfThreads(unittest.TestCase):
         begins = {worker: begin for worker, begin, _, stage in simulate(step, 3, dear).bars if stage == "loop"}
         self.assertEqual(begins, {0: 50.0, 1: 50.0, 2: 50.0})
 
+    def test_a_loop_wakes_no_more_threads_than_it_has_chunks_for(self):
+        step = Step([100.0, 0.0, 100.0, 0.0], [[10.0, 10.0], [10.0, 10.0, 10.0], [10.0] * 4], ["a", "b", "c"])
+        run = simulate(step, 5, Costs(awake=50.0, rouse=4.0, rouse_more=2.0, wake=9.0))
+        begins = {(stage, worker): begin for worker, begin, _, stage in run.bars if stage}
+        # Loop a wakes thread 1. It is awake in loop b, which wakes thread 2. Then all have slept, and loop c wakes three.
+        self.assertEqual(begins, {("a", 0): 104.0, ("a", 1): 109.0, ("b", 0): 123.0, ("b", 1): 119.0, ("b", 2): 128.0,
+                                  ("c", 0): 246.0, ("c", 1): 247.0, ("c", 2): 249.0, ("c", 3): 251.0})
+        self.assertEqual((run.without_chunk, run.seconds), (0, 261.0))
+
     def test_only_the_named_costs_are_multiplied(self):
         costs = Costs(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
         self.assertEqual(costs.times(5, Costs.WORDS), Costs(5.0, 10.0, 15.0, 20.0, 25.0, 6.0, 7.0, 8.0, 9.0))

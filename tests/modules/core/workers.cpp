@@ -2,6 +2,7 @@
 #include "brash/core/workers.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 #include <set>
@@ -56,6 +57,21 @@ BOOST_AUTO_TEST_CASE(a_loop_after_the_threads_have_fallen_asleep_is_done_too) {
     workers.each(100, 1, [&](std::size_t k) { ++done[k]; });
     BOOST_TEST(std::accumulate(done.begin(), done.end(), 0) == 100);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_loop_wakes_as_many_threads_as_it_has_chunks) {
+  Workers workers(5);
+  for (int again = 0; again < 40; ++again)
+    for (const std::size_t n : {2, 4, 3, 5}) {
+      // Some or all threads sleep, and some sleep through the loop.
+      if (again % 2 == 0) std::this_thread::sleep_for(std::chrono::microseconds(20 * again));
+      std::atomic<std::size_t> n_began{0};
+      workers.each(n, 1, [&](std::size_t) {
+        ++n_began;
+        while (n_began < n) std::this_thread::yield();  // each chunk has a thread of its own
+      });
+      BOOST_REQUIRE(n_began == n);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_error_of_the_earliest_item_is_thrown_and_all_others_are_done) {

@@ -25,9 +25,10 @@ struct LoopRecord {
 /// results and reads nothing that another item of the loop writes.
 ///
 /// The calling thread works too. With one worker there is no other thread, and a program without threads works. The
-/// others look for work for some microseconds after a loop, then they sleep. A thread takes one chunk of items after
-/// another, first its own part of the loop, then what others have left: a thread that the system does not run holds
-/// nobody up unless it has begun a chunk. A loop inside an item of another loop is a broken contract.
+/// others look for work for some microseconds after a loop, then they sleep. A loop wakes as many as it has chunks for.
+/// A thread takes one chunk of items after another, first its own part of the loop, then what others have left: a
+/// thread that the system does not run holds nobody up unless it has begun a chunk. A loop inside an item of another
+/// loop is a broken contract.
 class Workers {
  public:
   /// @param n  how many, the calling thread among them, >= 1; fewer work where the system gives no more threads.
