@@ -22,7 +22,7 @@ STAGES = {"each_strip": ("sweeps of the solver", EDGE), "iterate": ("sweeps of t
           "apply": ("water", "#7fb2d1"), "visit_neighbours": ("water", "#7fb2d1")}
 OTHER = ("bodies, pairs, rows", STEEL)
 SERIAL = ("between loops", RED)
-PARTS = (("work", "chunks of loops", EDGE), ("serial", "between loops", RED), ("idle", "no work for them", "#e8a19c"),
+PARTS = (("work", "chunks of loops", EDGE), ("serial", "between loops", RED), ("idle", "without work", "#e8a19c"),
          ("wait", "waiting for the last chunk", "#d9dde2"), ("start", "seeing a loop", "#c77700"),
          ("exchange", "taking chunks", SERIES[3]))
 
