@@ -20,6 +20,7 @@ import time
 
 from measure import BIN, REPETITIONS, ROOT, line, ratios, user_seconds
 from peers import plate, rigid_bodies, rigid_body_peers, threads_beside_bullet
+from schedule_bench import NOTE, schedule
 
 CASE = "experiments/validation/cone.toml"
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}  # of Google Benchmark
@@ -258,13 +259,14 @@ def build():
 
 
 LINES = {function.__name__: function
-         for function in (coupled, real_time, growth, many, threads, threads_beside_bullet, length, channel, water, geometry,
-                          failure, plate, rigid_bodies, rigid_body_peers, campaign, workers, recording, build)}
+         for function in (coupled, real_time, growth, many, threads, threads_beside_bullet, schedule, length, channel, water,
+                          geometry, failure, plate, rigid_bodies, rigid_body_peers, campaign, workers, recording, build)}
 TARGETS = {"coupled": ["bench_coupled"], "growth": ["bench_growth"], "many": ["bench_growth"], "threads": ["bench_growth"],
-           "threads_beside_bullet": ["bench_threads"], "channel": ["brash_python"], "water": ["bench_growth"],
+           "threads_beside_bullet": ["bench_threads"], "schedule": ["bench_schedule"], "channel": ["brash_python"], "water": ["bench_growth"],
            "geometry": ["bench_geometry"], "failure": ["bench_failure"], "plate": ["bench_plate"],
            "rigid_bodies": ["bench_rigid_bodies"], "rigid_body_peers": ["bench_rigid_bodies"]}
 
+NOTES = {"schedule": NOTE}  # above the figures of a line
 NOT_MEASURED = """**Bullet's threads.** `./dev bench threads_beside_bullet` builds Bullet 3.24 from the source of Debian's package, because Debian
 builds it without threads. It sets `BULLET2_MULTITHREADING` and double precision, and keeps Bullet's own compiler flags. The peer is
 `btDiscreteDynamicsWorldMt` with `btCollisionDispatcherMt`, `btSequentialImpulseConstraintSolverMt`, `btConstraintSolverPoolMt` and
@@ -340,7 +342,7 @@ def table(results):
         text += [f"## {LINES[name].__doc__.splitlines()[0]}", "",
                  "| command | date | machine | load |", "|---|---|---|---|",
                  f"| `./dev bench {name}` | {entry['date']} | {entry['machine']} | {entry['load']:.1f} |", "",
-                 "| figure | median | range | limit | met |", "|---|---|---|---|---|"]
+                 *([NOTES[name], ""] if name in NOTES else []), "| figure | median | range | limit | met |", "|---|---|---|---|---|"]
         for row in entry["lines"]:
             spread = f"{row['lowest']:.3g} to {row['highest']:.3g} ({row['n']})" if row["n"] > 1 else ""
             text.append(f"| {row['what']} | {row['median']:.3g} | {spread} | {row['limit']} | {met(row)} |")

@@ -115,7 +115,7 @@ class Workers::Team {
   Team& operator=(const Team&) = delete;
   ~Team() {
     ended_ = true;
-    call_up();
+    call_up(threads_.size());
     for (std::thread& thread : threads_) thread.join();
   }
 
@@ -128,7 +128,7 @@ class Workers::Team {
     for (std::size_t worker = 0; worker < n_workers; ++worker)
       shares_[worker].left.store(Left(number, n * worker / n_workers, n * (worker + 1) / n_workers).word,
                                  std::memory_order_release);
-    call_up();
+    call_up(n - 1);
     work(0);
     for (int looks = 0; done_.load(std::memory_order_acquire) < n; ++looks)
       if (looks < kLooks)
@@ -143,18 +143,28 @@ class Workers::Team {
     std::atomic<std::uint64_t> left{0};
   };
 
-  void call_up() {
-    number_.fetch_add(1, std::memory_order_release);
-    number_.notify_all();
+  /// Wakes no more threads than find a chunk. To wake one takes the caller some microseconds: of many threads the first
+  /// would sleep again before it has woken the last, loop after loop.
+  void call_up(std::size_t n_wanted) {
+    number_.fetch_add(1);
+    if (n_wanted >= threads_.size()) return number_.notify_all();
+    for (std::size_t n_awake = threads_.size() - n_asleep_.load(); n_awake < n_wanted; ++n_awake) number_.notify_one();
   }
 
   void serve(int worker) {
     for (std::uint32_t seen = 0; !ended_.load(std::memory_order_acquire);) {
       for (int looks = 0; looks < kLooks && number_.load(std::memory_order_acquire) == seen; ++looks) pause();
-      number_.wait(seen, std::memory_order_acquire);
+      if (number_.load(std::memory_order_acquire) == seen) sleep(seen);
       seen = number_.load(std::memory_order_acquire);
       work(worker);
     }
+  }
+
+  /// A thread may be about to sleep when call_up() counts it as awake: it then sees that the number has changed.
+  void sleep(std::uint32_t seen) {
+    n_asleep_.fetch_add(1);
+    number_.wait(seen, std::memory_order_acquire);
+    n_asleep_.fetch_sub(1);
   }
 
   /// Takes chunks until there are none, its own share first.
@@ -189,6 +199,7 @@ class Workers::Team {
   alignas(64) std::atomic<std::size_t> done_{0};      ///< chunks
   alignas(64) std::atomic<std::uint32_t> number_{0};  ///< of the loop; goes round
   std::atomic<bool> ended_{false};
+  alignas(64) std::atomic<std::size_t> n_asleep_{0};  ///< threads
   FirstError error_;
   std::vector<std::thread> threads_;
 };
@@ -202,21 +213,36 @@ Workers::~Workers() = default;
 
 int Workers::available() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
+void Workers::record(LoopRecord* record) {
+  BRASH_EXPECTS(count_ == 1, "times of the chunks of several threads", count_);
+  record_ = record;
+}
+
 void Workers::share_out(Loop loop, Call call) {
   BRASH_EXPECTS(loop.chunk > 0);
   BRASH_EXPECTS(!inside, "a loop inside an item of a loop");
   if (loop.n == 0) return;
   loop.chunk = std::max(loop.chunk, loop.n / kMostChunks + 1);
   if (team_ && loop.n > loop.chunk) return team_->run(loop, call);
+  do_alone(loop, call);
+}
+
+void Workers::do_alone(Loop loop, Call call) {
   const Inside mark;
   FirstError error;
+  const auto note_moment = [this] {
+    if (record_ != nullptr) record_->moments.push_back(LoopRecord::Clock::now());
+  };
+  note_moment();
   for (std::size_t begin = 0; begin < loop.n; begin += loop.chunk) {
     try {
       call.function(call.context, begin, std::min(loop.n, begin + loop.chunk), 0);
     } catch (...) {
       error.keep(begin);
     }
+    note_moment();
   }
+  if (record_ != nullptr) record_->loops.push_back({loop.caller, n_chunks(loop.n, loop.chunk)});
   error.rethrow();
 }
 

@@ -19,6 +19,8 @@ constexpr double kKeptOverlap = 5e-4;
 
 /// Floes or bodies that a thread takes at a time, at some 5 us for each.
 constexpr std::size_t kFloes = 16;
+/// Contacts that a thread looks at, at some 30 ns for each.
+constexpr std::size_t kContacts = 256;
 
 /// The other parts of the part's body.
 void collect_others(const Part& part, std::vector<const Part*>& others) {
@@ -174,28 +176,35 @@ ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, co
 }
 
 /// Deals the contacts out to the bodies from which they are reported.
-void ContactSet::list_by_body() {
-  const auto body_of = [](const Contact& c) { return (c.reported_turned() ? c.second : c.first)->id.index; };
+void ContactSet::list_by_body(Workers& workers) {
+  // Contacts and bodies lie all over the memory: all threads fetch them.
+  reported_.resize(contacts_.size());
+  workers.each(contacts_.size(), kContacts, [this](std::size_t i) {
+    const Contact& contact = *contacts_[i];
+    const bool turn = contact.reported_turned();
+    const Body& body = turn ? *contact.second : *contact.first;
+    const Body& other = turn ? *contact.first : *contact.second;
+    // All the sheet counts as one: a resumed run lays other tiles, with other ids.
+    const BodyId listed = other.kind == BodyKind::kSheet ? kNoBody : other.id;
+    reported_[i] = {body.id.index, contact.moves_a_body ? contact.points().size() : 0, {listed, i, 0, &contact}};
+  });
   of_body_.clear();
-  for (const Contact* const contact : contacts_) {
-    const std::size_t body = body_of(*contact);
-    if (body + 1 >= of_body_.size()) of_body_.resize(body + 2, 0);
-    ++of_body_[body + 1];
+  for (const Reported& reported : reported_) {
+    if (reported.body + 1 >= of_body_.size()) of_body_.resize(reported.body + 2, 0);
+    ++of_body_[reported.body + 1];
   }
   std::partial_sum(of_body_.begin(), of_body_.end(), of_body_.begin());
   listed_.resize(contacts_.size());
-  std::size_t number = 0, solved = 0;
-  for (const Contact* const contact : contacts_) {
-    const Body& other = *(contact->reported_turned() ? contact->first : contact->second);
-    // All the sheet counts as one: a resumed run lays other tiles, with other ids.
-    const BodyId listed = other.kind == BodyKind::kSheet ? kNoBody : other.id;
-    listed_[of_body_[body_of(*contact)]++] = {listed, number++, solved, contact};
-    if (contact->moves_a_body) solved += contact->points().size();
+  std::size_t solved = 0;
+  for (Reported& reported : reported_) {
+    reported.listed.solved = solved;
+    listed_[of_body_[reported.body]++] = reported.listed;
+    solved += reported.n_solved;
   }
 }
 
 void ContactSet::report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads, Workers& workers) {
-  list_by_body();
+  list_by_body(workers);
   const std::size_t n_bodies = of_body_.size();
   points_.resize(static_cast<std::size_t>(workers.count()));
   loads_.resize(n_bodies / kFloes + 1);

@@ -91,6 +91,12 @@ class ContactSet {
     std::size_t solved;  ///< number of its first point in the solver, if that knows it
     const Contact* contact;
   };
+  /// A contact, and the body from which it is reported.
+  struct Reported {
+    std::size_t body;      ///< index of its id
+    std::size_t n_solved;  ///< points in the solver
+    Listed listed;
+  };
   /// A point of two bodies, likewise.
   struct ListedPoint {
     std::size_t number;
@@ -98,7 +104,7 @@ class ContactSet {
     const Contact* contact;
     const PatchPoint* point;
   };
-  void list_by_body();
+  void list_by_body(Workers& workers);
   void report_body(std::span<Listed> listed, const BoundedSolver& solver, double dt, std::vector<ListedPoint>& points,
                    std::vector<ContactLoad>& loads) const;
 
@@ -112,6 +118,7 @@ class ContactSet {
   std::vector<const Contact*> solved_;            ///< those that the solver knows
   std::vector<const Contact*> contacts_;          ///< all, in the order of the step
   std::vector<std::size_t> of_body_;              ///< scratch of report: where the contacts of each body begin
+  std::vector<Reported> reported_;                ///< scratch of report: of each contact
   std::vector<Listed> listed_;                    ///< scratch of report
   std::vector<std::vector<ListedPoint>> points_;  ///< scratch of report: of one pair of bodies, of each worker
   std::vector<std::vector<ContactLoad>> loads_;   ///< scratch of report: of each chunk of bodies

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/core/workers.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 #include <set>
@@ -57,6 +59,21 @@ BOOST_AUTO_TEST_CASE(a_loop_after_the_threads_have_fallen_asleep_is_done_too) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_loop_wakes_as_many_threads_as_it_has_chunks) {
+  Workers workers(5);
+  for (int again = 0; again < 40; ++again)
+    for (const std::size_t n : {2, 4, 3, 5}) {
+      // Some or all threads sleep, and some sleep through the loop.
+      if (again % 2 == 0) std::this_thread::sleep_for(std::chrono::microseconds(20 * again));
+      std::atomic<std::size_t> n_began{0};
+      workers.each(n, 1, [&](std::size_t) {
+        ++n_began;
+        while (n_began < n) std::this_thread::yield();  // each chunk has a thread of its own
+      });
+      BOOST_REQUIRE(n_began == n);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(the_error_of_the_earliest_item_is_thrown_and_all_others_are_done) {
   for (const int n_workers : {1, 2, 8}) {
     Workers workers(n_workers);
@@ -81,6 +98,40 @@ BOOST_AUTO_TEST_CASE(one_worker_is_the_thread_that_calls) {
   std::set<std::thread::id> threads;
   workers.each(100, 1, [&](std::size_t) { threads.insert(std::this_thread::get_id()); });
   BOOST_TEST((threads == std::set<std::thread::id>{std::this_thread::get_id()}));
+}
+
+BOOST_AUTO_TEST_CASE(a_record_has_the_loops_in_their_order_and_a_moment_around_each_chunk) {
+  Workers workers(1);
+  brash::LoopRecord record;
+  std::vector<brash::LoopRecord::Clock::time_point> within;
+  const auto task = [&](std::size_t) { within.push_back(brash::LoopRecord::Clock::now()); };
+  const auto shares_out_too = [&] { workers.each(1, 4, task); };
+  workers.each(3, 1, task);  // before the record
+  within.clear();
+  workers.record(&record);
+  workers.each(9, 4, [&](std::size_t i) { i % 4 == 0 ? task(i) : void(); });
+  workers.each(0, 4, task);  // no loop
+  shares_out_too();
+  BOOST_CHECK_THROW(workers.chunks(2, 1, [](auto...) { throw std::runtime_error("both"); }), std::runtime_error);
+  workers.record(nullptr);
+  workers.each(3, 1, task);
+
+  BOOST_REQUIRE(record.loops.size() == 3);
+  const std::string here = __func__;
+  BOOST_TEST((record.loops[0].caller == here && record.loops[1].caller != here && record.loops[2].caller == here));
+  BOOST_TEST((record.loops[0].n_chunks == 3 && record.loops[1].n_chunks == 1 && record.loops[2].n_chunks == 2));
+  const auto& moments = record.moments;
+  BOOST_REQUIRE(moments.size() == 4 + 2 + 3);
+  BOOST_TEST(std::is_sorted(moments.begin(), moments.end()));
+  for (const std::size_t chunk : {0, 1, 2})
+    BOOST_TEST((moments[chunk] <= within[chunk] && within[chunk] <= moments[chunk + 1]));
+  BOOST_TEST((moments[4] <= within[3] && within[3] <= moments[5]));
+}
+
+BOOST_AUTO_TEST_CASE(loops_of_several_threads_are_not_recorded) {
+  brash::LoopRecord record;
+  Workers workers(2);
+  BOOST_CHECK_THROW(workers.record(&record), brash::ContractViolation);
 }
 
 BOOST_AUTO_TEST_CASE(loops_within_loops_and_no_worker_are_broken_contracts) {
