@@ -72,6 +72,27 @@ def with_interval(values, unit=1e3):
     return f"{mean:.0f} ({mean - half:.0f} to {mean + half:.0f})"
 
 
+def exponent(rows, key):
+    """Slope of the logarithm of the mean resistance over that of an input, and half its 95 % interval."""
+    fit = stats.linregress(np.log([row[key] for row in rows]), np.log([row["horizontal.mean"] for row in rows]))
+    return fit.slope, stats.t.ppf(0.975, len(rows) - 2) * fit.stderr
+
+
+def exponent_lines(rows, fewest=3, slowest=0.5):
+    """Exponents of speed and thickness from `slowest` m/s on, over the settings with `fewest` runs or more."""
+    count = {setting: sum((row[THICKNESS], row[SPEED]) == setting for row in rows)
+             for setting in {(row[THICKNESS], row[SPEED]) for row in rows}}
+    many = [row for row in rows if row[SPEED] >= slowest and count[row[THICKNESS], row[SPEED]] >= fewest]
+    lines = []
+    for key, other, unit in ((SPEED, THICKNESS, "m"), (THICKNESS, SPEED, "m/s")):
+        for value in sorted({row[other] for row in many}):
+            of = [row for row in many if row[other] == value]
+            if len({row[key] for row in of}) > 1:
+                slope, half = exponent(of, key)
+                lines.append(f"Exponent of the {key.split('.')[1]} at {value:g} {unit}: {slope:.2f} ± {half:.2f} ({len(of)} runs).")
+    return lines
+
+
 def speeds_table(rows):
     lines = ["| thickness [m] | speed [m/s] | runs | resistance [kN] | deviation [kN] | bow, shoulders, sides, bottom, stern [%] | "
              "crushing of the edge [%] | Lindqvist [kN] | Riska [kN] | Jeong [kN] | friction of open water [kN] |",
@@ -85,7 +106,8 @@ def speeds_table(rows):
         lines.append(f"| {thickness:g} | {speed:g} | {len(of)} | {with_interval([row['horizontal.mean'] for row in of])} | "
                      f"{mean['horizontal.standard_deviation'] / 1e3:.0f} | {shares} | {crushing:.0f} | "
                      + " | ".join(f"{mean[name] / 1e3:.0f}" for name in ("lindqvist", "riska", "jeong", "open_water")) + " |")
-    return "\n".join(lines) + "\n"
+    exponents = exponent_lines(rows)
+    return "\n".join(lines + [""] * bool(exponents) + exponents) + "\n"
 
 
 def speeds_figure(rows, curves, folder):
