@@ -40,7 +40,7 @@ template <typename Value>
 SettingValue value_of(const std::optional<Value>& value) {
   return value ? value_of(*value) : SettingValue{};
 }
-/// Places, such as those of legs.
+/// Places of legs.
 SettingValue value_of(const std::vector<Vec2>& places) {
   std::string text;
   for (const Vec2 place : places) text += (text.empty() ? "" : "; ") + value_of(place).text;

@@ -232,8 +232,7 @@ void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
                       "locks to the crushing, are not modelled"});
 }
 
-/// Legs of a body afloat that do not lie as a mirror would have them, about x or y: roll and pitch turn it about x and
-/// y there, with the legs' moments of inertia and without their product.
+/// Legs that do not mirror each other about x or y have a product of inertia, which a body afloat leaves out.
 void add_legs_warning(const model::Case& c, Warnings& warnings) {
   constexpr double kLopsided = 0.05;  // of the product of inertia over the sum of both moments
   const bool is_afloat = std::holds_alternative<model::Free>(c.structure.motion) ||

@@ -105,7 +105,7 @@ class Hull {
   /// Least and largest coordinates of the mesh, hull's frame [m].
   std::pair<Vec3, Vec3> bounds() const;
 
-  /// Distance of its origin from the farthest point of the mesh [m].
+  /// Distance from the origin to the farthest point of the mesh [m].
   double reach() const;
 };
 
