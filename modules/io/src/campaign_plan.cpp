@@ -40,6 +40,12 @@ template <typename Value>
 SettingValue value_of(const std::optional<Value>& value) {
   return value ? value_of(*value) : SettingValue{};
 }
+/// Places of legs.
+SettingValue value_of(const std::vector<Vec2>& places) {
+  std::string text;
+  for (const Vec2 place : places) text += (text.empty() ? "" : "; ") + value_of(place).text;
+  return {text, {}};
+}
 /// A table has no value of its own.
 template <typename Row>
 SettingValue value_of(const std::vector<Row>& rows) {

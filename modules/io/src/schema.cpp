@@ -203,7 +203,8 @@ std::string allowed_values(const OrderedJson& key_schema) {
   if (type == "integer") return "a whole number" + range_text(key_schema);
   if (type == "boolean") return "true or false";
   if (key_schema.contains("x-units"))
-    return fmt::format("[{}]", fmt::join(key_schema.at("x-units").get<std::vector<std::string>>(), ", "));
+    return fmt::format("[{}], all{}", fmt::join(key_schema.at("x-units").get<std::vector<std::string>>(), ", "),
+                       range_text(key_schema.at("items")));
   if (type == "array" && key_schema.contains("minItems"))
     return fmt::format("an array of {}, each {}", count_text(key_schema), allowed_values(key_schema.at("items")));
   if (type == "array") return "an array, each item " + allowed_values(key_schema.at("items"));

@@ -178,14 +178,16 @@ void check_front(const model::Case& c, double slope, Checks& checks) {
                  "false, or a field.initial_crack_radius", "write false: the ice is whole when the structure comes");
 }
 
-void check_way(const model::Case& c, double reach, Checks& checks) {
+/// @param reach   how far the structure reaches ahead of its origin in the ice [m].
+/// @param astern  how far it reaches behind it [m].
+void check_way(const model::Case& c, double reach, double astern, Checks& checks) {
   const model::StructureSection& s = c.structure;
   checks.require(s.start_distance > reach || c.field.kind == model::FieldKind::kFloes || model::has_ice_files(c.field),
                  {"structure", "start_distance"}, {"structure", "waterline_width"},
                  "the structure starts inside the ice",
                  fmt::format("more than its largest radius in the ice, {:.6g} m", reach),
                  "start the structure further from the ice edge");
-  const double farthest = kFarthest - reach;
+  const double farthest = kFarthest - std::max(reach, astern);
   checks.require(std::abs(s.start_distance) <= farthest, {"structure", "start_distance"},
                  {"structure", "waterline_width"}, "the structure starts outside the plane of the ice",
                  fmt::format("at most {} m less its largest radius in the ice, {:.6g} m", kFarthest, farthest),
@@ -198,9 +200,9 @@ void check_way(const model::Case& c, double reach, Checks& checks) {
 }
 
 /// Rows of a path: ascending times from 0 to the end, in the plane of the ice. @return whether they make a path.
-bool check_rows(const model::Case& c, const std::vector<model::Waypoint>& path, double size, Checks& checks) {
+bool check_rows(const model::Case& c, const std::vector<model::Waypoint>& path, double reach, Checks& checks) {
   const Key key{"structure.motion", "path"};
-  const double farthest = kFarthest - size;
+  const double farthest = kFarthest - reach;
   bool ascends = path.size() > 1, is_near = true;
   for (std::size_t i = 0; i < path.size(); ++i) {
     ascends = ascends && (i == 0 || path[i].time > path[i - 1].time);
@@ -271,8 +273,8 @@ void check_structure(const model::Case& c, Checks& checks) {
   if (const auto* const moored = std::get_if<model::Moored>(&c.structure.motion)) check_mooring(*moored, checks);
   const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
   if (towed == nullptr || towed->path.empty())
-    check_way(c, reach, checks);
-  else if (const auto [least, most] = hull->bounds(); check_rows(c, towed->path, norm(most - least), checks))
+    check_way(c, reach, structure::foremost(*hull, {}, -draught, freeboard, {-1.0, 0.0}).reach, checks);
+  else if (check_rows(c, towed->path, hull->reach(), checks))
     check_start(c, *hull, draught, freeboard, checks);
   const double width = structure::foremost(*hull, {}, 0.0, 0.0, {0.0, 1.0}).reach +
                        structure::foremost(*hull, {}, 0.0, 0.0, {0.0, -1.0}).reach;

@@ -41,7 +41,7 @@ Course straight_course(const model::Case& c, const structure::Hull& hull) {
           .bow = bow,
           .end = bow + speed * c.time.duration,
           .leaves = (c.field.length - bow) / speed,
-          .beside = 0.5 * (reach({0.0, 1.0}) + reach({0.0, -1.0}))};
+          .beside = std::max(reach({0.0, 1.0}), reach({0.0, -1.0}))};
 }
 
 /// Sampled along the path.
@@ -232,6 +232,29 @@ void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
                       "locks to the crushing, are not modelled"});
 }
 
+/// Legs that do not mirror each other about x or y have a product of inertia, which a body afloat leaves out.
+void add_legs_warning(const model::Case& c, Warnings& warnings) {
+  constexpr double kLopsided = 0.05;  // of the product of inertia over the sum of both moments
+  const bool is_afloat = std::holds_alternative<model::Free>(c.structure.motion) ||
+                         std::holds_alternative<model::Moored>(c.structure.motion);
+  if (!is_afloat || c.structure.legs.empty()) return;
+  const std::vector<Vec2>& legs = c.structure.legs;
+  Vec2 middle{};
+  for (const Vec2 place : legs) middle += place / static_cast<double>(legs.size());
+  double product = 0.0, moments = 0.0;
+  for (const Vec2 place : legs) {
+    const Vec2 arm = place - middle;
+    product += arm.x * arm.y;
+    moments += dot(arm, arm);
+  }
+  if (std::abs(product) <= kLopsided * moments) return;
+  warnings.push_back({"lopsided-legs",
+                      fmt::format("structure.legs has no symmetry about x or y: the sum of their arms' products x y is "
+                                  "{:.3g} m2, and the structure's product of inertia is left out, so it rolls and "
+                                  "pitches with wrong periods; lay x along a line of symmetry of the legs",
+                                  product)});
+}
+
 /// Land is solid to ice alone.
 void add_land_warning(const model::Case& c, Warnings& warnings) {
   if (c.field.shore.empty()) return;
@@ -263,6 +286,7 @@ Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const 
   add_land_warning(c, warnings);
   add_time_warnings(c, scales, warnings);
   add_front_warning(scales, warnings);
+  add_legs_warning(c, warnings);
   add_model_warnings(c, scales, criterion, warnings);
   return warnings;
 }

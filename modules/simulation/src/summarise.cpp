@@ -59,7 +59,7 @@ std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, std
   const std::size_t first = n_legs > 0 ? model::kHullRegions : 0;
   const std::size_t end = n_legs > 0 ? first + n_legs : model::kHullRegions;
   std::vector<RegionMean> means;
-  bool any = false;
+  bool any = n_legs > 0;
   model::RegionLoads::visit([&](const char* region, const char*, std::size_t i) {
     if (i < first || i >= end) return;
     const auto mean_of = [&](Vec3 model::RegionLoad::*force) {

@@ -40,8 +40,11 @@ Watchdog::Watchdog(const model::Case& resolved, const std::pair<Vec3, Vec3>& hul
 
 /// A floe's own speeds come from the structure, its rise in the water and the current.
 void Watchdog::see_structure(const Twist& twist) {
-  const double size = norm(hull_.second - hull_.first);
-  const double speed = norm(twist.linear) + norm(twist.angular) * size;
+  // The box around the hull and its origin, about which it turns: legs may all lie to one side.
+  const auto [least, most] = hull_;
+  const Vec3 size{std::max(most.x, 0.0) - std::min(least.x, 0.0), std::max(most.y, 0.0) - std::min(least.y, 0.0),
+                  std::max(most.z, 0.0) - std::min(least.z, 0.0)};
+  const double speed = norm(twist.linear) + norm(twist.angular) * norm(size);
   const double rise = std::sqrt(kGravity * case_->ice.thickness);
   travel_ = std::max(travel_, case_->time.step * (speed + rise + norm(current_past_ice(*case_))));
 }

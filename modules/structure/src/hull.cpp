@@ -36,6 +36,12 @@ std::pair<Vec3, Vec3> Hull::bounds() const {
   return {least, most};
 }
 
+double Hull::reach() const {
+  double farthest = 0.0;
+  for (const Vec3 v : mesh().vertices) farthest = std::max(farthest, norm(v));
+  return farthest;
+}
+
 /// In the middle of the vertices that reach as far, so that a straight front is met in its middle; of several outlines
 /// that do, the first counts.
 Foremost foremost(const Hull& hull, const Pose& pose, double bottom, double top, Vec2 course) {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "brash/core/constants.hpp"
-#include "brash/core/contract.hpp"
 #include "plan_polygons.hpp"
 
 namespace brash::structure {

@@ -115,6 +115,14 @@ BOOST_AUTO_TEST_CASE(labels_name_the_values) {
   BOOST_TEST(!plan.settings[0].values[0].number);
 }
 
+BOOST_AUTO_TEST_CASE(legs_are_told_by_their_places) {
+  const CampaignPlan plan = read(kBase +
+                                 "[set]\nstructure.start_distance = 20\n[[grid]]\n"
+                                 "structure.legs = [[[0, 0]], [[8, 10.5], [8, -10.5]]]\n");
+  BOOST_TEST(plan.settings[0].values[0].text == "0 0");
+  BOOST_TEST(plan.settings[1].values[0].text == "8 10.5; 8 -10.5");
+}
+
 BOOST_AUTO_TEST_CASE(the_quick_variant_takes_fewer_points_and_replicates_and_no_stop_rule) {
   const std::string text = kGrid + "[stop]\nhalf_width = 0.05\nmost_replicates = 20\n" +
                            "[quick]\nreplicates = 2\npoints = 2\nset.time.duration = 17\n";

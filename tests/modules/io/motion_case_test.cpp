@@ -150,6 +150,16 @@ BOOST_AUTO_TEST_CASE(legs_are_places_of_the_shape_that_do_not_touch) {
   check_refused(with_legs("[[0, 10, 0]]"), "an array of 1 to 8, each [m, m]");
   check_refused(with_legs("[[0, 40], [0, -40]]"), "the sheet is narrower than the structure");
   check_refused(with_legs("[[20, 0], [-20, 0]]"), "the structure starts inside the ice");
+  check_refused(with_legs("[[0, 1500]]"), "each [m, m], all >= -1000 and <= 1000");
+}
+
+BOOST_AUTO_TEST_CASE(no_leg_is_beyond_the_plane_of_the_ice) {
+  std::string towed = kLeastCase;
+  towed.replace(towed.find("start_distance = 7"), 18, "start_distance = 8000\nlegs = [[-1000, 0], [0, 0]]");
+  check_refused(towed, "the structure starts outside the plane of the ice");
+  std::string turned = with_motion("path = [[0, -8000, 0, 0], [20, -7990, 0, 0]]\n");
+  turned.insert(turned.find("[structure.motion]"), "legs = [[0, 1000]]\n");
+  check_refused(turned, "it leaves the plane of the ice");
 }
 
 BOOST_AUTO_TEST_CASE(a_ship_has_no_legs) {

@@ -65,6 +65,13 @@ BOOST_AUTO_TEST_CASE(legs_far_apart_bear_each_what_one_bears_alone_until_the_ice
   BOOST_TEST(largest > 1e3);
 }
 
+BOOST_AUTO_TEST_CASE(legs_that_meet_no_ice_have_means_of_zero) {
+  const simulation::Run run =
+      simulation::run(case_of(kTow + "legs = [[0, 24], [0, -24]]\n[output]\nstatistics_from = 0\n", 0.1));
+  BOOST_REQUIRE(run.summary.regions.size() == 2u);
+  BOOST_TEST((run.summary.regions[1].load == model::RegionLoad{}));
+}
+
 BOOST_AUTO_TEST_CASE(the_leg_behind_goes_through_the_channel_of_the_one_ahead) {
   const simulation::Run run =
       simulation::run(case_of("speed = 1.2\nstart_distance = 12\nlegs = [[8, 0], [-8, 0]]\n", 21.0));

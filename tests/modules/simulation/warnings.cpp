@@ -123,4 +123,20 @@ BOOST_AUTO_TEST_CASE(a_sheet_hardly_wider_than_the_cone_is_warned_of) {
   BOOST_TEST(says(text, "leaves 0.47"), text);
 }
 
+BOOST_AUTO_TEST_CASE(a_leg_beside_the_sheet_is_warned_of_wherever_the_others_are) {
+  const auto text = text_of(warnings_with({"field.width=100", "structure.legs=[[0,20],[0,50]]"}), "leaves-field");
+  BOOST_TEST(says(text, "comes 6."), text);  // the leg's axis is on the border
+  BOOST_TEST(!has(warnings_with({"field.width=100", "structure.legs=[[0,20],[0,-20]]"}), "leaves-field"));
+}
+
+BOOST_AUTO_TEST_CASE(legs_in_a_triangle_are_not_lopsided) {
+  const auto afloat = [](const std::string& legs) {
+    return warnings_with({"structure.motion.kind=free", "structure.start_distance=40", "field.width=120", legs});
+  };
+  BOOST_TEST(has(afloat("structure.legs=[[0,20],[10,-20]]"), "lopsided-legs"));
+  BOOST_TEST(!has(afloat("structure.legs=[[20,20],[20,-20],[-20,0]]"), "lopsided-legs"));
+  BOOST_TEST(!has(warnings_with({"structure.legs=[[0,20],[10,-20]]", "structure.start_distance=40", "field.width=90"}),
+                  "lopsided-legs"));
+}
+
 }  // namespace

@@ -104,6 +104,9 @@ class Hull {
 
   /// Least and largest coordinates of the mesh, hull's frame [m].
   std::pair<Vec3, Vec3> bounds() const;
+
+  /// Distance from the origin to the farthest point of the mesh [m].
+  double reach() const;
 };
 
 /// Where a hull that goes along `course` meets ice between two heights first.
