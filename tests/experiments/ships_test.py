@@ -16,12 +16,12 @@ import study
 
 class Ships(unittest.TestCase):
     def test_recorded_tables_follow_from_the_recorded_rows(self):
-        for name, table in (("speeds", run.speeds_table), ("floe_sizes", run.floe_sizes_table)):
+        for name, table in (("speeds", run.speeds_table), ("attained", run.attained_table), ("floe_sizes", run.floe_sizes_table)):
             self.assertEqual(table(study.read_rows(SHIPS / f"{name}.csv")), (SHIPS / f"{name}.md").read_text(), name)
 
     def test_the_page_has_the_recorded_tables(self):
         page = (SHIPS / "README.md").read_text()
-        for name in ("speeds", "floe_sizes"):
+        for name in ("speeds", "attained", "floe_sizes"):
             self.assertIn((SHIPS / f"{name}.md").read_text().split("\n\n")[0].strip(), page, name)
 
     def test_exponents_are_those_of_a_power_law_over_settings_with_three_runs(self):
