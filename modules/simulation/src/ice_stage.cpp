@@ -252,7 +252,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
 /// The plane of the ice has an end, and so has the motion of a body that another program or its loads throw about.
 void Simulation::Impl::expect_on_the_plane() const {
   const Vec3 then = motion->after(1.0).pose.position;
-  const double farthest = geometry::kMaxCoordinate - hull->reach();
+  const double farthest = geometry::kMaxCoordinate - hull_reach;
   if (std::abs(then.x) <= farthest && std::abs(then.y) <= farthest && std::abs(then.z) <= farthest) return;
   throw RunError(fmt::format("the structure goes to ({:.6g}, {:.6g}, {:.6g}) m, beyond the plane of the ice", then.x,
                              then.y, then.z));

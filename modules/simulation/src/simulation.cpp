@@ -44,14 +44,6 @@ std::vector<failure::EdgeDynamics> edge_dynamics(const model::Case& c, const ice
   return dynamics;
 }
 
-/// Of the hull, from the origin of its frame [m].
-double reach_of(const structure::Hull& hull) {
-  double reach = 0.0;
-  for (const structure::ConvexPart& part : hull.parts())
-    for (const Vec3 v : part) reach = std::max(reach, norm(v));
-  return reach;
-}
-
 }  // namespace
 
 Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
@@ -59,7 +51,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       hull(structure::make_hull(c.structure)),
       motion(structure::make_motion(c, *hull)),
       field(std::move(laid)),
-      hull_reach(reach_of(*hull)),
+      hull_reach(hull->reach()),
       edges(edge_dynamics(c, field)),
       pattern(ice::make_crack_pattern(c.failure)),
       workers(threads),

@@ -21,7 +21,7 @@ struct LoadSplit {
   double floe_friction = 0.0;
 };
 
-/// Mean load by region of the hull [N], load axes.
+/// Mean load by region of the structure [N], load axes.
 struct RegionMean {
   std::string region;  ///< as of model::RegionLoads::visit()
   model::RegionLoad load;
