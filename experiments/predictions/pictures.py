@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture of the claims of a sign: the numbers that each test saw, and what the claim asks of them."""
+"""Pictures of the claims of a sign, with what each test saw and what the claim asks, and of loads over the inputs."""
 import math
 
 import matplotlib.pyplot as plt
@@ -126,5 +126,33 @@ def draw(prediction, outcomes, rows_of_claim, folder, name):
             limits_of(axis, rows, claim)
         axis.set_title(f"{claim['text']}\np = {outcome.p:.2g}", fontsize=9)
     figure.suptitle(prediction.table["title"], fontsize=10)
+    figures.save(figure, folder, name)
+    return list(grid[0])
+
+
+def exponents(prediction, rows, folder, name):
+    """Writes `name`.png: the load over each input, on logarithmic axes, beside closed forms. Returns the panels."""
+    inputs = prediction.table["exponent"]
+    figure, grid = plt.subplots(1, len(inputs), figsize=(3.1 * len(inputs), 3.3), squeeze=False, constrained_layout=True)
+    for axis, exponent in zip(grid[0], inputs):
+        key, arms = exponent["of"], exponent["arms"]
+        of_arm = [[row for row in rows if row["arm"] == arm] for arm in arms]
+        x = [figures.shown(key, of[0][key]) for of in of_arm]
+        points = [{row["point"]: row for row in of} for of in of_arm]
+        for point in points[0]:
+            axis.plot(x, [of[point]["mean"] / 1e3 for of in points], color=GREY, alpha=0.35, lw=0.8)
+        lines = {"mean": ("mean of the program", BLUE, "-"), "quantile_99_0.1s": ("its 99 % quantile", BLUE, ":"),
+                 **figures.CLOSED}
+        for statistic, (label, colour, style) in lines.items():
+            middle = [math.exp(np.mean([math.log(row[statistic]) for row in of])) / 1e3 for of in of_arm]
+            axis.plot(x, middle, style, color=colour, marker="o", ms=3, lw=1.4, label=label)
+        axis.set(xscale="log", yscale="log", xlabel=figures.LABELS[key])
+        axis.set_xticks(x, [f"{value:.3g}" for value in x])
+        axis.xaxis.set_minor_locator(plt.NullLocator())
+        axis.yaxis.set_major_formatter(plt.FuncFormatter(lambda value, _: f"{value:g}"))
+    for axis in grid[0]:
+        axis.set_ylim(min(a.get_ylim()[0] for a in grid[0]), max(a.get_ylim()[1] for a in grid[0]))
+    grid[0, 0].set_ylabel("horizontal load [kN]")
+    grid[0, 0].legend(fontsize=6.5)
     figures.save(figure, folder, name)
     return list(grid[0])

@@ -112,6 +112,8 @@ def verdict(options):
         measured = tables.measured_rows(prediction, options)
         text = tables.verdict(prediction, rows, measured, lambda other: rows_of(options, prediction_of(other)))
         folder = prediction.folder
+        if options.record and rows and "exponent" in prediction.table:
+            pictures.exponents(prediction, rows, folder, f"exponents-{options.preset}")
     if options.record:
         (folder / f"verdict-{options.preset}.md").write_text(text, encoding="utf-8")
     print(text)

@@ -202,7 +202,7 @@ def exponent_lines(prediction, rows):
     lines = ["| input | load | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
     for wanted in prediction.table["exponent"]:
         found = {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})
-                 for name in (prediction.criterion["statistic"], "quantile_99_0.1s", *REGRESSIONS)
+                 for name in (prediction.criterion["statistic"], "quantile_99_0.1s", "crushing", "floes", *REGRESSIONS)
                  if any(row.get(name) is not None for row in rows)}
         own = found[prediction.criterion["statistic"]]
         for name, slope in found.items():
@@ -219,7 +219,8 @@ def mean_cells(samples):
         return "-", "-", "-"
     mean, error, freedom = student(samples)
     half = stats.t.ppf(0.975, freedom) * error
-    return f"{mean:.2f}", f"{mean - half:.2f} to {mean + half:.2f}", "yes" if abs(mean) > half else "no"
+    shown = [f"{value:.2f}".replace("-0.00", "0.00") for value in (mean, mean - half, mean + half)]
+    return shown[0], f"{shown[1]} to {shown[2]}", "yes" if abs(mean) > half else "no"
 
 
 def claim_lines(outcomes):

@@ -16,6 +16,7 @@ sys.path[:0] = [str(PREDICTIONS), str(PREDICTIONS.parent)]
 
 import brash
 import case_numbers
+import figures
 import inputs
 import pictures
 import predict
@@ -327,7 +328,8 @@ class Texts(unittest.TestCase):
                 row = {"arm": arm, "point": i + 1, "replicate": 0, "second_half_over_first": 1.0, **inputs.flat(keys),
                        "structure.angle": math.radians(float(keys["structure"]["angle"].split()[0]))}
                 load = level * width**1.5 * math.exp(0.02 * random.normal())
-                rows.append({**row, "mean": load, "croasdale": level * width**0.5})
+                rows.append({**row, "mean": load, "quantile_99_0.1s": 2.0 * load,
+                             **{form: level * width**0.5 for form in figures.CLOSED}})
         text = tables.verdict(prediction, rows, [], None)
         lines = {tuple(line.split(" | ")[:2]): line for line in text.splitlines() if line.startswith("| `")}
         cells = lines["| `structure.waterline_width`", "croasdale"].split(" | ")
@@ -335,6 +337,13 @@ class Texts(unittest.TestCase):
         self.assertAlmostEqual(float(cells[4]), 1.0, delta=0.05)
         self.assertTrue(cells[6].startswith("yes"))
         self.assertTrue(lines["| `ice.thickness`", "croasdale"].endswith("no |"))
+        with tempfile.TemporaryDirectory() as folder:
+            width = pictures.exponents(prediction, rows, pathlib.Path(folder), "exponents")[0]
+            self.assertTrue((pathlib.Path(folder) / "exponents.png").is_file())
+        mean, croasdale = (next(line for line in width.lines if line.get_label() == label).get_ydata()
+                           for label in ("mean of the program", figures.CLOSED["croasdale"][0]))
+        self.assertAlmostEqual(math.log(mean[2] / mean[0]) / math.log(22 / 8), 1.5, delta=0.05)
+        self.assertAlmostEqual(math.log(croasdale[2] / croasdale[0]) / math.log(22 / 8), 0.5, places=10)
 
     def test_a_run_that_failed_leaves_its_point_in_place(self):
         prediction = predict.prediction_of("m6/s2")
