@@ -37,7 +37,7 @@ const char* name_of(Phase phase) {
 }
 
 Outputs outputs_of(const model::LoadRow& row) {
-  return {row.total, row.crushing, row.floe_normal, row.floe_friction, row.structure, row.velocity};
+  return {row.total, row.crushing, row.floe_normal, row.floe_friction, row.structure, row.velocity, row.regions};
 }
 
 /// Loads and velocities added; the place of the later one.
@@ -48,13 +48,19 @@ Outputs joined(Outputs sum, const Outputs& next) {
   sum.floe_friction += next.floe_friction;
   sum.velocity += next.velocity;
   sum.place = next.place;
+  for (std::size_t i = 0; i < sum.regions.size(); ++i) {
+    sum.regions[i].total += next.regions[i].total;
+    sum.regions[i].crushing += next.regions[i].crushing;
+  }
   return sum;
 }
 
-Outputs mean_of(const Outputs& sum, double n) {
-  const auto over_n = [n](const Wrench& load) { return Wrench{load.force / n, load.moment / n}; };
-  return {over_n(sum.total), over_n(sum.crushing), over_n(sum.floe_normal), over_n(sum.floe_friction),
-          sum.place,         sum.velocity / n};
+Outputs mean_of(Outputs sum, double n) {
+  for (Wrench* const load : {&sum.total, &sum.crushing, &sum.floe_normal, &sum.floe_friction})
+    *load = {load->force / n, load->moment / n};
+  for (model::RegionLoad& load : sum.regions) load = {load.total / n, load.crushing / n};
+  sum.velocity = sum.velocity / n;
+  return sum;
 }
 
 /// Yaw, then pitch, then roll, each about the structure's own axis.
@@ -145,23 +151,17 @@ const Variable& Instance::variable(unsigned reference) const {
   throw std::runtime_error(fmt::format("no variable has the value reference {}", reference));
 }
 
-std::size_t Instance::first_of(Causality causality) const {
-  const auto first = std::ranges::find(variables_, causality, &Variable::causality);
-  return static_cast<std::size_t>(first - variables_.begin());
-}
-
 Number Instance::value(unsigned reference) const {
-  const Causality causality = variable(reference).causality;
-  const std::size_t place = reference - first_of(causality);
-  switch (causality) {
+  const Variable& v = variable(reference);
+  switch (v.causality) {
     case Causality::kIndependent:
       return time();
     case Causality::kInput:
-      return nth_number(state_.inputs, place);
+      return nth_number(state_.inputs, v.place);
     case Causality::kOutput:
-      return nth_number(state_.outputs, place);
+      return nth_number(state_.outputs, v.place);
     case Causality::kParameter:
-      return value_of(state_.resolved, unit_.parameters[place]);
+      return value_of(state_.resolved, unit_.parameters[v.place]);
   }
   return 0.0;
 }
@@ -182,17 +182,17 @@ void Instance::set(unsigned reference, Number value) {
   const Variable& v = variable(reference);
   if (value.index() != v.start.index()) throw std::runtime_error(v.name + " has another type");
   if (v.causality == Causality::kInput)
-    set_input(v, reference - first_of(Causality::kInput), std::get<double>(value));
+    set_input(v, std::get<double>(value));
   else if (v.causality == Causality::kParameter)
-    set_parameter(v, unit_.parameters[reference - first_of(Causality::kParameter)], value);
+    set_parameter(v, unit_.parameters[v.place], value);
   else
     throw std::runtime_error(v.name + " cannot be set");
 }
 
-void Instance::set_input(const Variable& v, std::size_t place, double value) {
+void Instance::set_input(const Variable& v, double value) {
   expect("setting an input", {Phase::kInstantiated, Phase::kInitialization, Phase::kStepping});
   if (!std::isfinite(value)) throw Discarded(fmt::format("{} = {}: allowed is a finite number", v.name, value));
-  nth_number(state_.inputs, place) = value;
+  nth_number(state_.inputs, v.place) = value;
 }
 
 void Instance::set_parameter(const Variable& v, const Parameter& parameter, Number value) {

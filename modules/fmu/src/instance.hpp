@@ -60,8 +60,7 @@ class Instance {
   void expect(const char* call, std::initializer_list<Phase> phases) const;
   const Variable& variable(unsigned reference) const;
   Number value(unsigned reference) const;
-  std::size_t first_of(Causality causality) const;
-  void set_input(const Variable& v, std::size_t place, double value);
+  void set_input(const Variable& v, double value);
   void set_parameter(const Variable& v, const Parameter& parameter, Number value);
   void place_structure();
   void drive(double time);

@@ -2,7 +2,9 @@
 #include "brash/fmu/variables.hpp"
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <type_traits>
+#include <variant>
 
 #include "brash/core/contract.hpp"
 #include "brash/model/case_keys.hpp"
@@ -34,22 +36,45 @@ bool is_driven(const model::Case& c) { return std::holds_alternative<model::Driv
 
 Inputs inputs_at_rest(const model::Case& c) { return {.place = {-c.structure.start_distance, 0.0, 0.0}}; }
 
+namespace {
+
+bool has_region(const model::StructureSection& structure, std::size_t region) {
+  const std::size_t n_legs = structure.legs.size();
+  if (n_legs > 0) return region >= model::kHullRegions && region < model::kHullRegions + n_legs;
+  return region < model::kHullRegions &&
+         (std::holds_alternative<model::Ship>(structure.shape) || std::holds_alternative<model::Mesh>(structure.shape));
+}
+
+}  // namespace
+
+bool has_output(const model::Case& c, const std::string& name) {
+  if (name.starts_with("structure_")) return !is_driven(c);
+  bool has = true;
+  model::RegionLoads::visit([&](const std::string& region, const char*, std::size_t i) {
+    if (name.find("_" + region) != std::string::npos) has = has_region(c.structure, i);
+  });
+  return has;
+}
+
 std::vector<Variable> variables_of(const Unit& unit) {
-  std::vector<Variable> variables{{"time", "s", "simulated time", Causality::kIndependent, 0.0, {}, {}}};
-  const bool driven = is_driven(unit.resolved);
+  std::vector<Variable> variables{{"time", "s", "simulated time", Causality::kIndependent, 0.0}};
+  std::size_t place = 0;
   const Inputs inputs = inputs_at_rest(unit.resolved);
-  if (driven)
+  if (is_driven(unit.resolved))
     Inputs::visit(inputs, [&](const char* name, const char* unit_of, const char* meaning, double start) {
-      variables.push_back({name, unit_of, meaning, Causality::kInput, start, {}, {}});
+      variables.push_back({name, unit_of, meaning, Causality::kInput, start, place++});
     });
+  place = 0;
   const Outputs outputs;
   Outputs::visit(outputs, [&](std::string name, const char* unit_of, std::string meaning, double) {
-    if (driven && name.starts_with(kPlacePrefix)) return;
-    variables.push_back({std::move(name), unit_of, std::move(meaning), Causality::kOutput, 0.0, {}, {}});
+    const std::size_t here = place++;
+    if (has_output(unit.resolved, name))
+      variables.push_back({std::move(name), unit_of, std::move(meaning), Causality::kOutput, 0.0, here});
   });
+  place = 0;
   for (const Parameter& p : unit.parameters)
     variables.push_back({p.section + "." + p.key, p.unit, p.meaning, Causality::kParameter, value_of(unit.resolved, p),
-                         p.least, p.most});
+                         place++, p.least, p.most});
   return variables;
 }
 

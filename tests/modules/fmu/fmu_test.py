@@ -6,8 +6,8 @@ import tempfile
 import unittest
 
 import brash as module
-from units import (CASE, Common, DRIVEN, INPUTS, LOADS, OUTPUTS, SOURCE, STEP, UNITS, Under2, Under3, Unit, brash,
-                   quaternion, rows, started, swaying)
+from units import (CASE, Common, DRIVEN, INPUTS, LEG_LOADS, LOADS, OUTPUTS, SOURCE, STEP, TWO_LEGS, UNITS, Under2, Under3,
+                   Unit, brash, quaternion, rows, started, swaying)
 
 
 class Tests(Common):
@@ -17,6 +17,30 @@ class Tests(Common):
             history = UNITS.history(seconds, **overrides)
             self.assertEqual(rows(instance, 0, len(history)), history)
             self.assertTrue(any(row[LOADS.index("crushing_Fx")] > 0 for row in history))
+
+    def test_loads_by_leg_are_those_of_a_run_and_go_through_a_state(self):
+        outputs = OUTPUTS + LEG_LOADS
+        history = UNITS.history(1.5, outputs, **TWO_LEGS)
+        instance = self.keep(started(self.unit(**TWO_LEGS)))
+        self.assertEqual(rows(instance, 0, 100, outputs), history[:100])
+        state = instance.get_state()
+        self.assertEqual(rows(instance, 100, len(history), outputs), history[100:])
+        instance.set_state(state)
+        self.assertEqual(instance.get(outputs), history[99])
+        instance.step(100 * STEP, 20 * STEP)
+        for name, mean in zip(LEG_LOADS, instance.get(LEG_LOADS)):
+            of_run = [row[outputs.index(name)] for row in history[100:120]]
+            self.assertEqual(mean, sum(of_run) / 20)
+        self.assertTrue(all(any(row[outputs.index(f"Fx_leg_{leg}_crushing")] > 0 for row in history) for leg in (1, 2)))
+
+    def test_a_unit_has_the_regions_of_its_structure(self):
+        def regions(**options):
+            names = [name for name in self.unit(**options).references if name[0] == "F" and "_" in name]
+            return sorted({name[3:].removesuffix("_crushing") for name in names})
+        self.assertEqual(regions(), [])
+        self.assertEqual(regions(**TWO_LEGS), ["leg_1", "leg_2"])
+        self.assertEqual(regions(case=SOURCE / "experiments/ships/icebreaker.toml"),
+                         ["bottom", "bow", "shoulders", "sides", "stern"])
 
     def test_a_long_step_gives_the_mean_load_and_the_last_place(self):
         history = UNITS.history(3)

@@ -20,6 +20,9 @@ STEP = 0.01
 CAUSES = ("", "crushing_", "floe_normal_", "floe_friction_")
 LOADS = [cause + axis for cause in CAUSES for axis in ("Fx", "Fy", "Fz", "Mx", "My", "Mz")]
 OUTPUTS = LOADS + ["structure_x", "structure_y", "structure_vx", "structure_vy"]
+TWO_LEGS = {"structure.legs": "[[0, 6], [0, -6]]", "structure.waterline_width": 8, "structure.start_distance": 4.1,
+            "field.initial_crack": False}
+LEG_LOADS = [f"F{axis}_leg_{leg}{part}" for leg in (1, 2) for part in ("", "_crushing") for axis in "xyz"]
 
 
 def brash(*arguments):
@@ -44,26 +47,26 @@ class Units:
             self.made[key] = make(self.folder / f"made{len(self.made)}")
         return self.made[key]
 
-    def file(self, fmi, **overrides):
+    def file(self, fmi, case=CASE, **overrides):
         def make(path):
-            said = brash("export", "fmu", CASE, "-o", f"{path}.fmu", "--fmi", fmi, *sets(overrides))
+            said = brash("export", "fmu", case, "-o", f"{path}.fmu", "--fmi", fmi, *sets(overrides))
             assert said.returncode == 0, said.stderr
             return f"{path}.fmu"
-        return self._once(("file", fmi, *overrides.items()), make)
+        return self._once(("file", fmi, case, *overrides.items()), make)
 
-    def unit(self, fmi, **overrides):
-        file = self.file(fmi, **overrides)
-        return self._once(("unit", fmi, *overrides.items()), lambda path: Unit(file, path))
+    def unit(self, fmi, case=CASE, **overrides):
+        file = self.file(fmi, case, **overrides)
+        return self._once(("unit", fmi, case, *overrides.items()), lambda path: Unit(file, path))
 
-    def history(self, seconds, **overrides):
-        """Outputs of `brash run`, a row each step."""
+    def history(self, seconds, outputs=OUTPUTS, **overrides):
+        """These outputs of `brash run`, a row each step."""
         def make(path):
             said = brash("run", CASE, "-o", path, *sets({**overrides, "time.duration": seconds}))
             assert said.returncode == 0, said.stderr
             with netCDF4.Dataset(path / "run.nc") as run:
-                columns = [run[name][:].data for name in OUTPUTS]
+                columns = [run[name][:].data for name in outputs]
             return [[float(column[i]) for column in columns] for i in range(len(columns[0]))]
-        return self._once(("run", seconds, *overrides.items()), make)
+        return self._once(("run", seconds, *outputs, *overrides.items()), make)
 
 
 UNITS = Units()
@@ -100,12 +103,12 @@ def started(unit, whole=None, **parameters):
     return instance
 
 
-def rows(instance, first, last):
-    """Outputs after each of the steps from `first` to `last`."""
+def rows(instance, first, last, outputs=OUTPUTS):
+    """These outputs after each of the steps from `first` to `last`."""
     found = []
     for i in range(first, last):
         instance.step(i * STEP, STEP)
-        found.append(instance.get(OUTPUTS))
+        found.append(instance.get(outputs))
     return found
 
 

@@ -10,6 +10,7 @@
 
 #include "brash/core/vec.hpp"
 #include "brash/fmu/unit.hpp"
+#include "brash/model/records.hpp"
 
 namespace brash::fmu {
 
@@ -44,8 +45,10 @@ struct Outputs {
   Wrench total, crushing, floe_normal, floe_friction;
   Vec2 place{};     ///< of the structure's origin, at the end of the step [m]
   Vec2 velocity{};  ///< mean over the step [m/s]
+  model::RegionLoads regions;
 
-  /// Calls `visit(name, unit, meaning, number)` for each. history.csv has the same names.
+  /// Calls `visit(name, unit, meaning, number)` for each. history.csv has the same names. A unit has those that
+  /// has_output() says.
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit_wrench("", "total load on the structure", self.total, visit);
@@ -56,9 +59,21 @@ struct Outputs {
     visit("structure_y", "m", "place of the structure's origin to port", self.place.y);
     visit("structure_vx", "m s-1", "mean velocity of the structure's origin along its course", self.velocity.x);
     visit("structure_vy", "m s-1", "mean velocity of the structure's origin to port", self.velocity.y);
+    model::RegionLoads::visit([&](const std::string& region, const std::string& meaning, std::size_t i) {
+      visit_force("_" + region, "load on " + meaning, self.regions[i].total, visit);
+      visit_force("_" + region + "_crushing", "crushing at the sheet's edge on " + meaning, self.regions[i].crushing,
+                  visit);
+    });
   }
 
  private:
+  template <typename AnyForce, typename Visit>
+  static void visit_force(const std::string& part, const std::string& meaning, AnyForce& force, Visit&& visit) {
+    visit("Fx" + part, "N", meaning + ", force as the ice drifts", force.x);
+    visit("Fy" + part, "N", meaning + ", force to starboard", force.y);
+    visit("Fz" + part, "N", meaning + ", force upwards", force.z);
+  }
+
   template <typename AnyWrench, typename Visit>
   static void visit_wrench(const std::string& cause, const std::string& meaning, AnyWrench& load, Visit&& visit) {
     visit(cause + "Fx", "N", meaning + ", force as the ice drifts", load.force.x);
@@ -70,9 +85,6 @@ struct Outputs {
   }
 };
 
-/// The outputs that only a structure has which moves by itself.
-constexpr std::string_view kPlacePrefix = "structure_";
-
 enum class Causality { kIndependent, kInput, kOutput, kParameter };
 
 using Number = std::variant<double, std::int64_t>;
@@ -83,9 +95,14 @@ struct Variable {
   std::string unit;  ///< UDUNITS; "1" where there is none
   std::string meaning;
   Causality causality = Causality::kOutput;
-  Number start;  ///< its type is the variable's
-  std::optional<double> least, most;
+  Number start;           ///< its type is the variable's
+  std::size_t place = 0;  ///< among the inputs and outputs that a `visit` names, or among the unit's parameters
+  std::optional<double> least{}, most{};
 };
+
+/// Whether a unit of the case has the output `name`: where the structure is, if it moves by itself; loads by region of
+/// a ship's or a mesh's hull, or by leg.
+bool has_output(const model::Case& c, const std::string& name);
 
 /// Whether the host says how the structure of a case moves.
 bool is_driven(const model::Case& c);
