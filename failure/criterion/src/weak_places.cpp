@@ -39,19 +39,32 @@ class Judged {
   }
 
   bool operator()(Vec2 place) const {
+    if (!(norm(place) < kRadius)) return false;
     const double own = loads_.front().distance(place);
     const auto nearer = [&](double limit) {
-      return [limit, place](const Stretch& s) { return s.distance(place) < limit; };
+      return [limit, place](const Stretch& s) { return s.is_nearer(place, limit); };
     };
-    return norm(place) < kRadius && own >= h_ && (!split_ || std::abs(place.y) >= h_) &&
-           std::ranges::none_of(loads_, nearer(own)) && std::ranges::none_of(edge_, nearer(h_));
+    return own >= h_ && (!split_ || std::abs(place.y) >= h_) && std::ranges::none_of(loads_, nearer(own)) &&
+           std::ranges::none_of(edge_, nearer(h_));
   }
 
  private:
   struct Stretch {
+    Stretch(Vec2 start, Vec2 end, double r)
+        : from(start), to(end), radius(r), middle(0.5 * (start + end)), reach(0.5 * norm(end - start) + r) {}
+
+    double distance(Vec2 place) const { return std::max(0.0, failure::distance(place, from, to) - radius); }
+    bool is_nearer(Vec2 place, double limit) const {
+      constexpr double kRounding = 1.0 + 1e-9;
+      const double most = (limit + reach) * kRounding;
+      // Most are so far off that their circle tells it.
+      return dot(place - middle, place - middle) <= most * most && distance(place) < limit;
+    }
+
     Vec2 from, to;
     double radius;
-    double distance(Vec2 place) const { return std::max(0.0, failure::distance(place, from, to) - radius); }
+    Vec2 middle;
+    double reach;  ///< from the middle
   };
 
   double h_;
@@ -76,10 +89,10 @@ WeakPlaces weak_places(const plate::LoadedSheet& sheet, const plate::SheetSoluti
   };
 
   WeakPlaces found;
-  for (const plate::SheetPlace& place : solution.around({}, kRadius)) {
+  for (const plate::SheetPlace& place : solution.at_nodes(is_judged)) {
     std::optional<WeakPlace>& half = place.at.y < 0.0 ? found.below : found.above;
     const double here = stress(place.state);
-    if ((!half || here > half->stress) && is_judged(place.at)) half = {place.at, here};
+    if (!half || here > half->stress) half = {place.at, here};
   }
   const auto climb = [&](WeakPlace& weak) {
     for (double step = kFirstStep; step > kLastStep;) {

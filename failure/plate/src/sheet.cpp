@@ -272,14 +272,14 @@ std::optional<SheetState> SheetSolution::at(Vec2 place) const {
   return impl_->state(spots);
 }
 
-std::vector<SheetPlace> SheetSolution::around(Vec2 centre, double radius) const {
+std::vector<SheetPlace> SheetSolution::at_nodes(const std::function<bool(Vec2)>& wanted) const {
   constexpr std::array<std::array<double, 2>, 6> kSpots{{{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
   const std::lock_guard lock(impl_->mutex);
   std::vector<SheetPlace> places;
   for (int triangle = 0; triangle < n_elements(); ++triangle) {
     for (const auto& [xi, eta] : kSpots) {
       const Vec2 at = place_in(impl_->mesh, triangle, xi, eta);
-      if (norm(at - centre) <= radius) places.push_back({at, impl_->recovery->at(triangle, xi, eta)});
+      if (wanted(at)) places.push_back({at, impl_->recovery->at(triangle, xi, eta)});
     }
   }
   return places;

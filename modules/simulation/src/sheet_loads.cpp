@@ -28,14 +28,18 @@ struct Foot {
 
 /// The place nearest to `point` on the segments `first` to `last` of `line`; the first of several.
 Foot nearest(const Polyline& line, Vec2 point, std::size_t first, std::size_t last) {
+  constexpr double kRounding = 1.0 + 1e-12;
   Foot best;
+  double reach2 = best.distance;  // most segments lie farther off: they need no root
   for (std::size_t i = first; i <= last; ++i) {
     const Vec2 along = line[i + 1] - line[i];
     const double square = dot(along, along);
     const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
     const Vec2 place = line[i] + s * along;
+    if (dot(place - point, place - point) > reach2) continue;
     const double distance = norm(place - point);
     if (distance < best.distance) best = {i, place, distance};
+    reach2 = best.distance * best.distance * kRounding;
   }
   return best;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <tl/expected.hpp>
@@ -108,9 +109,9 @@ class SheetSolution {
   /// The fields at a point; nothing outside the ice.
   std::optional<SheetState> at(Vec2 place) const;
 
-  /// The fields at the corners of the elements and the middles of their sides, as far as `radius` from `centre` [l_c].
-  /// A place comes once for each element; beside the crack of a split sheet its state is that of the element's half.
-  std::vector<SheetPlace> around(Vec2 centre, double radius) const;
+  /// The fields at those corners of elements and middles of their sides that are `wanted`. A place comes once for each
+  /// element; beside the crack of a split sheet its state is that of the element's half.
+  std::vector<SheetPlace> at_nodes(const std::function<bool(Vec2)>& wanted) const;
 
   int n_elements() const;
   const SheetTimes& times() const;
