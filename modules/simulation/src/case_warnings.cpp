@@ -22,7 +22,7 @@ namespace {
 /// The structure as the field sees it, where nothing resists it.
 struct Course {
   double speed = 0.0;   ///< mean over the run [m/s]
-  double start = 0.0;   ///< x of its origin at t = 0 [m]
+  double axis = 0.0;    ///< x of its last axis at t = 0 [m]
   double bow = 0.0;     ///< x of its foremost point in the ice at t = 0 [m]
   double end = 0.0;     ///< largest x of its foremost point in the run [m]
   double leaves = 0.0;  ///< when that point passes the far side, if it does [s]
@@ -37,7 +37,7 @@ Course straight_course(const model::Case& c, const structure::Hull& hull) {
   };
   const double speed = model::speed(c.structure.motion), bow = reach({1.0, 0.0});
   return {.speed = speed,
-          .start = start.position.x,
+          .axis = structure::last_axis(c.structure, start),
           .bow = bow,
           .end = bow + speed * c.time.duration,
           .leaves = (c.field.length - bow) / speed,
@@ -57,7 +57,7 @@ Course course_on_path(const model::Case& c, const structure::Hull& hull) {
     const double bow = reach({1.0, 0.0});
     if (i == 0)
       course = {.speed = structure::mean_speed(c.structure, c.time.duration),
-                .start = pose.position.x,
+                .axis = structure::last_axis(c.structure, pose),
                 .bow = bow,
                 .end = bow};
     if (course.end <= c.field.length && bow > c.field.length) course.leaves = c.time.duration * i / kSamples;
@@ -142,7 +142,7 @@ void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnin
         {"no-statistics", fmt::format("the run is over before its statistics begin, when the structure's axis passes "
                                       "the ice edge at {:.3g} s: raise time.duration = {} s, or set "
                                       "output.statistics_from",
-                                      -course.start / course.speed, c.time.duration)});
+                                      -course.axis / course.speed, c.time.duration)});
   else if (travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
     warnings.push_back(
         {"short-run",

@@ -258,14 +258,17 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
 
 namespace {
 
-/// When the structure's origin passes the initial edge, where nothing resists it; at the latest the end of the run [s].
+/// When the structure's last axis passes the initial edge, where nothing resists it; at the latest the end of the run
+/// [s].
 double time_at_edge(const model::Case& c) {
+  const auto axis_at = [&](double time) {
+    return structure::last_axis(c.structure, structure::unresisted(c.structure, time));
+  };
   const double speed = model::speed(c.structure.motion);
-  if (speed > 0.0) return std::clamp(c.structure.start_distance / speed, 0.0, c.time.duration);
+  if (speed > 0.0) return std::clamp(-axis_at(0.0) / speed, 0.0, c.time.duration);
   const auto n_steps = std::llround(c.time.duration / c.time.step);
   for (long long i = 0; i < n_steps; ++i)
-    if (structure::unresisted(c.structure, static_cast<double>(i) * c.time.step).position.x >= 0.0)
-      return static_cast<double>(i) * c.time.step;
+    if (const double time = static_cast<double>(i) * c.time.step; axis_at(time) >= 0.0) return time;
   return c.time.duration;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/structure/motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -247,6 +249,12 @@ Pose unresisted(const model::StructureSection& structure, double time) {
   const auto* const towed = std::get_if<model::Towed>(&structure.motion);
   if (towed != nullptr && !towed->path.empty()) return Path(towed->path).at(time);
   return {{-structure.start_distance + model::speed(structure.motion) * time, 0.0, 0.0}, {}};
+}
+
+double last_axis(const model::StructureSection& structure, const Pose& pose) {
+  if (structure.legs.empty()) return pose.position.x;
+  const auto x_of = [&pose](Vec2 leg) { return to_world(pose, {leg.x, leg.y, 0.0}).x; };
+  return std::ranges::min(structure.legs | std::views::transform(x_of));
 }
 
 double mean_speed(const model::StructureSection& structure, double time) {

@@ -124,7 +124,7 @@ Run run(const model::Case& resolved, const RunOptions& options = {});
 /// The summary as JSON, SI units.
 std::string to_json(const RunSummary& summary);
 
-/// Where the statistics of a run begin [s]: as given, or when the structure's centre passes the initial edge.
+/// Where the statistics of a run begin [s]: as given, or when the structure's last_axis() passes the initial edge.
 double statistics_from(const model::Case& resolved);
 
 }  // namespace brash::simulation

@@ -86,6 +86,9 @@ std::unique_ptr<Motion> make_motion(const model::Case& resolved, const Hull& hul
 /// speed.
 Pose unresisted(const model::StructureSection& structure, double time);
 
+/// x of the structure's axis at a pose, and of its last leg if it has legs [m].
+double last_axis(const model::StructureSection& structure, const Pose& pose);
+
 /// Mean speed from the start to `time` [m/s], likewise; along a path from 400 chords.
 double mean_speed(const model::StructureSection& structure, double time);
 
