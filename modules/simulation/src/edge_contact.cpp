@@ -300,6 +300,16 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry
   return contact;
 }
 
+namespace {
+
+/// Plate theory says nothing nearer to a load than the ice is thick; a network may even answer with a negative length.
+/// So no disc is smaller: docs/theory/failure.md, (7).
+void bound_disc(const failure::IceProperties& ice, failure::Assessment& answer) {
+  if (answer.fails && answer.crack.empty()) answer.breaking_length = std::max(answer.breaking_length, ice.thickness);
+}
+
+}  // namespace
+
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
             const MotionOf& motion_of, const ShareOut& share_out) {
   struct Question {
@@ -326,6 +336,7 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     const auto harmless = criterion.dismiss(load);
     if (!harmless && motion_of) load.motion = motion_of(contacts[i]);
     contacts[i].assessment = harmless ? *harmless : criterion.assess(load);
+    bound_disc(local.model().ice, contacts[i].assessment);
     if (frame) move_to(*frame, contacts[i]);
   });
 }

@@ -16,19 +16,21 @@ using namespace brash;
 /// Keeps the load case that it is asked about.
 class Listening final : public failure::BendingCriterion {
  public:
-  explicit Listening(bool wants_outline) : wants_outline_(wants_outline) {}
+  explicit Listening(bool wants_outline, failure::Assessment answer = {})
+      : wants_outline_(wants_outline), answer_(std::move(answer)) {}
   failure::Assessment assess(const failure::LoadCase& load) const override {
     heard = load;
-    return {};
+    return answer_;
   }
   bool needs_outline() const override { return wants_outline_; }
   std::unique_ptr<BendingCriterion> for_ice(const failure::IceProperties&) const override {
-    return std::make_unique<Listening>(wants_outline_);
+    return std::make_unique<Listening>(wants_outline_, answer_);
   }
   mutable failure::LoadCase heard;
 
  private:
   bool wants_outline_;
+  failure::Assessment answer_;
 };
 
 struct Scene {
@@ -39,14 +41,19 @@ struct Scene {
 
   const geometry::IceSheet& sheet() const { return field.level_ice()[0].sheet(); }
 
-  /// Of the last contact.
-  failure::LoadCase load(bool wants_outline, Vec2 centre = {-6.7, 0.0}) {
-    const Listening criterion(wants_outline);
+  std::vector<simulation::EdgeContact> assessed(const Listening& criterion, Vec2 centre = {-6.7, 0.0}) const {
     const structure::State state{{{centre.x, centre.y, 0.0}, {}}, {{1.202, 0.0, 0.0}, {}}};
     const simulation::EdgeModel model{*hull, resolved, ice, criterion};
     auto contacts = simulation::edge_contacts(model, sheet(), state);
     BOOST_REQUIRE(!contacts.empty());
     simulation::assess(model, sheet(), contacts);
+    return contacts;
+  }
+
+  /// Of the last contact.
+  failure::LoadCase load(bool wants_outline, Vec2 centre = {-6.7, 0.0}) const {
+    const Listening criterion(wants_outline);
+    assessed(criterion, centre);
     return criterion.heard;
   }
 };
@@ -55,6 +62,18 @@ BOOST_AUTO_TEST_CASE(only_a_criterion_that_asks_gets_the_outline) {
   Scene scene;
   BOOST_TEST(scene.load(false).outline.empty());
   BOOST_TEST(!scene.load(true).outline.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_disc_is_no_smaller_than_the_ice_is_thick) {
+  const Scene scene;
+  const double h = scene.ice.thickness;
+  const auto length = [&](const failure::Assessment& answer) {
+    return scene.assessed(Listening(false, answer)).front().assessment.breaking_length;
+  };
+  BOOST_TEST(length({.fails = true, .breaking_length = -0.01}) == h);
+  BOOST_TEST(length({.fails = true, .breaking_length = 0.5 * h}) == h);
+  BOOST_TEST(length({.fails = true, .breaking_length = 3.0 * h}) == 3.0 * h);
+  BOOST_TEST(length({.breaking_length = 0.5 * h}) == 0.5 * h);  // the ice holds
 }
 
 BOOST_AUTO_TEST_CASE(the_outline_of_a_straight_edge_is_the_edge_with_the_chord_in_it) {
