@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of the claims of a sign, with what each test saw and what the claim asks, and of loads over the inputs."""
 import math
+import textwrap
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -104,7 +105,7 @@ def share_of(axis, outcome, claim):
     axis.set_xlim(-0.5, 0.5)
     axis.set_xticks([])
     axis.set_ylim(0.0, 1.0)
-    axis.set_ylabel(f"share of the runs with {claim['statistic']}")
+    axis.set_ylabel(f"share of the runs with\n{claim['statistic']}")
     axis.legend(fontsize=7)
 
 
@@ -124,7 +125,7 @@ def draw(prediction, outcomes, rows_of_claim, folder, name):
             share_of(axis, outcome, claim)
         else:
             limits_of(axis, rows, claim)
-        axis.set_title(f"{claim['text']}\np = {outcome.p:.2g}", fontsize=9)
+        axis.set_title(f"{textwrap.fill(claim['text'], 40)}\np = {outcome.p:.2g}", fontsize=9)
     figure.suptitle(prediction.table["title"], fontsize=10)
     figures.save(figure, folder, name)
     return list(grid[0])
