@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -253,8 +253,9 @@ Pose unresisted(const model::StructureSection& structure, double time) {
 
 double last_axis(const model::StructureSection& structure, const Pose& pose) {
   if (structure.legs.empty()) return pose.position.x;
-  const auto x_of = [&pose](Vec2 leg) { return to_world(pose, {leg.x, leg.y, 0.0}).x; };
-  return std::ranges::min(structure.legs | std::views::transform(x_of));
+  double last = std::numeric_limits<double>::infinity();
+  for (const Vec2 leg : structure.legs) last = std::min(last, to_world(pose, {leg.x, leg.y, 0.0}).x);
+  return last;
 }
 
 double mean_speed(const model::StructureSection& structure, double time) {
