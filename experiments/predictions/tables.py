@@ -198,11 +198,12 @@ def bound_lines(prediction, rows):
 
 
 def exponent_lines(prediction, rows):
-    """Exponents of the program and of closed forms, with 95 % intervals over the points, and their differences in pairs."""
-    lines = ["| input | load | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
+    """Exponents of the program's numbers and of closed forms, with 95 % intervals over the points, and their differences in pairs."""
+    lines = ["| input | number | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
     for wanted in prediction.table["exponent"]:
         found = {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})
-                 for name in (prediction.criterion["statistic"], "quantile_99_0.1s", "crushing", "floes", *REGRESSIONS)
+                 for name in (prediction.criterion["statistic"], "quantile_99_0.1s", "crushing", "floes",
+                              "breaking_length", "breaking_frequency", *REGRESSIONS)
                  if any(row.get(name) is not None for row in rows)}
         own = found[prediction.criterion["statistic"]]
         for name, slope in found.items():

@@ -45,8 +45,7 @@ bool has_region(const model::StructureSection& structure, std::size_t region) {
          (std::holds_alternative<model::Ship>(structure.shape) || std::holds_alternative<model::Mesh>(structure.shape));
 }
 
-}  // namespace
-
+/// Where the structure is, if it moves by itself; loads by region of a ship's or a mesh's hull, or by leg; all others.
 bool has_output(const model::Case& c, const std::string& name) {
   if (name.starts_with("structure_")) return !is_driven(c);
   bool has = true;
@@ -55,6 +54,8 @@ bool has_output(const model::Case& c, const std::string& name) {
   });
   return has;
 }
+
+}  // namespace
 
 std::vector<Variable> variables_of(const Unit& unit) {
   std::vector<Variable> variables{{"time", "s", "simulated time", Causality::kIndependent, 0.0}};

@@ -174,6 +174,12 @@ bool is_outweighed(const EdgeModel& model, const std::vector<EdgeContact>& conta
   });
 }
 
+/// Plate theory says nothing nearer to a load than the ice is thick; a network may even answer with a negative length.
+/// So no disc is smaller: docs/theory/failure.md, (7).
+void bound_disc(const failure::IceProperties& ice, failure::Assessment& answer) {
+  if (answer.fails && answer.crack.empty()) answer.breaking_length = std::max(answer.breaking_length, ice.thickness);
+}
+
 /// Puts the crack on the sheet, and the contact of a floe where it was judged.
 void move_to(const Frame& frame, EdgeContact& contact) {
   for (Vec2& point : contact.assessment.crack) point = frame.on_sheet(point);
@@ -299,16 +305,6 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry
                   .pressure = in_plane / (region.contact_length * h)};
   return contact;
 }
-
-namespace {
-
-/// Plate theory says nothing nearer to a load than the ice is thick; a network may even answer with a negative length.
-/// So no disc is smaller: docs/theory/failure.md, (7).
-void bound_disc(const failure::IceProperties& ice, failure::Assessment& answer) {
-  if (answer.fails && answer.crack.empty()) answer.breaking_length = std::max(answer.breaking_length, ice.thickness);
-}
-
-}  // namespace
 
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,
             const MotionOf& motion_of, const ShareOut& share_out) {

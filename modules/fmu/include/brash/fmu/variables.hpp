@@ -47,8 +47,8 @@ struct Outputs {
   Vec2 velocity{};  ///< mean over the step [m/s]
   model::RegionLoads regions;
 
-  /// Calls `visit(name, unit, meaning, number)` for each. history.csv has the same names. A unit has those that
-  /// has_output() says.
+  /// Calls `visit(name, unit, meaning, number)` for each. history.csv has the same names. A unit has those
+  /// that variables_of() lists.
   template <typename Self, typename Visit>
   static void visit(Self& self, Visit&& visit) {
     visit_wrench("", "total load on the structure", self.total, visit);
@@ -99,10 +99,6 @@ struct Variable {
   std::size_t place = 0;  ///< among the inputs and outputs that a `visit` names, or among the unit's parameters
   std::optional<double> least{}, most{};
 };
-
-/// Whether a unit of the case has the output `name`: where the structure is, if it moves by itself; loads by region of
-/// a ship's or a mesh's hull, or by leg.
-bool has_output(const model::Case& c, const std::string& name);
 
 /// Whether the host says how the structure of a case moves.
 bool is_driven(const model::Case& c);
