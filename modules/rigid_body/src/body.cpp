@@ -21,7 +21,7 @@ bool within_reach(const Box& a, const Box& b, double reach) {
 }
 
 bool Body::add_part(ConvexPart solid, double margin) {
-  if (inset_vertices(solid, margin).size() < 4) return false;
+  if (!outlasts_inset(solid, margin)) return false;
   parts.push_back(std::make_unique<Part>(*this, static_cast<int>(parts.size()), std::move(solid)));
   return true;
 }

@@ -231,6 +231,16 @@ std::vector<Vec3> inset_vertices(const ConvexPart& part, double inset) {
   return distinct(corners, kOnPlane * size);
 }
 
+bool outlasts_inset(const ConvexPart& part, double inset) {
+  Vec3 middle{};
+  for (const Vec3& v : part.vertices) middle += v / static_cast<double>(part.vertices.size());
+  const double round_off = kOnPlane * extent(part.vertices);
+  const auto is_deep = [&](const Plane& plane) {
+    return plane.offset - dot(plane.normal, middle) > inset + 4.0 * round_off;
+  };
+  return std::ranges::all_of(part.planes, is_deep) || inset_vertices(part, inset).size() >= 4;
+}
+
 void place(const ConvexPart& part, const Pose& pose, std::vector<Vec3>& vertices, std::vector<Plane>& planes) {
   vertices.clear();
   planes.clear();

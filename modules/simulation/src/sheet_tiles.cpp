@@ -73,7 +73,7 @@ void SheetTiles::renew(const ice::Plate& plate, rigid_body::World& world, const 
   for (int i = index(changed.lower.x); i <= index(changed.upper.x); ++i) {
     for (int j = index(changed.lower.y); j <= index(changed.upper.y); ++j) {
       const auto laid = parts.find({i, j});
-      if (laid == parts.end()) continue;
+      if (laid == parts.end() || laid->second.empty()) continue;  // level ice never grows back
       for (const BodyId part : laid->second) {
         world.remove(part);
         level_ice_of_.erase(part);

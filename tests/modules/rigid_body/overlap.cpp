@@ -196,4 +196,17 @@ BOOST_AUTO_TEST_CASE(A_part_thinner_than_two_insets_has_no_inset) {
   const ConvexPart thin = convex_prism(rectangle({0, 0}, {1, 0.009}), -0.2, 0.2);
   BOOST_TEST(inset_vertices(thin, 0.005).empty());
   BOOST_TEST(inset_vertices(thin, 0.004).size() == 8u);
+  BOOST_TEST(!outlasts_inset(thin, 0.005));
+  BOOST_TEST(outlasts_inset(thin, 0.004));
+}
+
+BOOST_AUTO_TEST_CASE(A_part_whose_middle_is_not_deep_may_outlast_its_inset) {
+  // Many points at the narrow end draw the middle of the vertices there.
+  std::vector<Vec2> ring{{10, -1}, {10, 1}};
+  for (int angle = 100; angle <= 260; angle += 10)
+    ring.push_back({0.05 * std::cos(radians(angle)), 0.05 * std::sin(radians(angle))});
+  const ConvexPart wedge = convex_prism(ring, -0.2, 0.2);
+  BOOST_TEST(inset_vertices(wedge, 0.19).size() >= 6u);
+  BOOST_TEST(outlasts_inset(wedge, 0.19));
+  BOOST_TEST(!outlasts_inset(wedge, 0.2));
 }
