@@ -49,11 +49,11 @@ def place_of(docname):
 def follow_links(app, docname, source):
     """Links lead to the pages of the site; where there is none, the path in the sources stands in their place.
 
-    A page without a title gets the name of its folder.
+    A page without a title is a recorded table. It gets the name of its folder, and no table of contents lists it.
     """
     folder = place_of(docname).parent
     if not re.search(r"^# ", source[0], re.MULTILINE):
-        source[0] = f"# {folder.name.capitalize()}\n\n{source[0]}"
+        source[0] = f"---\norphan: true\n---\n# {folder.name.capitalize()}\n\n{source[0]}"
 
     def resolved(match):
         path = (folder / match[2]).resolve()

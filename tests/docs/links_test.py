@@ -72,8 +72,24 @@ class Links(unittest.TestCase):
                     continue
                 file = page.parent / target if target else page
                 self.assertTrue(file.exists(), f"{page}: {target}")
+                if page.is_relative_to(SOURCE / "docs"):
+                    self.assertFalse(file.is_dir(), f"{page}: {target} is a folder, for which the site has no page")
                 if anchor:
                     self.assertIn(anchor, anchors_of(file), f"{page}: {target}#{anchor}")
+
+    def test_every_titled_page_is_in_a_table_of_contents_of_the_site(self):
+        shown = []
+        for page in (SOURCE / "docs").rglob("*.md"):
+            for tree in re.findall(r"```{toctree}\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL):
+                folder = page.parent.relative_to(SOURCE / "docs")
+                shown += [(folder / entry).as_posix() for entry in re.findall(r"^[^:\n].*$", tree, re.MULTILINE)]
+        pattern = re.compile("|".join(re.escape(entry).replace(r"\*", "[^/]*") for entry in shown))
+        pages = {page.relative_to(SOURCE / "docs").as_posix(): page for page in (SOURCE / "docs").rglob("*.md")}
+        pages |= {page.relative_to(SOURCE).as_posix(): page for page in (SOURCE / "experiments").rglob("*.md")}
+        missing = [name for name, page in pages.items()
+                   if name != "index.md" and not pattern.fullmatch(name.removesuffix(".md"))
+                   and re.search("^# ", page.read_text(encoding="utf-8"), re.MULTILINE)]
+        self.assertEqual(missing, [])
 
 
 if __name__ == "__main__":
