@@ -20,13 +20,13 @@ def name_of(claim, statistic=None):
 
 
 def arms_of(axis, rows, claim):
-    """Each point a line over the arms, over its own mean; the mean of all with its 95 % interval."""
+    """Each point a line over the arms, as a ratio to its first arm; the mean of all with its 95 % interval."""
     arms = claim["arms"]
     lines = []
-    for values in signs.by_point(rows, claim).values():
+    for values in signs.by_point(rows, claim, mean=signs.geometric_mean).values():
         chosen = [values.get(arm) for arm in arms]
-        if all(value is not None and value > 0.0 for value in chosen):
-            lines.append(np.log(chosen) - np.mean(np.log(chosen)))
+        if None not in chosen:
+            lines.append(np.log(chosen) - math.log(chosen[0]))
     if not lines:
         return axis.text(0.5, 0.5, "no point has a number in every arm", ha="center", transform=axis.transAxes)
     x = np.arange(len(arms))
@@ -40,16 +40,21 @@ def arms_of(axis, rows, claim):
     if claim["kind"] in ("same", "ratio-within"):
         low, high = ((1.0 / (1.0 + claim["margin"]), 1.0 + claim["margin"]) if claim["kind"] == "same"
                      else (claim["low"], claim["high"]))
-        first = math.exp(float(np.mean([line[0] for line in lines])))
-        axis.fill_between([x[0], x[-1]], [first, first * low], [first, first * high], color=GREEN, alpha=0.15, lw=0,
-                          label="what the claim allows")
+        axis.fill_between([x[0], x[-1]], [1.0, low], [1.0, high], color=GREEN, alpha=0.15, lw=0, label="what the claim allows")
         axis.legend(fontsize=7)
-    axis.set_yscale("log")
-    axis.yaxis.set_major_formatter(plt.FuncFormatter(lambda value, _: f"{value:g}"))
-    axis.yaxis.set_minor_formatter(plt.FuncFormatter(lambda value, _: f"{value:g}"))
+    plain_logarithmic(axis)
     axis.set_xticks(x, arms)
     axis.set_xlim(-0.3, len(arms) - 0.7)
-    axis.set_ylabel(f"{name_of(claim)},\nover the point's mean")
+    axis.set_ylabel(f"{name_of(claim)},\nratio to {arms[0]}")
+
+
+def plain_logarithmic(axis):
+    """A logarithmic ordinate with plain numbers, also between the powers of ten if it spans less than one."""
+    axis.set_yscale("log")
+    low, high = axis.get_ylim()
+    plain = plt.FuncFormatter(lambda value, _: f"{value:g}")
+    axis.yaxis.set_major_formatter(plain)
+    axis.yaxis.set_minor_formatter(plain if high < 8.0 * low else plt.NullFormatter())
 
 
 def centre_and_half(sample):
@@ -126,9 +131,17 @@ def draw(prediction, outcomes, rows_of_claim, folder, name):
         else:
             limits_of(axis, rows, claim)
         axis.set_title(f"{textwrap.fill(claim['text'], 40)}\np = {outcome.p:.2g}", fontsize=9)
+    share_ordinates(grid[0])
     figure.suptitle(prediction.table["title"], fontsize=10)
     figures.save(figure, folder, name)
     return list(grid[0])
+
+
+def share_ordinates(axes):
+    """Panels that show the same quantity get the same limits."""
+    for axis in axes:
+        alike = [other for other in axes if other.get_ylabel() == axis.get_ylabel()]
+        axis.set_ylim(min(a.get_ylim()[0] for a in alike), max(a.get_ylim()[1] for a in alike))
 
 
 def exponents(prediction, rows, folder, name):

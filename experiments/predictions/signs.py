@@ -27,14 +27,19 @@ def value_of(row, claim, name=None):
     return value if value is not None and math.isfinite(value) else None
 
 
-def by_point(rows, claim, name=None):
+def geometric_mean(values):
+    """exp of the mean logarithm; None where one has none."""
+    return float(stats.gmean(values)) if min(values) > 0.0 else None
+
+
+def by_point(rows, claim, name=None, mean=np.mean):
     """{point: {arm: mean over its replicates}} of the runs that the claim speaks of."""
     found = {}
     for row in rows:
         inside = all(low <= row[key] <= high for key, (low, high) in claim.get("where", {}).items())
         if inside and ("arms" not in claim or row["arm"] in claim["arms"]):
             found.setdefault(row["point"], {}).setdefault(row["arm"], []).append(value_of(row, claim, name))
-    return {point: {arm: None if None in values else float(np.mean(values)) for arm, values in arms.items()}
+    return {point: {arm: None if None in values else mean(values) for arm, values in arms.items()}
             for point, arms in found.items()}
 
 
@@ -54,7 +59,7 @@ def one_sided(samples, limit, above):
 
 
 def two_one_sided(samples, low, high):
-    """TOST: p that the mean lies between the limits, and p of the opposite, that it lies outside."""
+    """TOST: p that the mean lies between the limits, and p of the opposite, that it lies outside, on either side."""
     inside = max(one_sided(samples, low, True), one_sided(samples, high, False))
     outside = min(1.0, 2.0 * min(one_sided(samples, low, False), one_sided(samples, high, True)))
     return inside, outside
@@ -73,16 +78,16 @@ def slopes(rows, claim):
     if not at:
         places /= places[-1]  # the slope is then the change from the first arm to the last
     found = {}
-    for point, values in by_point(rows, claim).items():
+    for point, values in by_point(rows, claim, mean=geometric_mean).items():
         chosen = [values.get(arm) for arm in arms]
-        found[point] = None if any(v is None or v <= 0.0 for v in chosen) else float(np.polyfit(places, np.log(chosen), 1)[0])
+        found[point] = None if None in chosen else float(np.polyfit(places, np.log(chosen), 1)[0])
     return found
 
 
 def logarithms(rows, claim):
-    """Per point the mean over its arms of the logarithm of the statistic."""
-    return {point: None if any(v is None or v <= 0.0 for v in arms.values())
-            else float(np.mean(np.log(list(arms.values())))) for point, arms in by_point(rows, claim).items()}
+    """Per point the mean over its arms and replicates of the logarithm of the statistic."""
+    return {point: None if None in arms.values() else float(np.mean(np.log(list(arms.values()))))
+            for point, arms in by_point(rows, claim, mean=geometric_mean).items()}
 
 
 def rises_beyond(rows, claim):

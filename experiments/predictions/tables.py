@@ -21,15 +21,15 @@ ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1
           "breaking_frequency": ("1/s", 1.0), "breaking_length": ("m", 1.0), "breaking_length_over_lc": ("-", 1.0),
           "piece_size_05": ("m", 1.0), "piece_size": ("m", 1.0), "piece_size_95": ("m", 1.0)}
 REGRESSIONS = ["riska", "jeong", "lindqvist", "edwards", "croasdale", "ralston_tresca", "ralston_johansen"]
-PRESENT = 0.2  # a load that changes by more between the halves of the window has not settled
+UNSETTLED = 0.2  # a load that changes by more between the halves of the window has not settled
 
 
 def number(value, digits=3):
     return "-" if value is None or not math.isfinite(value) else f"{value:.{digits}g}" if abs(value) < 1000 else f"{value:.0f}"
 
 
-def interval(ends, unit=1.0):
-    return f"{number(ends[0] / unit)} to {number(ends[1] / unit)}"
+def interval(ends, unit=1.0, digits=3):
+    return f"{number(ends[0] / unit, digits)} to {number(ends[1] / unit, digits)}"
 
 
 def read_numbers(path):
@@ -111,9 +111,9 @@ def intervals(prediction, rows):
                 lines.append(f"| {arm or '-'} | {statistic} | {unit} | {number(np.median(values) / divisor)} | "
                              f"{interval(ends, divisor)} |")
     moving = [row for row in rows if row.get("second_half_over_first") is not None]
-    unsettled = sum(abs(math.log(max(row["second_half_over_first"], 1e-9))) > PRESENT for row in moving)
+    unsettled = sum(abs(row["second_half_over_first"] - 1.0) > UNSETTLED for row in moving)
     if unsettled:
-        lines += ["", f"In {unsettled} of {len(moving)} runs the load still changes by more than {PRESENT:.0%} from the first "
+        lines += ["", f"In {unsettled} of {len(moving)} runs the load still changes by more than {UNSETTLED:.0%} from the first "
                       "half of the window to the second."]
     return lines + [""]
 
@@ -225,9 +225,13 @@ def mean_cells(samples):
 
 
 def claim_lines(outcomes):
-    lines = ["| claim | effect | 95 % interval | points (left out) | p |", "|---|---|---|---|---|"]
-    return lines + [f"| {o.claim['text']} | {number(o.effect)} | {interval(o.interval)} | {o.n} ({o.left_out}) | {o.p:.2g} |"
-                    for o in outcomes] + [""]
+    lines = ["| claim | effect | 95 % interval | samples (left out) | p |", "|---|---|---|---|---|"]
+    for o in outcomes:
+        divisor, unit = (1e3, " kN") if o.claim["kind"] == "rises-beyond" else (1.0, "")
+        samples = "runs" if o.claim["kind"] == "share" else "points"
+        lines.append(f"| {o.claim['text']} | {number(o.effect / divisor, 4)}{unit} | {interval(o.interval, divisor, 4)}{unit} | "
+                     f"{o.n} {samples} ({o.left_out}) | {o.p:.2g} |")
+    return lines + [""]
 
 
 def outcomes_of(prediction, rows, rows_elsewhere):
@@ -273,7 +277,8 @@ def signs(predictions, rows_elsewhere, family, preset):
         word, p = verdicts.get(name, ("not run", math.nan))
         label = prediction.criterion.get("stands_for", name.upper())
         picture = f"[claims]({name}/claims-{preset}.png)" if name in found else "-"
-        table.append(f"| {label} | {prediction.table['title']} | **{word}** | {'-' if math.isnan(p) else f'{p:.2g}'} | {picture} |")
+        p_cell = "-" if math.isnan(p) else f"{p:.2g}" + (" of the opposite" if word == "contradicted" else "")
+        table.append(f"| {label} | {prediction.table['title']} | **{word}** | {p_cell} | {picture} |")
         if name in found:
             lines += [f"### {label}", "", *claim_lines(found[name])]
     return "\n".join(["## Ten signs", "", *table, "", *lines]).rstrip() + "\n", found

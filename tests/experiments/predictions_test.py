@@ -191,6 +191,13 @@ class Signs(unittest.TestCase):
         self.assertLess(outcome(rows, kind="rises-beyond", beside="part", times=2.0).p, 0.001)
         self.assertLess(outcome(rows, kind="rises-beyond", beside="part", times=8.0).opposite, 0.001)
 
+    def test_replicates_of_a_point_meet_in_the_mean_of_their_logarithms(self):
+        rows = [{"arm": "a", "point": point, "replicate": i, "mean": mean * (1.0 + 1e-3 * point)}
+                for point in range(1, 5) for i, mean in enumerate((1.0, 4.0))]
+        found = outcome(rows, kind="within", low=1.9, high=2.1)
+        self.assertAlmostEqual(found.effect, 2.0, delta=0.01)
+        self.assertEqual(found.n, 4)
+
     def test_points_without_a_number_leave_and_are_counted(self):
         rows = two_arms(1.2)
         rows[1]["mean"] = None

@@ -168,7 +168,7 @@ class WholeWay(unittest.TestCase):
         table.write_text(table.read_text(encoding="utf-8").replace("fast.s008,0,done", "fast.s008,0,failed"), encoding="utf-8")
         text = call("verdict", str(case), "--preset", "paper")
         self.assertIn("1 runs failed and have no numbers: fast 8.", text)
-        self.assertIn("| 7 (1) |", text)
+        self.assertIn("| 7 points (1) |", text)
         with self.assertRaisesRegex(inputs.BadInput, "multiple of 4 up to 8"):
             call("run", str(case), "--preset", "paper", "--points", "6")
 
