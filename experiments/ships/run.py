@@ -3,8 +3,8 @@
 """The icebreaker over speed and thickness, the speed that a thrust gives her, and her speed over the size of floes.
 
 run.py speeds [--replicates N]    speeds.toml: mean resistance beside Lindqvist, Riska, Jeong and the friction of open water
-run.py attained                   attained.toml: the speed at which an even thrust no longer accelerates her
-run.py floe_sizes                 floe_sizes.toml: the speed that an even thrust gives her, and the test of its head
+run.py attained                   attained.toml: the speed at which a constant thrust no longer accelerates her
+run.py floe_sizes                 floe_sizes.toml: the speed that a constant thrust gives her, and the test of its head
 run.py NAME --record              also writes NAME.csv, NAME.md and NAME.png here
 run.py NAME --from FOLDER         of a campaign that has run, or of the cases that it has finished so far
 
