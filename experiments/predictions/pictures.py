@@ -5,6 +5,7 @@ import textwrap
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import LogLocator
 from scipy import stats
 
 import figures
@@ -15,8 +16,10 @@ PAIRED = ("rises", "falls", "differs", "same", "ratio-within")
 JITTER = 0.12
 
 
-def name_of(claim, statistic=None):
-    return " / ".join([statistic or claim["statistic"], *claim.get("over", [])])
+def name_of(claim):
+    """The statistic over its divisors, without their sections, in short lines."""
+    over = " × ".join(key.split(".")[-1] for key in claim.get("over", []))
+    return textwrap.fill(claim["statistic"] + (f" / ({over})" if "×" in over else f" / {over}" if over else ""), 36)
 
 
 def arms_of(axis, rows, claim):
@@ -49,12 +52,11 @@ def arms_of(axis, rows, claim):
 
 
 def plain_logarithmic(axis):
-    """A logarithmic ordinate with plain numbers, also between the powers of ten if it spans less than one."""
+    """A logarithmic ordinate with plain numbers."""
     axis.set_yscale("log")
-    low, high = axis.get_ylim()
-    plain = plt.FuncFormatter(lambda value, _: f"{value:g}")
-    axis.yaxis.set_major_formatter(plain)
-    axis.yaxis.set_minor_formatter(plain if high < 8.0 * low else plt.NullFormatter())
+    axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
+    axis.yaxis.set_major_formatter(plt.FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.yaxis.set_minor_locator(plt.NullLocator())
 
 
 def centre_and_half(sample):
