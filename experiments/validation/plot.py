@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Resistance against time (the paper's Fig. 7) of a run: plot.py RUN_FOLDER [PICTURE]."""
 import csv
+import json
 import sys
 from pathlib import Path
 
@@ -20,11 +21,13 @@ def main(folder, picture):
         rows = list(csv.DictReader(file))
     column = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
     time = column["time"]
+    start = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["statistics_from"]
+    mean = column["Fx"][time > start].mean() / 1e3
 
     figure, (top, bottom) = plt.subplots(2, 1, sharex=True, figsize=(9, 5.5), constrained_layout=True)
     top.plot(time, column["Fx"] / 1e3, lw=0.7, color="#1f4e79", label="simulated")
-    top.axhline(column["Fx"].mean() / 1e3, color="#1f4e79", ls="--", lw=1, label="mean of the whole history")
-    top.axhline(MEASURED_MEAN, color="#b3261e", lw=1, label="measured mean, 111.8 kN")
+    top.hlines(mean, start, time[-1], color="#1f4e79", ls="--", lw=1.4, label=f"its mean from {start:.2f} s on, {mean:.1f} kN")
+    top.axhline(MEASURED_MEAN, color="#b3261e", lw=1, label=f"measured mean, {MEASURED_MEAN} kN")
     top.set_ylabel("horizontal force [kN]")
     top.legend(loc="upper left", fontsize=8, ncols=3)
     window = 1.0  # s, running mean
