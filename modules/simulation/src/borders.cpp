@@ -9,7 +9,7 @@
 namespace brash::simulation {
 namespace {
 
-/// Height of a border above and below the water, in thicknesses of the ice: floes that pile up stay within it.
+/// Height of a border, in thicknesses of the ice.
 constexpr double kHeight = 30.0;
 /// Thickness of a wall [m]: a floe crosses no such way in a step.
 constexpr double kThick = 10.0;
@@ -17,6 +17,8 @@ constexpr double kThick = 10.0;
 std::vector<Vec2> box(Vec2 lower, Vec2 upper) { return {lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}; }
 
 }  // namespace
+
+double border_height(const model::Case& resolved) { return kHeight * resolved.ice.thickness; }
 
 std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_body::World& world) {
   std::vector<geometry::Extent> boxes;
@@ -26,7 +28,7 @@ std::vector<geometry::Extent> lay_borders(const model::Case& resolved, rigid_bod
     for (const Vec2 corner : ring) boxes.back().add(corner);
   };
   const double length = resolved.field.length, half = 0.5 * resolved.field.width;
-  const double height = kHeight * resolved.ice.thickness;
+  const double height = border_height(resolved);
   const bool has_floes = resolved.field.kind == model::FieldKind::kFloes;
   if (has_floes && resolved.field.floes.border == model::FloeBorder::kWalls) {
     for (const auto& wall :

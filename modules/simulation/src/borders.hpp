@@ -9,6 +9,9 @@
 
 namespace brash::simulation {
 
+/// Height of walls and shores above and below the water [m]: floes that pile up stay within it.
+double border_height(const model::Case& resolved);
+
 /// Lays the walls of a field of floes and the shore of any field into `world`: ice to the floes and sheets that meet
 /// them, and nothing to the structure.
 /// @return the box around each.

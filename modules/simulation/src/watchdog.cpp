@@ -9,6 +9,7 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
+#include "borders.hpp"
 
 namespace brash::simulation {
 namespace {
@@ -108,16 +109,17 @@ void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& che
   }
 }
 
-/// No floe is farther from the field than the field is large, or farther below or above the structure than the
-/// structure is high; its drift in current and wind aside.
+/// No floe is farther from the field than the field is large, but for its drift in current and wind and for what the
+/// structure pushes along. None is farther below or above the structure than the structure is high, or than ice piles.
 void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
   const model::Case& c = *case_;
-  double aside = c.field.length + c.field.width + (norm(current_past_ice(c)) + norm(c.wind.velocity)) * time;
-  if (c.field.border == model::Border::kFree) aside += travel_ / c.time.step * time;  // pushed along with the sheet
-  const double keel = hull_.first.z, height = hull_.second.z - keel;
+  const double drift = norm(current_past_ice(c)) + norm(c.wind.velocity) + travel_ / c.time.step;
+  const double aside = c.field.length + c.field.width + drift * time;
+  const double keel = hull_.first.z, height = hull_.second.z - keel, pile = border_height(c);
   const bool in_plan =
       place.x >= -aside && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;
-  if (in_plan && place.z >= keel - height && place.z <= keel + 2.0 * height) return;
+  const double lowest = std::min(keel - height, -pile), highest = std::max(keel + 2.0 * height, pile);
+  if (in_plan && place.z >= lowest && place.z <= highest) return;
   throw RunError(fmt::format("floe {} is at ({:.6g}, {:.6g}, {:.6g}) m, where nothing can have brought it", floe.id,
                              place.x, place.y, place.z));
 }

@@ -130,6 +130,17 @@ BOOST_AUTO_TEST_CASE(a_floe_outside_ends_the_run) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_floe_that_the_structure_may_have_pushed_out_of_the_field_passes) {
+  Guarded pool;
+  pool.steps(1);
+  Pose place = pool.world.pose(pool.bodies[2]);
+  place.position.x = 200.0;  // 150 m beyond the field, and 122 m from where the structure has come in 100 s
+  pool.world.set_state(pool.bodies[2], place, {});
+  model::LoadRow row = pool.step(kStep);
+  row.time = 100.0;
+  BOOST_CHECK_NO_THROW(pool.look(row));
+}
+
 BOOST_AUTO_TEST_CASE(contacts_or_still_water_that_give_energy_end_the_run) {
   Guarded pool;
   pool.steps(50);
