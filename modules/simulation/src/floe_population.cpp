@@ -13,6 +13,9 @@
 namespace brash::simulation {
 namespace {
 
+/// By how much a floe is thicker than twice the collision margin, so that its shape outlasts round-off [m].
+constexpr double kThinnest = 1e-6;
+
 /// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0
 /// [J].
 double potential(const Floe& floe, const Pose& pose, double water_density) {
@@ -49,6 +52,8 @@ rigid_body::MassProperties inertia_of(const Floe& floe, const model::Case& resol
 double averaging_share(const Floe& floe, double dt) { return 1.0 - std::exp(-dt / floe.collision_time); }
 
 bool FloePopulation::complete(Floe& floe) const {
+  const double h = floe.plate.ice().thickness;
+  if (!(h > 2.0 * case_->contact.margin + kThinnest)) return false;
   const std::vector<geometry::Polygon> outline = floe.plate.outline();
   BRASH_EXPECTS(outline.size() == 1, outline.size());
   const geometry::Polygon& polygon = outline.front();
@@ -59,7 +64,6 @@ bool FloePopulation::complete(Floe& floe) const {
 
   std::vector<std::vector<Vec2>> parts_in_metres;
   for (const geometry::Ring& part : parts) parts_in_metres.push_back(to_metres(part));
-  const double h = floe.plate.ice().thickness;
   const double mid_height = h * (0.5 - case_->ice.density / case_->water.density);
   rigid_body::PlacedPrism placed = rigid_body::place_prism(rings_in_metres(polygon), parts_in_metres, h, mid_height);
 

@@ -39,6 +39,12 @@ BOOST_AUTO_TEST_CASE(a_plate_too_thin_for_a_body_is_left_as_it_is) {
   BOOST_TEST((plate.area() == area));
   BOOST_TEST(pool.floes.next_id() == 0);
   BOOST_TEST(pool.floes.floes().empty());
+  failure::IceProperties thin = ice_properties(pool.resolved);
+  for (const double thickness : {0.5, 1.0, 2.0}) {
+    thin.thickness = thickness * pool.resolved.contact.margin;
+    ice::Plate film(0, ice::Hold::kAfloat, thin, {{geometry::ring(kSquare), {}}});
+    BOOST_TEST(!pool.floes.add(pool.world, std::move(film), 0.0).has_value());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_sums_follow_births_and_deaths) {
