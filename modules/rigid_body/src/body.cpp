@@ -62,6 +62,7 @@ void Body::set_settled(bool value) {
   mean_twist = {};
   loaded_twist = {};
   load = {};
+  stream = {};
   bullet->setMassProps(value ? 0.0 : mass.mass, value ? btVector3(0, 0, 0) : to_bullet(mass.inertia));
   bullet->updateInertiaTensor();
   bullet->setLinearVelocity({0, 0, 0});  // the step that lets it go has made its velocities already

@@ -204,6 +204,7 @@ void FloePopulation::put_to_sleep(rigid_body::World& world, BodyId body) {
   Floe& floe = at(body);
   floe.rest = {.slow_for = 0.0, .asleep = true, .push = {}};
   floe.drag = floe.skin_friction = floe.pressure = {};
+  floe.shed = 0.0;
   floe.asleep_height = raised(world, body, floe);
   world.set_settled(body, true);
   forget_asleep_height();

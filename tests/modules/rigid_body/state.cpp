@@ -257,6 +257,21 @@ BOOST_AUTO_TEST_CASE(A_plate_with_added_mass_across_is_accelerated_by_direction)
   BOOST_TEST(world.kinetic_energy(plate) == 0.5 * 18000.0 * 0.01, boost::test_tools::tolerance(1e-12));
 }
 
+BOOST_AUTO_TEST_CASE(A_plate_that_has_slept_knows_no_water_from_before) {
+  // A blow may wake it before it meets the water again, also when a checkpoint came in between.
+  const auto turned = [](bool had_stream) {
+    World world(breakable());
+    const BodyId plate = add_plate(world, kTilted, {});
+    if (had_stream) world.set_stream(plate, {0.8, -0.3, 0.1});
+    world.set_settled(plate, true);
+    world.set_settled(plate, false);
+    world.set_state(plate, world.pose(plate), {{1.0, 0.4, -0.7}, {0.5, -0.9, 0.3}});
+    world.step(0.01);
+    return world.twist(plate);
+  };
+  BOOST_TEST((turned(true) == turned(false)));
+}
+
 BOOST_AUTO_TEST_CASE(A_turning_plate_keeps_its_momentum_and_energy_against_the_water) {
   for (const Vec3 stream : {Vec3{}, Vec3{0.8, -0.3, 0.1}}) {
     World world(breakable());

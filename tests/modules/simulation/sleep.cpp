@@ -58,6 +58,14 @@ BOOST_AUTO_TEST_CASE(a_floe_that_stays_slow_falls_asleep_and_its_kinetic_energy_
   BOOST_TEST((pool.world.pose(slow) == fixed));
 }
 
+BOOST_AUTO_TEST_CASE(a_floe_that_falls_asleep_keeps_nothing_of_its_last_step_in_the_water) {
+  Pool pool(kSleeping);
+  const BodyId body = pool.add({-1, -1}, {1, 1}, {});
+  pool.floes.at(body).shed = 3.0;  // J: a step that wakes it by a blow books what it sheds before it meets the water
+  pool.floes.put_to_sleep(pool.world, body);
+  BOOST_TEST(pool.floes.at(body).shed == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(a_sleeping_floe_wakes_where_the_structure_may_come) {
   Pool pool(kSleeping);
   const BodyId near = pool.add({6, -1}, {8, 1}, {}), far = pool.add({-4, -1}, {-2, 1}, {});
