@@ -35,11 +35,23 @@ std::vector<BodyId> SheetTiles::prisms(const ice::Plate& plate, rigid_body::Worl
   return bodies;
 }
 
+const geometry::Extent& SheetTiles::extent_of(const ice::Plate& plate) {
+  const auto [found, is_new] = extents_.try_emplace(plate.level_ice());
+  if (is_new)
+    for (const geometry::Polygon& polygon : plate.outline()) found->second.add(geometry::extent(polygon));
+  return found->second;
+}
+
 void SheetTiles::lay(const ice::Plate& plate, rigid_body::World& world, Vec2 lower, Vec2 upper, const Pose& frame,
                      BodyId sheet) {
+  const geometry::Extent& ice = extent_of(plate);
+  if (ice.is_empty()) return;
+  const Vec2 from{std::max(lower.x, ice.lower.x), std::max(lower.y, ice.lower.y)};
+  const Vec2 to{std::min(upper.x, ice.upper.x), std::min(upper.y, ice.upper.y)};
+  if (from.x > to.x || from.y > to.y) return;
   auto& parts = parts_[plate.level_ice()];
-  for (int i = index(lower.x); i <= index(upper.x); ++i)
-    for (int j = index(lower.y); j <= index(upper.y); ++j)
+  for (int i = index(from.x); i <= index(to.x); ++i)
+    for (int j = index(from.y); j <= index(to.y); ++j)
       if (const Cell cell{i, j}; !parts.contains(cell)) parts.emplace(cell, prisms(plate, world, cell, frame, sheet));
 }
 

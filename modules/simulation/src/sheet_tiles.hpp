@@ -40,10 +40,12 @@ class SheetTiles {
 
  private:
   using Cell = std::pair<int, int>;
+  const geometry::Extent& extent_of(const ice::Plate& plate);
   std::vector<BodyId> prisms(const ice::Plate& plate, rigid_body::World& world, Cell cell, const Pose& frame,
                              BodyId sheet);
 
   const model::Case* case_;
+  std::map<int, geometry::Extent> extents_;  ///< of each level ice when it was first laid: it never grows
   std::map<int, std::map<Cell, std::vector<BodyId>>> parts_;  ///< of each level ice
   std::map<BodyId, int> level_ice_of_;
 };

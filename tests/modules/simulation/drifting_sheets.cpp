@@ -165,6 +165,14 @@ BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_cur
   for (const simulation::SheetMotion& sheet : lone.sheets.motions()) BOOST_TEST(norm(sheet.velocity) < 1e-5);
 }
 
+BOOST_AUTO_TEST_CASE(a_floe_far_from_the_ice_lays_no_tiles) {
+  const model::Case c = free_case(kNoDrag);
+  Lone lone(c);
+  simulation::SheetTiles tiles(c);
+  // Beyond the plane of the exact ice, whose corners could not be snapped.
+  BOOST_CHECK_NO_THROW(tiles.lay(plate(c, 20.0, 10.0), lone.world, {-9000.0, 0.0}, {-8990.0, 4.0}));
+}
+
 BOOST_AUTO_TEST_CASE(wind_presses_a_sheet_of_level_ice_on_the_shore) {
   model::Case c = free_case({"wind.velocity=[20, 0]"});
   const std::filesystem::path shore = std::filesystem::temp_directory_path() / "brash_shore_of_a_sheet.wkt";
