@@ -151,7 +151,7 @@ void Simulation::Impl::split_sheets(const std::vector<EdgeContact>& contacts, St
     const double area_before = field.ledger().sheet.square_metres();
     ice::Broken broken =
         field.split_sheet(field.level_ice(number), force->at, force->towards, resolved.failure.smallest_floe);
-    if (broken.pieces.empty()) continue;
+    if (broken.changed.is_empty()) continue;
     const double reach = norm(broken.changed.upper - broken.changed.lower);
     bearings.forget_within(number, force->at, reach);
     edges.forget_within(number, force->at, reach);
