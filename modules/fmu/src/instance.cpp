@@ -242,7 +242,6 @@ State Instance::state() const {
 }
 
 void Instance::restore(State state) {
-  state.resolved.structure.shape = unit_.resolved.structure.shape;
   model::Case unit = unit_.resolved;  // its files lie where this unit was unpacked
   const auto files = model::files_of(state.resolved), here = model::files_of(unit);
   for (std::size_t i = 0; i < files.size(); ++i) *files[i] = *here.at(i);
