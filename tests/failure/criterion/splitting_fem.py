@@ -133,19 +133,19 @@ class Plate:
         return np.sqrt(max(0.0, 2 * total))
 
 
-def strip(crack):
-    """Handbook: pair of forces at the mouth of an edge crack in a long strip of breadth 1 (Tada, Paris and Irwin)."""
-    rest = 1 - crack
-    return 2 / np.sqrt(np.pi * crack) * (3.52 / rest ** 1.5 - 4.35 / rest ** 0.5 + 2.13 * rest)
+CRACKS = (0.01, 0.02, 0.035, 0.05, 0.07, 0.1, 0.14, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
+BREADTHS = tuple(2.0 ** (0.5 * i) for i in range(-6, 7))
 
 
-if __name__ == "__main__":
-    for aspect in (0.25, 0.5, 1.0, 2.0, 4.0):
-        for crack in (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9):
-            plate = Plate(aspect, crack)
-            scale = np.sqrt(crack) * (1 - crack) ** 1.5
-            u = plate.solve(1, 0)
-            j = plate.by_j_integral(u, 0.5)
-            opening, push = plate.by_opening(u), plate.by_opening(plate.solve(0, 1))
-            print(f"{aspect:5} {crack:5} P {opening * scale:.5f} J/K {j / opening:.5f} strip {opening / strip(crack):.4f}"
-                  f"  N {push * scale:.5f}  n={plate.nx * plate.ny}", flush=True)
+def entry(aspect, crack, finer=1.0):
+    """The plate of a table's entry, and the scale of its K; `finer` divides the least element."""
+    return Plate(aspect, crack, least=min(1e-4, crack / 500) / finer), np.sqrt(crack) * (1 - crack) ** 1.5
+
+
+if __name__ == "__main__":  # prints the arrays of failure/criterion/src/splitting_table.hpp
+    print(", ".join(f"{aspect:.8g}" for aspect in BREADTHS))
+    for load, sign in (((1, 0), 1), ((0, 1), -1)):
+        for aspect in BREADTHS:
+            row = [sign * plate.by_opening(plate.solve(*load)) * scale
+                   for plate, scale in (entry(aspect, crack) for crack in CRACKS)]
+            print("    {" + ", ".join(f"{value:.4f}" for value in row) + "},", flush=True)
