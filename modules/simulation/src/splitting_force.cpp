@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "plan.hpp"
 
@@ -32,14 +34,21 @@ std::optional<SplittingForce> splitting_force(std::span<const EdgeContact> conta
 
 std::optional<failure::SplitPlate> rectangle_ahead(const geometry::IceSheet& sheet, const SplittingForce& force) {
   double length = 0.0, left = 0.0, right = 0.0;
+  const auto widen = [&](double across) {
+    left = std::max(left, across);
+    right = std::max(right, -across);
+  };
+  // Where a coordinate that goes from `a` to `b` is zero, the other from `c` to `d` is this.
+  const auto where_zero = [](double a, double b, double c, double d) { return c + a / (a - b) * (d - c); };
   for (const geometry::Polygon& polygon : sheet.polygons()) {
-    for (const Vec2 vertex : to_metres(polygon.outline)) {
-      const Vec2 arm = vertex - force.at;
-      const double ahead = dot(arm, force.towards), across = cross(force.towards, arm);
-      if (!(ahead > 0.0)) continue;
-      length = std::max(length, ahead);
-      left = std::max(left, across);
-      right = std::max(right, -across);
+    const std::vector<Vec2> ring = to_metres(polygon.outline);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 one = ring[i] - force.at, other = ring[(i + 1) % ring.size()] - force.at;
+      const double x1 = dot(one, force.towards), y1 = cross(force.towards, one);
+      const double x2 = dot(other, force.towards), y2 = cross(force.towards, other);
+      if (x1 > 0.0) widen(y1);
+      if ((x1 > 0.0) != (x2 > 0.0)) widen(where_zero(x1, x2, y1, y2));
+      if ((y1 > 0.0) != (y2 > 0.0)) length = std::max(length, where_zero(y1, y2, x1, x2));
     }
   }
   const double side = std::min(left, right);

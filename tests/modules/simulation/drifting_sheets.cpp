@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <utility>
 
 #include "borders.hpp"
@@ -14,6 +15,7 @@
 #include "brash/rigid_body/world.hpp"
 #include "brash/simulation/simulation.hpp"
 #include "sheet_tiles.hpp"
+#include "splitting_force.hpp"
 
 namespace {
 
@@ -163,6 +165,21 @@ BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_cur
   }
   BOOST_TEST(on_wall == expected, boost::test_tools::tolerance(1e-3));  // floe-fields.md, (F10)
   for (const simulation::SheetMotion& sheet : lone.sheets.motions()) BOOST_TEST(norm(sheet.velocity) < 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(the_rectangle_of_a_crack_is_as_long_as_its_way_through_the_ice) {
+  const ice::Plate ice = plate(free_case(), 100.0, 400.0);
+  const auto ahead = [&](double angle) {
+    return simulation::rectangle_ahead(ice.sheet(), {.at = {0.0, 200.0}, .towards = {std::cos(angle), std::sin(angle)}});
+  };
+  constexpr double kThirty = std::numbers::pi / 6.0;
+  BOOST_REQUIRE(ahead(0.0).has_value());
+  BOOST_TEST(ahead(0.0)->length == 100.0, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(ahead(0.0)->breadth == 400.0, boost::test_tools::tolerance(1e-9));
+  BOOST_REQUIRE(ahead(kThirty).has_value());
+  BOOST_TEST(ahead(kThirty)->length == 100.0 / std::cos(kThirty), boost::test_tools::tolerance(1e-9));
+  // To the corner at (0, 400). No corner to the right is ahead, but ice 200 m to the side is.
+  BOOST_TEST(ahead(kThirty)->breadth == 2.0 * 200.0 * std::cos(kThirty), boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(a_floe_far_from_the_ice_lays_no_tiles) {
