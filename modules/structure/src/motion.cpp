@@ -101,8 +101,7 @@ class Compliant final : public Motion {
   void bear(const Wrench& load) override {
     const Vec2 rest = plan(load.force) / compliant_.stiffness, stretch = plan(now_.pose.position) - foot_;
     const double decay = 0.5 * compliant_.damping / compliant_.mass, stiff = compliant_.stiffness / compliant_.mass;
-    const auto [c, s] = free_motion(stiff - decay * decay, time_step_);
-    const double fade = std::exp(-decay * time_step_);
+    const auto [fade, c, s] = free_motion(stiff, decay, time_step_);
     const Vec2 from_rest = stretch - rest;
     const Vec2 next = rest + fade * ((c + decay * s) * from_rest + s * velocity_);
     velocity_ = fade * ((c - decay * s) * velocity_ - stiff * s * from_rest);
@@ -130,12 +129,20 @@ class Compliant final : public Motion {
   }
 
  private:
-  /// Cosine and sine over frequency of a time, at a squared frequency that may be negative.
-  static std::pair<double, double> free_motion(double squared, double time) {
-    const double frequency = std::sqrt(std::abs(squared));
-    if (frequency * time < 1e-6) return {1.0, time};
-    if (squared > 0.0) return {std::cos(frequency * time), std::sin(frequency * time) / frequency};
-    return {std::cosh(frequency * time), std::sinh(frequency * time) / frequency};
+  /// How an oscillator moves freely: q = fade ((c + decay s) q0 + s v0).
+  struct FreeMotion {
+    double fade, c, s;
+  };
+
+  /// Underdamped, c and s are the cosine of f t and its sine over f. Overdamped, cosh and sinh overflow, so `fade` has
+  /// their growth: it is the slow exponential.
+  static FreeMotion free_motion(double stiff, double decay, double time) {
+    const double squared = stiff - decay * decay, frequency = std::sqrt(std::abs(squared));
+    const double angle = frequency * time, fade = std::exp(-decay * time);
+    if (angle < 1e-6) return {fade, 1.0, time};
+    if (squared > 0.0) return {fade, std::cos(angle), std::sin(angle) / frequency};
+    return {std::exp(-stiff / (decay + frequency) * time), 0.5 * (1.0 + std::exp(-2.0 * angle)),
+            -0.5 * std::expm1(-2.0 * angle) / frequency};
   }
 
   model::Compliant compliant_;

@@ -84,6 +84,24 @@ BOOST_AUTO_TEST_CASE(a_compliant_structure_under_a_load_that_jumps_moves_as_the_
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_heavily_overdamped_compliant_structure_creeps_to_its_rest) {
+  // With rates r = a - f and R = a + f, r R = k/m: q = F/k (1 - (R e^(-r t) - r e^(-R t)) / (R - r)). The hyperbolic
+  // functions of f dt overflow from f dt = 710 on.
+  const double mass = 1e3, stiffness = 1e8, load = -1e6, dt = 0.01;
+  for (const double damping : {1e7, 2e8, 1e15}) {
+    const auto motion = motion_of(model::Compliant{0.5, mass, stiffness, damping}, dt);
+    motion->bear({{load, 0.0, 0.0}, {}});
+    for (int i = 1; i <= 600; ++i) {
+      motion->advance(1.0);
+      motion->bear({{load, 0.0, 0.0}, {}});
+      const double t = i * dt, a = 0.5 * damping / mass, f = std::sqrt(a * a - stiffness / mass);
+      const double fast = a + f, slow = stiffness / mass / fast;
+      const double crept = (slow * std::expm1(-fast * t) - fast * std::expm1(-slow * t)) / (fast - slow);
+      BOOST_TEST(std::abs(motion->now().pose.position.x - foot_at(t) - load / stiffness * crept) < 1e-12);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_compliant_structure_sways_on_its_own_and_goes_on_from_a_checkpoint) {
   const auto motion = compliant(1e5, 0.02), again = compliant(1e5, 0.02);
   for (int i = 0; i < 50; ++i) {
