@@ -43,8 +43,27 @@ Shape shape_under(const Line& line, double h, double v) {
   return s;
 }
 
-/// The start of Jonkman (2007, NREL/TP-500-41958, Eqs. 2-37 and 2-38).
+/// Ends closer than this to where they should be are there, over the line's length.
+constexpr double kClose = 1e-13;
+
+/// The pull of a line that hangs off the bed, nearly upright: to first order in the span. Its weight and the pull of
+/// its lower end stretch it. It holds where the horizontal force is small against that end's vertical one.
+LinePull upright(const Line& line, double span, double rise) {
+  const double w = line.weight, ea = line.stiffness;
+  const double v = ea * (rise / line.length - 1.0) + 0.5 * w * line.length;
+  const double bottom = std::max(0.0, v - w * line.length);
+  const double h = bottom > 0.0 ? span / (std::log(v / bottom) / w + line.length / ea) : 0.0;
+  return {h, v, v * rise + 0.5 * h * span - hanging(line, 0.0, bottom, v)};
+}
+
+/// A line nearly upright, and otherwise the start of Jonkman (2007, NREL/TP-500-41958, Eqs. 2-37 and 2-38).
 void first_guess(const Line& line, double span, double rise, double& h, double& v) {
+  if (const LinePull near = upright(line, span, rise);
+      near.horizontal < 0.1 * (near.downward - line.weight * line.length)) {
+    h = near.horizontal;
+    v = near.downward;
+    return;
+  }
   const double l2 = line.length * line.length, chord2 = span * span + rise * rise;
   const double lambda = chord2 >= l2 ? 0.2 : std::sqrt(3.0 * ((l2 - rise * rise) / (span * span) - 1.0));
   h = std::abs(0.5 * line.weight * span / lambda);
@@ -62,8 +81,8 @@ LinePull pull_of(const Line& line, double span, double rise) {
   const double hung = ea * (std::sqrt(1.0 + 2.0 * w * rise / ea) - 1.0);
   if (hung <= w * line.length && span <= line.length - hung / w)
     return {0.0, hung, hung * rise - hanging(line, 0.0, 0.0, hung)};
+  if (span <= kClose * line.length) return upright(line, span, rise);
 
-  constexpr double kClose = 1e-13;  // of the line's length
   constexpr int kMostSteps = 200;
   double h = 0.0, v = 0.0;
   first_guess(line, span, rise, h, v);

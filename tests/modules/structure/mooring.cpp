@@ -61,6 +61,53 @@ BOOST_AUTO_TEST_CASE(a_slack_line_hangs_straight_down) {
   BOOST_TEST((longer.energy - pull.energy) / 0.001 == pull.downward, boost::test_tools::tolerance(1e-4));
 }
 
+/// 90 m of tendon, 1 kN/m in water, which its own weight stretches by 13.5 mm.
+constexpr Line kTendon{90.0, 1000.0, 3e8};
+
+BOOST_AUTO_TEST_CASE(a_taut_tendon_is_a_spring_with_a_weight) {
+  // Rise = L + (V - w L / 2) L / (E A).
+  model::Moored moored;
+  moored.lines = {{{0, 0, -100}, {0, 0, -5}, 90, 1000, 3e8}};
+  const structure::Mooring mooring(moored, {});
+  const auto lift = [&](double heave) { return mooring.at({{0.0, 0.0, heave}, {}}, {}).load.force.z; };
+  BOOST_TEST(lift(0.0) == -(3e8 * (95.0 / 90.0 - 1.0) + 45e3), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST((lift(-0.5) - lift(0.5)) == 3e8 / 90.0, boost::test_tools::tolerance(1e-9));
+  const auto energy = [&](double heave) { return mooring.at({{0.0, 0.0, heave}, {}}, {}).energy; };
+  BOOST_TEST((energy(-0.5) - energy(0.5)) == lift(0.0), boost::test_tools::tolerance(1e-12));  // quadratic
+}
+
+BOOST_AUTO_TEST_CASE(an_upright_line_pulls_as_its_neighbours_do) {
+  // Part of it on the bed, hung and hardly loaded at its foot, taut. Beside upright it swings as a pendulum does:
+  // span = H (ln(V / V_bottom) / w + L / (E A)).
+  for (const double rise : {60.0, 89.9, 90.0, 90.0134, 90.0135, 90.0136, 90.1, 95.0}) {
+    const LinePull upright = pull_of(kTendon, 0.0, rise);
+    BOOST_TEST(upright.horizontal == 0.0);
+    for (const double span : {1e-300, 1e-100, 1e-15, 8e-12, 1e-11, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3}) {
+      BOOST_TEST_CONTEXT(rise << " m up, " << span << " m aside") {
+        const LinePull pull = pull_of(kTendon, span, rise);
+        const double foot = upright.downward - 90e3;
+        // A millimetre aside lifts the foot of a line that hardly leaves the bed by as much as 4 N.
+        BOOST_TEST(std::abs(pull.downward - upright.downward) < 5e-5 * upright.downward);
+        BOOST_TEST(std::abs(pull.energy - upright.energy) < 0.1);  // H span / 2
+        if (foot > 1.0)
+          BOOST_TEST(pull.horizontal / span == 1.0 / (std::log(upright.downward / foot) / 1e3 + 90.0 / 3e8),
+                     boost::test_tools::tolerance(1e-4));
+        else
+          BOOST_TEST(std::abs(pull.horizontal) < 1e3 * span);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_upright_line_is_taut_where_it_leaves_the_bed) {
+  const double least = 90.0 + 1000.0 * 90.0 * 90.0 / (2.0 * 3e8);  // its rise under its own weight
+  const LinePull slack = pull_of(kTendon, 0.0, least - 1e-6), taut = pull_of(kTendon, 0.0, least + 1e-6);
+  BOOST_TEST(slack.downward == 90e3, boost::test_tools::tolerance(1e-7));
+  BOOST_TEST(taut.downward == 90e3, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(taut.energy - slack.energy == 2e-6 * 90e3, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(pull_of(kTendon, 0.0, 60.0).downward == 60e3, boost::test_tools::tolerance(1e-3));  // less its stretch
+}
+
 BOOST_AUTO_TEST_CASE(the_pull_of_a_line_is_the_slope_of_its_energy) {
   for (const auto& [span, rise] : {std::pair(190.0, 30.0), std::pair(202.7, 30.0), std::pair(204.5, 30.0)}) {
     const double d = 1e-4;
