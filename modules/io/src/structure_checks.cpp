@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "brash/structure/hull.hpp"
+#include "brash/structure/inner_radius.hpp"
 #include "brash/structure/mesh_file.hpp"
 #include "brash/structure/motion.hpp"
 #include "brash/structure/ship.hpp"
@@ -140,6 +141,33 @@ bool check_heights(const structure::Hull& hull, const HeightKeys& keys, double d
   return draught < under_water && freeboard < most.z;
 }
 
+/// The key that makes a shape of this size in plan thin.
+Key thin_key(const model::Shape& shape, Vec3 size) {
+  if (std::holds_alternative<model::Mesh>(shape)) return {"structure", "file"};
+  if (std::holds_alternative<model::Ship>(shape)) return {"hull", "breadth"};
+  const bool has_length = std::holds_alternative<model::Plane>(shape) || std::holds_alternative<model::WedgeBow>(shape);
+  return {"structure", has_length && size.x < size.y ? "length" : "waterline_width"};
+}
+
+/// Contacts draw every convex part in by the margin, and something must be left of it.
+void check_margin(const model::Case& c, const structure::Hull& hull, Checks& checks) {
+  constexpr double kRoundOff = 1e-8;  // of the extent
+  const double enough = c.contact.margin + kRoundOff * hull.reach();
+  double least = HUGE_VAL;
+  for (const structure::ConvexPart& part : hull.parts())
+    least = std::min(least, structure::inner_radius(part, enough));
+  const auto [lowest, highest] = hull.bounds();
+  const Key thin = thin_key(c.structure.shape, highest - lowest);
+  const bool is_mesh = std::holds_alternative<model::Mesh>(c.structure.shape);
+  const std::string what = is_mesh ? fmt::format("the thinnest of the mesh's {} convex parts", hull.parts().size())
+                                   : std::string("the structure");
+  checks.require(least >= enough, {"contact", "margin"}, thin,
+                 fmt::format("leaves no body of {}, which is {:.4g} m thick", what, 2.0 * least),
+                 fmt::format("less than half of that, {:.6g} m", least),
+                 is_mesh ? "lower contact.margin, or thicken the mesh of structure.file"
+                         : fmt::format("lower contact.margin, or raise {}.{}", thin.section, thin.name));
+}
+
 /// Legs apart from each other: the boxes around them in plan do not touch. @return whether there is a structure.
 bool check_legs(const model::StructureSection& s, Checks& checks) {
   if (s.legs.size() < 2) return true;
@@ -264,6 +292,7 @@ void check_structure(const model::Case& c, Checks& checks) {
   if (!std::visit([&](const auto& shape) { return check_shape(shape, checks); }, c.structure.shape)) return;
   if (!check_legs(c.structure, checks)) return;
   const auto hull = structure::make_hull(c.structure);
+  check_margin(c, *hull, checks);
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   const double freeboard = c.ice.thickness - draught;
   if (!check_heights(*hull, height_keys(c.structure.shape), draught, freeboard, checks)) return;

@@ -11,6 +11,8 @@
 #include <tuple>
 
 #include "brash/core/constants.hpp"
+#include "brash/core/plane.hpp"
+#include "brash/structure/inner_radius.hpp"
 #include "triangle_mesh.hpp"
 
 namespace brash::structure {
@@ -215,12 +217,17 @@ TriangleMesh with_few_corners(const TriangleMesh& body) {
   }
 }
 
-std::vector<Piece> pieces_of(const TriangleMesh& shell) {
-  Box box{shell.vertices.front(), shell.vertices.front()};
-  for (const Vec3 v : shell.vertices) {
+Box box_around(const std::vector<Vec3>& points) {
+  Box box{points.front(), points.front()};
+  for (const Vec3 v : points) {
     box.least = {std::min(box.least.x, v.x), std::min(box.least.y, v.y), std::min(box.least.z, v.z)};
     box.most = {std::max(box.most.x, v.x), std::max(box.most.y, v.y), std::max(box.most.z, v.z)};
   }
+  return box;
+}
+
+std::vector<Piece> pieces_of(const TriangleMesh& shell) {
+  const Box box = box_around(shell.vertices);
   Piece whole{.box = box, .triangles = {}, .volume = signed_volume(shell), .corners = shell.vertices, .excess = 0.0};
   whole.triangles.resize(shell.triangles.size());
   std::iota(whole.triangles.begin(), whole.triangles.end(), std::size_t{0});
@@ -237,6 +244,50 @@ std::vector<Piece> pieces_of(const TriangleMesh& shell) {
     pieces.push_back(std::move(upper));
   }
   return pieces;
+}
+
+/// The planes of a convex hull's faces. A sliver has no sure normal, and its neighbours stand for it.
+std::vector<Plane> planes_of(const TriangleMesh& hull, double extent) {
+  constexpr double kSliver = 1e-9;  // height over the extent; its normal is wrong by 1e-7
+  std::vector<Plane> planes;
+  for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
+    const auto triangle = corners(hull, t);
+    const Vec3 area = vector_area(triangle);
+    const double longest =
+        std::max({norm(triangle[1] - triangle[0]), norm(triangle[2] - triangle[1]), norm(triangle[0] - triangle[2])});
+    if (2.0 * norm(area) <= kSliver * extent * longest) continue;
+    planes.push_back({normalized(area), dot(normalized(area), triangle[0])});
+  }
+  return planes;
+}
+
+/// How deep the deepest point of a solid lies, among those with the coordinates of `point` before `axis`. The depth is
+/// concave, so golden sections find it; they stop at one of `enough`.
+double depth_within(Solid solid, const Box& box, Vec3 point, int axis, double enough) {
+  if (axis == 3) return -signed_distance(solid, point);
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSections = 44;  // 0.618^44 = 6e-10
+  const auto depth_at = [&](double coordinate) {
+    put(point, axis, coordinate);
+    return depth_within(solid, box, point, axis + 1, enough);
+  };
+  double from = coordinate(box.least, axis), to = coordinate(box.most, axis);
+  double left = to - kGolden * (to - from), right = from + kGolden * (to - from);
+  double at_left = depth_at(left), at_right = depth_at(right);
+  for (int i = 0; i < kSections && std::max(at_left, at_right) < enough; ++i) {
+    if (at_left < at_right) {
+      from = std::exchange(left, right);
+      at_left = at_right;
+      right = from + kGolden * (to - from);
+      at_right = depth_at(right);
+    } else {
+      to = std::exchange(right, left);
+      at_right = at_left;
+      left = to - kGolden * (to - from);
+      at_left = depth_at(left);
+    }
+  }
+  return std::max(at_left, at_right);
 }
 
 }  // namespace
@@ -258,6 +309,15 @@ ConvexBodies convex_bodies(const TriangleMesh& mesh) {
   }
   bodies.error = wrong / signed_volume(mesh);
   return bodies;
+}
+
+double inner_radius(const ConvexPart& part, double enough) {
+  const Box box = box_around(part);
+  const std::vector<Plane> planes = planes_of(hull_of(part), norm(box.most - box.least));
+  if (planes.empty()) return 0.0;
+  const Vec3 sum = std::accumulate(part.begin(), part.end(), Vec3{});
+  const double depth = -signed_distance(planes, sum / static_cast<double>(part.size()));
+  return depth >= enough ? depth : std::max(depth, depth_within(planes, box, {}, 0, enough));
 }
 
 }  // namespace brash::structure

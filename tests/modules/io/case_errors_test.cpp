@@ -209,6 +209,57 @@ BOOST_AUTO_TEST_CASE(values_that_do_not_go_together_are_refused) {
             {"contact.margin", "less than half of ice.thickness"});
 }
 
+BOOST_AUTO_TEST_CASE(a_structure_too_thin_for_the_margin_of_its_contacts_is_refused) {
+  const std::string structure = "waterline_width = 13.6\nheight = 9.08\nheight_under_water = 5.68\n";
+  const auto with_shape = [&](const std::string& keys, const std::string& margin) {
+    std::string text = kLeastCase;
+    text.replace(text.find(structure), structure.size(), keys);
+    return text + "[contact]\nmargin = " + margin + "\n";
+  };
+  const std::string plane = "kind = \"plane\"\nlength = 4\nheight = 2\nheight_under_water = 1\nwaterline_width = ";
+  check_has(message_of(with_shape(plane + "0.15\n", "0.1")),
+            {"bad.toml:20:10: contact.margin = 0.1: leaves no body of the structure, which is 0.15 m thick",
+             "allowed: less than half of that, 0.075 m\n",
+             "remedy:  lower contact.margin, or raise structure.waterline_width"});
+  check_has(message_of(with_shape(plane + "0.2\n", "0.1")), {"contact.margin = 0.1: leaves no body"});
+  BOOST_TEST(message_of(with_shape(plane + "0.201\n", "0.1")) == "");
+  BOOST_TEST(message_of(with_shape(plane + "0.15\n", "0.0749")) == "");
+  // The margin's default, 5 mm, has no place of its own.
+  check_has(message_of(with_shape(plane + "0.009\n", "0.1")), {"less than half of that, 0.0045 m\n"});
+  std::string thin = with_shape(plane + "0.009\n", "0.1");
+  thin.erase(thin.find("[contact]"));
+  check_has(message_of(thin), {"bad.toml:11:19: contact.margin = its default: leaves no body"});
+
+  const std::string across =
+      "kind = \"plane\"\nangle = \"89 deg\"\nlength = 0.15\nheight = 2\nheight_under_water = 1\nwaterline_width = 4\n";
+  std::string slab = with_shape(across, "0.1");
+  slab.erase(slab.find("angle = \"61"), 19);
+  check_has(message_of(slab),
+            {"contact.margin = 0.1: leaves no body of the structure, which is 0.1", "raise structure.length"});
+}
+
+BOOST_AUTO_TEST_CASE(a_part_of_a_mesh_too_thin_for_the_margin_of_its_contacts_is_refused) {
+  const Scratch scratch;
+  // A plate, 0.1 m thick.
+  scratch.write(
+      "plate.off",
+      "OFF\n8 12 0\n0 0 0\n4 0 0\n4 0.1 0\n0 0.1 0\n0 0 2\n4 0 2\n4 0.1 2\n0 0.1 2\n3 0 2 1\n3 0 3 2\n3 4 5 6\n"
+      "3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  std::string text = kLeastCase;
+  const std::size_t from = text.find("angle"), to = text.find("speed");
+  text.replace(from, to - from, "kind = \"mesh\"\nfile = \"plate.off\"\ndraught = 1\n");
+  text.insert(text.find("length = 50"), "initial_crack = false\n");
+  const std::string file = scratch.write("bad.toml", text);
+  BOOST_TEST(read_case(file, {"contact.margin=0.0499"}).contact.margin == 0.0499);
+  try {
+    read_case(file, {"contact.margin=0.05"});
+    BOOST_TEST(false, "a plate of 0.1 m is read with a margin of 0.05 m");
+  } catch (const InputError& error) {
+    check_has(error.what(), {"contact.margin = 0.05: leaves no body of the thinnest of the mesh's 1 convex parts",
+                             "thicken the mesh of structure.file"});
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_override_is_named_as_the_place) {
   check_has(message_of(kLeastCase, {"ice.thickness=-1"}),
             {"bad.toml, --set ice.thickness=-1: ice.thickness = -1: is out of range", "allowed: ", "remedy:  "});

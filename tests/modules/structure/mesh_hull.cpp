@@ -7,6 +7,7 @@
 #include <random>
 
 #include "brash/geometry/ice_sheet.hpp"
+#include "brash/structure/inner_radius.hpp"
 #include "convex_bodies.hpp"
 #include "meshes.hpp"
 #include "triangle_mesh.hpp"
@@ -37,6 +38,32 @@ TriangleMesh catamaran() {
 const Outline kAngleRing{{0.0, 0.0}, {8.0, 0.0}, {8.0, 2.0}, {2.0, 2.0}, {2.0, 8.0}, {0.0, 8.0}};
 
 BOOST_AUTO_TEST_SUITE(mesh_hull)
+
+BOOST_AUTO_TEST_CASE(the_inner_radius_of_a_convex_part_is_that_of_its_largest_ball) {
+  const auto close = boost::test_tools::tolerance(1e-8);
+  BOOST_TEST(inner_radius(box({0.0, 0.0, 0.0}, {4.0, 0.15, 2.0}).vertices) == 0.075, close);
+  // A regular tetrahedron with edges of sqrt 2, a quarter of a corner of a box, and the same as thin as a film.
+  BOOST_TEST(inner_radius({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}) == 1.0 / std::sqrt(12.0), close);
+  BOOST_TEST(inner_radius({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == 1.0 / (3.0 + std::sqrt(3.0)), close);
+  const double a = 1e-4;  // the ball touches three planes through the origin and x + y + z / a = 1
+  BOOST_TEST(
+      inner_radius({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, a}}) == a / (1.0 + 2.0 * a + std::sqrt(1 + 2 * a * a)),
+      boost::test_tools::tolerance(1e-4));  // 1e-8 of the extent
+  // A wedge of 5 degrees, 2 m long and 3 m wide: its end face is a triangle.
+  const double high = 2.0 * std::tan(radians(5.0)), slope = 2.0 / std::cos(radians(5.0));
+  BOOST_TEST(inner_radius({{0, 0, 0}, {2, 0, 0}, {2, 0, high}, {0, 3, 0}, {2, 3, 0}, {2, 3, high}}) ==
+                 2.0 * high / (2.0 + high + slope),
+             close);
+  BOOST_TEST(inner_radius(sphere({5.0, 0.0, 0.0}, 1.0, 40).vertices) == 1.0,
+             boost::test_tools::tolerance(4e-3));  // its facets
+}
+
+BOOST_AUTO_TEST_CASE(the_search_for_the_inner_radius_ends_with_enough) {
+  const ConvexPart part = box({0.0, 0.0, 0.0}, {4.0, 2.0, 2.0}).vertices;
+  BOOST_TEST(inner_radius(part, 0.1) >= 0.1);
+  BOOST_TEST(inner_radius({{0, 0, 0}, {10, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0.2) >= 0.2);
+  BOOST_TEST(inner_radius(part, 1.1) == 1.0, boost::test_tools::tolerance(1e-8));
+}
 
 BOOST_AUTO_TEST_CASE(a_cone_as_a_mesh_of_itself_has_the_cones_footprint) {
   const auto cone = make_hull(kCone);
