@@ -154,8 +154,7 @@ void check_margin(const model::Case& c, const structure::Hull& hull, Checks& che
   constexpr double kRoundOff = 1e-8;  // of the extent
   const double enough = c.contact.margin + kRoundOff * hull.reach();
   double least = HUGE_VAL;
-  for (const structure::ConvexPart& part : hull.parts())
-    least = std::min(least, structure::inner_radius(part, enough));
+  for (const structure::ConvexPart& part : hull.parts()) least = std::min(least, structure::inner_radius(part, enough));
   const auto [lowest, highest] = hull.bounds();
   const Key thin = thin_key(c.structure.shape, highest - lowest);
   const bool is_mesh = std::holds_alternative<model::Mesh>(c.structure.shape);

@@ -304,9 +304,7 @@ std::vector<geometry::Polygon> Simulation::sheet() const { return impl_->outline
 std::vector<SheetMotion> Simulation::sheet_motions() const { return impl_->sheets.motions(); }
 const geometry::Ledger& Simulation::ledger() const { return impl_->field.ledger(); }
 const StageTimes& Simulation::stage_times() const { return impl_->times; }
-std::vector<model::Warning> Simulation::warnings() const {
-  return derived_scales(impl_->resolved).warnings;
-}
+std::vector<model::Warning> Simulation::warnings() const { return derived_scales(impl_->resolved).warnings; }
 
 std::vector<std::pair<std::int64_t, double>> Simulation::peak_stresses() const {
   std::vector<std::pair<std::int64_t, double>> stresses;

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "borders.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
-#include "borders.hpp"
 
 namespace brash::simulation {
 namespace {

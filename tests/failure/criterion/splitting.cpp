@@ -125,7 +125,8 @@ BOOST_AUTO_TEST_CASE(the_force_that_splits_a_square_grows_with_the_root_of_its_s
 }
 
 BOOST_AUTO_TEST_CASE(plates_between_and_beyond_the_table_have_what_finite_elements_give_them) {
-  // The least K h sqrt(W) / P on the way of the crack, by splitting_fem.py with cracks between the lengths of the table.
+  // The least K h sqrt(W) / P on the way of the crack, by splitting_fem.py with cracks between the lengths of the
+  // table.
   struct Least {
     double breadth = 0.0, pair = 0.0;
   };

@@ -170,7 +170,8 @@ BOOST_AUTO_TEST_CASE(a_jam_of_three_sheets_presses_on_the_wall_with_wind_and_cur
 BOOST_AUTO_TEST_CASE(the_rectangle_of_a_crack_is_as_long_as_its_way_through_the_ice) {
   const ice::Plate ice = plate(free_case(), 100.0, 400.0);
   const auto ahead = [&](double angle) {
-    return simulation::rectangle_ahead(ice.sheet(), {.at = {0.0, 200.0}, .towards = {std::cos(angle), std::sin(angle)}});
+    return simulation::rectangle_ahead(ice.sheet(),
+                                       {.at = {0.0, 200.0}, .towards = {std::cos(angle), std::sin(angle)}});
   };
   constexpr double kThirty = std::numbers::pi / 6.0;
   BOOST_REQUIRE(ahead(0.0).has_value());

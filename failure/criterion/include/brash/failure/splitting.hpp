@@ -22,7 +22,8 @@ struct SplitPlate {
 /// cracks from 1 to 90 % of it; the nearest of these beyond. docs/theory/free-sheet.md, (G7).
 double stress_intensity(const SplittingLoad& load, const SplitPlate& plate, double share);
 
-/// The least of it on the crack's way through the plate, of any breadth. The load splits the plate where it exceeds the toughness (G8).
+/// The least of it on the crack's way through the plate, of any breadth. The load splits the plate where it exceeds the
+/// toughness (G8).
 double least_intensity(const SplittingLoad& load, const SplitPlate& plate);
 
 /// The pair of forces that splits a plate without a push [N]; (G9).
