@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <variant>
 
 #include "borders.hpp"
 #include "brash/core/constants.hpp"
@@ -33,6 +34,12 @@ struct SavedAccount {
     visit("travel", "m", "longest travel in a step", self.travel);
   }
 };
+
+/// Whether the structure goes along x all the time: it pushes nothing astern.
+bool goes_straight(const model::Case& c) {
+  const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
+  return towed != nullptr && towed->path.empty();
+}
 
 }  // namespace
 
@@ -113,11 +120,12 @@ void Watchdog::restore(const FloePopulation& floes, const model::Checkpoint& che
 /// structure pushes along. None is farther below or above the structure than the structure is high, or than ice piles.
 void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
   const model::Case& c = *case_;
-  const double drift = norm(current_past_ice(c)) + norm(c.wind.velocity) + travel_ / c.time.step;
-  const double aside = c.field.length + c.field.width + drift * time;
+  const double drift = norm(current_past_ice(c)) + norm(c.wind.velocity), pushed = travel_ / c.time.step * time;
+  const double astern = c.field.length + c.field.width + drift * time + (goes_straight(c) ? 0.0 : pushed);
+  const double aside = c.field.length + c.field.width + drift * time + pushed;
   const double keel = hull_.first.z, height = hull_.second.z - keel, pile = border_height(c);
   const bool in_plan =
-      place.x >= -aside && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;
+      place.x >= -astern && place.x <= c.field.length + aside && std::abs(place.y) <= 0.5 * c.field.width + aside;
   const double lowest = std::min(keel - height, -pile), highest = std::max(keel + 2.0 * height, pile);
   if (in_plan && place.z >= lowest && place.z <= highest) return;
   throw RunError(fmt::format("floe {} is at ({:.6g}, {:.6g}, {:.6g}) m, where nothing can have brought it", floe.id,
