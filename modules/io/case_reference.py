@@ -89,7 +89,9 @@ def page():
                 if key["default"] not in names:
                     default += f"; {kind}: `{toml(names[0])}`"
             unit = key.get("x-unit", "")
-            lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {key['description']} |")
+            kinds = ", ".join(f"`{kind}`" for kind in key.get("x-kinds", []))
+            meaning = key["description"] + f" Only with the `kind` {kinds}." * bool(kinds)
+            lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {meaning} |")
         lines.append("")
     return "\n".join(lines)
 

@@ -70,7 +70,7 @@ void add_design_command(CLI::App& app) {
   add_ways(*command, *options);
   command->add_option("-o,--output", options->picture, "also draw the levels to this SVG or PNG file");
   command->add_flag("--json", options->json, "as JSON");
-  command->footer("Example: brash design results/thickness --hours 3 --scatter states.csv --exponent 5");
+  command->footer("Example: brash design results/thickness --hours 0.1 --scatter states.csv --exponent 5");
   command->callback([options, command] {
     DesignOptions& o = *options;
     o.choice.has_from = command->count("--from") > 0;
