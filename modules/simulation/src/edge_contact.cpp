@@ -244,9 +244,10 @@ std::vector<EdgeContact> edge_contacts(const EdgeModel& model, const geometry::I
       const LocalIce local(model, contact.touched.tip);
       const EdgeModel here = local.model();
       contact.ice = local.ice();
-      const double shift = shift_of ? shift_of(contact.touched) : 0.0;
-      const Crushing crushed = shift == 0.0 ? crushing(here, state, contact.region.overlap, contact.region.normal)
-                                            : crushing_shifted(here, sheet, state, shift, contact.region);
+      contact.shift = shift_of ? shift_of(contact.touched) : 0.0;
+      const Crushing crushed = contact.shift == 0.0
+                                   ? crushing(here, state, contact.region.overlap, contact.region.normal)
+                                   : crushing_shifted(here, sheet, state, contact.shift, contact.region);
       fit(here, sheet, contact);
       load_contact(here, crushed, contact);
       contacts.push_back(std::move(contact));

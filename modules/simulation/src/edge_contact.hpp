@@ -42,6 +42,7 @@ struct EdgeContact {
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
   Touch touched{};                     ///< of the structure
+  double shift = 0.0;                  ///< how much higher than at rest its edge lies [m]
   failure::IceProperties ice{};        ///< there
 };
 

@@ -140,11 +140,12 @@ std::optional<Outline> outline_in(const Frame& frame, const Polyline& line) {
 /// The load of a contact in the frame, without its place.
 class Resultant {
  public:
+  /// @param mid_height  of the ice at rest [m].
   Resultant(const EdgeContact& contact, const Frame& frame, double mid_height, double own_way)
       : in_plane_(frame.turned(plan(contact.on_ice))),
         out_of_plane_(own_way * contact.on_ice.z),
-        // N above mid-thickness bends the edge up, N below it down.
-        eccentricity_(own_way * (contact.point.z - mid_height)) {}
+        // N above mid-thickness bends the edge up, N below it down. The plate knows how far the edge has given way.
+        eccentricity_(own_way * (contact.point.z - mid_height - contact.shift)) {}
 
   failure::SheetLoad on_edge(Vec2 from, Vec2 to) const {
     const Vec2 inwards = -1.0 * perpendicular(normalized(to - from));

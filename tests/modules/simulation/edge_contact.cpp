@@ -242,6 +242,25 @@ BOOST_AUTO_TEST_CASE(a_model_of_the_trapezoid_leaves_a_floe_under_the_sheet_out)
   BOOST_TEST(stress(4.0) == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(the_moment_of_a_force_is_about_the_middle_of_an_edge_that_has_given_way) {
+  const Scene scene;
+  const Listening criterion(true);
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, criterion};
+  // Cone and edge lie lower by the same way, so they touch alike.
+  const auto moment = [&](double lower) {
+    const structure::State state{{{-6.7, 0.0, -lower}, {}}, {{1.202, 0.0, 0.0}, {}}};
+    const auto contacts =
+        simulation::edge_contacts(model, scene.sheet(), state, [&](const simulation::Touch&) { return -lower; });
+    BOOST_REQUIRE_EQUAL(contacts.size(), 1u);
+    failure::LoadCase load = contacts[0].load;
+    BOOST_REQUIRE(simulation::place_loads(model, scene.sheet(), contacts, 0, true, load).has_value());
+    return load.loads.front().moment;
+  };
+  BOOST_TEST(moment(0.0) < 0.0);
+  for (const double lower : {0.05, 0.1, 0.3})
+    BOOST_TEST(moment(lower) == moment(0.0), boost::test_tools::tolerance(1e-6));
+}
+
 BOOST_AUTO_TEST_CASE(a_force_above_mid_thickness_has_a_moment_that_lifts_the_edge) {
   Scene scene;
   const Listening criterion(true);
