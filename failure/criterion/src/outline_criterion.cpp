@@ -145,9 +145,15 @@ class OutlineCriterion final : public BendingCriterion {
         crack = crack_through(solution, place->at, 1.0, sheet.thickness);
       else if (halves.below && halves.above)
         crack = crack_through_halves(solution, halves.below->at, halves.above->at, 1.0, sheet.thickness);
-      if (const auto ahead = distance_ahead(crack)) answer.breaking_length = l_c * *ahead;
+      if (const auto ahead = distance_ahead(crack))
+        answer.breaking_length = l_c * *ahead;
+      else
+        crack.clear();  // it does not cut B off
     }
-    if (crack.empty()) crack = crack_from_line(solution, stresses.place, stresses.side, sheet.thickness);
+    if (crack.empty()) {
+      crack = crack_from_line(solution, stresses.place, stresses.side, sheet.thickness);
+      if (!crack.empty()) answer.breaking_length = l_c * stresses.place;
+    }
     for (const Vec2 point : crack) answer.crack.push_back(l_c * point);
   }
 

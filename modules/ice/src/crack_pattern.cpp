@@ -53,7 +53,8 @@ class AlongStress final : public Circumferential {
     const int n_wedges = random.uniform_int(wedges_[0], wedges_[1]);
     const Vec2 tip = tip_of(contact);
     const std::optional<CutOff> cut = cut_off(plate.sheet(), tip, assessment.crack);
-    if (!cut) return disc(plate, contact, assessment.breaking_length, n_wedges);
+    // Plate theory says nothing nearer to a load than the ice is thick.
+    if (!cut) return disc(plate, contact, std::max(assessment.breaking_length, plate.ice().thickness), n_wedges);
     CrackPlan plan{{geometry::ring(cut->region), {}}, tip, 0.0, n_wedges, true};
     for (const Vec2 point : cut->region) plan.reach = std::max(plan.reach, norm(point - tip));
     for (int i = 1; i < n_wedges; ++i)

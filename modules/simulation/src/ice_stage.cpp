@@ -61,7 +61,11 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
   ice::Broken broken =
       field.break_off(plate, plan, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
-  Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
+  Break made{.n_wedges = plan.n_wedges,
+             .along_stress = plan.along_stress,
+             .centre = plan.centre,
+             .reach = plan.reach,
+             .births = {}};
   const int level_ice = plate.level_ice();
   for (ice::Plate& piece : broken.pieces) let_float(std::move(piece), level_ice, made.births, report);
   follow_outline(field.level_ice(level_ice), broken.changed);
@@ -203,15 +207,15 @@ bool Simulation::Impl::crush_passed_ice(double time) {
   return any;
 }
 
-/// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact whose
-/// ice an earlier one has just broken off is left to the next step.
+/// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact as near
+/// to a break of this step as its crack reaches is left to the next step.
 void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
   for (const EdgeContact& contact : contacts) {
     const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
-    const bool broken_off = std::ranges::any_of(report.events, [&](const model::CrackEvent& event) {
-      return norm(event.tip - in_world(contact.level_ice, {.tip = tip}).tip) < event.breaking_length;
+    const bool waits = std::ranges::any_of(broken_in_step, [&](const BrokenIce& ice) {
+      return ice.level_ice == contact.level_ice && norm(ice.centre - tip) < ice.reach;
     });
-    if (!contact.assessment.fails || broken_off) continue;
+    if (!contact.assessment.fails || waits) continue;
     const MovingEdges::Life life = edges.life(contact);
     model::CrackEvent event{.time = time(),
                             .at = contact.region.midpoint,
@@ -235,6 +239,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .flexural_strength = contact.ice.flexural_strength};
     event = in_world(contact.level_ice, event);
     Break made = break_off(contact, report);
+    broken_in_step.push_back({contact.level_ice, made.centre, made.reach});
     event.wedges = made.n_wedges;
     const bool solves_sheet = edge_model(field.level_ice(contact.level_ice)).criterion.needs_outline();
     report.breaks += {.under_floes = contact.floe == model::kNoFloe ? 0 : 1,
@@ -264,6 +269,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   const StageTimer::Scope clock(timer, times.contacts);
   expect_on_the_plane();
   sheets.begin_step();
+  broken_in_step.clear();
   Wrench crushing;
   region_loads.begin_step();
   double done = 0.0;

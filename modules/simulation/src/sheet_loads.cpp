@@ -192,7 +192,8 @@ double weight_of(const failure::SheetLoad& load, double reach, double l_c) {
 }
 
 /// Leaves loads out that together bend the ice near B by a share of kWeak at most.
-void drop_weak(double reach, double l_c, std::vector<failure::SheetLoad>& loads) {
+/// @param own  weight of the load at B: it stays, and what weighs as much.
+void drop_weak(double reach, double l_c, double own, std::vector<failure::SheetLoad>& loads) {
   const auto weight = [&](const failure::SheetLoad& load) { return weight_of(load, reach, l_c); };
   std::vector<double> weights;
   for (const failure::SheetLoad& load : loads) weights.push_back(weight(load));
@@ -204,6 +205,7 @@ void drop_weak(double reach, double l_c, std::vector<failure::SheetLoad>& loads)
     least = w;
     if (dropped > allowed) break;
   }
+  least = std::min(least, own);
   std::erase_if(loads, [&](const failure::SheetLoad& load) { return weight(load) < least; });
 }
 
@@ -225,6 +227,7 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
 
     const Freeboard heights = freeboard(model.resolved);
     const double own_way = own.on_ice.z > 0.0 ? 1.0 : -1.0;
+    double own_weight = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < all.size(); ++i) {
       const EdgeContact& other = all[i];
       if (!presses(other) || (i != contact && !joint)) continue;
@@ -237,8 +240,9 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
       } else if (norm(frame.place(other.region.midpoint)) < reach) {
         place_floe(other, resultant, frame, *outline, model.ice.thickness, load.loads);
       }
+      if (i == contact && !load.loads.empty()) own_weight = weight_of(load.loads.back(), reach, l_c);
     }
-    drop_weak(reach, l_c, load.loads);
+    drop_weak(reach, l_c, own_weight, load.loads);
     load.outline = outline->line;
     return frame;
   }

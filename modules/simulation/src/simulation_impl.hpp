@@ -29,7 +29,16 @@ namespace brash::simulation {
 struct Break {
   int n_wedges = 0;
   bool along_stress = false;
+  Vec2 centre{};       ///< of the ice that broke, in the frame of its sheet [m]
+  double reach = 0.0;  ///< of that ice from there [m]
   std::vector<model::FloeRecord> births;
+};
+
+/// Level ice that has just broken off.
+struct BrokenIce {
+  int level_ice = 0;
+  Vec2 centre{};  ///< in the frame of its sheet [m]
+  double reach = 0.0;
 };
 
 struct Simulation::Impl {
@@ -60,6 +69,7 @@ struct Simulation::Impl {
   EnergyLedger energy;
   Watchdog watchdog;
   std::vector<model::FloeRecord> initial_births;
+  std::vector<BrokenIce> broken_in_step;
 
   /// Lays the sheet, cuts the initial crack and places the structure.
   Impl(const model::Case& c, int threads);

@@ -5,6 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <vector>
 
 #include "crack_path.hpp"
 #include "outline_sheet.hpp"
@@ -137,6 +139,34 @@ BOOST_AUTO_TEST_CASE(the_crack_through_a_place_of_a_whole_sheet_runs_from_edge_t
   BOOST_TEST(crack.back().x < 0.0);
   BOOST_TEST(crack.front().y < crack.back().y);
   BOOST_TEST(failure::distance_ahead(crack).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_crack_cuts_off_the_ice_at_b_and_crosses_the_line_at_the_breaking_length) {
+  const double l_c = failure::characteristic_length(kIce);
+  const auto criterion = failure::make_criterion(model::FailureModel::kPlateOutline, "", kIce,
+                                                 {.anywhere = true, .trace_crack = true});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share;
+  int n_cracks = 0;
+  for (int edge = 0; edge < 60; ++edge) {
+    // Teeth and bays beside a short contact.
+    failure::LoadCase load{.contact_length = 0.2 * l_c, .mu1 = 0.511, .pressure = 2e6};
+    std::vector<Vec2> above{{0.0, 0.1}}, below{{0.0, -0.1}};
+    for (std::vector<Vec2>* side : {&above, &below})
+      for (double y = 0.1 + 0.2 * share(random); y < 5.0; y += 0.2 + 0.6 * share(random))
+        side->push_back({1.6 * share(random) - 0.3, side == &above ? y + 0.05 : -y - 0.05});
+    load.outline.assign(below.rbegin(), below.rend());
+    load.outline.insert(load.outline.end(), above.begin(), above.end());
+    for (Vec2& point : load.outline) point = l_c * point;
+    const failure::Assessment answer = criterion->assess(load);
+    if (answer.crack.empty() || answer.outline_refused) continue;
+    ++n_cracks;
+    const auto ahead = failure::distance_ahead(answer.crack);
+    BOOST_TEST_REQUIRE(ahead.has_value(), "edge " << edge);
+    BOOST_TEST(answer.breaking_length == *ahead, tt::tolerance(1e-9));
+  }
+  BOOST_TEST_MESSAGE(n_cracks << " cracks");
+  BOOST_TEST(n_cracks > 30);
 }
 
 BOOST_AUTO_TEST_CASE(the_criterion_judges_the_weaker_of_line_and_sheet) {

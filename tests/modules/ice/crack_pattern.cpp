@@ -53,6 +53,19 @@ BOOST_AUTO_TEST_CASE(the_circle_is_centred_where_the_breaking_length_starts) {
   BOOST_TEST(farthest == 2.25, boost::test_tools::tolerance(1e-8));
 }
 
+BOOST_AUTO_TEST_CASE(a_disc_in_place_of_a_crack_that_cuts_nothing_off_is_no_smaller_than_the_ice_is_thick) {
+  const Field field = level_ice(50.0, 50.0);
+  model::FailureSection section;
+  section.pattern = model::CrackPattern::kStress;
+  const auto pattern = make_crack_pattern(section);
+  statistics::RandomStream random(1, "cone", 0, "wedges", 0);
+  const failure::Assessment beside{
+      .fails = true, .breaking_length = 0.1, .crack = {{-0.1, 3.0}, {0.5, 3.0}, {0.5, 4.0}, {-0.1, 4.0}}};
+  const CrackPlan plan = pattern->plan(field.level_ice()[0], at_the_edge(), beside, random);
+  BOOST_TEST(!plan.along_stress);
+  BOOST_TEST(plan.reach == properties().thickness);
+}
+
 BOOST_AUTO_TEST_CASE(cracks_that_meet_inside_the_ice_go_on_to_its_edge) {
   const auto pattern = make_crack_pattern({});
   for (std::uint64_t n = 0; n < 20; ++n) {

@@ -242,6 +242,23 @@ BOOST_AUTO_TEST_CASE(a_model_of_the_trapezoid_leaves_a_floe_under_the_sheet_out)
   BOOST_TEST(stress(4.0) == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(a_weak_load_that_is_judged_stays_beside_strong_ones) {
+  const Scene scene;
+  const Listening criterion(true);
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, criterion};
+  const structure::State state{{{-6.7, 0.0, 0.0}, {}}, {{1.202, 0.0, 0.0}, {}}};
+  auto contacts = simulation::edge_contacts(model, scene.sheet(), state);
+  BOOST_REQUIRE_EQUAL(contacts.size(), 1u);
+  contacts.push_back(contacts[0]);
+  for (Vec2* point : {&contacts[1].region.chord_from, &contacts[1].region.chord_to, &contacts[1].region.midpoint})
+    point->y += 1.3 * failure::characteristic_length(scene.ice);
+  contacts[1].on_ice = 200.0 * contacts[1].on_ice;
+  failure::LoadCase load = contacts[0].load;
+  BOOST_REQUIRE(simulation::place_loads(model, scene.sheet(), contacts, 0, true, load).has_value());
+  BOOST_REQUIRE_EQUAL(load.loads.size(), 2u);
+  BOOST_TEST(load.loads[0].out_of_plane == -contacts[0].on_ice.z, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(the_moment_of_a_force_is_about_the_middle_of_an_edge_that_has_given_way) {
   const Scene scene;
   const Listening criterion(true);
