@@ -76,26 +76,29 @@ DepthIntegrals integrals_below(const Prism& prism, double z, const Extremes& e, 
 
 SunkTop sunk_top(const Prism& prism, const Pose& pose, double density) {
   const Waterplane water = waterplane_in_body_frame(pose);
-  if (water.up.z <= 0.0) return {.looks_down = true};
+  const bool looks_down = water.up.z <= 0.0;
   const double z = 0.5 * prism.thickness;
   const Extremes e = extremes(prism, z, water);
-  if (e.least >= 0.0) return {};
+  if (e.least >= 0.0) return {.looks_down = looks_down};
+  const PlanRectangle sides(prism);
+  const double half_side = 0.5 * std::min(sides.x, sides.y);
+  if (looks_down) return {.run = half_side, .looks_down = true};
   const DepthIntegrals below = integrals_below(prism, z, e, water);
   if (!(below.area > 0.0 && below.depth > 0.0)) return {};
 
   // Water comes over every sunk edge: the last of it runs half the short side, or up the slope to the waterline.
-  const PlanRectangle sides(prism);
   const double slope = norm(plan(water.up));
   const double up_the_slope = e.most > 0.0 ? -e.least / slope : std::numeric_limits<double>::infinity();
   const double weight = density * kGravity;
   const Vec3 force = rotate(pose.rotation, {0.0, 0.0, -weight * below.depth});
   const Vec3 arm = rotate(pose.rotation, below.moment / below.depth);
   return {.mean_depth = below.depth / below.area,
-          .run = std::min(0.5 * std::min(sides.x, sides.y), up_the_slope),
+          .run = std::min(half_side, up_the_slope),
           .pressure = {force, cross(arm, force)}};
 }
 
 double ran_in_after(double ran, const SunkTop& top, double dt) {
+  if (top.looks_down) return top.run;
   if (top.mean_depth == 0.0) return 0.0;
   return std::min(top.run, ran + 2.0 * std::sqrt(kGravity * top.mean_depth) * dt);
 }

@@ -79,4 +79,28 @@ BOOST_AUTO_TEST_CASE(a_top_out_of_the_water_is_dry_again_and_one_that_looks_down
   BOOST_TEST(flooded_share(0.0, upside_down) == 1.0);
 }
 
+/// The top of a box of 3 m by 2 m whose centre lies `depth` under water, turned about its long axis by `angle`.
+SunkTop top_turned(double angle, double depth) {
+  return sunk_top(box(3.0, 2.0, 0.33), {{0.0, 0.0, -depth}, turn({1.0, 0.0, 0.0}, angle)}, kWater);
+}
+
+BOOST_AUTO_TEST_CASE(a_flooded_top_that_turns_past_the_vertical_and_back_stays_flooded) {
+  for (const double depth : {1.5, 0.5}) {  // deep, and with an edge out of the water
+    double ran = ran_in_after(0.0, top_turned(0.6, depth), 10.0);
+    for (const double angle : {0.6, 1.5, 1.6, 2.6, 1.6, 1.5, 0.6}) {
+      const SunkTop top = top_turned(angle, depth);
+      ran = ran_in_after(ran, top, 0.001);
+      BOOST_TEST(flooded_share(ran, top) == 1.0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_top_is_flooded_when_it_looks_down_into_the_water_and_stays_dry_in_the_air) {
+  const SunkTop sunk = top_turned(1.5, 1.5), in_water = top_turned(1.6, 1.5), in_air = top_turned(1.6, -2.0);
+  BOOST_TEST(norm(sunk.pressure.force) > 0.0);
+  BOOST_TEST(flooded_share(ran_in_after(0.0, sunk, 0.0), sunk) == 0.0);
+  BOOST_TEST(flooded_share(ran_in_after(ran_in_after(0.0, in_water, 0.0), sunk, 0.0), sunk) == 1.0);
+  BOOST_TEST(ran_in_after(1.0, in_air, 0.01) == 0.0);
+}
+
 }  // namespace

@@ -9,7 +9,9 @@ namespace brash::hydrodynamics {
 /// The part of a floe's upper face that lies below the waterplane, with its upper side up.
 struct SunkTop {
   double mean_depth = 0.0;  ///< [m]; 0: no part, or the face looks down
-  double run = 0.0;         ///< way from its edge over which water must run to cover it [m]
+  /// Way from its edge over which water must run to cover it [m]. 0: the face is out of the water.
+  /// Half the short side, the longest way, if a face with a part in the water looks down.
+  double run = 0.0;
   /// Hydrostatic load on it, that a dry top lacks [N], [N m]; world axes, moment about the centre of mass.
   Wrench pressure{};
   bool looks_down = false;  ///< the face holds no air
@@ -20,7 +22,7 @@ struct SunkTop {
 SunkTop sunk_top(const Prism& prism, const Pose& pose, double density);
 
 /// How far water has run in over the top after another `dt` [s]: a dam-break front [m]
-/// (docs/theory/hydrodynamics.md, (H21), (H23)).
+/// (docs/theory/hydrodynamics.md, (H21), (H23)). A face that looks down into the water is covered at once.
 /// @param ran  how far it has run in so far [m].
 /// @see Ritter, 1892; Lu, Loset and Lubbad, Int. Conf. Port Ocean Eng. Arctic Cond., 2012.
 double ran_in_after(double ran, const SunkTop& top, double dt);
