@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kDirections = 12;
 /// In each direction; odd, so that one of them halves a symmetric floe. Between two of them a moment may be missed: at
-/// most a tenth of the largest under a point load.
-constexpr int kSectionsEach = 9;
+/// most a sixth of the largest under a point load in the middle half of a free floe.
+constexpr int kSectionsEach = 17;
 
 /// Integrals over a part of the plan.
 struct Moments {
