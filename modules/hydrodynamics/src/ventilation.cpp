@@ -60,7 +60,7 @@ DepthIntegrals integrals_below(const Prism& prism, double z, const Extremes& e, 
     for (const Vec2 vertex : ring) {
       const Vec3 b{vertex.x, vertex.y, z};
       const double height_b = water.height(b);
-      if (height_a < 0.0 || height_b < 0.0) {
+      if (!clipped || height_a < 0.0 || height_b < 0.0) {
         const Vec3 from = height_a > 0.0 ? waterline_point(a, height_a, b, height_b) : a;
         const Vec3 to = height_b > 0.0 ? waterline_point(b, height_b, a, height_a) : b;
         sum.add(reference, from, to, water);

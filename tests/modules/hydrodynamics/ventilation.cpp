@@ -52,6 +52,18 @@ BOOST_AUTO_TEST_CASE(the_pressure_on_a_sunk_top_is_hydrostatic) {
   BOOST_TEST(tilted.pressure.moment.x == force * (1.0 - length / 3.0), tt::tolerance(1e-12));
 }
 
+BOOST_AUTO_TEST_CASE(a_top_with_an_edge_on_the_waterline_bears_the_whole_pressure) {
+  const Prism plate = box(2.0, 2.0, 0.3);
+  const Quaternion tilt = turn({1.0, 0.0, 0.0}, kPi / 6.0);
+  const Vec3 up = rotate(conjugate(tilt), {0.0, 0.0, 1.0});
+  const Pose pose{{0.0, 0.0, -dot(up, {1.0, 1.0, 0.15})}, tilt};
+  BOOST_REQUIRE(dot(up, {-1.0, 1.0, 0.15}) + pose.position.z == 0.0);  // both ends of the edge, to the last bit
+  // The other edge is 2 m sin(30 degrees) = 1 m deep: a mean depth of 0.5 m on 4 m2.
+  const SunkTop top = sunk_top(plate, pose, kWater);
+  BOOST_TEST(top.mean_depth == 0.5, tt::tolerance(1e-12));
+  BOOST_TEST(norm(top.pressure.force) == kWater * kGravity * 2.0, tt::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(a_plate_pushed_down_fast_is_drowned_against_the_whole_pressure) {
   const Prism plate = box(3.0, 2.0, 0.3);
   BOOST_TEST(work_to_drown(plate, 0.5, 1e6) == 0.5 * kWater * kGravity * 6.0 * 0.25, tt::tolerance(1e-4));
