@@ -10,10 +10,15 @@
 namespace brash::structure {
 namespace {
 
+/// Slopes that differ by less, over the sum of the four, are the same: some 1e6 roundings. Were it 0, rounding would
+/// set the weights at the corner of two straight parts.
+constexpr double kSameSlope = 1e-9;
+
 /// Akima's slope between the second and the third of four chords' slopes.
 double akima(double a, double b, double c, double d) {
   const double before = std::abs(b - a), after = std::abs(d - c);
-  return before + after > 0.0 ? (after * b + before * c) / (before + after) : 0.5 * (b + c);
+  if (before + after <= kSameSlope * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d))) return 0.5 * (b + c);
+  return (after * b + before * c) / (before + after);
 }
 
 }  // namespace

@@ -65,6 +65,24 @@ BOOST_AUTO_TEST_CASE(straight_parts_stay_straight_beside_a_turn) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(where_two_straight_parts_meet_in_one_row_the_slope_is_their_mean) {
+  // Along x at 1 m/s, then along y at 1 m/s; the chords of x differ by rounding.
+  const Path path({{0.0, {0.0, 0.0}, 0},
+                   {0.1, {0.1, 0.0}, 0},
+                   {0.2, {0.2, 0.0}, 0},
+                   {0.3, {0.3, 0.0}, 0},
+                   {0.4, {0.3, 0.1}, 0},
+                   {0.5, {0.3, 0.2}, 0},
+                   {0.6, {0.3, 0.3}, 0}});
+  const double d = 1e-5;
+  const Vec3 velocity = (path.at(0.3 + d).position - path.at(0.3 - d).position) / (2.0 * d);
+  BOOST_TEST(velocity.x == 0.5, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(velocity.y == 0.5, boost::test_tools::tolerance(1e-6));
+  // Both parts leave their lines beside the corner: x by h t (1 - t)^2 m with h = 0.1 s 0.5 m/s, y likewise before it.
+  BOOST_TEST(path.at(0.35).position.x == 0.3 + 0.05 * 0.125, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(path.at(0.25).position.y == -0.05 * 0.125, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(rows_on_a_circle_give_the_circle_the_better_the_more_they_are) {
   const double coarse = error_on_circle(5.0), fine = error_on_circle(2.5);  // 5.7 and 2.9 degrees
   BOOST_TEST_MESSAGE("off the circle of 100 m: " << coarse << " and " << fine << " m");
