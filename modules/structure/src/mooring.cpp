@@ -2,9 +2,13 @@
 // docs/theory/motion.md, (B10).
 #include "mooring.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
+#include <cstddef>
 
+#include "brash/core/error.hpp"
 #include "catenary.hpp"
 #include "rotation.hpp"
 
@@ -39,10 +43,17 @@ MooringLoad Mooring::springs(const Pose& pose, Vec3 shift) const {
   return {{{f[0], f[1], f[2]}, moment_of({f[3], f[4], f[5]}, turn)}, energy};
 }
 
-MooringLoad Mooring::line(const model::MooringLine& line, const Pose& pose, Vec3 shift) const {
+MooringLoad Mooring::line(std::size_t index, const Pose& pose, Vec3 shift) const {
+  const model::MooringLine& line = moored_.lines[index];
   const Vec3 anchor{start_.position.x + line.anchor.x + shift.x, start_.position.y + line.anchor.y + shift.y,
                     line.anchor.z};
   const Vec3 arm = rotate(pose.rotation, line.fairlead), away = pose.position + arm - anchor;
+  if (away.z <= 0.0)
+    throw RunError(fmt::format(
+        "line {} of structure.motion.lines: its fairlead has come down to z = {:.6g} m, and its anchor lies "
+        "at {:.6g} m. A line hangs from a fairlead above its anchor: lower the anchor, or stiffen what "
+        "holds the structure up",
+        index + 1, anchor.z + away.z, anchor.z));
   const double span = norm(plan(away));
   const LinePull pull = pull_of({line.length, line.weight, line.stiffness}, span, away.z);
   const Vec2 back = span > 0.0 ? -pull.horizontal / span * plan(away) : Vec2{};
@@ -52,8 +63,8 @@ MooringLoad Mooring::line(const model::MooringLine& line, const Pose& pose, Vec3
 
 MooringLoad Mooring::at(const Pose& pose, Vec3 shift) const {
   MooringLoad sum = springs(pose, shift);
-  for (const model::MooringLine& one : moored_.lines) {
-    const MooringLoad pulls = line(one, pose, shift);
+  for (std::size_t i = 0; i < moored_.lines.size(); ++i) {
+    const MooringLoad pulls = line(i, pose, shift);
     sum.load += pulls.load;
     sum.energy += pulls.energy;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "brash/core/vec.hpp"
 #include "brash/model/structure.hpp"
 
@@ -19,11 +21,12 @@ class Mooring {
   Mooring(const model::Moored& moored, const Pose& start) : moored_(moored), start_(start) {}
 
   /// @param shift  way of the feet since the start [m].
+  /// @throws RunError naming a line whose fairlead is not above its anchor.
   MooringLoad at(const Pose& pose, Vec3 shift) const;
 
  private:
   MooringLoad springs(const Pose& pose, Vec3 shift) const;
-  MooringLoad line(const model::MooringLine& line, const Pose& pose, Vec3 shift) const;
+  MooringLoad line(std::size_t index, const Pose& pose, Vec3 shift) const;
 
   model::Moored moored_;
   Pose start_;

@@ -3,7 +3,9 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <string>
 
+#include "brash/core/error.hpp"
 #include "catenary.hpp"
 #include "rotation.hpp"
 
@@ -117,6 +119,20 @@ BOOST_AUTO_TEST_CASE(the_pull_of_a_line_is_the_slope_of_its_energy) {
     BOOST_TEST(along == pull.horizontal, boost::test_tools::tolerance(1e-6));
     BOOST_TEST(up == pull.downward, boost::test_tools::tolerance(1e-6));
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_fairlead_that_comes_down_to_its_anchor_ends_the_run_with_the_line_s_name) {
+  model::Moored moored;
+  moored.lines = {{{190, 0, -30}, {5, 0, 0}, 205, 1000, 3e8}, {{-190, 0, -6}, {-5, 0, -4}, 205, 1000, 3e8}};
+  const structure::Mooring mooring(moored, {});
+  const auto sunk_to = [&](double z) { return mooring.at({{0.0, 0.0, z}, {}}, {}); };
+  BOOST_TEST(sunk_to(-1.999).load.force.z < 0.0);
+  for (const double z : {-2.0, -2.5})
+    BOOST_CHECK_EXCEPTION(sunk_to(z), RunError, [](const RunError& error) {
+      const std::string said = error.what();
+      BOOST_TEST_MESSAGE(said);
+      return said.find("line 2 of structure.motion.lines") == 0 && said.find("lies at -6 m") != std::string::npos;
+    });
 }
 
 BOOST_AUTO_TEST_CASE(the_load_of_springs_and_lines_is_the_slope_of_their_energy_at_any_pose) {
