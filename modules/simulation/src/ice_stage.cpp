@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "brash/core/error.hpp"
@@ -16,6 +17,14 @@
 
 namespace brash::simulation {
 namespace {
+
+/// How far along the ice edge, x = 0, the way of a point of the structure meets it [m]; none if it misses the sheet.
+std::optional<double> meets_edge(Vec2 from, Vec2 course, double width) {
+  if (from.x > 0.0 || course.x <= 0.0) return {};
+  const double y = from.y - from.x * (course.y / course.x);
+  if (std::abs(y) >= 0.5 * width) return {};
+  return y;
+}
 
 void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.n_above_range += assessment.above_range ? 1 : 0;
@@ -31,7 +40,8 @@ EdgeModel Simulation::Impl::edge_model(const ice::Plate& plate) const {
           variation ? &variation : nullptr};
 }
 
-/// Fig. 5: the ice has broken once before the structure comes; ahead of each leg that has a way of its own.
+/// Fig. 5: the ice has broken once before the structure comes; ahead of each leg that has a way of its own, along the
+/// course at the start.
 void Simulation::Impl::initial_crack() {
   EdgeContact contact;
   const double radius = initial_crack_radius(resolved, field.level_ice(contact.level_ice).ice(), *criteria.front());
@@ -40,9 +50,11 @@ void Simulation::Impl::initial_crack() {
   std::vector<double> ways;
   StepReport report;
   for (const Vec2 place : hull->copies().places) {
-    if (std::ranges::any_of(ways, [&](double way) { return std::abs(way - place.y) < 2.0 * radius; })) continue;
-    ways.push_back(place.y);
-    contact.region.chord_from = contact.region.chord_to = {0.0, place.y};
+    const Vec2 from = plan(to_world(motion->now().pose, {place.x, place.y, 0.0}));
+    const std::optional<double> y = meets_edge(from, motion->course(), resolved.field.width);
+    if (!y || std::ranges::any_of(ways, [&](double way) { return std::abs(way - *y) < 2.0 * radius; })) continue;
+    ways.push_back(*y);
+    contact.region.chord_from = contact.region.chord_to = {0.0, *y};
     std::ranges::move(break_off(contact, report).births, std::back_inserter(initial_births));
   }
 }

@@ -100,6 +100,40 @@ BOOST_AUTO_TEST_CASE(the_first_crack_is_ahead_of_each_leg_with_a_way_of_its_own)
   BOOST_TEST(std::abs(port - starboard) <= std::max(port, starboard) / 2);
 }
 
+/// The floes of a first crack with a radius of 3 m.
+std::vector<model::FloeRecord> first_floes(const std::string& keys) {
+  model::Case resolved = case_of(keys, 0.1);
+  resolved.field.initial_crack = true;
+  resolved.field.initial_crack_radius = 3.0;
+  return simulation::Simulation(resolved).initial_births();
+}
+
+/// Pieces of half a disc around (0, y): their centres lie in it.
+void check_around(const std::vector<model::FloeRecord>& floes, double y) {
+  BOOST_TEST(!floes.empty());
+  for (const model::FloeRecord& floe : floes) {
+    const Vec3 place = floe.birth_pose.position;
+    BOOST_TEST(place.x > 0.0);
+    BOOST_TEST(std::hypot(place.x, place.y - y) < 3.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_crack_lies_where_the_course_at_the_start_meets_the_edge) {
+  check_around(first_floes("motion.path = [[0, -20, 30, 0], [20, 4, 30, 0]]\n"), 30.0);
+  check_around(first_floes("motion.path = [[0, -12, -10, 0.5], [20, 12, 14, 0.5]]\n"), 2.0);
+  // Turned by a quarter, the legs stand one behind the other on the way.
+  check_around(first_floes("motion.path = [[0, -30, 8, 1.5707963267948966], [20, -6, 8, 1.5707963267948966]]\n"
+                           "legs = [[0, 20], [0, -20]]\n"),
+               8.0);
+}
+
+BOOST_AUTO_TEST_CASE(no_first_crack_opens_where_the_course_misses_the_sheet) {
+  // Past the corner, away from the edge, and in from the side.
+  for (const char* const path :
+       {"[[0, -10, 30, 0], [20, 0, 50, 0]]", "[[0, -10, 0, 0], [20, -30, 0, 3]]", "[[0, 10, 60, 0], [20, 14, 30, 0]]"})
+    BOOST_TEST(first_floes(std::string("motion.path = ") + path + "\n").empty(), path);
+}
+
 BOOST_AUTO_TEST_CASE(statistics_begin_when_the_last_leg_is_in_the_ice) {
   const std::string legs = "legs = [[0, 6], [0, -6], [-9, 6], [-9, -6]]\n";
   BOOST_TEST(simulation::statistics_from(case_of(kTow + legs, 20.0)) == 13.0 / 1.2,
