@@ -57,11 +57,12 @@ def design(options):
 
 
 def plan_for(options, prediction, output):
-    """The committed plan, or a longer one beside the results."""
+    """The committed plan, or one of more or fewer points beside the results."""
     least, most = prediction.ensemble["points"], prediction.ensemble["most_points"]
     n = options.points or least
-    if n % least or not least <= n <= most:
-        raise BadInput(f"--points {n}: is not allowed here; take a multiple of {least} up to {most}, as {prediction.path} says")
+    if not 1 <= n <= most or (n > least and n % least):
+        raise BadInput(f"--points {n}: is not allowed here; take a multiple of {least} up to {most}, as {prediction.path} says, or "
+                       "less for numbers without a verdict")
     if n == least:
         return prediction.folder / "plan.toml"
     path = output.parent / f"{output.name}.toml"
@@ -162,7 +163,7 @@ def arguments():
 
     command("design", design, many=True).add_argument("--check", action="store_true")
     runs = command("run", run)
-    runs.add_argument("--points", type=int, help="points of the unknowns: a multiple of ensemble.points")
+    runs.add_argument("--points", type=int, help="points of the unknowns: a multiple of ensemble.points; fewer than that give no verdict")
     runs.add_argument("--jobs", type=int)
     runs.add_argument("--on", choices=["local", "slurm"], default="local")
     runs.add_argument("--sbatch", action="append", default=[])

@@ -85,8 +85,12 @@ def histories(options):
 
 # Verdicts.
 
+def points_run(rows):
+    return len({row["point"] for row in rows})
+
+
 def heading(prediction, rows):
-    n = len({row["point"] for row in rows})
+    n = points_run(rows)
     failed = [row for row in rows if row.get("status") == "failed"]
     lines = [f"## {prediction.table['title']}", "",
              f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
@@ -243,11 +247,11 @@ def verdict(prediction, rows, measured, rows_elsewhere):
     if prediction.own_runs and not rows:
         return f"## {prediction.table['title']}\n\nNot run yet. The inputs are committed.\n"
     lines = heading(prediction, rows) if prediction.own_runs else [f"## {prediction.table['title']}", ""]
-    promised = not prediction.own_runs or len({row["point"] for row in rows}) >= prediction.ensemble["points"]
+    promised = not prediction.own_runs or points_run(rows) >= prediction.ensemble["points"]
     kind = prediction.criterion["kind"]
     if promised and kind == "upper-bound":
         lines += bound_lines(prediction, rows)
-    if promised and kind == "exponents":
+    if kind == "exponents":
         lines += exponent_lines(prediction, rows)
     if promised and kind == "claims":
         outcomes = outcomes_of(prediction, rows, rows_elsewhere)
@@ -265,16 +269,18 @@ def verdict(prediction, rows, measured, rows_elsewhere):
 
 def signs(predictions, rows_elsewhere, family, preset):
     """The table of all signs of one preset, and {sign: outcomes of its claims}. The pictures are predict.py's."""
-    found, lines = {}, []
+    found, fewer, lines = {}, {}, []
     for name, prediction in predictions.items():
         rows = rows_elsewhere(f"m6/{name}") if prediction.own_runs else []
         needed = [rows] if prediction.own_runs else [rows_elsewhere(claim["from"]) for claim in prediction.claims]
-        if all(needed):
+        if rows and points_run(rows) < prediction.ensemble["points"]:
+            fewer[name] = f"{points_run(rows)} of {prediction.ensemble['points']} points"
+        elif all(needed):
             found[name] = outcomes_of(prediction, rows, rows_elsewhere)
     verdicts = judged(found, family) if found else {}
     table = ["| sign | statement | verdict | p, Holm | picture |", "|---|---|---|---|---|"]
     for name, prediction in predictions.items():
-        word, p = verdicts.get(name, ("not run", math.nan))
+        word, p = verdicts.get(name, (fewer.get(name, "not run"), math.nan))
         label = prediction.criterion.get("stands_for", name.upper())
         picture = f"[claims]({name}/claims-{preset}.png)" if name in found else "-"
         p_cell = "-" if math.isnan(p) else f"{p:.2g}" + (" of the opposite" if word == "contradicted" else "")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The machinery of experiments/predictions against closed forms and made-up runs."""
+import argparse
 import math
 import os
 import pathlib
@@ -298,6 +299,20 @@ class Texts(unittest.TestCase):
         self.assertRegex(text, r"\| S2 \|.*\| \*\*shown\*\* \|.*\| \[claims\]\(s2/claims-paper.png\) \|")
         self.assertRegex(text, r"\| S9, nearest sign only \|.*\| \*\*not run\*\* \| - \| - \|")
         self.assertEqual(list(found), ["s2"])
+        text, found = tables.signs(predictions, lambda name: [row for row in rows if row["point"] < 4], 10, "paper")
+        self.assertRegex(text, r"\| S2 \|.*\| \*\*4 of 16 points\*\* \| - \| - \|")
+        self.assertEqual(list(found), [])
+
+    def test_fewer_points_than_promised_may_be_run(self):
+        prediction = predict.prediction_of("m6/s2")
+        with tempfile.TemporaryDirectory() as folder:
+            output = pathlib.Path(folder) / "s2"
+            for points in (4, 32):
+                path = predict.plan_for(argparse.Namespace(points=points), prediction, output)
+                self.assertEqual(path.read_text(encoding="utf-8").count('"light.s'), points)
+            for points in (-1, 24, 80):
+                with self.assertRaisesRegex(inputs.BadInput, f"--points {points}: is not allowed here"):
+                    predict.plan_for(argparse.Namespace(points=points), prediction, output)
 
     def test_a_picture_has_what_each_kind_of_claim_saw(self):
         prediction = predict.prediction_of("m6/s7")
