@@ -151,7 +151,7 @@ ordered_json pieces_json(const PieceSizes& sizes, const PieceAnalysis& analysis)
       {"least", least},
       {"largest", largest}};
   out["quantiles_by_number"] = quantiles_json(statistics::quantiles(sizes.diameters, kLevels));
-  out["quantiles_by_area"] = quantiles_json(statistics::quantiles(sizes.diameters, sizes.areas, kLevels));
+  out["quantiles_by_area"] = quantiles_json(statistics::quantiles_of_shares(sizes.diameters, sizes.areas, kLevels));
   out["fits"] = ordered_json::array();
   for (const SizeFit& fit : analysis.fits) out["fits"].push_back(fit_json(fit));
   out["not_fitted"] = analysis.not_fitted;

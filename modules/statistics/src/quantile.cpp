@@ -35,6 +35,13 @@ std::vector<double> quantiles_along(std::size_t n, Value value, Distance distanc
   return result;
 }
 
+std::vector<std::pair<double, double>> sorted_pairs(std::span<const double> values, std::span<const double> weights) {
+  std::vector<std::pair<double, double>> sorted(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) sorted[i] = {values[i], weights[i]};
+  std::ranges::sort(sorted);
+  return sorted;
+}
+
 }  // namespace
 
 std::vector<double> quantiles(std::vector<double> values, std::span<const double> levels) {
@@ -57,12 +64,27 @@ std::vector<double> quantiles(std::span<const double> values, std::span<const do
     return quantiles_along(
         sorted.size(), [&](std::size_t i) { return sorted[i]; }, [=](std::size_t) { return step; }, levels);
   }
-  std::vector<std::pair<double, double>> sorted(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) sorted[i] = {values[i], weights[i]};
-  std::ranges::sort(sorted);
+  const auto sorted = sorted_pairs(values, weights);
   return quantiles_along(
       sorted.size(), [&](std::size_t i) { return sorted[i].first; },
       [&](std::size_t i) { return 0.5 * (sorted[i - 1].second + sorted[i].second); }, levels);
+}
+
+std::vector<double> quantiles_of_shares(std::span<const double> values, std::span<const double> weights,
+                                        std::span<const double> levels) {
+  BRASH_EXPECTS(!values.empty() && weights.size() == values.size(), values.size(), weights.size());
+  constexpr double kRounding = 1e-12;  // relative, of a sum of weights that should be the level
+  const auto sorted = sorted_pairs(values, weights);
+  double whole = 0.0;
+  for (const auto& [value, weight] : sorted) whole += weight;
+  std::vector<double> result;
+  for (const double level : levels) {
+    std::size_t i = 0;
+    for (double sum = sorted[0].second; i + 1 < sorted.size() && sum < level * whole * (1.0 - kRounding);)
+      sum += sorted[++i].second;
+    result.push_back(sorted[i].first);
+  }
+  return result;
 }
 
 }  // namespace brash::statistics

@@ -248,8 +248,11 @@ BOOST_AUTO_TEST_CASE(pieces_are_the_floes_of_a_map_or_all_its_polygons) {
   BOOST_TEST(all["largest"].get<double>() == 240.0 / std::acos(-1.0), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(all["quantiles_by_number"]["0.5"].get<double>() == 122.0 / std::acos(-1.0),
              boost::test_tools::tolerance(1e-12));
-  // Half of the area lies in squares up to 60/2^(1/3) = 47.6 m, to a square.
-  BOOST_TEST(std::abs(all["quantiles_by_area"]["0.5"].get<double>() * std::acos(-1.0) / 4.0 - 47.6) < 1.0);
+  // Squares up to 47 m hold 35 720 m2, up to 48 m 38 024 m2, up to 58 m 66 729 m2 and up to 59 m 70 210 m2.
+  BOOST_TEST(all["quantiles_by_area"]["0.5"].get<double>() == 192.0 / std::acos(-1.0),
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(all["quantiles_by_area"]["0.95"].get<double>() == 236.0 / std::acos(-1.0),
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(all["fits"].size() == 3u);
   BOOST_TEST(read("sizes.svg").starts_with("<svg"));
   const std::string mixed = write(

@@ -80,6 +80,20 @@ BOOST_AUTO_TEST_CASE(equal_weights_may_be_one_number) {
   BOOST_TEST(quantiles(x, weights, levels) == quantiles(x, std::vector{0.3}, levels), boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(quantiles_of_shares_count_each_value_with_its_whole_weight) {
+  // A hundred floes of 1 m2 hold a tenth of the area, one of 900 m2 the rest.
+  std::vector<double> sizes(100, 1.0), areas(100, 1.0);
+  sizes.insert(sizes.begin() + 50, 30.0);
+  areas.insert(areas.begin() + 50, 900.0);
+  const std::vector<double> levels{0.0, 0.05, 0.1, 0.101, 0.5, 1.0}, wanted{1.0, 1.0, 1.0, 30.0, 30.0, 30.0};
+  BOOST_TEST(quantiles_of_shares(sizes, areas, levels) == wanted, boost::test_tools::per_element());
+  // Ten weights of a tenth do not sum to one in binary, but each level is still reached by its value.
+  const std::vector<double> ten{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, tenths{0.3, 0.8, 0.9, 1.0}, reached{3, 8, 9, 10};
+  BOOST_TEST(quantiles_of_shares(ten, std::vector<double>(10, 0.1), tenths) == reached,
+             boost::test_tools::per_element());
+  BOOST_TEST(quantiles_of_shares(std::vector{7.0}, std::vector{2.0}, std::vector{0.5})[0] == 7.0);
+}
+
 BOOST_AUTO_TEST_CASE(a_constant_history_has_no_spread_and_no_correlation) {
   const std::vector<double> x(100, 7.5);
   const Summary s = summarise(x, 0.01);

@@ -17,4 +17,13 @@ std::vector<double> quantiles(std::vector<double> values, std::span<const double
 std::vector<double> quantiles(std::span<const double> values, std::span<const double> weights,
                               std::span<const double> levels);
 
+/// Quantiles of values that are shares of one whole, such as the areas of floes: at each level the smallest value up to
+/// which the weights sum to that share of all weights. A value counts with its whole weight.
+///
+/// @param values   shape=(n,), n >= 1.
+/// @param weights  > 0; shape=(n,).
+/// @param levels   in [0, 1].
+std::vector<double> quantiles_of_shares(std::span<const double> values, std::span<const double> weights,
+                                        std::span<const double> levels);
+
 }  // namespace brash::statistics
