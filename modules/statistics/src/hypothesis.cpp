@@ -18,8 +18,8 @@
 namespace brash::statistics {
 namespace {
 
-constexpr std::size_t kExactKendall = 33;       // pairs; beyond, the normal approximation is good to three digits
-constexpr std::size_t kExactJonckheere = 5000;  // pairs of different groups, likewise; five groups of 22
+constexpr std::size_t kExactKendall = 33;    // pairs; beyond, the normal approximation is good to three digits
+constexpr double kExactJonckheere = 5000.0;  // pairs of different groups of all strata, likewise; five groups of 22
 
 double two_sided_normal(double z) { return std::min(1.0, 2.0 * gsl_cdf_ugaussian_Q(std::abs(z))); }
 
@@ -110,19 +110,32 @@ Shares mann_whitney_shares(std::size_t m, std::size_t n) {
   return of[n];
 }
 
-/// Two-sided probability of a J of Jonckheere and Terpstra at least as far out; no ties. J is the sum of the U of each
-/// group against all before it, which are independent.
-double exact_jonckheere(const std::vector<std::vector<double>>& groups, double score) {
+/// Probabilities of the sum of two independent whole numbers from 0 on.
+Shares shares_of_sum(const Shares& a, const Shares& b) {
+  Shares sum(a.size() + b.size() - 1, 0.0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    look_for_interruption();
+    for (std::size_t k = 0; k < b.size(); ++k) sum[i + k] += a[i] * b[k];
+  }
+  return sum;
+}
+
+/// Probabilities of Jonckheere and Terpstra's J = 0, 1, ...; no ties. J is the sum of the U of each group against all
+/// before it, which are independent.
+Shares jonckheere_shares(const std::vector<std::vector<double>>& groups) {
   Shares of_j{1.0};
   std::size_t before = groups.front().size();
   for (std::size_t g = 1; g < groups.size(); ++g) {
-    const Shares of_u = mann_whitney_shares(groups[g].size(), before);
-    Shares sum(of_j.size() + of_u.size() - 1, 0.0);
-    for (std::size_t i = 0; i < of_j.size(); ++i)
-      for (std::size_t k = 0; k < of_u.size(); ++k) sum[i + k] += of_j[i] * of_u[k];
-    of_j = std::move(sum);
+    of_j = shares_of_sum(of_j, mann_whitney_shares(groups[g].size(), before));
     before += groups[g].size();
   }
+  return of_j;
+}
+
+/// Two-sided probability of a sum of J over strata at least as far out; no ties.
+double exact_jonckheere(const std::vector<std::vector<std::vector<double>>>& strata, double score) {
+  Shares of_j{1.0};
+  for (const auto& groups : strata) of_j = shares_of_sum(of_j, jonckheere_shares(groups));
   // The distribution is symmetric about half of the pairs; |S| = |2 J - pairs|.
   const auto least = static_cast<std::size_t>(0.5 * (static_cast<double>(of_j.size() - 1) - std::abs(score)));
   const auto end = of_j.begin() + static_cast<std::ptrdiff_t>(least) + 1;
@@ -198,19 +211,19 @@ TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups) {
 TestResult jonckheere_terpstra(const std::vector<std::vector<std::vector<double>>>& strata) {
   BRASH_EXPECTS(!strata.empty());
   quiet_gsl();
-  double score = 0.0, variance = 0.0;
-  bool exact = strata.size() == 1;
+  double score = 0.0, variance = 0.0, pairs = 0.0;
+  bool tied = false;
   for (const auto& groups : strata) {
     const Concordance c = rise(groups);
-    const auto pairs = static_cast<std::size_t>(0.5 * (c.n * (c.n - 1.0) - c.x.pairs));
-    exact = exact && c.y.pairs == 0.0 && pairs <= kExactJonckheere;
+    pairs += 0.5 * (c.n * (c.n - 1.0) - c.x.pairs);
+    tied = tied || c.y.pairs > 0.0;
     if (!(c.variance() > 0.0) || c.y.pairs == c.n * (c.n - 1.0)) continue;
     score += c.score;
     variance += c.variance();
   }
   if (!(variance > 0.0)) return {0.0, 1.0};
   const double z = score / std::sqrt(variance);
-  return {z, exact ? exact_jonckheere(strata.front(), score) : two_sided_normal(z)};
+  return {z, !tied && pairs <= kExactJonckheere ? exact_jonckheere(strata, score) : two_sided_normal(z)};
 }
 
 std::vector<double> holm(std::span<const double> p_values) {

@@ -153,6 +153,20 @@ BOOST_AUTO_TEST_CASE(equal_samples_have_no_distance_and_disjoint_ones_the_least_
   BOOST_TEST(kolmogorov_smirnov(a, b).p_value == 2.0 / 252.0, tolerance(1e-12));  // of 10 choose 5 orders
 }
 
+BOOST_AUTO_TEST_CASE(jonckheere_terpstra_over_strata_is_exact_for_few_pairs_without_ties) {
+  using Strata = std::vector<std::vector<Samples>>;
+  // All values rise in both strata: one of 6 orders each, and as many fall.
+  const TestResult rising = jonckheere_terpstra(Strata{{{1, 2}, {3, 4}}, {{10, 20}, {30, 40}}});
+  BOOST_TEST(rising.p_value == 2.0 / 36.0, tolerance(1e-14));
+  // Mann and Whitney's U of 2 and 1 values is 0, 1 or 2 with equal chance, of 1 and 1 it is 0 or 1. The sum has the
+  // chances 1, 2, 2, 1 of 6. Here it is 2: the sums 0 to 3 are all as far from 1.5 as 1 and 2 are.
+  BOOST_TEST(jonckheere_terpstra(Strata{{{1, 3}, {2}}, {{5}, {6}}}).p_value == 1.0, tolerance(1e-14));
+  BOOST_TEST(jonckheere_terpstra(Strata{{{1, 2}, {3}}, {{5}, {6}}}).p_value == 2.0 / 6.0, tolerance(1e-14));
+  // Strata that rise and fall alike cancel, and a tie leaves the normal law.
+  BOOST_TEST(jonckheere_terpstra(Strata{{{1, 2}, {3, 4}}, {{3, 4}, {1, 2}}}).p_value == 1.0, tolerance(1e-14));
+  BOOST_TEST(jonckheere_terpstra(Strata{{{1, 2}, {3, 4}}, {{1, 2}, {2, 4}}}).p_value < 0.05);
+}
+
 BOOST_AUTO_TEST_CASE(jonckheere_terpstra_needs_the_order_of_the_groups) {
   std::vector<Samples> groups{{1, 2}, {3, 4}, {5, 6}};
   const double rising = jonckheere_terpstra(groups).statistic;

@@ -28,7 +28,7 @@ TestResult kendall(std::span<const double> x, std::span<const double> y);
 TestResult jonckheere_terpstra(const std::vector<std::vector<double>>& groups);
 
 /// The same within strata, such as the speeds of a grid of angles and speeds: the scores of the strata add, and their
-/// variances. Exact for one stratum, else normal.
+/// variances. Exact without ties for up to 5000 pairs in all strata together, else normal.
 TestResult jonckheere_terpstra(const std::vector<std::vector<std::vector<double>>>& strata);
 
 /// Holm's adjustment of p-values for testing several hypotheses; a result below alpha keeps the chance of any false
