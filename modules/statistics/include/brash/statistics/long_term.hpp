@@ -17,7 +17,7 @@ struct IceState {
 /// Expected number of exceedances of a level, a year, over several states of the ice; with 95 % bounds.
 ///
 /// N(x) = sum of 3600 hours rate exceedance(x). The bounds add those of each state, from the profile likelihood of its
-/// levels: exact for one state, and wide for several.
+/// levels: of one state its own, and wide for several. Bounds are interpolated between 64 levels.
 /// @see ISO 19906:2019, 7.2.2 (probabilities of environmental actions); docs/theory/statistics.md, (S14).
 class LongTerm {
  public:
@@ -34,14 +34,17 @@ class LongTerm {
   Estimate level(double probability) const;
 
  private:
-  /// Levels of one state and their bounds at falling probabilities of exceedance by one value.
+  /// Bounds of the levels of one state at falling probabilities of exceedance by one value.
   struct Curve {
-    double a_year = 0.0;                      ///< values a year
-    std::vector<double> log_exceedance;       ///< falling
-    std::vector<double> level, lower, upper;  ///< rising
-    /// Exceedances a year of x by one of the three curves.
+    double a_year = 0.0;                 ///< values a year
+    std::vector<double> log_exceedance;  ///< falling
+    std::vector<double> lower, upper;    ///< rising
+    /// Exceedances a year of x by one of the two curves.
     double exceedances(const std::vector<double>& levels, double x) const;
   };
+  /// Level that is exceeded as often as expected a year, by the fitted laws.
+  double central(double expected) const;
+  /// The same by the curves of a bound.
   double solve(std::vector<double> Curve::*levels, double expected) const;
 
   std::vector<IceState> states_;
