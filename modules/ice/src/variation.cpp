@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/ice/variation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "brash/core/constants.hpp"
@@ -15,6 +16,21 @@ constexpr int kRings = 16;
 constexpr int kAngles = 16;
 /// Where the case gives no correlation length, in thicknesses.
 constexpr double kUsualLength = 10.0;
+/// A triangle with sides beyond a correlation length is divided so many times at most. Its 12 288 places are then
+/// nearly independent, and the mean errs by less than a hundredth of the deviation of the field.
+constexpr int kMostDivisions = 6;
+
+/// Calls `add` with the triangle if no side is longer than `longest`, else with the triangles that it falls into when
+/// its sides are halved, and so on.
+template <class Add>
+void divide(Vec2 a, Vec2 b, Vec2 c, double longest, int divisions, const Add& add) {
+  if (divisions == 0 || std::max({norm(b - a), norm(c - b), norm(a - c)}) <= longest) return add(a, b, c);
+  const Vec2 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+  divide(a, ab, ca, longest, divisions - 1, add);
+  divide(ab, b, bc, longest, divisions - 1, add);
+  divide(ca, bc, c, longest, divisions - 1, add);
+  divide(ab, bc, ca, longest, divisions - 1, add);
+}
 
 }  // namespace
 
@@ -60,7 +76,8 @@ std::optional<Variation::LogNormal> Variation::field(const model::Case& resolved
 }
 
 Variation::Variation(const model::Case& resolved)
-    : thickness_(field(resolved, resolved.ice.variation.thickness, "thickness")),
+    : length_(correlation_length(resolved.ice)),
+      thickness_(field(resolved, resolved.ice.variation.thickness, "thickness")),
       flexural_strength_(field(resolved, resolved.ice.variation.flexural_strength, "flexural_strength")) {}
 
 failure::IceProperties Variation::at(const failure::IceProperties& ice, Vec2 place) const {
@@ -84,7 +101,8 @@ failure::IceProperties Variation::mean(const failure::IceProperties& ice, const 
   };
   for (const geometry::Ring& part : geometry::convex_parts(piece)) {
     for (std::size_t i = 1; i + 1 < part.size(); ++i)
-      add(geometry::metres(part[0]), geometry::metres(part[i]), geometry::metres(part[i + 1]));
+      divide(geometry::metres(part[0]), geometry::metres(part[i]), geometry::metres(part[i + 1]), length_,
+             kMostDivisions, add);
   }
   failure::IceProperties mean = ice;
   if (thickness_) mean.thickness = thickness / area;

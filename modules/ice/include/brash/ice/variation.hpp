@@ -51,7 +51,7 @@ class Variation {
   failure::IceProperties at(const failure::IceProperties& ice, Vec2 place) const;
 
   /// `ice` with the mean thickness and strength over `piece`: in each triangle of its convex parts, the mean over the
-  /// middles of the sides.
+  /// middles of the sides. Triangles with sides beyond the correlation length are divided.
   failure::IceProperties mean(const failure::IceProperties& ice, const geometry::Polygon& piece) const;
 
  private:
@@ -64,6 +64,7 @@ class Variation {
   };
   static std::optional<LogNormal> field(const model::Case& resolved, double coefficient, const char* purpose);
 
+  double length_ = 0.0;  ///< correlation length [m]
   std::optional<LogNormal> thickness_;
   std::optional<LogNormal> flexural_strength_;
 };
