@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "brash/statistics/rainflow.hpp"
 #include "extreme_statistics.hpp"
@@ -25,11 +26,24 @@ struct Piece {
   double step = 0.0;  ///< [s]
 };
 
+/// Counts the samples of an uneven piece as those of an even grid, so that stretches are cut by time.
+void count_evenly(std::span<const double> times, Piece& piece) {
+  const auto index = [&](double time) { return static_cast<std::size_t>((time - times.front()) / piece.step); };
+  for (Cycle& cycle : piece.cycles) cycle.index = index(times[cycle.index]);
+  piece.samples = index(times.back() + 0.5 * piece.step) + 1;
+}
+
 std::vector<Piece> pieces_of(const std::vector<const LoadHistory*>& loads) {
   std::vector<Piece> pieces;
-  for (const LoadHistory* load : loads)
-    for (const auto samples : raw_pieces(load->history, load->even))
-      pieces.push_back({rainflow(samples), samples.size(), load->even.sampling.step});
+  for (const LoadHistory* load : loads) {
+    const EvenHistory& even = load->even;
+    const Pieces samples = raw_pieces(load->history, even);
+    for (std::size_t p = 0; p < samples.size(); ++p) {
+      pieces.push_back({rainflow(samples[p]), samples[p].size(), even.sampling.step});
+      if (!even.sampling.even)
+        count_evenly(std::span(load->history.times).subspan(even.cuts[p], samples[p].size()), pieces.back());
+    }
+  }
   return pieces;
 }
 

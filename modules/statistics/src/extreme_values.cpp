@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "brash/core/contract.hpp"
 #include "brash/statistics/extreme_analysis.hpp"
@@ -67,10 +68,34 @@ void add_over(const std::vector<LoadEvent>& events, ExtremeValues& values) {
   }
 }
 
+/// Largest value of each whole block of an uneven piece. As in an even one, its last sample stands for a step.
+void add_maxima_by_time(std::span<const double> times, std::span<const double> piece, double step,
+                        ExtremeValues& values) {
+  constexpr double kRounding = 1e-6;  // of a step
+  const double covered = times.back() - times.front() + (1.0 + kRounding) * step;
+  std::vector<double> maxima(static_cast<std::size_t>(covered / values.block), -INFINITY);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto block = static_cast<std::size_t>((times[i] - times.front()) / values.block);
+    if (block < maxima.size()) maxima[block] = std::max(maxima[block], piece[i]);
+  }
+  // A block shorter than an interval may hold no sample.
+  for (const double maximum : maxima)
+    if (std::isfinite(maximum)) values.maxima.push_back(maximum);
+}
+
 void add_maxima(const ExtremeRecord& record, ExtremeValues& values) {
-  const auto block = static_cast<std::size_t>(std::max(1.0, std::round(values.block / record.even->sampling.step)));
-  for (const auto piece : raw_pieces(*record.history, *record.even))
-    for (const double maximum : block_maxima(piece, block)) values.maxima.push_back(maximum);
+  const EvenHistory& even = *record.even;
+  const double step = even.sampling.step;
+  const auto block = static_cast<std::size_t>(std::max(1.0, std::round(values.block / step)));
+  const Pieces pieces = raw_pieces(*record.history, even);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (!even.sampling.even) {
+      add_maxima_by_time(std::span(record.history->times).subspan(even.cuts[p], pieces[p].size()), pieces[p], step,
+                         values);
+      continue;
+    }
+    for (const double maximum : block_maxima(pieces[p], block)) values.maxima.push_back(maximum);
+  }
 }
 
 /// Correlation of the peaks of successive events, 0 for fewer than three pairs.

@@ -14,6 +14,7 @@
 #include "brash/io/results.hpp"
 #include "brash/statistics/random.hpp"
 #include "closed_forms.hpp"
+#include "fatigue_statistics.hpp"
 #include "history_statistics.hpp"
 #include "history_tables.hpp"
 #include "load_history.hpp"
@@ -291,6 +292,36 @@ BOOST_AUTO_TEST_CASE(equivalent_loads_tell_when_the_record_is_too_short_for_them
   const auto few = statistics_of(every(0.05, sawtooth(20)), settings);
   BOOST_TEST(few["fatigue"][0]["equivalent_load_95"][0].is_null());
   BOOST_TEST(contains(statistics_text(few), "independent stretches are too few for an interval"));
+}
+
+BOOST_AUTO_TEST_CASE(stretches_of_an_uneven_record_are_cut_by_time) {
+  // Cycles of 1 s with random peaks. The other record has four times the samples in the first half, between the same
+  // corners.
+  statistics::RandomStream stream(1, "stats", 0, "uneven");
+  std::vector<double> samples;
+  for (int cycle = 0; cycle < 400; ++cycle) {
+    const double peak = -std::log(1.0 - stream.uniform());
+    for (const double share : {0.25, 0.5, 0.75, 1.0, 0.83, 0.67, 0.5, 0.33, 0.17, 0.0}) samples.push_back(share * peak);
+  }
+  const LoadHistory even = every(0.1, samples);
+  LoadHistory uneven{"Fx", {}, {}, 0};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (int part = i > 0 && i <= samples.size() / 2 ? 3 : 0; part >= 0; --part) {
+      uneven.history.times.push_back(0.1 * static_cast<double>(i) - 0.025 * part);
+      uneven.history.values.push_back(part == 0 ? samples[i]
+                                                : samples[i] + 0.25 * part * (samples[i - 1] - samples[i]));
+    }
+  }
+  uneven.even = statistics::make_even(uneven.history);
+  BOOST_TEST_REQUIRE(!uneven.even.sampling.even);
+  // Not a whole number of samples, so that rounding decides about none.
+  const auto whole = fatigue_json({&even}, {3.0}, 9.99, 1.0)[0], parts = fatigue_json({&uneven}, {3.0}, 9.99, 1.0)[0];
+  BOOST_TEST(parts["stretches"] == 40);
+  BOOST_TEST(parts["stretches"] == whole["stretches"]);
+  // The even record counts one step of 0.1 s more than it lasts, the uneven one its mean step of 0.04 s.
+  const auto close = tolerance(1e-4);
+  BOOST_TEST(parts["equivalent_load"].get<double>() == whole["equivalent_load"].get<double>(), close);
+  BOOST_TEST(parts["equivalent_load_95"][0].get<double>() == whole["equivalent_load_95"][0].get<double>(), close);
 }
 
 BOOST_AUTO_TEST_CASE(a_history_is_filtered_and_resampled_with_its_gaps) {

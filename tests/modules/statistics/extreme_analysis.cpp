@@ -125,6 +125,24 @@ BOOST_AUTO_TEST_CASE(replicates_are_pooled_without_blocks_across_them) {
   BOOST_TEST(values.duration == 202.0, tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(blocks_of_an_uneven_record_are_cut_by_time) {
+  // A load that is its time: 100 s in steps of 0.05 s, then 100 s in steps of 0.2 s.
+  History history;
+  for (int i = 0; i < 2000; ++i) history.times.push_back(0.05 * i);
+  for (int i = 0; i < 500; ++i) history.times.push_back(100.0 + 0.2 * i);
+  history.values = history.times;
+  const EvenHistory even = make_even(history);
+  BOOST_TEST_REQUIRE(!even.sampling.even);
+  BOOST_TEST_REQUIRE(even.sampling.gaps.empty());
+  const std::vector<double> maxima = extreme_values({{&history, &even, 1.0}}, for_period(400.0, 15.0)).maxima;
+  BOOST_TEST_REQUIRE(maxima.size() == 13U);  // whole blocks of 15 s in 200 s
+  for (std::size_t i = 0; i < maxima.size(); ++i) {
+    const double end = 15.0 * (static_cast<double>(i) + 1.0);
+    BOOST_TEST(maxima[i] < end);
+    BOOST_TEST(maxima[i] > end - 0.21);  // the last sample before the end
+  }
+}
+
 BOOST_AUTO_TEST_CASE(high_thresholds_agree_on_the_shape) {
   const Sawtooth load(2000);
   const ExtremeSettings settings = for_period(4000.0);
