@@ -98,6 +98,7 @@ std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> 
 namespace {
 
 constexpr const char* kPeak = "peak of one breaking event";
+constexpr const char* kRarePeak = "peak, once in many years";
 
 ordered_json refused(const char* method, const char* source, const standards::NotApplicable& why) {
   return {{"method", method}, {"source", source}, {"not_applicable", why.reason}};
@@ -111,8 +112,7 @@ constexpr const char* kCroasdaleApplies =
 constexpr const char* kRalstonApplies =
     "cones at low speed with one layer of ice on the whole slope; upper bound; friction that does not lock the ice";
 constexpr const char* kNevelApplies = "narrow wedges, loaded over at most 0.6 characteristic lengths from the tip";
-constexpr const char* kCrushingApplies =
-    "a vertical face of the structure's width, which crushes the ice all over it; once in many years";
+constexpr const char* kCrushingApplies = "a vertical face of the structure's width, which crushes the ice all over it";
 constexpr const char* kLindqvistApplies =
     "icebreaking bows in continuous motion; friction that does not lock the ice under the bow";
 
@@ -198,7 +198,7 @@ ordered_json crushing_json(const model::Case& c, double coefficient, const char*
   if (!load) return refused(method.c_str(), kSource, load.error());
   return {{"method", method},
           {"source", kSource},
-          {"kind", kPeak},
+          {"kind", kRarePeak},
           {"applies_to", kCrushingApplies},
           {"horizontal", load->horizontal},
           {"components", {{"p w h", load->horizontal}}},
@@ -229,8 +229,9 @@ ordered_json closed_form_loads(const model::Case& c) {
   if (const auto hull = lindqvist_of(c))
     loads.push_back(*hull ? lindqvist_json(**hull)
                           : refused("ship's hull at the structure's speed", "Lindqvist 1989", hull->error()));
-  const char* const kind = c.structure.legs.size() < 2 ? "peaks of one breaking event; a ship's is a mean"
-                                                       : "peaks of one breaking event at one leg, as if alone";
+  const char* const kind = c.structure.legs.size() < 2
+                               ? "peaks of one breaking event; of crushing, once in many years; a ship's is a mean"
+                               : "peaks of one breaking event, of crushing once in many years; at one leg, as if alone";
   return {{"case", c.name}, {"kind", kind}, {"loads", loads}};
 }
 

@@ -409,7 +409,11 @@ BOOST_AUTO_TEST_CASE(the_validation_cone_has_its_known_peaks) {
   BOOST_TEST(loads[3]["horizontal"].get<double>() / loads[3]["vertical"].get<double>() ==
                  loads[0]["horizontal"].get<double>() / loads[0]["vertical"].get<double>(),
              tolerance(1e-12));  // the same slope and friction
-  BOOST_TEST(contains(loads_text(closed_form_loads(validation_cone())), "Croasdale"));
+  const std::string text = loads_text(closed_form_loads(validation_cone()));
+  BOOST_TEST(contains(text, "Croasdale"));
+  BOOST_TEST(contains(text, "peaks of one breaking event; of crushing, once in many years"));
+  for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U}) BOOST_TEST(loads[i]["kind"] == "peak of one breaking event");
+  for (const std::size_t i : {6U, 7U}) BOOST_TEST(loads[i]["kind"] == "peak, once in many years");
 }
 
 BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
