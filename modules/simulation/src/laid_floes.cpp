@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
+#include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/ice/floe_field.hpp"
 #include "brash/ice/floe_file.hpp"
@@ -146,6 +148,17 @@ std::vector<std::vector<std::vector<Vec2>>> land_outlines(const model::Case& res
   for (const Polygon& outline : ice::read_outlines(resolved.field.shore, resolved.field.origin))
     land.push_back(rings_in_metres(outline));
   return land;
+}
+
+double open_water(const model::Case& resolved) {
+  const double length = resolved.field.length, half = 0.5 * resolved.field.width;
+  if (resolved.field.shore.empty()) return length * resolved.field.width;
+  const std::vector<Vec2> corners{{0.0, -half}, {length, -half}, {length, half}, {0.0, half}};
+  const Polygon rectangle{geometry::ring(corners), {}};
+  auto water = geometry::IceSheet::from_polygons(std::span(&rectangle, 1));
+  BRASH_EXPECTS(water.has_value(), length, half);
+  for (const Ring& land : land_of(resolved)) (void)water->cut(land);
+  return water->area().square_metres();
 }
 
 InitialField initial_field(const model::Case& resolved) {

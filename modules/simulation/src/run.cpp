@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "brash/core/error.hpp"
+#include "brash/simulation/initial_floes.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "plan.hpp"
 #include "stage_timer.hpp"
@@ -230,12 +231,13 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   const Clock::time_point start = Clock::now();
   Progress progress = begin(resolved, options);
   finished.resumed_from = progress.simulation.time();
+  const double water = open_water(resolved);
   if (options.begun) options.begun();
   finished.complete = advance(resolved, options, progress);
   finished.results = progress.recorder.finish(progress.simulation);
   progress.counts.summary.ledger = progress.simulation.ledger();
   if (finished.complete) {
-    finished.summary = summarise(resolved, finished.results, progress.counts.summary);
+    finished.summary = summarise(resolved, finished.results, water, progress.counts.summary);
     finished.summary.warnings = progress.simulation.warnings();
     std::ranges::move(warnings_of(finished.summary), std::back_inserter(finished.summary.warnings));
   }

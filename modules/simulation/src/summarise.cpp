@@ -192,7 +192,7 @@ std::vector<double> areas_of(std::span<const std::vector<Vec2>> rings) {
 }
 
 /// The small floes, and the large ones, which are sheets.
-InitialFloes floes_at_start(const model::Case& resolved, const model::RunResults& results) {
+InitialFloes floes_at_start(const model::RunResults& results, double open_water) {
   std::vector<double> areas, sizes;
   for (const model::FloeRecord& floe : results.floes)
     if (!(floe.birth > 0.0)) areas.push_back(floe.area);
@@ -202,16 +202,14 @@ InitialFloes floes_at_start(const model::Case& resolved, const model::RunResults
     area += one;
     sizes.push_back(std::sqrt(one));
   }
-  InitialFloes at_start{.n = static_cast<int>(sizes.size()),
-                        .concentration = area / (resolved.field.length * resolved.field.width),
-                        .size_quantiles = {}};
+  InitialFloes at_start{.n = static_cast<int>(sizes.size()), .concentration = area / open_water, .size_quantiles = {}};
   at_start.size_quantiles = statistics::quantiles(std::move(sizes), kQuantiles);
   return at_start;
 }
 
 }  // namespace
 
-RunSummary summarise(const model::Case& resolved, const model::RunResults& results, RunSummary s) {
+RunSummary summarise(const model::Case& resolved, const model::RunResults& results, double open_water, RunSummary s) {
   s.statistics_from = statistics_from(resolved);
   const auto first =
       std::ranges::find_if(results.loads, [&](const model::LoadRow& r) { return r.time > s.statistics_from; });
@@ -247,7 +245,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
     s.n_floes_present += floe.end == model::FloeEnd::kAlive ? 1 : 0;
   }
   s.n_floes_born = static_cast<int>(results.floes.size());
-  if (resolved.field.kind == model::FieldKind::kFloes) s.initial_floes = floes_at_start(resolved, results);
+  if (resolved.field.kind == model::FieldKind::kFloes) s.initial_floes = floes_at_start(results, open_water);
   s.mean_last_change =
       results.loads.empty() ? kUnknown : s.sum_of_last_changes / static_cast<double>(results.loads.size());
   s.piece_area_quantiles = statistics::quantiles(std::move(areas), kQuantiles);

@@ -6,6 +6,8 @@
 namespace brash::simulation {
 
 /// Completes `counts` (the counters and the ledger of the run) with the statistics of its results.
-RunSummary summarise(const model::Case& resolved, const model::RunResults& results, RunSummary counts);
+/// @param open_water  area of the field without its land [m2].
+RunSummary summarise(const model::Case& resolved, const model::RunResults& results, double open_water,
+                     RunSummary counts);
 
 }  // namespace brash::simulation

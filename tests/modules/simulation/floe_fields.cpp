@@ -125,6 +125,18 @@ BOOST_AUTO_TEST_CASE(a_jam_presses_on_the_wall_with_the_wind_on_all_its_floes) {
   BOOST_TEST(impulse / (kCount * kStep) == wind, tt::tolerance(0.01));
 }
 
+BOOST_AUTO_TEST_CASE(the_concentration_of_a_field_with_land_is_of_its_water) {
+  const std::filesystem::path shore = std::filesystem::temp_directory_path() / "brash_shore_of_a_field.wkt";
+  std::ofstream(shore) << "POLYGON((30 -40, 70 -40, 70 40, 30 40, 30 -40))";  // over half of the field and beyond it
+  const Run run = simulation::run(field_case(
+      {"field.shore=" + shore.string(), "field.shape=discs", "field.concentration=0.4", "time.duration=0.02"}));
+  std::filesystem::remove(shore);
+  BOOST_REQUIRE(run.summary.initial_floes.has_value());
+  const double found = run.summary.initial_floes->concentration;
+  BOOST_TEST(found == run.summary.ledger.initial.square_metres() / 1800.0, tt::tolerance(1e-9));
+  BOOST_TEST(std::abs(found - 0.4) < 0.5 * 144.0 / 1800.0);  // half of the largest floe
+}
+
 BOOST_AUTO_TEST_CASE(a_run_through_a_field_closes_its_ledger_and_its_energies) {
   const Run run = simulation::run(field_case({"field.border=walls", "wind.velocity=[10, 5]"}));
   BOOST_TEST(run.complete);

@@ -22,6 +22,10 @@ struct InitialField {
 /// @throws InputError when its file cannot be read.
 std::vector<std::vector<std::vector<Vec2>>> land_outlines(const model::Case& resolved);
 
+/// The field without its land [m2].
+/// @throws InputError when the file of the land cannot be read.
+double open_water(const model::Case& resolved);
+
 /// The ice that a run of the case would begin with.
 /// @throws InputError when they cannot be laid: file, key or place.
 InitialField initial_field(const model::Case& resolved);

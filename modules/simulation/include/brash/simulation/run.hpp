@@ -42,7 +42,7 @@ struct EnergyBalance {
 /// A field of floes at the start.
 struct InitialFloes {
   int n = 0;
-  double concentration = 0.0;          ///< area of the floes over the area of the field [-]
+  double concentration = 0.0;          ///< area of the floes over the field without land [-]
   std::vector<double> size_quantiles;  ///< of the square roots of their areas, 5, 25, 50, 75, 95 % [m]
 };
 
