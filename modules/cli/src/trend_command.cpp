@@ -153,7 +153,8 @@ ordered_json trend_of(const Strata& strata, const std::string& of, double confid
   out["jonckheere_terpstra"] = {{"z", trend.statistic}, {"p", trend.p_value}};
   out["kendall"] = {{"tau", tau.statistic}, {"p", tau.p_value}};
   out["last_less_first"] = {{"difference", difference.difference},
-                            {"interval_95", {difference.interval.lower, difference.interval.upper}}};
+                            {"interval_95", {difference.interval.lower, difference.interval.upper}},
+                            {"confidence", confidence}};
   return out;
 }
 
@@ -190,7 +191,10 @@ std::string ends_text(const ordered_json& trend) {
   const ordered_json& ends = trend["last_less_first"];
   const double lower = ends["interval_95"][0].get<double>(), upper = ends["interval_95"][1].get<double>();
   std::string text =
-      fmt::format("  last less first: {:.6g}  [{:.6g}, {:.6g}]\n", ends["difference"].get<double>(), lower, upper);
+      fmt::format("  last less first: {:.6g}  [{:.6g}, {:.6g}]", ends["difference"].get<double>(), lower, upper);
+  // Of several columns each interval is wider, so that all together hold with 95 %.
+  const double confidence = ends["confidence"].get<double>();
+  text += confidence > 0.95 ? fmt::format(" at {:.4g} %\n", 100.0 * confidence) : "\n";
   const auto verdict = trend["trend"].get<std::string>();
   if (verdict.starts_with("last"))
     text += "  the ends differ at 5 %, but the values between them do not rise or fall steadily\n";

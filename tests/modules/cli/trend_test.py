@@ -60,6 +60,16 @@ class Trend(unittest.TestCase):
         self.assertEqual(load["trend"], "falls")
         self.assertEqual(other["trend"], "undecided")
         self.assertLess(load["last_less_first"]["interval_95"][1], 0)
+        # Both intervals together hold with 95 %: each has Student's t at 97.5 % of Welch's freedom.
+        one = self.trend("--along", "structure.angle", "--where", "*_speed-2.0", "--json")
+        alone = json.loads(one.stdout)["trends"][0]["last_less_first"]
+        self.assertEqual(load["last_less_first"]["confidence"], 0.975)
+        self.assertEqual(alone["confidence"], 0.95)
+        self.assertEqual(load["last_less_first"]["difference"], alone["difference"])
+        self.assertLess(load["last_less_first"]["interval_95"][0], alone["interval_95"][0])
+        text = self.trend("--along", "structure.angle", "--where", "*_speed-2.0", "--of", "horizontal.mean", "--of",
+                          "vertical.mean").stdout
+        self.assertIn("] at 97.5 %", text)
 
     def name_the_axes(self):
         settings = [{"setting": "s", "values": {"structure.angle": a, "structure.speed": v}} for a, v in LOADS]
