@@ -16,6 +16,7 @@ constexpr double kRejected = 0.05;           // p below which a law does not fit
 constexpr double kLightestShape = -0.5;      // of a regular likelihood
 constexpr std::size_t kFewestForShape = 30;  // maxima that tell a shape
 constexpr std::size_t kFewestMaxima = 10;    // for a level
+constexpr std::size_t kEnoughEvents = 55;    // for ten blocks of five load cycles, some of them cut at the ends
 constexpr double kPeaksCorrelated = 0.3;     // successive peaks are then far from independent
 
 const std::vector<double>& values_for(Law law, const ExtremeValues& values) {
@@ -23,11 +24,18 @@ const std::vector<double>& values_for(Law law, const ExtremeValues& values) {
   return law == Law::kPareto ? values.over : values.peaks;
 }
 
-/// Why no law can be fitted to the record; "" when one can.
-std::string refusal_of_record(const ExtremeValues& v) {
-  if (v.n_events >= kFewestEvents) return "";
-  return fmt::format("the record has {} load events, and {} are needed: about {:.3g} s", v.n_events, kFewestEvents,
-                     static_cast<double>(kFewestEvents) * v.duration / std::max<double>(1.0, v.n_events));
+/// Whether the record holds too few values for a law with a free shape.
+bool is_short(const ExtremeValues& v) {
+  return v.n_events < kFewestEvents || (v.maxima.size() < kFewestMaxima && v.over.size() < kFewestForShape);
+}
+
+/// The reason of a short record, with a length that suffices.
+std::string reason_of_short(const ExtremeValues& v) {
+  const double cycle = v.duration / std::max<double>(1.0, v.n_events);
+  const double needed = std::max(kEnoughEvents * cycle, (kFewestMaxima + 1.0) * v.block);
+  return fmt::format(
+      "the record has {} load events in {:.3g} s, too few for the shape of the tail: about {:.3g} s are needed",
+      v.n_events, v.duration, needed);
 }
 
 /// Why a law cannot be fitted or cannot answer; "" when it can.
@@ -123,7 +131,8 @@ ExtremeAnalysis analyse_extremes(ExtremeValues values, const ExtremeSettings& se
   BRASH_EXPECTS(settings.return_period > 0.0, settings.return_period);
   ExtremeAnalysis analysis;
   analysis.return_period = settings.return_period;
-  const std::string refusal = refusal_of_record(values);
+  // Without a law for any; a record between both limits has laws, but none to recommend.
+  const std::string refusal = values.n_events < kFewestEvents ? reason_of_short(values) : "";
   for (std::size_t i = 0; i < kLaws.size(); ++i) {
     analysis.estimates[i].law = kLaws[i];
     analysis.estimates[i].refusal = refusal;
@@ -131,6 +140,8 @@ ExtremeAnalysis analyse_extremes(ExtremeValues values, const ExtremeSettings& se
   }
   if (const std::string too_long = refusal_of_period(values, settings); !refusal.empty() || !too_long.empty())
     analysis.reason = refusal.empty() ? too_long : refusal;
+  else if (is_short(values))
+    analysis.reason = reason_of_short(values);
   else if (values.clipping)
     analysis.reason = "the largest loads are clipped";
   else

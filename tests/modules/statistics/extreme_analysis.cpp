@@ -85,7 +85,22 @@ BOOST_AUTO_TEST_CASE(a_minute_does_not_answer_for_an_hour) {
 BOOST_AUTO_TEST_CASE(a_record_with_few_events_gets_no_level) {
   const ExtremeAnalysis analysis = analyse(Sawtooth(15), for_period(30.0));
   BOOST_TEST(!analysis.recommended.has_value());
-  BOOST_TEST(contains(analysis.reason, "load events, and 20 are needed"));
+  BOOST_TEST(contains(analysis.reason, "load events in 15 s, too few for the shape of the tail: about 5"));
+  for (const ExtremeEstimate& e : analysis.estimates) BOOST_TEST(!e.fit.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_record_of_the_length_that_a_short_one_asks_for_suffices) {
+  for (const int cycles : {15, 25, 49}) {
+    const std::string reason = analyse(Sawtooth(cycles), for_period(400.0)).reason;
+    const std::string::size_type at = reason.find("about ");
+    BOOST_TEST_REQUIRE(at != std::string::npos, reason);
+    const int asked = static_cast<int>(std::ceil(std::stod(reason.substr(at + 6))));
+    BOOST_TEST(asked < 70);
+    const ExtremeAnalysis enough = analyse(Sawtooth(asked), for_period(400.0));
+    BOOST_TEST(enough.values.maxima.size() >= 10U);
+    BOOST_TEST(enough.of(Law::kGev).fit.has_value());
+    BOOST_TEST(!contains(enough.reason, "too few"));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_block_holds_load_cycles) {

@@ -25,7 +25,7 @@ struct ExtremeSettings {
 inline constexpr double kMarkedPeriod = 4.0;
 /// A return period above so many records gets no level. docs/theory/statistics.md has the coverage there.
 inline constexpr double kLongestPeriod = 30.0;
-/// Below so many load events a record gets no level.
+/// Below so many load events a record gets no level by any law.
 inline constexpr std::size_t kFewestEvents = 20;
 
 /// A history with the statistics that the search for extremes needs.
