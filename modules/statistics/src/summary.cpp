@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kWindowFactor = 5.0;       // Sokal's c: truncation bias e^-c, 0.7 %, for an exponential decay
 constexpr std::size_t kFirstLags = 65'536;  // of the search for the window
-constexpr double kLongEnough = 50.0;        // history in autocorrelation times for tau to be known to about 30 %
+constexpr double kLongEnough = 50.0;        // history in autocorrelation times; tau then errs by about two thirds
 
 std::size_t total_size(const Pieces& pieces) {
   std::size_t n = 0;

@@ -53,8 +53,8 @@ tl::expected<LawFit, FitError> fit_law(Law law, std::span<const double> values, 
 /// Level that one value exceeds with the probability `exceedance`, with the interval from its profile likelihood.
 ///
 /// The limit of the likelihood ratio is n ln(1 + t^2/(n - p)) with Student's t of n - p degrees of freedom, for n
-/// values and p parameters. It is exact for a normal mean, and chi squared for many values. The Poisson error of the
-/// number of peaks adds in quadrature to the interval of laws of peaks.
+/// values and p parameters. It tends to chi squared, and is exact for a normal mean with n - 1 in place of n - p. The
+/// Poisson error of the number of peaks adds in quadrature to the interval of laws of peaks.
 ///
 /// @param exceedance  in (0, 1).
 /// @see docs/theory/statistics.md, (S10).

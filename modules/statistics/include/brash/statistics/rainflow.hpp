@@ -55,7 +55,8 @@ StretchDamages damage_by_stretch(std::span<const Cycle> cycles, double exponent,
 Interval damage_rate_interval(const StretchDamages& stretches, double confidence, RandomStream& stream);
 
 /// Share of the damage in the long run that is done by ranges above the largest one seen, from Pareto's law of the
-/// largest ranges; 1 when that damage has no bound or there are too few cycles for the law.
+/// largest ranges, or an exponential one where its shape is negative; 1 when that damage has no bound or there are too
+/// few cycles for the law.
 ///
 /// Above kMostUnseen the record lacks the cycles that do the damage, and an interval rests on a law of their tail.
 double unseen_damage(std::span<const Cycle> cycles, double exponent);
