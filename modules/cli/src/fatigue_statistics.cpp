@@ -26,7 +26,7 @@ struct Piece {
   double step = 0.0;  ///< [s]
 };
 
-/// Counts the samples of an uneven piece as those of an even grid, so that stretches are cut by time.
+/// Counts the samples of an uneven piece as on an even grid, so that stretches are cut by time.
 void count_evenly(std::span<const double> times, Piece& piece) {
   const auto index = [&](double time) { return static_cast<std::size_t>((time - times.front()) / piece.step); };
   for (Cycle& cycle : piece.cycles) cycle.index = index(times[cycle.index]);
