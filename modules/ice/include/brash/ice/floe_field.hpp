@@ -37,10 +37,11 @@ double share_up_to(const model::FloeSizes& law, double size);
 /// Packs floes into the rectangle of `field`, x from 0 to `length`, |y| <= width/2, at its concentration.
 ///
 /// Sizes are drawn until their areas are as near to the concentration as they come: the sum of several is at most half
-/// of the last floe too large, or half of the next one drawn too small. The areas of the floes are the drawn ones, to the
-/// rounding of their vertices to the grid. Floes of the shapes:
+/// of the last floe too large, or half of the next one drawn too small. The areas of the floes are the drawn ones, to
+/// the rounding of their vertices to the grid. Floes of the shapes:
 /// - voronoi: cells of a power diagram whose areas are the drawn ones, each over the concentration; a cell shrinks
-///   about its centroid to the floe. Aurenhammer, Hoffmann and Aronov 1998; Kitagawa, Merigot and Thibert 2019. (F4), (F5)
+///   about its centroid to the floe. Aurenhammer, Hoffmann and Aronov 1998; Kitagawa, Merigot and Thibert 2019. (F4),
+///   (F5)
 /// - squares, discs (24 sides): at random places, the largest first. (F6)
 ///
 /// @param field     with `floes.concentration` and `floes.size`.
