@@ -219,8 +219,8 @@ bool Simulation::Impl::crush_passed_ice(double time) {
   return any;
 }
 
-/// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact as near
-/// to a break of this step as its crack reaches is left to the next step.
+/// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact as
+/// near to a break of this step as its crack reaches is left to the next step.
 void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
   for (const EdgeContact& contact : contacts) {
     const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);

@@ -143,8 +143,8 @@ BOOST_AUTO_TEST_CASE(the_crack_through_a_place_of_a_whole_sheet_runs_from_edge_t
 
 BOOST_AUTO_TEST_CASE(a_crack_cuts_off_the_ice_at_b_and_crosses_the_line_at_the_breaking_length) {
   const double l_c = failure::characteristic_length(kIce);
-  const auto criterion = failure::make_criterion(model::FailureModel::kPlateOutline, "", kIce,
-                                                 {.anywhere = true, .trace_crack = true});
+  const auto criterion =
+      failure::make_criterion(model::FailureModel::kPlateOutline, "", kIce, {.anywhere = true, .trace_crack = true});
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share;
   int n_cracks = 0;

@@ -52,7 +52,7 @@ class Field {
 
   /// Breaks ice off `plate` and splits it. The parts of the pieces under `structure` are crushed and leave.
   ///
-  /// @param structure      the structure's leading outlines: no piece is born inside the structure.
+  /// @param structure      the structure's section at mid-thickness: no piece is born inside it.
   /// @param smallest_floe  pieces below this area become brash [m2].
   /// @return the pieces, parts of the plate that lost their connection included.
   Broken break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
