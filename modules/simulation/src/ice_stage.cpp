@@ -73,11 +73,8 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
   ice::Broken broken =
       field.break_off(plate, plan, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
-  Break made{.n_wedges = plan.n_wedges,
-             .along_stress = plan.along_stress,
-             .centre = plan.centre,
-             .reach = plan.reach,
-             .births = {}};
+  Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
+  broken_in_step.push_back({plate.level_ice(), plan.centre, plan.reach});
   const int level_ice = plate.level_ice();
   for (ice::Plate& piece : broken.pieces) let_float(std::move(piece), level_ice, made.births, report);
   follow_outline(field.level_ice(level_ice), broken.changed);
@@ -251,7 +248,6 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .flexural_strength = contact.ice.flexural_strength};
     event = in_world(contact.level_ice, event);
     Break made = break_off(contact, report);
-    broken_in_step.push_back({contact.level_ice, made.centre, made.reach});
     event.wedges = made.n_wedges;
     const bool solves_sheet = edge_model(field.level_ice(contact.level_ice)).criterion.needs_outline();
     report.breaks += {.under_floes = contact.floe == model::kNoFloe ? 0 : 1,

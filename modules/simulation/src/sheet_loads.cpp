@@ -231,6 +231,7 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
     for (std::size_t i = 0; i < all.size(); ++i) {
       const EdgeContact& other = all[i];
       if (!presses(other) || (i != contact && !joint)) continue;
+      const std::size_t before = load.loads.size();
       const Resultant resultant(other, frame, 0.5 * (heights.top + heights.bottom), own_way);
       const auto on_outline = [&](Vec2 end) { return nearest(outline->line, end).distance < kOnTheEdge; };
       if (of_structure(other)) {
@@ -240,7 +241,7 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
       } else if (norm(frame.place(other.region.midpoint)) < reach) {
         place_floe(other, resultant, frame, *outline, model.ice.thickness, load.loads);
       }
-      if (i == contact && !load.loads.empty()) own_weight = weight_of(load.loads.back(), reach, l_c);
+      if (i == contact && load.loads.size() > before) own_weight = weight_of(load.loads.back(), reach, l_c);
     }
     drop_weak(reach, l_c, own_weight, load.loads);
     load.outline = outline->line;

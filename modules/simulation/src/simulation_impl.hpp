@@ -29,8 +29,6 @@ namespace brash::simulation {
 struct Break {
   int n_wedges = 0;
   bool along_stress = false;
-  Vec2 centre{};       ///< of the ice that broke, in the frame of its sheet [m]
-  double reach = 0.0;  ///< of that ice from there [m]
   std::vector<model::FloeRecord> births;
 };
 
