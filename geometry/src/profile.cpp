@@ -137,9 +137,14 @@ std::optional<Profile> Profile::of_chain(std::span<const std::vector<Vec2>> edge
     }
     return points;
   };
-  std::size_t back = foot.segment + 1, on = foot.segment + 1;
-  std::vector<Vec2> left = walk(1.0, [&] { return back > 0 ? &chain[--back] : nullptr; });
-  const std::vector<Vec2> right = walk(-1.0, [&] { return on < chain.size() ? &chain[on++] : nullptr; });
+  // A closed chain goes on past the point where it starts, once around.
+  const bool is_closed = chain.size() > 2 && chain.front() == chain.back();
+  const std::size_t n = is_closed ? chain.size() - 1 : chain.size();
+  const std::size_t n_back = is_closed ? n : foot.segment + 1, n_on = is_closed ? n : n - foot.segment - 1;
+  std::size_t back = 0, on = 0;
+  std::vector<Vec2> left = walk(1.0, [&] { return back < n_back ? &chain[(foot.segment + n - back++) % n] : nullptr; });
+  const std::vector<Vec2> right =
+      walk(-1.0, [&] { return on < n_on ? &chain[(foot.segment + 1 + on++) % n] : nullptr; });
   if (left.empty() || right.empty()) return std::nullopt;
 
   Profile profile(reach);

@@ -85,6 +85,25 @@ BOOST_AUTO_TEST_CASE(a_protrusion_of_a_sheet_is_found_wherever_it_points) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_fit_to_an_island_does_not_depend_on_where_its_outline_starts) {
+  // The outline of a sheet starts at its smallest vertex: here it is B, a corner beside the window, or one behind B.
+  for (int i = 0; i < 12; ++i) {
+    const double angle = kPi * i / 6;
+    const Vec2 x{std::cos(angle), std::sin(angle)}, at{20.0, -7.0};
+    std::vector<Vec2> outline{{0, 0}, {0.6, -3.6}, {3, -2}, {3, 2}, {0.6, 3.6}};
+    for (Vec2& p : outline) p = at + p.x * x + p.y * perpendicular(x);
+    const Polygon ice{ring(outline), {}};
+    const IceSheet island = IceSheet::from_polygons(std::span(&ice, 1)).value();
+    const Trapezoid fit = fit_trapezoid(island, {at, x, {}, 3.0});
+    const std::vector<Vec2> edge{{0.6, 3.6}, {0, 0}, {0.6, -3.6}};
+    const Trapezoid open = fit_trapezoid(std::span(&edge, 1), {{0, 0}, {1, 0}, {}, 3.0});
+    // The least descends to 1e-4 of the ranges.
+    BOOST_TEST(std::abs(fit.depth - open.depth) < 0.001);
+    BOOST_TEST(std::abs(fit.contact_length - open.contact_length) < 0.001);
+    BOOST_TEST(std::abs(degrees(fit.angle) - degrees(open.angle)) < 0.05);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(every_contact_of_a_passage_has_a_trapezoid_and_a_second_passage_has_the_same) {
   const Passage first = break_through_a_sheet(), second = break_through_a_sheet();
   BOOST_REQUIRE(first.at_edge.size() > 500u);
