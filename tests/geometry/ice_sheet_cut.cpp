@@ -152,6 +152,23 @@ BOOST_AUTO_TEST_CASE(a_cut_across_the_sheet_detaches_the_smaller_part_with_its_h
   BOOST_TEST(sheet.release_detached().empty());
 }
 
+BOOST_AUTO_TEST_CASE(loose_parts_leave_the_sheet_and_its_only_part_stays) {
+  IceSheet sheet = sheet_of({{box(0, 0, 50, 10), {box(45, 4, 46, 5)}}});
+  const auto all = [](const Polygon&) { return true; };
+  BOOST_TEST(sheet.release_if(all).empty());
+  cut_and_check(sheet, box(40, -1, 41, 11));
+  cut_and_check(sheet, box(20, -1, 21, 11));
+  BOOST_TEST(sheet.n_parts() == 3u);
+  const auto is_large = [](const Polygon& part) { return area(part).square_metres() > 100.0; };
+  const std::vector<Polygon> large = sheet.release_if(is_large);
+  BOOST_TEST_REQUIRE(large.size() == 2u);
+  BOOST_TEST(area(large[0]).square_metres() == 200.0);
+  BOOST_TEST(area(large[1]).square_metres() == 190.0);
+  BOOST_TEST(sheet.n_parts() == 1u);
+  BOOST_TEST(sheet.area().square_metres() == 90.0 - 1.0);
+  BOOST_CHECK_NO_THROW(sheet.check());
+}
+
 BOOST_AUTO_TEST_CASE(a_cut_that_swallows_everything_leaves_an_empty_sheet) {
   IceSheet sheet = sheet_of({{box(0, 0, 5, 5), {box(1, 1, 2, 2)}}});
   const Cut cut = cut_and_check(sheet, disc({2, 2}, 30.0, 16));

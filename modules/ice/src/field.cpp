@@ -70,8 +70,9 @@ struct Accounts {
 }  // namespace
 
 Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation)
-    : variation_(std::move(variation)) {
+    : section_(section), variation_(std::move(variation)) {
   LaidIce start = laid(section, ice);
+  land_ = std::move(start.land);
   level_ice_ = plates_of(std::move(start.sheets), section.border, ice);
   for (GivenFloe& floe : start.floes) {
     failure::IceProperties own = variation_.mean(ice, floe.outline);
@@ -84,7 +85,10 @@ Field::Field(const model::FieldSection& section, const failure::IceProperties& i
 
 Field::Field(const model::FieldSection& section, const failure::IceProperties& ice, Variation variation,
              const model::Checkpoint& checkpoint)
-    : level_ice_(plates_of(laid(section, ice).sheets, section.border, ice)), variation_(std::move(variation)) {
+    : section_(section), variation_(std::move(variation)) {
+  LaidIce start = laid(section, ice);
+  land_ = std::move(start.land);
+  level_ice_ = plates_of(std::move(start.sheets), section.border, ice);
   // Sheets that drift have split off others; some are no more, and have no outline.
   const bool drifts = has_table(checkpoint, "drift");
   std::vector<std::vector<geometry::Polygon>> outlines(drifts ? checkpoint.table("drift").n_rows() : level_ice_.size());
@@ -150,6 +154,18 @@ geometry::Extent Field::crush(Plate& plate, std::span<const geometry::Point> sec
   return crushed.changed;
 }
 
+/// Takes parts that have lost their connection out of a plate; where they go is still to be booked.
+std::vector<geometry::Polygon> Field::take_severed(Plate& plate, geometry::Extent& changed) {
+  const auto is_loose = [this](const geometry::Polygon& part) { return !is_held(part, section_, land_); };
+  std::vector<geometry::Polygon> severed =
+      plate.hold() == Hold::kFast ? plate.sheet().release_if(is_loose) : plate.sheet().release_detached();
+  for (const geometry::Polygon& part : severed) {
+    account_of(plate) -= geometry::area(part);
+    changed.add(geometry::extent(part));
+  }
+  return severed;
+}
+
 /// The part of a piece outside `structure`; the rest is crushed.
 std::vector<geometry::Polygon> Field::carve(Plate piece, std::span<const geometry::Ring> structure) {
   for (const geometry::Ring& outline : structure) {
@@ -173,20 +189,31 @@ void Field::book_piece(const Plate& plate, geometry::Polygon part, double smalle
   }
 }
 
+/// Books the parts of pieces outside `structure`.
+std::vector<Plate> Field::book_pieces(const Plate& plate, std::span<const geometry::Polygon> whole,
+                                      std::span<const geometry::Ring> structure, double smallest_floe) {
+  std::vector<Plate> pieces;
+  for (const geometry::Polygon& piece : whole) {
+    for (geometry::Polygon& carved : carve(plate.piece(piece), structure))
+      book_piece(plate, std::move(carved), smallest_floe, pieces);
+  }
+  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  return pieces;
+}
+
+Broken Field::release_severed(Plate& plate, std::span<const geometry::Ring> structure, double smallest_floe) {
+  Broken result;
+  const std::vector<geometry::Polygon> severed = take_severed(plate, result.changed);
+  result.pieces = book_pieces(plate, severed, structure, smallest_floe);
+  return result;
+}
+
 Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
                         double smallest_floe) {
   geometry::Cut broken = cut(plate, plan.cracked.region, plan.cracked.cracks);
   Broken result{.pieces = {}, .changed = broken.changed};
-  for (geometry::Polygon& detached : plate.sheet().release_detached()) {
-    account_of(plate) -= geometry::area(detached);
-    result.changed.add(geometry::extent(detached));
-    broken.pieces.push_back(std::move(detached));
-  }
-  for (const geometry::Polygon& whole : broken.pieces) {
-    for (geometry::Polygon& carved : carve(plate.piece(whole), structure))
-      book_piece(plate, std::move(carved), smallest_floe, result.pieces);
-  }
-  BRASH_EXPECTS(ledger_.closes(), ledger_.missing().to_string());
+  std::ranges::move(take_severed(plate, result.changed), std::back_inserter(broken.pieces));
+  result.pieces = book_pieces(plate, broken.pieces, structure, smallest_floe);
   return result;
 }
 

@@ -107,8 +107,8 @@ GivenLevelIce given_ice(const model::FieldSection& field) {
   return {{rectangle(field.length, field.width)}, {}};
 }
 
-/// Whether land holds a part: one of its edges lies along a side or the far end of the rectangle.
-bool is_held(const Polygon& part, const model::FieldSection& field) {
+/// Whether an edge of a part lies along a side or the far end of the rectangle.
+bool has_edge_on_border(const Polygon& part, const model::FieldSection& field) {
   const Point corner = geometry::snap({field.length, 0.5 * field.width});
   const Point other = geometry::snap({0.0, -0.5 * field.width});
   const Ring& ring = part.outline;
@@ -138,8 +138,13 @@ std::string files_of(const model::FieldSection& field) {
 /// Whether land lies along a part: a corner of one of them lies on an edge of the other.
 bool touches(const Polygon& part, const Polygon& land) {
   const auto has_corner_on = [](const Polygon& one, const Polygon& other) {
+    const Vec2 near{kOnEdge, kOnEdge};
+    const auto [lower, upper] = geometry::extent(other);
+    const geometry::Extent box{lower - near, upper + near};
     bool has = false;
-    visit_edges(one, [&](Vec2 corner, Vec2) { has = has || distance_to_edges(other, corner) < kOnEdge; });
+    visit_edges(one, [&](Vec2 corner, Vec2) {
+      has = has || (!are_apart(box, corner, corner) && distance_to_edges(other, corner) < kOnEdge);
+    });
     return has;
   };
   return has_corner_on(part, land) || has_corner_on(land, part);
@@ -148,7 +153,7 @@ bool touches(const Polygon& part, const Polygon& land) {
 void sort_held(std::vector<Polygon> parts, std::span<const Polygon> land, const model::FieldSection& field,
                LaidIce& laid) {
   for (Polygon& part : parts) {
-    if (is_held(part, field) || std::ranges::any_of(land, [&](const Polygon& one) { return touches(part, one); }))
+    if (is_held(part, field, land))
       laid.sheets.push_back(std::move(part));
     else
       laid.floes.push_back({std::move(part), {}, {}});
@@ -206,6 +211,11 @@ void expect_no_tails(const std::vector<Tail>& tails, const std::string& file) {
 
 }  // namespace
 
+bool is_held(const Polygon& part, const model::FieldSection& field, std::span<const Polygon> land) {
+  return has_edge_on_border(part, field) ||
+         std::ranges::any_of(land, [&](const Polygon& one) { return touches(part, one); });
+}
+
 std::vector<Polygon> with_openings(std::span<const Polygon> ice, std::span<const Polygon> openings) {
   std::vector<IceSheet> sheets = sheets_of(ice);
   for (const Polygon& opening : openings) {
@@ -253,7 +263,7 @@ Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon
 
 LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice) {
   GivenLevelIce given = given_ice(field);
-  if (!model::has_ice_files(field)) return {std::move(given.sheets), {}};
+  if (!model::has_ice_files(field)) return {std::move(given.sheets), {}, {}};
   std::vector<Polygon> parts = std::move(given.sheets);
   std::vector<Polygon> land;
   if (!field.shore.empty()) {
@@ -273,6 +283,7 @@ LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& 
   else
     sort_drifting(std::move(parts), field, ice, laid);
   std::ranges::move(given.floes, std::back_inserter(laid.floes));
+  laid.land = std::move(land);
   return laid;
 }
 

@@ -14,13 +14,17 @@ namespace brash::ice {
 struct LaidIce {
   std::vector<geometry::Polygon> sheets;  ///< held, or large enough to drift as a sheet: one part each
   std::vector<GivenFloe> floes;           ///< parts that nothing holds, then the floes of the file
+  std::vector<geometry::Polygon> land;    ///< of the shore
 };
+
+/// Whether land holds a part of level ice with fixed borders: one of its edges lies along a side or the far end of the
+/// rectangle, or it touches `land`.
+bool is_held(const geometry::Polygon& part, const model::FieldSection& field, std::span<const geometry::Polygon> land);
 
 /// Lays the level ice of `field`: the rectangle or the outlines of its file, less its openings, parted by its cracks.
 ///
-/// With fixed borders a part is a sheet if a side of it lies on the border of the rectangle along the sides or at the
-/// far end. With free borders the largest part is a sheet, and so is each part that is broad enough. Every other part
-/// is a floe.
+/// With fixed borders a part is a sheet if land holds it, as is_held() has it. With free borders the largest part is a
+/// sheet, and so is each part that is broad enough. Every other part is a floe.
 /// @param ice  whose characteristic length, with `smallest_plate`, says which parts are broad enough.
 /// @throws InputError naming file and place: a faulty file, ice out of the field, a line that ends inside the ice, or
 ///         ice that nothing holds.

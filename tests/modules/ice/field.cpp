@@ -66,9 +66,18 @@ BOOST_AUTO_TEST_CASE(crushed_ice_and_deleted_floes_stay_in_the_ledger) {
   BOOST_TEST(field.ledger().closes());
 }
 
+/// A field whose level ice drifts.
+Field drifting_ice(double length, double width) {
+  model::FieldSection section;
+  section.length = length;
+  section.width = width;
+  section.border = model::Border::kFree;
+  return {section, properties()};
+}
+
 BOOST_AUTO_TEST_CASE(ice_cut_off_from_the_sheet_becomes_a_floe) {
-  Field strip = level_ice(10.0, 4.0);
-  // The disc is wider than the strip: the ice before it loses its hold, the ice behind it stays the sheet.
+  Field strip = drifting_ice(10.0, 4.0);
+  // The disc is wider than the strip: the ice before it loses its connection, the ice behind it stays the sheet.
   const Broken broken = break_circle(strip, {4.0, 0.0}, 2.5, 1);
   BOOST_TEST(broken.pieces.size() == 2u);
   BOOST_TEST(broken.changed.lower.x == 0.0);  // the part that was cut off reaches to the edge
@@ -77,6 +86,70 @@ BOOST_AUTO_TEST_CASE(ice_cut_off_from_the_sheet_becomes_a_floe) {
   BOOST_TEST(sheet.contains({9.0, 0.0}));
   BOOST_TEST(!sheet.contains({0.5, 0.0}));
   BOOST_TEST(strip.ledger().closes());
+}
+
+/// Crushes a channel of corners [m] into the first level ice.
+void crush_channel(Field& field, std::initializer_list<Vec2> corners) {
+  BOOST_TEST(!field.crush(field.level_ice(0), geometry::ring(std::vector<Vec2>(corners))).is_empty());
+}
+
+BOOST_AUTO_TEST_CASE(drifting_ice_that_crushing_severs_leaves_the_sheet) {
+  Field field = drifting_ice(30.0, 20.0);
+  BOOST_TEST(field.release_severed(field.level_ice(0), kFarAway, 0.01).changed.is_empty());
+  crush_channel(field, {{-1, 2}, {31, 2}, {31, 4}, {-1, 4}});
+  const Broken severed = field.release_severed(field.level_ice(0), kFarAway, 0.01);
+  BOOST_REQUIRE(severed.pieces.size() == 1u);
+  BOOST_TEST(severed.pieces[0].area().square_metres() == 30.0 * 6.0);
+  BOOST_TEST(severed.changed.lower.y == 4.0);
+  BOOST_TEST(field.level_ice(0).area().square_metres() == 30.0 * 12.0);
+  BOOST_TEST(field.level_ice(0).sheet().n_parts() == 1u);
+  BOOST_TEST((field.ledger().floes == severed.pieces[0].area()));
+  BOOST_TEST(field.ledger().closes());
+}
+
+BOOST_AUTO_TEST_CASE(ice_that_crushing_severs_is_not_born_inside_the_structure) {
+  Field field = drifting_ice(30.0, 20.0);
+  crush_channel(field, {{-1, 2}, {31, 2}, {31, 4}, {-1, 4}});
+  const std::vector<geometry::Ring> structure{
+      geometry::ring(std::array<Vec2, 4>{Vec2{10, 3}, {14, 3}, {14, 5}, {10, 5}})};
+  const Broken severed = field.release_severed(field.level_ice(0), structure, 0.01);
+  BOOST_REQUIRE(severed.pieces.size() == 1u);
+  BOOST_TEST(severed.pieces[0].area().square_metres() == 30.0 * 6.0 - 4.0);
+  BOOST_TEST(field.ledger().closes());
+}
+
+BOOST_AUTO_TEST_CASE(fast_ice_in_two_parts_is_held_on_both_sides) {
+  // A break and a crushed channel part a strip between the sides.
+  Field strip = level_ice(10.0, 4.0);
+  BOOST_TEST(break_circle(strip, {4.0, 0.0}, 2.5, 1).pieces.size() == 1u);
+  BOOST_TEST(strip.level_ice(0).sheet().n_parts() == 2u);
+  BOOST_TEST(strip.level_ice(0).sheet().contains({0.5, 0.0}));
+  BOOST_TEST(strip.level_ice(0).sheet().contains({9.0, 0.0}));
+
+  Field field = level_ice(30.0, 20.0);
+  crush_channel(field, {{-1, 2}, {31, 2}, {31, 4}, {-1, 4}});
+  BOOST_TEST(field.release_severed(field.level_ice(0), kFarAway, 0.01).pieces.empty());
+  BOOST_TEST(field.level_ice(0).sheet().n_parts() == 2u);
+  BOOST_TEST(field.ledger().sheet.square_metres() == 30.0 * 18.0);
+  BOOST_TEST(field.ledger().closes());
+
+  // A part that no border holds leaves later.
+  BOOST_TEST(break_circle(field, {0.0, -5.0}, 2.0, 1).pieces.size() == 1u);
+  crush_channel(field, {{-1, 5}, {6, 5}, {6, 3}, {7, 3}, {7, 6}, {-1, 6}});
+  const Broken severed = field.release_severed(field.level_ice(0), kFarAway, 0.01);
+  BOOST_REQUIRE(severed.pieces.size() == 1u);
+  BOOST_TEST(severed.pieces[0].area().square_metres() == 6.0 * 1.0);
+  BOOST_TEST(field.level_ice(0).sheet().n_parts() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(fast_ice_keeps_a_small_part_that_is_held_and_releases_a_large_one_that_is_not) {
+  Field field = level_ice(30.0, 20.0);
+  crush_channel(field, {{-1, -9.5}, {29.5, -9.5}, {29.5, 9.5}, {-1, 9.5}, {-1, 9}, {29, 9}, {29, -9}, {-1, -9}});
+  const Broken severed = field.release_severed(field.level_ice(0), kFarAway, 0.01);
+  BOOST_REQUIRE(severed.pieces.size() == 1u);
+  BOOST_TEST(severed.pieces[0].area().square_metres() == 29.0 * 18.0);
+  BOOST_TEST(field.level_ice(0).area().square_metres() == 30.0 * 20.0 - 29.5 * 19.0);
+  BOOST_TEST(field.ledger().closes());
 }
 
 BOOST_AUTO_TEST_CASE(a_piece_breaks_again_and_the_ledger_closes) {
@@ -111,15 +184,6 @@ BOOST_AUTO_TEST_CASE(a_floe_splits_along_a_line_and_the_ledger_closes) {
   BOOST_TEST((field.ledger().floes == large[0].area() + halves[1].area()));
   BOOST_TEST(field.ledger().brash.square_metres() > 0.2);
   BOOST_TEST(field.ledger().closes());
-}
-
-/// A field whose level ice drifts.
-Field drifting_ice(double length, double width) {
-  model::FieldSection section;
-  section.length = length;
-  section.width = width;
-  section.border = model::Border::kFree;
-  return {section, properties()};
 }
 
 BOOST_AUTO_TEST_CASE(drifting_ice_splits_from_a_contact_to_the_far_border_and_the_ledger_closes) {

@@ -115,6 +115,19 @@ BOOST_AUTO_TEST_CASE(land_is_cut_from_the_ice_and_holds_what_touches_it) {
   BOOST_TEST(lay().floes.size() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(land_holds_a_part_that_a_break_parts_from_the_sides) {
+  field.shore = write("shore", "POLYGON((12 -2, 16 -2, 16 2, 12 2, 12 -2))");
+  const std::array<Vec2, 8> around{Vec2{-1, -6}, {20, -6}, {20, 6}, {-1, 6}, {-1, 5}, {19, 5}, {19, -5}, {-1, -5}};
+  const auto n_severed = [&] {
+    Field laid(field, kIce);
+    (void)laid.crush(laid.level_ice(0), geometry::ring(around));
+    return laid.release_severed(laid.level_ice(0), {}, 0.01).pieces.size();
+  };
+  BOOST_TEST(n_severed() == 0u);
+  field.shore.clear();
+  BOOST_TEST(n_severed() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(a_floe_on_land_is_refused_with_its_place) {
   field.shore = write("shore", "POLYGON((12 -2, 16 -2, 16 2, 12 2, 12 -2))");
   give(R"({"type":"FeatureCollection","features":[

@@ -108,6 +108,29 @@ BOOST_AUTO_TEST_CASE(one_large_floe_breaks_as_a_plate_among_small_ones) {
   BOOST_TEST(run.summary.ledger.closes());
 }
 
+BOOST_AUTO_TEST_CASE(a_fixed_sheet_that_the_structure_cuts_in_two_stays_fast_on_both_sides) {
+  simulation::Simulation through(
+      cone({"field.length=8", "field.width=20", "field.initial_crack=false", "structure.waterline_width=2",
+            "structure.height=2", "structure.height_under_water=1", "structure.speed=2", "structure.start_distance=2",
+            "time.step=0.02", "time.duration=6"}));
+  double largest = 0.0;
+  for (int i = 0; i < 300; ++i)
+    for (const model::FloeRecord& floe : through.step().births) largest = std::max(largest, floe.area);
+  BOOST_TEST(largest > 0.0);
+  BOOST_TEST(largest < 10.0);  // a half of the sheet has more than 60 m2
+  geometry::Extent parts[2];
+  for (const geometry::Polygon& part : through.sheet()) {
+    const geometry::Extent box = geometry::extent(part);
+    BOOST_TEST((box.lower.y == -10.0) != (box.upper.y == 10.0));  // each is held by one side
+    parts[box.upper.y == 10.0 ? 1 : 0].add(box);
+  }
+  for (const geometry::Extent& half : parts) {
+    BOOST_TEST(half.lower.x == 0.0);
+    BOOST_TEST(half.upper.x == 8.0);
+  }
+  BOOST_TEST(through.ledger().closes());
+}
+
 BOOST_AUTO_TEST_CASE(the_start_is_clear_of_ice) {
   const auto refuses = [](const model::Case& resolved, const std::string& word) {
     BOOST_CHECK_EXCEPTION((void)initial_field(resolved), InputError, [&](const InputError& error) {

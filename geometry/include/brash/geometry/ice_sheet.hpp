@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -75,6 +76,8 @@ class IceSheet {
 
   ExactArea area() const;
   std::size_t n_vertices() const;
+  /// How many connected parts it has. Costs nothing.
+  std::size_t n_parts() const;
   /// The connected parts, each with its holes; sorted by the smallest vertex of the outline.
   std::vector<Polygon> polygons() const;
   bool contains(Vec2 point) const;
@@ -91,6 +94,10 @@ class IceSheet {
   /// Takes every part but the largest out of the sheet: ice that a cut has broken off. Costs nothing while the sheet
   /// hangs together, and the number of loops when it does not.
   std::vector<Polygon> release_detached();
+
+  /// Takes every part of which `is_loose` holds out of the sheet. The only part of a sheet stays, and is not asked
+  /// about.
+  std::vector<Polygon> release_if(const std::function<bool(const Polygon&)>& is_loose);
 
   /// The overlaps of the simple counter-clockwise `section` with the ice, sorted by the angle of their midpoint about
   /// the mean of the section's vertices.

@@ -50,11 +50,18 @@ class Field {
   /// Ice of `plate` inside `section` is crushed and leaves. @return around all of it that is not as before.
   geometry::Extent crush(Plate& plate, std::span<const geometry::Point> section);
 
+  /// Releases the parts of `plate` that have lost their connection: of level ice with fixed borders the parts that no
+  /// border holds, of other ice all but the largest. Costs nothing while the plate hangs together.
+  ///
+  /// @param structure, smallest_floe  as of break_off().
+  /// @return the pieces.
+  Broken release_severed(Plate& plate, std::span<const geometry::Ring> structure, double smallest_floe);
+
   /// Breaks ice off `plate` and splits it. The parts of the pieces under `structure` are crushed and leave.
   ///
   /// @param structure      the structure's section at mid-thickness: no piece is born inside it.
   /// @param smallest_floe  pieces below this area become brash [m2].
-  /// @return the pieces, parts of the plate that lost their connection included.
+  /// @return the pieces, and the parts of the plate that lost their connection.
   Broken break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
                    double smallest_floe);
 
@@ -85,11 +92,16 @@ class Field {
 
  private:
   geometry::Cut cut(Plate& plate, std::span<const geometry::Point> region, std::span<const geometry::Crack> cracks);
+  std::vector<geometry::Polygon> take_severed(Plate& plate, geometry::Extent& changed);
   std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Ring> structure);
+  std::vector<Plate> book_pieces(const Plate& plate, std::span<const geometry::Polygon> whole,
+                                 std::span<const geometry::Ring> structure, double smallest_floe);
   void book_piece(const Plate& plate, geometry::Polygon part, double smallest_floe, std::vector<Plate>& pieces);
   void lay(Plate& plate, geometry::Polygon outline);
   geometry::ExactArea& account_of(const Plate& plate);
 
+  model::FieldSection section_;
+  std::vector<geometry::Polygon> land_;
   std::vector<Plate> level_ice_;
   std::vector<Plate> loose_;
   Variation variation_;
