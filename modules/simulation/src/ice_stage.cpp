@@ -136,7 +136,7 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
 /// contacts belong to the state that is reached, however short or long the step.
 ///
 /// @param done  parts of the step before.
-std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, double done) {
+std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, double done, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
   const auto time_after = [&](double part) { return time() + (done + part) * resolved.time.step; };
   const auto contacts_after = [&](double part) {
@@ -158,7 +158,7 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, doub
 
   motion->advance(share);
   sheets.advance(share * resolved.time.step);
-  if (crush_passed_ice(time_after(share))) contacts = contacts_at(motion->now(), 0.0, time_after(share));
+  if (crush_passed_ice(time_after(share), report)) contacts = contacts_at(motion->now(), 0.0, time_after(share));
   return contacts;
 }
 
@@ -198,22 +198,37 @@ void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& rep
 }
 
 /// The structure has penetrated the whole thickness of the ice that the trailing outlines cover. This ice is crushed
-/// and leaves its plate. @return whether there was any.
-bool Simulation::Impl::crush_passed_ice(double time) {
+/// and leaves its plate, and the parts that it has held go on by themselves. @return whether there was any.
+bool Simulation::Impl::crush_passed_ice(double time, StepReport& report) {
   const StageTimer::Scope clock(timer, times.cutting);
   bool any = false;
-  for (const ice::Plate& level : field.level_ice()) {
-    ice::Plate& plate = field.level_ice(level.level_ice());
+  const int n_level_ice = static_cast<int>(field.level_ice().size());
+  for (int number = 0; number < n_level_ice; ++number) {
+    const ice::Plate& plate = field.level_ice(number);
     geometry::Extent changed;
-    const double shift = edges.largest_shift(plate.level_ice(), time);
-    const structure::State structure = sheets.seen_from(plate.level_ice(), motion->now());
+    const double shift = edges.largest_shift(number, time);
+    const structure::State structure = sheets.seen_from(number, motion->now());
     if (!is_near(plate, structure)) continue;
     for (const geometry::Ring& outline : trailing_outlines(edge_model(plate), structure.pose, shift))
-      changed.add(field.crush(plate, outline));
-    follow_outline(plate, changed);
+      changed.add(field.crush(field.level_ice(number), outline));
+    if (!changed.is_empty()) changed.add(release_severed(number, structure.pose, report));
+    follow_outline(field.level_ice(number), changed);
     any = any || !changed.is_empty();
   }
   return any;
+}
+
+/// Parts of level ice that crushing has severed go on as bodies of their own. @return around them.
+geometry::Extent Simulation::Impl::release_severed(int level_ice, const Pose& structure, StepReport& report) {
+  ice::Plate& plate = field.level_ice(level_ice);
+  if (plate.sheet().n_parts() < 2) return {};
+  ice::Broken severed =
+      field.release_severed(plate, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
+  if (severed.changed.is_empty()) return {};
+  const Vec2 to_corner = 0.5 * (severed.changed.upper - severed.changed.lower);
+  sleep.wake_within(world, floes, severed.changed.lower + to_corner, norm(to_corner));
+  for (ice::Plate& piece : severed.pieces) let_float(std::move(piece), level_ice, report.births, report);
+  return severed.changed;
 }
 
 /// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact as
@@ -283,7 +298,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
-    std::vector<EdgeContact> contacts = move_within_range(share, done);
+    std::vector<EdgeContact> contacts = move_within_range(share, done, report);
     const double from = time() + done * resolved.time.step;
     done += share;
     energy.book_bent_edges(edges.follow(contacts, from, time() + done * resolved.time.step));

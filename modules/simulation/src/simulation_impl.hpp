@@ -102,11 +102,12 @@ struct Simulation::Impl {
   void split_floes(StepReport& report);
   void split(const Fracture& fracture, StepReport& report);
 
-  std::vector<EdgeContact> move_within_range(double& share, double done);
+  std::vector<EdgeContact> move_within_range(double& share, double done, StepReport& report);
   std::vector<EdgeContact> contacts_at(const structure::State& state, double later, double time) const;
   void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
   void judge(std::vector<EdgeContact>& contacts, StepReport& report);
-  bool crush_passed_ice(double time);
+  bool crush_passed_ice(double time, StepReport& report);
+  geometry::Extent release_severed(int level_ice, const Pose& structure, StepReport& report);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);
   void let_float(ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births, StepReport& report);

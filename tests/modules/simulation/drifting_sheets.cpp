@@ -341,6 +341,24 @@ BOOST_AUTO_TEST_CASE(a_sheet_with_far_borders_has_the_loads_of_the_fixed_sheet_u
   BOOST_TEST(apart < 1e-3 * largest);
 }
 
+BOOST_AUTO_TEST_CASE(a_sheet_that_crushing_severs_goes_on_as_two) {
+  // A vertical cylinder crosses a strip on its middle line. It breaks nothing, and the tough ice does not split.
+  const model::Case c =
+      free_case({"algorithm.preset=brash", "structure.angle=90 deg", "structure.waterline_width=1", "structure.speed=8",
+                 "structure.start_distance=2", "field.length=4", "field.width=100", "field.smallest_plate=0.1",
+                 "field.initial_crack=false", "ice.fracture_toughness=1e7", "time.step=0.005", "time.duration=1.5"});
+  simulation::Simulation simulation(c);
+  step_through(simulation, 300, [](const simulation::StepReport& report) { BOOST_TEST(report.events.empty()); });
+  const std::vector<simulation::SheetMotion> halves = simulation.sheet_motions();
+  BOOST_REQUIRE(halves.size() == 2u);
+  BOOST_TEST(simulation.sheet().size() == 2u);
+  // The channel is as wide as the cylinder. The halves are hinged on nothing: each turns its own way.
+  for (const simulation::SheetMotion& half : halves)
+    BOOST_TEST(half.mass == c.ice.density * c.ice.thickness * 4.0 * 49.5, boost::test_tools::tolerance(2e-3));
+  BOOST_TEST(halves[0].spin * halves[1].spin < 0.0);
+  BOOST_TEST(simulation.ledger().closes());
+}
+
 BOOST_AUTO_TEST_CASE(a_resumed_run_of_a_sheet_that_drifts_goes_on_to_the_bit_and_its_ledgers_close) {
   const model::Case c = free_case({"time.duration=6", "field.length=40", "field.width=60",
                                    "ice.fracture_toughness=20e3", "failure.model=wedge", "failure.pattern=disc",
