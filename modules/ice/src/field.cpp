@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,15 @@ namespace {
 constexpr double kBeyond = 1.0;
 /// A crack begins this far outside the ice [m].
 constexpr double kOutside = 1e-3;
+
+/// The way from a point to the end of the plane of the ice [m].
+double to_end_of_plane(Vec2 from, Vec2 towards) {
+  const auto along = [](double start, double slope) {
+    if (slope == 0.0) return geometry::Extent::kFar;
+    return (std::copysign(geometry::kMaxCoordinate - kOutside, slope) - start) / slope;
+  };
+  return std::min(along(from.x, towards.x), along(from.y, towards.y));
+}
 
 LaidIce laid(const model::FieldSection& section, const failure::IceProperties& ice) {
   return section.kind == model::FieldKind::kLevelIce ? lay_ice(section, ice) : LaidIce{};
@@ -252,8 +262,8 @@ Broken Field::split_sheet(Plate& plate, Vec2 from, Vec2 towards, double smallest
   if (extent.is_empty()) return result;
   const Vec2 beyond{kBeyond, kBeyond}, lower = extent.lower - beyond, upper = extent.upper + beyond;
   const std::array<Vec2, 4> corners{lower, Vec2{upper.x, lower.y}, upper, Vec2{lower.x, upper.y}};
-  const geometry::Crack crack{geometry::snap(from - kOutside * towards),
-                              geometry::snap(from + (norm(upper - lower)) * towards)};
+  const double length = std::min(norm(upper - lower), to_end_of_plane(from, towards));
+  const geometry::Crack crack{geometry::snap(from - kOutside * towards), geometry::snap(from + length * towards)};
   geometry::Cut parts = cut(plate, geometry::ring(corners), std::array{crack});
   const auto largest =
       std::ranges::max_element(parts.pieces, {}, [](const geometry::Polygon& p) { return geometry::area(p); });

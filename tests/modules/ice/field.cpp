@@ -215,6 +215,16 @@ BOOST_AUTO_TEST_CASE(drifting_ice_splits_from_a_contact_to_the_far_border_and_th
   BOOST_TEST(field.ledger().closes());
 }
 
+BOOST_AUTO_TEST_CASE(a_crack_through_a_large_sheet_stays_on_the_plane_of_the_ice) {
+  Field field = drifting_ice(4000.0, 4000.0);
+  crush_channel(field, {{-1, -1}, {3000, -1}, {3000, 1}, {-1, 1}});
+  // The diagonal of the sheet would lead the crack beyond 8192 m.
+  const Broken broken = field.split_sheet(field.level_ice(0), {3000.0, 0.0}, {1.0, 0.0}, 0.01);
+  BOOST_REQUIRE(broken.pieces.size() == 1u);
+  BOOST_TEST(broken.pieces[0].area().square_metres() == 4000.0 * 2000.0 - 3000.0);
+  BOOST_TEST((field.level_ice(0).area() == broken.pieces[0].area()));
+}
+
 BOOST_AUTO_TEST_CASE(a_field_restores_what_it_saved) {
   Field field = level_ice(50.0, 50.0);
   (void)break_circle(field, {0.0, 0.0}, 3.0, 4);
