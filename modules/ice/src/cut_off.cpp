@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace brash::ice {
 namespace {
@@ -80,6 +81,12 @@ double signed_area(const Polyline& ring) {
   return 0.5 * twice;
 }
 
+/// Whether the ring does not cross itself. One that leaves the ice close to a notch may cross the edge beyond it.
+bool is_simple(const Polyline& ring) {
+  const geometry::Polygon polygon{geometry::ring(ring), {}};
+  return geometry::IceSheet::from_polygons(std::span(&polygon, 1)).has_value();
+}
+
 }  // namespace
 
 std::optional<CutOff> cut_off(const geometry::IceSheet& sheet, Vec2 tip, const std::vector<Vec2>& crack) {
@@ -107,6 +114,7 @@ std::optional<CutOff> cut_off(const geometry::IceSheet& sheet, Vec2 tip, const s
   result.region.back() = other->outside;
   for (std::size_t i = other->at.segment; i > one->at.segment; --i) result.region.push_back(edge[i]);
   if (signed_area(result.region) < 0.0) std::ranges::reverse(result.region);
+  if (!is_simple(result.region)) return std::nullopt;
   return result;
 }
 

@@ -16,7 +16,8 @@ struct CutOff {
 
 /// The ice between a crack and the free edge around `tip`.
 /// @param crack  from outside the ice, or just short of it, to outside the ice, past the far side of `tip` [m].
-/// @return nothing where the crack does not end on the piece of free edge that `tip` lies on, on both sides of it.
+/// @return nothing where the crack does not end on the piece of free edge that `tip` lies on, on both sides of it, or
+///         where the region would cross itself.
 std::optional<CutOff> cut_off(const geometry::IceSheet& sheet, Vec2 tip, const std::vector<Vec2>& crack);
 
 /// The point at the share `share` of a polyline's length.

@@ -110,6 +110,20 @@ BOOST_AUTO_TEST_CASE(nothing_is_cut_off_where_the_crack_does_not_pass_around_the
   BOOST_TEST(!cut_off(sheet, {0.0, 0.0}, {}).has_value());
 }
 
+BOOST_AUTO_TEST_CASE(nothing_is_cut_off_where_the_region_would_cross_the_edge_beyond_a_notch) {
+  // The edge x = 0 turns at the origin to the ledge y = 0. An arm leaves the ice below the corner, towards the ledge.
+  const std::vector<Vec2> outline{{-10, 0}, {0, 0}, {0, -10}, {20, -10}, {20, 20}, {-10, 20}};
+  const geometry::Polygon ice{geometry::ring(outline), {}};
+  geometry::IceSheet sheet = geometry::IceSheet::from_polygons(std::span(&ice, 1)).value();
+  const auto crack = [](double below) {
+    return std::vector<Vec2>{{-2, -0.05}, {-2, 1}, {0, 2}, {1.5, 0}, {1, -1 - below}, {-0.05, 0.05 - below}};
+  };
+  BOOST_TEST(!cut_off(sheet, {-1.0, 0.0}, crack(0.0005)).has_value());
+  const auto cut = cut_off(sheet, {-1.0, 0.0}, crack(0.01));
+  BOOST_REQUIRE(cut.has_value());
+  BOOST_TEST(sheet.cut(geometry::ring(cut->region)).pieces.size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(a_pattern_along_the_stress_cuts_the_disc_where_no_crack_reaches_the_edge) {
   const Field field = level_ice(50.0, 50.0);
   model::FailureSection section;
