@@ -48,11 +48,39 @@ struct Arc {
   double span = 0.0;
 };
 
-/// The arc less the widest gap in its ice; ice that does not reach the circle counts with nothing.
+/// The turn less the widest gap between the sides of `pieces` that face away from the centre; they may overlap.
+Arc ice_around(std::span<const Polygon> pieces, Vec2 centre) {
+  std::vector<std::pair<double, double>> sides;
+  for (const Polygon& piece : pieces) {
+    for (std::size_t i = 0; i < piece.outline.size(); ++i) {
+      const Vec2 a = metres(piece.outline[i]) - centre;
+      const Vec2 b = metres(piece.outline[i + 1 == piece.outline.size() ? 0 : i + 1]) - centre;
+      if (cross(a, b) > 0.0) sides.emplace_back(std::atan2(a.y, a.x), std::atan2(cross(a, b), dot(a, b)));
+    }
+  }
+  if (sides.empty()) return {};
+  Arc arc{0.0, kTurn};
+  double widest = 1e-9;
+  for (const auto& [start, width] : sides) {
+    // How far it is from the end of this side to the start of the next: nothing, if the end lies within one.
+    const double end = start + width;
+    double gap = kTurn, next = end;
+    for (const auto& [other, other_width] : sides) {
+      const double since = turned(end - other + 1e-9) - 1e-9;
+      if (since < other_width - 1e-9) gap = 0.0;
+      if (const double until = turned(other - end + 1e-9) - 1e-9; until < gap) gap = until, next = other;
+    }
+    if (gap > widest) widest = gap, arc = {next, kTurn - gap};
+  }
+  return arc;
+}
+
+/// The arc less the widest gap in its ice; ice that does not reach the circle counts with nothing where other ice does.
 Arc ice_on_arc(const IceSheet& sheet, Vec2 centre, double radius, int sides) {
   const Ring circle = disc(centre, radius, sides);
+  const std::vector<Polygon> pieces = sheet.within(circle);
   std::vector<std::pair<double, double>> covered;
-  for (const Polygon& piece : sheet.within(circle)) {
+  for (const Polygon& piece : pieces) {
     for (std::size_t i = 0; i < piece.outline.size(); ++i) {
       const Vec2 a = metres(piece.outline[i]) - centre;
       const Vec2 b = metres(piece.outline[i + 1 == piece.outline.size() ? 0 : i + 1]) - centre;
@@ -63,7 +91,7 @@ Arc ice_on_arc(const IceSheet& sheet, Vec2 centre, double radius, int sides) {
       if (on_arc) covered.emplace_back(turned(std::atan2(a.y, a.x)), turned(std::atan2(b.y, b.x)));
     }
   }
-  if (covered.empty()) return {};
+  if (covered.empty()) return ice_around(pieces, centre);
   std::sort(covered.begin(), covered.end());
   Arc arc{0.0, 0.0};
   double widest = 0.0;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <random>
 
+#include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "shapes.hpp"
@@ -129,6 +132,24 @@ BOOST_AUTO_TEST_CASE(wedges_share_the_ice_that_the_arc_meets_at_a_corner_and_all
   const double angles[] = {0.3, -0.4};
   const Cut given = cut_circumferential(round, {0, 25}, 1.0, angles, 16);
   BOOST_TEST(given.pieces.size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(ice_that_does_not_reach_the_circle_is_divided_over_its_own_angles) {
+  // The ice lies between -45 and 45 degrees; two cracks at +-15 degrees divide it.
+  IceSheet ahead = sheet_of({{box(1, -1, 3, 1), {}}});
+  const Cut cut = cut_circumferential(ahead, {0, 0}, 10.0, 3, 16);
+  BOOST_TEST_REQUIRE(cut.pieces.size() == 3u);
+  std::vector<double> areas;
+  for (const Polygon& piece : cut.pieces) areas.push_back(area(piece).square_metres());
+  std::sort(areas.begin(), areas.end());
+  BOOST_TEST(std::abs(areas[2] - 8.0 * std::tan(kPi / 12.0)) < 1e-8);  // vertices are rounded to 1e-9 m
+  BOOST_TEST(std::abs(areas[0] - areas[1]) < 1e-8);
+
+  IceSheet around = sheet_of({{box(-1, -1, 3, 1), {}}});
+  BOOST_TEST(cut_circumferential(around, {0, 0}, 10.0, 4, 16).pieces.size() == 4u);
+  // A part behind another one adds no angle.
+  IceSheet two = sheet_of({{box(1, -1, 3, 1), {}}, {box(4, -1, 5, 1), {}}});
+  BOOST_TEST(cut_circumferential(two, {0, 0}, 10.0, 3, 16).pieces.size() == 4u);
 }
 
 BOOST_AUTO_TEST_CASE(cracks_that_split_nothing_leave_no_trace) {
