@@ -43,12 +43,15 @@ IceSheet sheet_of(std::span<const Polygon> polygons) {
 /// One sheet of all polygons, or one of each where some touch along an edge: that edge is a crack, and one sheet would
 /// close it.
 std::vector<IceSheet> sheets_of(std::span<const Polygon> polygons) {
-  std::vector<IceSheet> sheets;
-  sheets.push_back(sheet_of(polygons));
-  if (sheets.front().polygons().size() >= polygons.size()) return sheets;
-  sheets.clear();
-  for (const Polygon& polygon : polygons) sheets.push_back(sheet_of(std::span(&polygon, 1)));
-  return sheets;
+  std::vector<IceSheet> each;
+  std::size_t n_parts = 0;  // more than polygons, where one of them touches itself in a vertex
+  for (const Polygon& polygon : polygons) {
+    each.push_back(sheet_of(std::span(&polygon, 1)));
+    n_parts += each.back().n_parts();
+  }
+  std::vector<IceSheet> one;
+  one.push_back(sheet_of(polygons));
+  return one.front().n_parts() < n_parts ? std::move(each) : std::move(one);
 }
 
 /// Calls `visit(a, b)` for each edge of a polygon [m].

@@ -207,6 +207,17 @@ BOOST_AUTO_TEST_CASE(outlines_that_touch_stay_apart_beside_openings_and_cracks) 
   BOOST_TEST((area_of(ice) == square_metres(30.0, 20.0) - square_metres(2.0, 2.0)));
 }
 
+BOOST_AUTO_TEST_CASE(outlines_that_touch_stay_apart_beside_one_that_touches_itself) {
+  field.border = model::Border::kFree;
+  give(
+      "MULTIPOLYGON(((0 0, 5 0, 5 5, 0 5, 0 0)),((5 0, 10 0, 10 5, 5 5, 5 0)),"
+      "((15 0, 17 2, 19 0, 19 4, 17 2, 15 4, 15 0)))");
+  open("POLYGON((25 6, 26 6, 26 7, 25 7, 25 6))");  // beside the ice
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() + ice.floes.size() == 4u);  // two squares and two triangles
+  BOOST_TEST((area_of(ice) == square_metres(10.0, 5.0) + square_metres(2.0, 4.0)));
+}
+
 BOOST_AUTO_TEST_CASE(faults_of_files_are_refused_with_the_remedy) {
   give("POLYGON((2 -5, 20 -5, 20 5, 2 5, 2 -5))");
   refuses("write field.border = \"free\"");
