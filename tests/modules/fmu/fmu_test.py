@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Units against the program: loads, parameters, saved states and driven structures, to the bit."""
+import math
 import os
 import pathlib
 import tempfile
 import unittest
 
 import brash as module
-from units import (CASE, Common, DRIVEN, INPUTS, LEG_LOADS, LOADS, OUTPUTS, SOURCE, STEP, TWO_LEGS, UNITS, Under2, Under3,
+from units import (CASE, Common, DRIVEN, INPUTS, LEG_LOADS, LOADS, OUTPUTS, SOURCE, STEP, TURNS, TWO_LEGS, UNITS, Under2, Under3,
                    Unit, brash, quaternion, rows, started, swaying)
 
 
@@ -41,6 +42,32 @@ class Tests(Common):
         self.assertEqual(regions(**TWO_LEGS), ["leg_1", "leg_2"])
         self.assertEqual(regions(case=SOURCE / "experiments/ships/icebreaker.toml"),
                          ["bottom", "bow", "shoulders", "sides", "stern"])
+
+    def test_a_structure_afloat_tells_its_turns_as_a_run_does(self):
+        ship, seconds = SOURCE / "experiments/ships/free.toml", 1
+        history = UNITS.history(seconds, TURNS, ship, **{"output.statistics_from": 0})
+        instance = self.keep(started(self.unit(case=ship)))
+        found = [0.0] * len(TURNS)
+        for i, row in enumerate(history[:40]):
+            instance.step(i * STEP, STEP)
+            self.assertEqual(instance.get(TURNS), row)
+            found = [largest or number for largest, number in zip(found, row)]
+        self.assertTrue(all(found), found)
+        instance.step(40 * STEP, 20 * STEP)
+        for name, number in zip(TURNS, instance.get(TURNS)):
+            of_run = [row[TURNS.index(name)] for row in history[40:60]]
+            rate = name[len("structure_")] in "vw"
+            self.assertAlmostEqual(number, sum(of_run) / 20 if rate else of_run[-1], delta=1e-15, msg=name)
+
+    def test_a_unit_on_a_path_tells_its_heading_from_the_start(self):
+        names = ["structure_heading", "structure_wz"]
+        instance = self.keep(self.unit(case=self.path_case()).instantiate())
+        instance.enter_initialization()
+        for found, wanted in zip(instance.get(names), (0.3, 0.2)):
+            self.assertAlmostEqual(found, wanted, delta=1e-12)
+        self.assertNotIn("structure_roll", instance.unit.references)
+        instance.exit_initialization()
+        self.assertEqual(rows(instance, 0, 40, names), UNITS.history(1, names, self.path_case())[:40])
 
     def test_a_long_step_gives_the_mean_load_and_the_last_place(self):
         history = UNITS.history(3)
@@ -159,6 +186,29 @@ class Tests(Common):
             largest = max(abs(row[column]) for row in wanted)
             for a, b in zip(found, wanted):
                 self.assertAlmostEqual(a[column], b[column], delta=1e-9 * largest, msg=LOADS[column])
+
+    def test_loads_turn_with_the_heading_and_the_formula_of_the_tutorial_turns_them_back(self):
+        unit = self.unit(**DRIVEN, **{"field.initial_crack": False})
+
+        def loads_at(heading):
+            """Along the sheet's axes, of the cone that goes ahead at this heading."""
+            instance, found = self.keep(started(unit)), []
+            for i in range(26):  # until two steps after the first break: floes let round-off grow
+                instance.set({"structure_x": -7.0 + 1.2 * i * STEP, "structure_yaw": heading, "structure_vx": 1.2})
+                instance.step(i * STEP, STEP)
+                found.append([])
+                for kind in "FM":
+                    x, y, z = instance.get([kind + axis for axis in "xyz"])
+                    c, s = math.cos(heading), math.sin(heading)
+                    found[-1] += [-(x * c - y * s), -(x * s + y * c), z]
+            return found
+
+        ahead, abeam = loads_at(0.0), loads_at(0.5 * math.pi)
+        self.assertLess(ahead[-1][0], -1e5)  # along the sheet's x it is against the motion
+        self.assertLess(ahead[-1][1], -100)
+        for a, b in zip(ahead, abeam):
+            for number, turned in zip(a, b):
+                self.assertAlmostEqual(turned, number, delta=1e-9 * max(map(abs, ahead[-1])))
 
     def test_a_driven_unit_goes_on_from_a_saved_state_to_the_bit(self):
         unit = self.unit(**DRIVEN)

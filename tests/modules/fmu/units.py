@@ -20,6 +20,7 @@ STEP = 0.01
 CAUSES = ("", "crushing_", "floe_normal_", "floe_friction_")
 LOADS = [cause + axis for cause in CAUSES for axis in ("Fx", "Fy", "Fz", "Mx", "My", "Mz")]
 OUTPUTS = LOADS + ["structure_x", "structure_y", "structure_vx", "structure_vy"]
+TURNS = [f"structure_{name}" for name in ("z", "vz", "roll", "pitch", "heading", "wx", "wy", "wz")]
 TWO_LEGS = {"structure.legs": "[[0, 6], [0, -6]]", "structure.waterline_width": 8, "structure.start_distance": 4.1,
             "field.initial_crack": False}
 LEG_LOADS = [f"F{axis}_leg_{leg}{part}" for leg in (1, 2) for part in ("", "_crushing") for axis in "xyz"]
@@ -58,15 +59,15 @@ class Units:
         file = self.file(fmi, case, **overrides)
         return self._once(("unit", fmi, case, *overrides.items()), lambda path: Unit(file, path))
 
-    def history(self, seconds, outputs=OUTPUTS, **overrides):
+    def history(self, seconds, outputs=OUTPUTS, case=CASE, **overrides):
         """These outputs of `brash run`, a row each step."""
         def make(path):
-            said = brash("run", CASE, "-o", path, *sets({**overrides, "time.duration": seconds}))
+            said = brash("run", case, "-o", path, *sets({**overrides, "time.duration": seconds}))
             assert said.returncode == 0, said.stderr
             with netCDF4.Dataset(path / "run.nc") as run:
                 columns = [run[name][:].data for name in outputs]
             return [[float(column[i]) for column in columns] for i in range(len(columns[0]))]
-        return self._once(("run", seconds, *outputs, *overrides.items()), make)
+        return self._once(("run", seconds, *outputs, case, *overrides.items()), make)
 
 
 UNITS = Units()
@@ -126,6 +127,15 @@ class Common:
 
     def unit(self, **overrides):
         return UNITS.unit(self.fmi, **overrides)
+
+    def path_case(self):
+        """The cone on a path of a second that turns it evenly."""
+        file = UNITS.folder / "path.toml"
+        lines = [line for line in CASE.read_text(encoding="utf-8").splitlines(keepends=True)
+                 if not line.startswith(("speed", "start_distance", "duration"))]
+        path = "[structure.motion]\npath = [[0, -7, 0, 0.3], [1, -6, 0.1, 0.5]]\n\n[field]"
+        file.write_text("".join(lines).replace("[field]", path).replace("[time]", "[time]\nduration = 1"), encoding="utf-8")
+        return file
 
     def keep(self, instance):
         self.instances.append(instance)

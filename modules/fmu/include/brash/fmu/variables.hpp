@@ -39,12 +39,13 @@ struct Inputs {
   }
 };
 
-/// The values that a step gives. Loads have the axes and signs of model::LoadRow and are means over the step of the
-/// host, so they keep its impulse.
+/// The values that a step gives. Loads have the axes and signs of model::LoadRow, which turn with the structure's
+/// heading. They are means over the step of the host, so they keep its impulse if the heading stays.
 struct Outputs {
   Wrench total, crushing, floe_normal, floe_friction;
-  Vec2 place{};     ///< of the structure's origin, at the end of the step [m]
-  Vec2 velocity{};  ///< mean over the step [m/s]
+  Vec3 place{};     ///< of the structure's origin, at the end of the step [m]
+  Vec3 attitude{};  ///< roll, pitch and heading, likewise [rad]
+  Twist twist{};    ///< mean over the step [m/s], [rad/s]
   model::RegionLoads regions;
 
   /// Calls `visit(name, unit, meaning, number)` for each. history.csv has the same names. A unit has those
@@ -55,10 +56,18 @@ struct Outputs {
     visit_wrench("crushing_", "crushing at the sheet's edge", self.crushing, visit);
     visit_wrench("floe_normal_", "normal contact forces of floes", self.floe_normal, visit);
     visit_wrench("floe_friction_", "friction of floes", self.floe_friction, visit);
-    visit("structure_x", "m", "place of the structure's origin along its course", self.place.x);
+    visit("structure_x", "m", "place of the structure's origin along the sheet's x", self.place.x);
     visit("structure_y", "m", "place of the structure's origin to port", self.place.y);
-    visit("structure_vx", "m s-1", "mean velocity of the structure's origin along its course", self.velocity.x);
-    visit("structure_vy", "m s-1", "mean velocity of the structure's origin to port", self.velocity.y);
+    visit("structure_vx", "m s-1", "mean velocity of the structure's origin along the sheet's x", self.twist.linear.x);
+    visit("structure_vy", "m s-1", "mean velocity of the structure's origin to port", self.twist.linear.y);
+    visit("structure_z", "m", "height of the structure's origin", self.place.z);
+    visit("structure_vz", "m s-1", "mean velocity of the structure's origin upwards", self.twist.linear.z);
+    visit("structure_roll", "rad", "turn about its own x, third", self.attitude.x);
+    visit("structure_pitch", "rad", "turn about its own y, second, bow down", self.attitude.y);
+    visit("structure_heading", "rad", "turn about z, first, to port", self.attitude.z);
+    visit("structure_wx", "rad s-1", "mean angular velocity about the sheet's x", self.twist.angular.x);
+    visit("structure_wy", "rad s-1", "mean angular velocity about the sheet's y", self.twist.angular.y);
+    visit("structure_wz", "rad s-1", "mean angular velocity about z", self.twist.angular.z);
     model::RegionLoads::visit([&](const std::string& region, const std::string& meaning, std::size_t i) {
       visit_force("_" + region, "load on " + meaning, self.regions[i].total, visit);
       visit_force("_" + region + "_crushing", "crushing at the sheet's edge on " + meaning, self.regions[i].crushing,
@@ -69,18 +78,18 @@ struct Outputs {
  private:
   template <typename AnyForce, typename Visit>
   static void visit_force(const std::string& part, const std::string& meaning, AnyForce& force, Visit&& visit) {
-    visit("Fx" + part, "N", meaning + ", force as the ice drifts", force.x);
-    visit("Fy" + part, "N", meaning + ", force to starboard", force.y);
+    visit("Fx" + part, "N", meaning + ", force against the heading", force.x);
+    visit("Fy" + part, "N", meaning + ", force to starboard of the heading", force.y);
     visit("Fz" + part, "N", meaning + ", force upwards", force.z);
   }
 
   template <typename AnyWrench, typename Visit>
   static void visit_wrench(const std::string& cause, const std::string& meaning, AnyWrench& load, Visit&& visit) {
-    visit(cause + "Fx", "N", meaning + ", force as the ice drifts", load.force.x);
-    visit(cause + "Fy", "N", meaning + ", force to starboard", load.force.y);
+    visit(cause + "Fx", "N", meaning + ", force against the heading", load.force.x);
+    visit(cause + "Fy", "N", meaning + ", force to starboard of the heading", load.force.y);
     visit(cause + "Fz", "N", meaning + ", force upwards", load.force.z);
-    visit(cause + "Mx", "N m", meaning + ", moment about x", load.moment.x);
-    visit(cause + "My", "N m", meaning + ", moment about y", load.moment.y);
+    visit(cause + "Mx", "N m", meaning + ", moment about the axis of Fx", load.moment.x);
+    visit(cause + "My", "N m", meaning + ", moment about the axis of Fy", load.moment.y);
     visit(cause + "Mz", "N m", meaning + ", moment about z", load.moment.z);
   }
 };
