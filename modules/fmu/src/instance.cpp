@@ -13,6 +13,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/failure/model_files.hpp"
 #include "brash/model/case_keys.hpp"
+#include "brash/structure/attitude.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 
@@ -37,17 +38,21 @@ const char* name_of(Phase phase) {
 }
 
 Outputs outputs_of(const model::LoadRow& row) {
-  return {row.total, row.crushing, row.floe_normal, row.floe_friction, row.structure, row.velocity, row.regions};
+  const Vec3 place{row.structure.x, row.structure.y, row.height};
+  const Twist twist{{row.velocity.x, row.velocity.y, row.rise}, row.spin};
+  return {row.total, row.crushing, row.floe_normal, row.floe_friction, place, row.attitude, twist, row.regions};
 }
 
-/// Loads and velocities added; the place of the later one.
+/// Loads and velocities added; the pose of the later one.
 Outputs joined(Outputs sum, const Outputs& next) {
   sum.total += next.total;
   sum.crushing += next.crushing;
   sum.floe_normal += next.floe_normal;
   sum.floe_friction += next.floe_friction;
-  sum.velocity += next.velocity;
+  sum.twist.linear += next.twist.linear;
+  sum.twist.angular += next.twist.angular;
   sum.place = next.place;
+  sum.attitude = next.attitude;
   for (std::size_t i = 0; i < sum.regions.size(); ++i) {
     sum.regions[i].total += next.regions[i].total;
     sum.regions[i].crushing += next.regions[i].crushing;
@@ -59,7 +64,7 @@ Outputs mean_of(Outputs sum, double n) {
   for (Wrench* const load : {&sum.total, &sum.crushing, &sum.floe_normal, &sum.floe_friction})
     *load = {load->force / n, load->moment / n};
   for (model::RegionLoad& load : sum.regions) load = {load.total / n, load.crushing / n};
-  sum.velocity = sum.velocity / n;
+  sum.twist = {sum.twist.linear / n, sum.twist.angular / n};
   return sum;
 }
 
@@ -118,8 +123,9 @@ void Instance::reset() {
 void Instance::place_structure() {
   const auto hull = structure::make_hull(state_.resolved.structure);
   const structure::State start = structure::make_motion(state_.resolved, *hull)->now();
-  state_.outputs.place = plan(start.pose.position);
-  state_.outputs.velocity = plan(start.twist.linear);
+  state_.outputs.place = start.pose.position;
+  state_.outputs.attitude = structure::attitude_of(start.pose.rotation);
+  state_.outputs.twist = start.twist;
 }
 
 void Instance::set_up(double start_time, std::optional<double> stop_time) {

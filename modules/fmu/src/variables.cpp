@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/fmu/variables.hpp"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 
@@ -45,9 +48,20 @@ bool has_region(const model::StructureSection& structure, std::size_t region) {
          (std::holds_alternative<model::Ship>(structure.shape) || std::holds_alternative<model::Mesh>(structure.shape));
 }
 
+/// Whether the case, and not the host, moves the structure this way.
+bool has_motion(const model::Case& c, const std::string& name) {
+  const auto& motion = c.structure.motion;
+  const bool is_body = std::holds_alternative<model::Free>(motion) || std::holds_alternative<model::Moored>(motion);
+  if (is_body) return true;
+  const auto* const towed = std::get_if<model::Towed>(&motion);
+  if (name == "structure_heading" || name == "structure_wz") return towed != nullptr && !towed->path.empty();
+  constexpr std::array<std::string_view, 4> kInPlan{"structure_x", "structure_y", "structure_vx", "structure_vy"};
+  return !is_driven(c) && std::ranges::find(kInPlan, name) != kInPlan.end();
+}
+
 /// Where the structure is, if it moves by itself; loads by region of a ship's or a mesh's hull, or by leg; all others.
 bool has_output(const model::Case& c, const std::string& name) {
-  if (name.starts_with("structure_")) return !is_driven(c);
+  if (name.starts_with("structure_")) return has_motion(c, name);
   bool has = true;
   model::RegionLoads::visit([&](const std::string& region, const char*, std::size_t i) {
     if (name.find("_" + region) != std::string::npos) has = has_region(c.structure, i);

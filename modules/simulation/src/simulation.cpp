@@ -2,13 +2,13 @@
 #include "brash/simulation/simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "borders.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/statistics/random.hpp"
+#include "brash/structure/attitude.hpp"
 #include "laid_floes.hpp"
 #include "load_axes.hpp"
 #include "simulation_impl.hpp"
@@ -155,10 +155,7 @@ void Simulation::Impl::report_motion(model::LoadRow& row) const {
   row.velocity = plan(twist.linear);
   row.height = pose.position.z;
   row.rise = twist.linear.z;
-  const Quaternion& q = pose.rotation;
-  row.attitude = {std::atan2(2.0 * (q.w * q.x + q.y * q.z), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)),
-                  std::asin(std::clamp(2.0 * (q.w * q.y - q.x * q.z), -1.0, 1.0)),
-                  std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+  row.attitude = structure::attitude_of(pose.rotation);
   row.spin = twist.angular;
 }
 
