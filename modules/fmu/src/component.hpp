@@ -52,6 +52,17 @@ Status attempt(void* pointer, const std::function<void(Component&)>& action) noe
 /// @throws std::runtime_error when a host passes no array where it announces values.
 void expect_array(const void* array, std::size_t size);
 
+/// The settings that a host passes as two arrays.
+/// @tparam Kind  of the number of each.
+template <typename Kind, typename Value>
+std::vector<Instance::Setting> settings_of(const unsigned* references, const Value* values, std::size_t n) {
+  expect_array(references, n);
+  expect_array(values, n);
+  std::vector<Instance::Setting> settings;
+  for (std::size_t i = 0; i < n; ++i) settings.push_back({references[i], static_cast<Kind>(values[i])});
+  return settings;
+}
+
 // The calls of states, the same in both versions.
 Status keep_state(void* component, void** kept) noexcept;
 Status restore_state(void* component, void* kept) noexcept;

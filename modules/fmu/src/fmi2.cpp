@@ -116,13 +116,13 @@ fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference[], st
 }
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t n,
                        const fmi2Real values[]) {
-  return for_values(component, references, n, values,
-                    [&](auto& instance, std::size_t i) { instance.set(references[i], values[i]); });
+  return code(attempt(component,
+                      [&](Component& c) { c.instance.set(brash::fmu::settings_of<double>(references, values, n)); }));
 }
 fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t n,
                           const fmi2Integer values[]) {
-  return for_values(component, references, n, values,
-                    [&](auto& instance, std::size_t i) { instance.set(references[i], std::int64_t{values[i]}); });
+  return code(attempt(
+      component, [&](Component& c) { c.instance.set(brash::fmu::settings_of<std::int64_t>(references, values, n)); }));
 }
 fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t n, const fmi2Boolean[]) {
   return none_of(component, n, "boolean variables");

@@ -30,6 +30,16 @@ fmi3Status for_values(fmi3Instance instance, const fmi3ValueReference references
   }));
 }
 
+/// Sets values, which are numbers of this kind.
+template <typename Kind, typename Value>
+fmi3Status set_values(fmi3Instance instance, const fmi3ValueReference references[], std::size_t n, const Value values[],
+                      std::size_t n_values) {
+  return code(attempt(instance, [&](Component& c) {
+    if (n_values != n) throw std::runtime_error("every variable has one value");
+    c.instance.set(brash::fmu::settings_of<Kind>(references, values, n));
+  }));
+}
+
 /// A call that needs an ability that the unit does not have, or nothing where there is nothing to do.
 fmi3Status without(fmi3Instance instance, const char* ability, std::size_t n = 1) {
   return code(attempt(instance, [&](Component&) {
@@ -106,8 +116,7 @@ fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference refere
 }
 fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference references[], std::size_t n,
                           const fmi3Float64 values[], std::size_t n_values) {
-  return for_values(instance, references, n, values, n_values,
-                    [&](auto& of, std::size_t i) { of.set(references[i], values[i]); });
+  return set_values<double>(instance, references, n, values, n_values);
 }
 fmi3Status fmi3GetInt64(fmi3Instance instance, const fmi3ValueReference references[], std::size_t n, fmi3Int64 values[],
                         std::size_t n_values) {
@@ -116,8 +125,7 @@ fmi3Status fmi3GetInt64(fmi3Instance instance, const fmi3ValueReference referenc
 }
 fmi3Status fmi3SetInt64(fmi3Instance instance, const fmi3ValueReference references[], std::size_t n,
                         const fmi3Int64 values[], std::size_t n_values) {
-  return for_values(instance, references, n, values, n_values,
-                    [&](auto& of, std::size_t i) { of.set(references[i], std::int64_t{values[i]}); });
+  return set_values<std::int64_t>(instance, references, n, values, n_values);
 }
 
 /// Types that no variable has.

@@ -184,30 +184,34 @@ std::int64_t Instance::whole_number(unsigned reference) const {
   throw std::runtime_error(variable(reference).name + " is no whole number");
 }
 
-void Instance::set(unsigned reference, Number value) {
-  const Variable& v = variable(reference);
+void Instance::check(const Variable& v, Number value) const {
   if (value.index() != v.start.index()) throw std::runtime_error(v.name + " has another type");
-  if (v.causality == Causality::kInput)
-    set_input(v, std::get<double>(value));
-  else if (v.causality == Causality::kParameter)
-    set_parameter(v, unit_.parameters[v.place], value);
-  else
-    throw std::runtime_error(v.name + " cannot be set");
-}
-
-void Instance::set_input(const Variable& v, double value) {
-  expect("setting an input", {Phase::kInstantiated, Phase::kInitialization, Phase::kStepping});
-  if (!std::isfinite(value)) throw Discarded(fmt::format("{} = {}: allowed is a finite number", v.name, value));
-  nth_number(state_.inputs, v.place) = value;
-}
-
-void Instance::set_parameter(const Variable& v, const Parameter& parameter, Number value) {
-  expect("setting a parameter", {Phase::kInstantiated, Phase::kInitialization});
   const double number = std::visit([](auto given) { return static_cast<double>(given); }, value);
-  if (!(number >= v.least && number <= v.most))
-    throw Discarded(fmt::format("{} = {}: allowed is {} to {}", v.name, number, *v.least, *v.most));
-  set_value(state_.resolved, parameter, value);
-  place_structure();
+  if (v.causality == Causality::kInput) {
+    expect("setting an input", {Phase::kInstantiated, Phase::kInitialization, Phase::kStepping});
+    if (!std::isfinite(number)) throw Discarded(fmt::format("{} = {}: allowed is a finite number", v.name, number));
+  } else if (v.causality == Causality::kParameter) {
+    expect("setting a parameter", {Phase::kInstantiated, Phase::kInitialization});
+    if (!(number >= v.least && number <= v.most))
+      throw Discarded(fmt::format("{} = {}: allowed is {} to {}", v.name, number, *v.least, *v.most));
+  } else {
+    throw std::runtime_error(v.name + " cannot be set");
+  }
+}
+
+void Instance::set(const std::vector<Setting>& settings) {
+  for (const Setting& setting : settings) check(variable(setting.reference), setting.value);
+  bool has_parameter = false;
+  for (const auto& [reference, value] : settings) {
+    const Variable& v = variable(reference);
+    if (v.causality == Causality::kInput) {
+      nth_number(state_.inputs, v.place) = std::get<double>(value);
+    } else {
+      set_value(state_.resolved, unit_.parameters[v.place], value);
+      has_parameter = true;
+    }
+  }
+  if (has_parameter) place_structure();
 }
 
 /// Along the way that the inputs say, to where it leads in `time` from the communication point [s].
@@ -238,6 +242,12 @@ std::int64_t Instance::n_steps_of(double from, double size) const {
     throw Discarded(fmt::format("a step from {} s, but the unit is at {} s", from, time()));
   if (state_.stop_time && !(from + size <= *state_.stop_time + tolerance))
     throw Discarded(fmt::format("a step to {} s, beyond the stop time {} s", from + size, *state_.stop_time));
+  const auto* const towed = std::get_if<model::Towed>(&state_.resolved.structure.motion);
+  if (towed != nullptr && !towed->path.empty()) {
+    const double end = state_.start_time + towed->path.back().time;
+    if (!(from + size <= end + tolerance))
+      throw Discarded(fmt::format("a step to {} s, beyond the last row of the path at {} s", from + size, end));
+  }
   return std::llround(n);
 }
 

@@ -40,7 +40,12 @@ class Instance {
 
   double number(unsigned reference) const;
   std::int64_t whole_number(unsigned reference) const;
-  void set(unsigned reference, Number value);
+  struct Setting {
+    unsigned reference = 0;
+    Number value;
+  };
+  /// Sets all of these, or none where one of them is refused.
+  void set(const std::vector<Setting>& settings);
 
   /// Steps on by a whole number of the case's time steps.
   /// @param from  present time of the host [s].
@@ -60,8 +65,7 @@ class Instance {
   void expect(const char* call, std::initializer_list<Phase> phases) const;
   const Variable& variable(unsigned reference) const;
   Number value(unsigned reference) const;
-  void set_input(const Variable& v, double value);
-  void set_parameter(const Variable& v, const Parameter& parameter, Number value);
+  void check(const Variable& v, Number value) const;
   void place_structure();
   void drive(double time);
   std::int64_t n_steps_of(double from, double size) const;

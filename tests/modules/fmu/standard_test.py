@@ -70,6 +70,28 @@ class Tests(Common):
         self.assertEqual(instance.get(["ice.poisson_ratio"]), [0.3])
         instance.enter_initialization()
 
+    def test_values_of_a_call_are_set_all_or_none(self):
+        instance = self.keep(self.unit().instantiate())
+        names = ["ice.youngs_modulus", "ice.poisson_ratio"]
+        before = instance.get(names)
+        self.refuses(DISCARD, instance.set, dict(zip(names, (1e9, 5.0))))
+        self.assertEqual(instance.get(names), before)
+        instance.set(dict(zip(names, (1e9, 0.25))))
+        self.assertEqual(instance.get(names), [1e9, 0.25])
+        driven = self.keep(started(self.unit(**DRIVEN)))
+        self.refuses(DISCARD, driven.set, {"structure_y": 1.0, "structure_vx": float("nan")})
+        self.assertEqual(driven.get(["structure_y"]), [0.0])
+
+    def test_a_step_beyond_the_end_of_the_path_is_discarded(self):
+        instance = self.keep(self.unit(case=self.path_case()).instantiate())
+        instance.enter_initialization(start=10.0)
+        instance.exit_initialization()
+        instance.step(10.0, 0.98)
+        refused = self.refuses(DISCARD, instance.step, 10.98, 3 * STEP)
+        self.assertIn("the path at 11 s", str(refused))
+        instance.step(10.98, 2 * STEP)
+        self.refuses(DISCARD, instance.step, 11.0, STEP)
+
     def test_what_cannot_be_set_or_read_is_an_error(self):
         for attempt in (lambda i: i.set({"Fx": 1.0}), lambda i: i.set({"time": 1.0}), lambda i: i.set({9999: 1.0}),
                         lambda i: i.set({"random.seed": 1.0}), lambda i: i.set({"ice.poisson_ratio": 1}, whole=True),
