@@ -69,11 +69,10 @@ export function listChart(data: CampaignData, runs: Runs, column: string, nameOf
 /** Names, means and intervals in SI. */
 function table(settings: CampaignSetting[], column: string, nameOf: (setting: CampaignSetting) => string): string {
   const of = (value: (s: CampaignSetting) => number | null | undefined) => settings.map(value);
-  const numbers = csv([
-    ["mean", of((s) => s.statistics[column]?.mean)], ["low_95", of((s) => s.statistics[column]?.mean_95?.[0])],
+  return csv([
+    ["setting", settings.map(nameOf)], ["mean", of((s) => s.statistics[column]?.mean)], ["low_95", of((s) => s.statistics[column]?.mean_95?.[0])],
     ["high_95", of((s) => s.statistics[column]?.mean_95?.[1])], ["n", of((s) => s.statistics[column]?.n)],
-  ]).trimEnd().split("\n");
-  return ["setting", ...settings.map(nameOf)].map((name, i) => `${name},${numbers[i]}`).join("\n") + "\n";
+  ]);
 }
 
 interface Chart {

@@ -56,12 +56,12 @@ export async function pngOf(svg: string, fine = 1): Promise<Blob> {
 export const pixels = (canvas: HTMLCanvasElement): Promise<Blob> =>
   new Promise((done, fail) => canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error("no picture"))), "image/png"));
 
-/** Columns of numbers as CSV; a missing number is an empty cell. */
-export function csv(columns: [string, ArrayLike<number | null | undefined>][]): string {
+/** Columns of numbers or texts as CSV; a missing one is an empty cell. */
+export function csv(columns: [string, ArrayLike<number | string | null | undefined>][]): string {
   const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
   const lines = [columns.map(([name]) => quoted(name)).join(",")];
   const rows = Math.max(0, ...columns.map(([, values]) => values.length));
-  for (let i = 0; i < rows; ++i) lines.push(columns.map(([, values]) => values[i] ?? "").join(","));
+  for (let i = 0; i < rows; ++i) lines.push(columns.map(([, values]) => quoted(String(values[i] ?? ""))).join(","));
   return lines.join("\n") + "\n";
 }
 
