@@ -131,14 +131,20 @@ function exceedance(run: Run, choice: LoadChoice, peaks: number[]): uPlot.Aligne
   return [sorted.map((p) => p[0]), sorted.map((p) => p[1][0]), sorted.map((p) => p[1][1])];
 }
 
-function histogram(values: ArrayLike<number>, unit: string, name: string, quantiles: number[]): Chart | null {
-  if (values.length === 0) return null;
-  const list = Array.from(values);
-  const largest = Math.max(...list);
-  const n = Math.max(6, Math.min(24, Math.round(2 * Math.sqrt(list.length))));
+/** How many of the values are in each column of a histogram, from 0 to the largest. */
+export function countsOf(values: ArrayLike<number>): { counts: number[]; width: number; largest: number } {
+  let largest = 0;
+  for (let i = 0; i < values.length; ++i) largest = Math.max(largest, values[i]);
+  const n = Math.max(6, Math.min(24, Math.round(2 * Math.sqrt(values.length))));
   const width = largest / n || 1;
   const counts = new Array<number>(n).fill(0);
-  for (const value of list) ++counts[Math.min(n - 1, Math.floor(value / width))];
+  for (let i = 0; i < values.length; ++i) ++counts[Math.min(n - 1, Math.floor(values[i] / width))];
+  return { counts, width, largest };
+}
+
+function histogram(values: ArrayLike<number>, unit: string, name: string, quantiles: number[]): Chart | null {
+  if (values.length === 0) return null;
+  const { counts, width, largest } = countsOf(values);
   const data = [counts.map((_, i) => (i + 0.5) * width), counts] as uPlot.AlignedData;
   return new Chart(
     `Histogram: ${name}`,
@@ -160,7 +166,7 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
         ],
       },
     }),
-    () => `${list.length} of them. Quantiles 5, 25, 50, 75, 95 %: ${quantiles.map((q) => number(q, 3)).join(", ")} ${unit}.`,
+    () => `${values.length} of them. Quantiles 5, 25, 50, 75, 95 %: ${quantiles.map((q) => number(q, 3)).join(", ")} ${unit}.`,
   );
 }
 
