@@ -56,4 +56,6 @@ function lawsOf(s: LoadStatistics, choice: LoadChoice): HTMLElement {
     ...s.warnings.map((warning) => el("p", { class: "note" }, `${warning}.`.replace(/\.\.$/, "."))));
 }
 
-const duration = (time: number): string => (time >= 3600 ? `${number(time / 3600, 3)} h` : `${number(time, 3)} s`).replace(/\.?0+ /, " ");
+/** Without the zeros that end a fraction. */
+export const duration = (time: number): string =>
+  (time >= 3600 ? `${number(time / 3600, 3)} h` : `${number(time, 3)} s`).replace(/(\.\d*?)0+ /, "$1 ").replace(". ", " ");
