@@ -74,6 +74,7 @@ ordered_json state_json(const DesignState& state, const DesignSettings& asked) {
   for (const LoadHistory& load : state.setting->replicates) loads.push_back(&load);
   out["fatigue"] = fatigue_json(loads, asked.exponents, e.values.block, asked.frequency);
   out["warnings"] = ordered_json::array();
+  if (e.values.acts_downwards) out["warnings"].push_back(kNegativeMean);
   if (e.values.clipping) out["warnings"].push_back("a sensor seems to clip: larger loads are lost");
   return out;
 }

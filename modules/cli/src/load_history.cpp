@@ -131,10 +131,16 @@ LoadHistory history_of(io::Series& series, const std::string& path, const std::s
                   "two values at least", span.empty() ? "name another column" : "give a longer span of times"});
   }
   load.even = statistics::make_even(load.history, choice.longest_interval);
-  return load;
+  return choice.negate ? negated(std::move(load)) : std::move(load);
 }
 
 }  // namespace
+
+LoadHistory negated(LoadHistory load) {
+  load.column = "-" + load.column;
+  for (double& value : load.history.values) value = 0.0 - value;
+  return load;
+}
 
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice) {
   return std::move(read_histories(path, choice, {choice.column}).front());

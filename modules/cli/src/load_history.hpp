@@ -27,6 +27,7 @@ struct HistoryChoice {
   bool has_from = false;
   std::optional<double> to{};     ///< leave out samples after this time [s]
   double longest_interval = 0.0;  ///< a longer interval is a gap [s]; 0: five times the median
+  bool negate = false;            ///< turn the sign of the loads
 };
 
 /// Reads a column of a run.nc, named as in history.csv, or of any file that io::read_series reads.
@@ -34,6 +35,9 @@ struct HistoryChoice {
 /// @throws InputError naming file, place and fault: no such column, not a number, times that do not rise, fewer
 ///   than two samples.
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice);
+
+/// The history with the other sign; its column is named -column.
+LoadHistory negated(LoadHistory load);
 
 /// Reads several columns of one file, in the order of `columns`; without any, the column of `choice`.
 std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,

@@ -5,12 +5,14 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/simulation/initial_floes.hpp"
+#include "brash/statistics/moments.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
 
@@ -19,12 +21,46 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json with_events(const LoadHistory& load) {
+ordered_json statistics_and_events(const LoadHistory& load) {
   ordered_json out = statistics_of(load);
   out["events"] = ordered_json::array();
   for (const statistics::LoadEvent& e : events_of(load))
     out["events"].push_back(
         {{"start", e.start}, {"end", e.end}, {"peak_time", e.peak_time}, {"peak", e.peak}, {"impulse", e.impulse}});
+  return out;
+}
+
+/// Numbers with the other sign, and intervals with the other order; nulls stay.
+void turn(ordered_json& object, const std::vector<const char*>& keys) {
+  const auto turned = [](const ordered_json& n) { return n.is_number() ? ordered_json(0.0 - n.get<double>()) : n; };
+  for (const char* key : keys) {
+    if (!object.contains(key)) continue;
+    ordered_json& value = object[key];
+    value = value.is_array() ? ordered_json{turned(value[1]), turned(value[0])} : turned(value);
+  }
+}
+
+/// The statistics of a load that acts towards its lower end, whose peaks, high quantiles and extremes are there. They
+/// are taken from the load with the other sign.
+ordered_json of_lower_end(const LoadHistory& load) {
+  ordered_json out = statistics_and_events(negated(load));
+  out["column"] = load.column;
+  std::swap(out["minimum"], out["maximum"]);
+  turn(out, {"mean", "mean_95", "minimum", "maximum", "skewness", "quantile_50", "quantile_95", "quantile_99"});
+  turn(out["peaks"], {"level", "mean", "maximum"});
+  turn(out["extremes"], {"threshold", "level", "level_95"});
+  turn(out["block_maxima"], {"location", "level", "level_95"});
+  for (ordered_json& law : out["laws"]) turn(law, {"location", "level", "level_95"});
+  turn(out["recommended"], {"level", "level_95"});
+  for (ordered_json& event : out["events"]) turn(event, {"peak", "impulse"});
+  return out;
+}
+
+ordered_json with_events(const LoadHistory& load) {
+  const statistics::Moments m = statistics::moments(load.history.values, load.even.weights);
+  const bool downwards = statistics::acts_downwards(m.mean, m.minimum, m.maximum);
+  ordered_json out = downwards ? of_lower_end(load) : statistics_and_events(load);
+  out["lower_end"] = downwards;
   return out;
 }
 

@@ -106,6 +106,7 @@ void add_reading_options(CLI::App& command, StatsOptions& o) {
   command.add_option("--column", o.columns, "columns [the first that is not the time]")
       ->take_all()
       ->allow_extra_args(false);
+  command.add_flag("--negate", o.choice.negate, "turn the sign, for peaks and extremes of a load below zero");
   command.add_option("--from", o.choice.from, "leave out what is earlier [s]");
   command.add_option("--to", o.to, "leave out what is later [s]");
   command.add_option("--dt", o.choice.dt, "time step of files without times [s]")->check(time_span());

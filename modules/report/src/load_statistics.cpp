@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "brash/statistics/extreme_analysis.hpp"
 #include "brash/statistics/peaks.hpp"
 #include "brash/statistics/spectrum.hpp"
 
@@ -24,18 +25,23 @@ ordered_json spectrum_of(const std::vector<double>& samples, double dt) {
           {"n_segments", spectrum.n_segments}};
 }
 
-ordered_json peaks_of(const std::vector<double>& samples, double start, double dt) {
+/// The peaks of the end at which the load acts, the largest in size first.
+ordered_json peaks_of(std::vector<double> samples, double start, double dt) {
   double sum = 0.0;
   for (const double sample : samples) sum += sample;
-  std::vector<statistics::Peak> peaks =
-      statistics::peaks_between_crossings(samples, sum / static_cast<double>(samples.size()));
+  const double mean = sum / static_cast<double>(samples.size());
+  const auto [low, high] = std::ranges::minmax(samples);
+  const bool downwards = statistics::acts_downwards(mean, low, high);
+  const double sign = downwards ? -1.0 : 1.0;
+  for (double& sample : samples) sample *= sign;
+  std::vector<statistics::Peak> peaks = statistics::peaks_between_crossings(samples, sign * mean);
   std::ranges::stable_sort(peaks, std::greater<>{}, &statistics::Peak::value);
   ordered_json values = ordered_json::array(), times = ordered_json::array();
   for (const statistics::Peak& peak : peaks) {
-    values.push_back(peak.value);
+    values.push_back(sign * peak.value);
     times.push_back(start + dt * static_cast<double>(peak.index));
   }
-  return {{"value", values}, {"time", times}};
+  return {{"value", values}, {"time", times}, {"lower_end", downwards}};
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace brash::report {
 
 /// The drawn statistics of each load, Fx to Mz, from `from` [s] on: spectrum with its confidence factors, and the peaks
-/// between upward crossings of the mean, largest first. Null where the history is too short.
+/// between upward crossings of the mean, largest first. A load that acts towards its lower end has its peaks there, as
+/// `lower_end` says. Null where the history is too short.
 nlohmann::ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from);
 
 }  // namespace brash::report

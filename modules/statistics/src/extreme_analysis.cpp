@@ -107,6 +107,7 @@ void recommend(ExtremeAnalysis& analysis, bool extrapolate) {
 
 void warn(const ExtremeValues& v, ExtremeAnalysis& analysis) {
   const double records = analysis.return_period / v.duration;
+  if (v.acts_downwards) analysis.warnings.emplace_back(kNegativeMean);
   if (analysis.recommended && records > kMarkedPeriod)
     analysis.warnings.push_back(fmt::format(
         "the return period is {:.3g} times the record: the level rests on the law more than on data", records));

@@ -118,12 +118,14 @@ void note_clipping(const History& history, ExtremeValues& values) {
 
 }  // namespace
 
+bool acts_downwards(double mean, double minimum, double maximum) { return mean < 0.0 && -minimum > std::abs(maximum); }
+
 ExtremeValues extreme_values(const std::vector<ExtremeRecord>& records, const ExtremeSettings& settings) {
   BRASH_EXPECTS(!records.empty());
   const Level level = level_of(records);
   ExtremeValues values;
   values.mean = level.mean;
-  double memory = 0.0;
+  double memory = 0.0, minimum = INFINITY, maximum = -INFINITY;
   std::vector<std::vector<LoadEvent>> events;
   for (const ExtremeRecord& record : records) {
     const std::optional<double> band =
@@ -136,7 +138,11 @@ ExtremeValues extreme_values(const std::vector<ExtremeRecord>& records, const Ex
     memory = std::max(memory, record.autocorrelation_time);
     for (const LoadEvent& event : events.back()) values.peaks.push_back(event.peak);
     note_clipping(*record.history, values);
+    const auto [low, high] = std::ranges::minmax(record.history->values);
+    minimum = std::min(minimum, low);
+    maximum = std::max(maximum, high);
   }
+  values.acts_downwards = acts_downwards(level.mean, minimum, maximum);
   values.cycle = values.n_events < 2 ? INFINITY : values.duration / static_cast<double>(values.n_events);
   values.separation = 2.0 * memory;
   values.threshold = settings.threshold.value_or(threshold_of(values.peaks));

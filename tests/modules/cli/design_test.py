@@ -56,6 +56,13 @@ class Design(unittest.TestCase):
         file.write_text(text)
         return file
 
+    def test_loads_below_zero_are_warned_of(self):
+        plain, turned = (json.loads(self.design("--hours", 1, "--json", *more)) for more in ((), ("--negate",)))
+        told = lambda found: [any("the mean is negative" in text for text in state["warnings"]) for state in found["settings"]]
+        self.assertEqual(told(plain), [False, False])
+        self.assertEqual(told(turned), [True, True])
+        self.assertIn("the mean is negative", self.design("--hours", 1, "--negate"))
+
     def test_replicates_are_pooled_and_levels_hold_the_truth(self):
         found = json.loads(self.design("--hours", 1, "--hours", 5, "--json"))
         for state, (_, excess) in zip(found["settings"], SETTINGS.values()):

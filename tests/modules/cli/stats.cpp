@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -19,6 +20,7 @@
 #include "history_tables.hpp"
 #include "load_history.hpp"
 #include "prepared_history.hpp"
+#include "report_source.hpp"
 #include "stats_commands.hpp"
 
 namespace {
@@ -383,6 +385,54 @@ BOOST_AUTO_TEST_CASE(an_event_of_a_run_has_its_cause_and_its_crack) {
   const CsvTable table = events_table(read_history(file.path(), {}), std::nullopt);
   const std::string first = table.lines.substr(0, table.lines.find('\n'));
   BOOST_TEST(first.ends_with(",crushing,1.9,4,5"), first);
+}
+
+BOOST_AUTO_TEST_CASE(a_load_below_zero_has_its_peaks_with_the_other_sign) {
+  const auto sawtooth = [](const char* sign) {
+    statistics::RandomStream stream(1, "stats", 0, "peaks");
+    std::string text = "time,Fz\n";
+    double peak = 0.0;
+    for (int i = 0; i < 8000; ++i) {
+      if (i % 20 == 0) peak = 80.0 - 40.0 * std::log(1.0 - stream.uniform());
+      text += fmt::format("{},{}{}\n", 0.05 * i, sign, 20.0 + peak * (i % 20 + 1) / 20.0);
+    }
+    return text;
+  };
+  const TemporaryFile up(sawtooth("")), down(sawtooth("-"), "down.csv");
+  HistoryChoice choice;
+  const nlohmann::ordered_json of_up = statistics_of(read_history(up.path(), choice));
+  const nlohmann::ordered_json plain = statistics_of(read_history(down.path(), choice));
+  BOOST_TEST(of_up["warnings"].empty());
+  BOOST_TEST(contains(plain["warnings"].dump(), "the mean is negative, and peaks are of the upper end"));
+  BOOST_TEST(plain["quantile_99"].get<double>() > -30.0);
+
+  // The other sign gives the same numbers.
+  choice.negate = true;
+  nlohmann::ordered_json turned = statistics_of(read_history(down.path(), choice));
+  BOOST_TEST(turned["column"] == "-Fz");
+  turned["column"] = "Fz";
+  BOOST_TEST(turned == of_up);
+
+  // A report takes them at the lower end by itself, and gives them back with their sign.
+  const auto reported = [](const TemporaryFile& file) {
+    return nlohmann::ordered_json::parse(measured_history(file.path(), {}).statistics);
+  };
+  const nlohmann::ordered_json high = reported(up), low = reported(down);
+  BOOST_TEST(high["lower_end"] == false);
+  BOOST_TEST(low["lower_end"] == true);
+  BOOST_TEST(low["column"] == "Fz");
+  for (const char* key : {"mean", "quantile_95", "quantile_99", "skewness"})
+    BOOST_TEST(low[key].get<double>() == -high[key].get<double>());
+  BOOST_TEST(low["minimum"].get<double>() == -high["maximum"].get<double>());
+  BOOST_TEST(low["mean_95"][0].get<double>() == -high["mean_95"][1].get<double>());
+  BOOST_TEST_REQUIRE(high["recommended"].contains("level"));
+  BOOST_TEST(low["recommended"]["level"].get<double>() == -high["recommended"]["level"].get<double>());
+  BOOST_TEST(low["recommended"]["level_95"][0].get<double>() == -high["recommended"]["level_95"][1].get<double>());
+  BOOST_TEST_REQUIRE(low["events"].size() == high["events"].size());
+  BOOST_TEST(low["events"].size() > 300U);
+  for (std::size_t i = 0; i < low["events"].size(); ++i)
+    for (const char* key : {"peak", "impulse"})
+      BOOST_TEST(low["events"][i][key].get<double>() == -high["events"][i][key].get<double>());
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_number_is_no_limit) {

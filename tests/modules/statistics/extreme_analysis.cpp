@@ -118,6 +118,18 @@ BOOST_AUTO_TEST_CASE(a_clipped_sensor_gets_no_recommendation) {
   BOOST_TEST(contains(analysis.warnings.back(), "the largest value, 130: the sensor seems to clip"));
 }
 
+BOOST_AUTO_TEST_CASE(a_load_that_acts_downwards_is_told_to_change_its_sign) {
+  BOOST_TEST(acts_downwards(-3.0, -8.0, 5.0));
+  BOOST_TEST(!acts_downwards(-3.0, -8.0, 9.0));  // its upper end is the larger one
+  BOOST_TEST(!acts_downwards(3.0, -8.0, 5.0));
+  BOOST_TEST(acts_downwards(-3.0, -8.0, -1.0));
+  BOOST_TEST(!acts_downwards(0.0, -1.0, 1.0));
+  Sawtooth load(300);
+  BOOST_TEST(analyse(load, for_period(600.0)).warnings.empty());
+  for (double& value : load.history.values) value = -value;
+  BOOST_TEST(analyse(load, for_period(600.0)).warnings.at(0) == kNegativeMean);
+}
+
 BOOST_AUTO_TEST_CASE(a_bounded_load_gets_no_level_from_pareto) {
   Sawtooth load(200);
   RandomStream stream(1, "extremes", 0, "uniform");

@@ -23,9 +23,10 @@ export function extremesSection(run: Run, choice: LoadChoice, onSeek: (time: num
 export const kTooEarly = "The run is over before its statistics begin (output.statistics_from), so it has none.";
 
 /** The largest load events; a click takes the replay there. */
-function eventsOf({ events, mean }: LoadStatistics, choice: LoadChoice, onSeek: (time: number) => void): HTMLElement {
+function eventsOf({ events, mean, lower_end }: LoadStatistics, choice: LoadChoice, onSeek: (time: number) => void): HTMLElement {
   const { short, unit } = kLoads[choice.name];
-  const largest = [...events].sort((a, b) => b.peak - a.peak).slice(0, kShown);
+  const force = unit.slice(1);  // without its kilo
+  const largest = [...events].sort((a, b) => Math.abs(b.peak) - Math.abs(a.peak)).slice(0, kShown);
   const rows = largest.map(({ start, end, peak_time: at, peak, impulse }) => [
     el("button", { type: "button", class: "link", title: "Show this moment", click: () => onSeek(at) }, seconds(at)),
     kN(peak), seconds(at - start), seconds(end - at), kN(impulse),
@@ -34,8 +35,8 @@ function eventsOf({ events, mean }: LoadStatistics, choice: LoadChoice, onSeek: 
     csv((["start", "end", "peak_time", "peak", "impulse"] as const).map((key) => [key, events.map((event) => event[key])])), "text/csv");
   return el("div", {},
     el("h3", {}, `Load events of ${short}`, " ", saveButtons("load events", { CSV: save })),
-    events.length === 0 ? el("p", {}, "The load rises through its mean and falls back nowhere.") : el("div", {},
-      el("p", { class: "note" }, `${events.length} times the load rises through its mean of ${kN(mean)} ${unit} and falls back, noise left out. ` +
+    events.length === 0 ? el("p", {}, `The load ${lower_end ? "falls through its mean and rises" : "rises through its mean and falls"} back nowhere.`) : el("div", {},
+      el("p", { class: "note" }, `${events.length} times the load ${lower_end ? "falls" : "rises"} through its mean of ${kN(mean)} ${unit} and ${lower_end ? "rises" : "falls"} back, noise left out. ` +
         (events.length > kShown ? `The ${kShown} largest:` : "All of them, the largest first:")),
       table(["peak at [s]", `peak [${unit}]`, "rise [s]", "fall [s]", `impulse [${unit} s]`], rows, { id: "load-events" })));
 }
@@ -44,11 +45,11 @@ function lawsOf(s: LoadStatistics, choice: LoadChoice): HTMLElement {
   const unit = kLoads[choice.name].unit;
   const period = duration(s.extremes.return_period);
   const level = ({ level: value, level_95: range, not_fitted: why }: ExtremeLaw): string =>
-    value === undefined ? `none: ${why ?? ""}` : `${kN(value)} ${unit}` + (range ? `, 95 %: ${kN(range[0])} to ${range[1] === null ? "no bound" : kN(range[1])}` : "");
+    value === undefined ? `none: ${why ?? ""}` : `${kN(value)} ${unit}` + (range ? `, 95 %: ${range.map((end) => (end === null ? "no bound" : kN(end))).join(" to ")}` : "");
   const same = s.laws.every((law) => law.level === undefined && law.not_fitted === s.laws[0].not_fitted);
   const { law, reason } = s.recommended;
   return el("div", {},
-    el("h3", {}, `Load that is exceeded once in ${period} on average`),
+    el("h3", {}, `Load that is ${s.lower_end ? "undershot" : "exceeded"} once in ${period} on average`),
     law === null
       ? el("p", { class: "note" }, `No level: ${reason ?? ""}.`)
       : el("p", {}, el("b", {}, level(s.recommended)), ` by ${law}: ${reason ?? ""}.`),

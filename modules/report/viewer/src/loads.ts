@@ -107,13 +107,13 @@ export class LoadHistory {
     this.chart.plot?.setScale("x", { min: 0, max: this.run.duration });
   }
 
-  /** The highest sample near a time, and the crack event that belongs to it. */
+  /** The largest sample near a time, whichever way it acts, and the crack event that belongs to it. */
   peakNear(time: number, reach: number): Peak {
     const times = this.run.column("load.time");
     const total = this.run.column(`load.${this.choice.name}`);
     let index = -1;
     for (let i = 0; i < times.length; ++i)
-      if (Math.abs(times[i] - time) <= reach && (index < 0 || this.size(total[i]) > this.size(total[index]))) index = i;
+      if (Math.abs(times[i] - time) <= reach && (index < 0 || Math.abs(total[i]) > Math.abs(total[index]))) index = i;
     if (index < 0) index = nearest(times, time);
     return {
       time: times[index],
@@ -122,11 +122,6 @@ export class LoadHistory {
       event: this.eventNear(times[index]),
       unit: this.choice.unit,
     };
-  }
-
-  /** Loads that act both ways peak both ways. */
-  private size(load: number): number {
-    return this.choice.name === "Fx" || this.choice.name === "Fz" ? load : Math.abs(load);
   }
 
   /** The event nearest in time; of several in one step the one with the largest contact force p c h. */

@@ -15,6 +15,7 @@ function moments(run: Run, measured: RunData["measured"]): HTMLElement {
   if (!loads) return el("p", {}, kTooEarly);
   const [first, ...rest] = kLoadNames.map((name): [string, LoadStatistics] => [`${name} [${kLoads[name].unit}]`, loads[name]]);
   const columns = measured ? [first, ["Fx measured [kN]", measured.statistics] as [string, LoadStatistics], ...rest] : [first, ...rest];
+  const anyLower = columns.some(([, s]) => s.lower_end);
   const row = (name: string, value: (s: LoadStatistics) => string) => [name, ...columns.map(([, s]) => value(s))];
   const interval = ({ mean_95: [low, high] }: LoadStatistics) => (low === null || high === null ? kNoInterval : `${kN(low)} to ${kN(high)}`);
   return table(
@@ -23,6 +24,7 @@ function moments(run: Run, measured: RunData["measured"]): HTMLElement {
       row("mean", (s) => kN(s.mean)),
       row("95 % interval of it", interval),
       row("standard deviation", (s) => kN(s.standard_deviation)),
+      ...(anyLower ? [row("end of the larger loads", (s) => (s.lower_end ? "lower" : "upper"))] : []),
       row("median", (s) => kN(s.quantile_50)),
       row("95 % quantile", (s) => kN(s.quantile_95)),
       row("99 % quantile", (s) => kN(s.quantile_99)),
@@ -35,6 +37,9 @@ function moments(run: Run, measured: RunData["measured"]): HTMLElement {
     { id: "moments" },
   );
 }
+
+/** Of loads whose mean is negative. */
+const kLowerEnd = "A load whose larger end is the lower one has its quantiles, load events and extremes there: 99 % of the time it is above its 99 % quantile. ";
 
 /** Below ten independent samples there is none. */
 const kNoInterval = "too few samples";
@@ -93,9 +98,10 @@ const kColumns = 0.96;
 /** Steps of an axis that counts. */
 const kWhole = [1, 2, 5].flatMap((n) => [n, 10 * n, 100 * n, 1000 * n, 10000 * n]).sort((a, b) => a - b);
 
-/** Share of the time that the load, and share of the peaks that the peak, is above a level. */
+/** Share of the time that the load, and share of the peaks that the peak, is above a level; below it at the lower end. */
 function exceedanceChart(run: Run, choice: LoadChoice): Chart {
-  const peaksOf = () => run.data.statistics![choice.name].peaks.value;
+  const peaksOf = () => run.data.statistics![choice.name].peaks;
+  const isLower = () => peaksOf().lower_end;
   return new Chart(
     "Exceedance of the load",
     240,
@@ -103,7 +109,7 @@ function exceedanceChart(run: Run, choice: LoadChoice): Chart {
       data: exceedance(run, choice, peaksOf()),
       options: {
         scales: { x: { time: false }, y: { distr: 3 } },
-        axes: [axis(`${choice.name} [${choice.unit}]`), axis("share above", { size: 60, values: powers })],
+        axes: [axis(`${choice.name} [${choice.unit}]`), axis(isLower() ? "share below" : "share above", { size: 60, values: powers })],
         series: [
           { label: `${choice.name} [${choice.unit}]`, value: shownOrNothing },
           { ...line("of the time", "--accent"), spanGaps: true },
@@ -111,16 +117,16 @@ function exceedanceChart(run: Run, choice: LoadChoice): Chart {
         ],
       },
     }),
-    () => `Exceedance of ${kLoads[choice.name].short} from ${seconds(run.data.summary.statistics_from)} s on; ${peaksOf().length} peaks between upward crossings of the mean.`,
+    () => `Exceedance of ${kLoads[choice.name].short} from ${seconds(run.data.summary.statistics_from)} s on; ${peaksOf().value.length} peaks between ${isLower() ? "downward" : "upward"} crossings of the mean.`,
   );
 }
 
-function exceedance(run: Run, choice: LoadChoice, peaks: number[]): uPlot.AlignedData {
+function exceedance(run: Run, choice: LoadChoice, { value: peaks, lower_end }: AxisStatistics["peaks"]): uPlot.AlignedData {
   const times = run.column("load.time");
   const loads = run.column(`load.${choice.name}`);
   const samples: number[] = [];
   for (let i = 0; i < loads.length; ++i) if (times[i] > run.data.summary.statistics_from) samples.push(loads[i]);
-  samples.sort((a, b) => b - a);
+  samples.sort((a, b) => (lower_end ? a - b : b - a));
   const points = new Map<number, [number | null, number | null]>();
   samples.forEach((value, i) => points.set(value / 1e3, [(i + 1) / (samples.length + 1), null]));
   peaks.forEach((value, i) => {
@@ -201,6 +207,7 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
         (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
         (measured ? ` Measured: ${measured.name}, the whole history.` : "")),
     el("div", { class: "charts" }, causes(run), data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
+        (Object.values(data.loads ?? {}).some(({ lower_end }) => lower_end) ? kLowerEnd : "") +
       ...charts.map((chart) => chart && chart.element)),
   );
 }

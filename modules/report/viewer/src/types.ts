@@ -86,7 +86,8 @@ export interface Spectrum {
 
 export interface AxisStatistics {
   spectrum: Spectrum | null;
-  peaks: { value: number[]; time: number[] };
+  /** Largest in size first; `lower_end`: of a load that acts towards its lower end, where its peaks are. */
+  peaks: { value: number[]; time: number[]; lower_end: boolean };
 }
 
 export interface Schema {
@@ -117,7 +118,7 @@ export interface ExtremeLaw {
   reason?: string;
   not_fitted?: string;
   level?: number;
-  level_95?: [number, number | null];
+  level_95?: [number | null, number | null];
 }
 
 /** Statistics of one load, with the keys of `brash stats --json`. */
@@ -138,6 +139,8 @@ export interface LoadStatistics {
   recommended: ExtremeLaw;
   warnings: string[];
   events: LoadEvent[];
+  /** The load acts towards its lower end: high quantiles, events and levels are of that end. */
+  lower_end: boolean;
 }
 
 /** A run as its files say. Null: it is over before its statistics begin. */

@@ -28,6 +28,14 @@ inline constexpr double kLongestPeriod = 30.0;
 /// Below so many load events a record gets no level by any law.
 inline constexpr std::size_t kFewestEvents = 20;
 
+/// Whether a load acts towards its lower end: its mean is negative, and its smallest value is farther from 0 than its
+/// largest. Its extremes are those of the load with the other sign.
+bool acts_downwards(double mean, double minimum, double maximum);
+
+/// The warning of a load that acts towards its lower end.
+inline constexpr const char* kNegativeMean =
+    "the mean is negative, and peaks are of the upper end: give the history with the other sign for the larger loads";
+
 /// A history with the statistics that the search for extremes needs.
 struct ExtremeRecord {
   const History* history = nullptr;
@@ -50,6 +58,7 @@ struct ExtremeValues {
   std::vector<double> maxima;         ///< of blocks that lie within a record
   std::optional<Clipping> clipping;   ///< of the record whose limit is highest
   double correlation_of_peaks = 0.0;  ///< of successive events [-]
+  bool acts_downwards = false;        ///< see acts_downwards()
 };
 
 /// Collects the extremes of records of one process. A block never reaches from one record into another.
