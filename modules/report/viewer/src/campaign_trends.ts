@@ -95,6 +95,7 @@ function trend({ data, runs, column, key, lines, facet, range }: Trend): Chart {
   const name = `${titleOf(result)} over ${titleOf(input)}${facet.title && `: ${facet.title}`}`;
   return new Chart(name, 220, () => ({
     data: [xs, ...means] as uPlot.AlignedData,
+    heads: [titleOf(input), ...[...groups.keys()].map((label) => `${label}: ${titleOf(result)}`)],
     options: {
       scales: { x: { time: false, range: [xs[0] - 0.06 * span, xs[xs.length - 1] + 0.06 * span] }, y: { range } },
       axes: [axis(titleOf(input)), axis(result.unit || result.name, { size: 58 })],

@@ -40,6 +40,8 @@ export interface Shown {
   data: uPlot.AlignedData;
   /** The marks besides its lines, asked at each drawing. */
   marks?: () => Mark[];
+  /** Of its columns as CSV, with units; without: the labels of its series. */
+  heads?: string[];
   /** Width of columns over their distance, for a chart of columns. */
   columns?: number;
 }
@@ -146,7 +148,7 @@ export class Chart {
     return saveButtons(this.name, {
       SVG: withPlot(() => saveText(`${file}.svg`, this.svgText(), "image/svg+xml")),
       PNG: withPlot(async () => save(`${file}.png`, await pngOf(this.svgText(), kFinePng))),
-      CSV: withPlot((plot) => saveText(`${file}.csv`, csv(plot.series.map((series, i) => [String(series.label ?? "x"), plot.data[i]])), "text/csv")),
+      CSV: withPlot((plot) => saveText(`${file}.csv`, csv(plot.series.map((series, i) => [this.shown?.heads?.[i] ?? String(series.label), plot.data[i]])), "text/csv")),
     });
   }
 

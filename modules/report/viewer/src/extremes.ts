@@ -32,7 +32,8 @@ function eventsOf({ events, mean, lower_end }: LoadStatistics, choice: LoadChoic
     kN(peak), seconds(at - start), seconds(end - at), kN(impulse),
   ]);
   const save = () => saveText(`load-events-${choice.name}.csv`,
-    csv((["start", "end", "peak_time", "peak", "impulse"] as const).map((key) => [key, events.map((event) => event[key])])), "text/csv");
+    csv(([["start", "s"], ["end", "s"], ["peak_time", "s"], ["peak", force], ["impulse", `${force} s`]] as const).map(([key, of]) =>
+      [`${key} [${of}]`, events.map((event) => event[key])])), "text/csv");
   return el("div", {},
     el("h3", {}, `Load events of ${short}`, " ", saveButtons("load events", { CSV: save })),
     events.length === 0 ? el("p", {}, `The load ${lower_end ? "falls through its mean and rises" : "rises through its mean and falls"} back nowhere.`) : el("div", {},

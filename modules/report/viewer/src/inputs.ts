@@ -51,6 +51,7 @@ function ledgerChart(run: Run): Chart {
   const data = [times, ...names.map((name) => Array.from(run.column(`load.area_${name}`)))] as uPlot.AlignedData;
   return new Chart("Ledger of the area", 200, () => ({
     data,
+    heads: ["time [s]", ...names.map((name) => `${name} [m2]`)],
     options: {
       scales: { x: { time: false } },
       axes: [axis("time [s]"), axis("area [m²]", { size: 50 })],

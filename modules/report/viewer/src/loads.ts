@@ -158,7 +158,9 @@ export class LoadHistory {
       ],
       hooks: { draw: [(plot) => this.placeNow(plot)], ready: [(plot) => this.listen(plot)] },
     };
-    return { options, data, marks: () => this.marks() };
+    const head = (label: string) => `${this.choice.name} ${label} [${this.choice.unit}]`;
+    const heads = ["time [s]", ...kCauses.map(([, label]) => head(label)), ...overlays.map(({ label }) => head(label))];
+    return { options, data, heads, marks: () => this.marks() };
   }
 
   private shown(): { label: string; colour: string; times: ArrayLike<number>; values: ArrayLike<number> }[] {
@@ -176,7 +178,9 @@ export class LoadHistory {
 
   private saveAll(): void {
     const names = kCauses.flatMap(([cause]) => kLoadNames.map((name) => cause + name));
-    saveText("loads.csv", csv([["time", this.run.column("load.time")], ...names.map((name): [string, ArrayLike<number>] => [name, this.run.column(`load.${name}`)])]), "text/csv");
+    const head = (name: string) => `${name} [${/M.$/.test(name) ? "N m" : "N"}]`;
+    saveText("loads.csv", csv([["time [s]", this.run.column("load.time")],
+      ...names.map((name): [string, ArrayLike<number>] => [head(name), this.run.column(`load.${name}`)])]), "text/csv");
   }
 
   /** The mean with its interval, and the reference where there is one [N]. */

@@ -64,6 +64,7 @@ function spectrumChart(run: Run, choice: LoadChoice): Chart {
       const { frequency, density } = of()!;
       return {
         data: [frequency.slice(1), density.slice(1).map((n) => n / 1e6)] as uPlot.AlignedData,
+        heads: ["frequency [Hz]", `density of ${choice.name} [(${choice.unit})^2 / Hz]`],
         options: {
           scales: { x: { time: false, distr: 3 }, y: { distr: 3 } },
           axes: [axis("frequency [Hz]"), axis(`density of ${choice.name} [(${choice.unit})² / Hz]`, { size: 60, values: powers })],
@@ -107,6 +108,7 @@ function exceedanceChart(run: Run, choice: LoadChoice): Chart {
     240,
     () => ({
       data: exceedance(run, choice, peaksOf()),
+      heads: [`${choice.name} [${choice.unit}]`, ...["time", "peaks"].map((of) => `share of the ${of} ${isLower() ? "below" : "above"}`)],
       options: {
         scales: { x: { time: false }, y: { distr: 3 } },
         axes: [axis(`${choice.name} [${choice.unit}]`), axis(isLower() ? "share below" : "share above", { size: 60, values: powers })],
@@ -158,6 +160,7 @@ function histogram(values: ArrayLike<number>, unit: string, name: string, quanti
     () => ({
       data,
       columns: kColumns,
+      heads: [`${name} [${unit}]`, "count"],
       options: {
         scales: { x: { time: false, range: [0, largest * 1.02] }, y: { range: [0, Math.max(...counts) * 1.08] } },
         legend: { show: false },
@@ -204,10 +207,10 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     moments(run, measured),
     el("p", { class: "note" },
       `From ${seconds(s.statistics_from)} s on. ` +
+        (Object.values(data.loads ?? {}).some(({ lower_end }) => lower_end) ? kLowerEnd : "") +
         (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
         (measured ? ` Measured: ${measured.name}, the whole history.` : "")),
     el("div", { class: "charts" }, causes(run), data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
-        (Object.values(data.loads ?? {}).some(({ lower_end }) => lower_end) ? kLowerEnd : "") +
       ...charts.map((chart) => chart && chart.element)),
   );
 }
