@@ -106,7 +106,10 @@ test("loads, plan and crack are saved as they are", async () => {
   const [head, first] = loads.bytes.toString().split("\n");
   const history = readCsv(join(run, "history.csv"));
   assert.equal(loads.bytes.toString().trim().split("\n").length, history.length + 1);
-  assert.equal(Number(first.split(",")[head.split(",").indexOf("Fx")]), Math.fround(Number(history[0].Fx)));
+  assert.equal(Number(first.split(",")[head.split(",").indexOf("Fx [N]")]), Math.fround(Number(history[0].Fx)));
+  const shown = (await saved(page, page.locator(".loads .chart").getByRole("button", { name: "CSV", exact: true }))).bytes.toString().split("\n");
+  assert.equal(shown[0], "time [s],Fx total [kN],Fx crushing [kN],Fx floes [kN],Fx friction [kN]");
+  assert.ok(Math.abs(Number(shown[1].split(",")[1]) - Number(history[0].Fx) / 1e3) < 1e-3);
   const drawing = (await saved(page, page.locator(".plan-view").getByRole("button", { name: "SVG" }))).bytes.toString();
   assert.equal((drawing.match(/<circle/g) ?? []).length >= events.length, true);
   assert.ok(!/var\(|color\(srgb/.test(drawing), "a drawing's colours are its own");
@@ -181,6 +184,37 @@ test("the film shows the run from start to end", async () => {
   assert.ok(n >= 5, `${n} different pictures`);
   await player.close();
   await page.getByLabel("Speed of the replay").selectOption("1");
+});
+
+test("a load that acts downwards has its peaks, high quantiles and extremes at its lower end, with their sign", async () => {
+  const upward = join(folder, "upward");
+  const sets = ["structure.breaking=upward", "time.duration=4", "output.statistics_from=1", "output.frames_per_second=2"];
+  brash("run", kCase, "-o", upward, ...sets.flatMap((set) => ["--set", set]));
+  const file = join(upward, "history.csv");
+  const stats = JSON.parse(brash("stats", file, "--column", "Fz", "--from", "1.005", "--negate", "--json", "--events", join(folder, "down.csv")));
+  assert.ok(stats.mean > 0, "Fz acts downwards");
+  const kN = (newtons) => (newtons / 1e3).toFixed(1).replace("-", "−");
+  const at = await browser.open(join(upward, "report.html"));
+  await at.getByLabel("Load", { exact: true }).selectOption("Fz");
+  const peaks = readCsv(join(folder, "down.csv")).map((row) => Number(row.peak)).sort((a, b) => b - a).slice(0, 10);
+  assert.ok(peaks.length > 2);
+  assert.deepEqual(await at.locator("#load-events tbody td:nth-child(2)").allTextContents(), peaks.map((peak) => kN(-peak)));
+  assert.match(await at.locator("#extremes").innerText(), /the load falls through its mean[^]*undershot once in/);
+
+  const column = (await at.locator("#moments thead tr > *").allTextContents()).indexOf("Fz [kN]");
+  const cell = (name) => at.locator("#moments tbody tr", { has: at.getByText(name, { exact: true }) }).locator("td").nth(column).innerText();
+  assert.equal(await cell("99 % quantile"), kN(-stats.quantile_99));
+  assert.equal(await cell("end of the larger loads"), "lower");
+  assert.equal(await cell("smallest"), kN(-stats.maximum));
+  const closed = await at.locator("#closed-forms tbody tr", { hasText: "99 % quantile" }).locator("td").allTextContents();
+  assert.deepEqual(closed.slice(3), [kN(-stats.quantile_99), "vertical: above it 99 % of the time"]);
+
+  const { value } = await at.evaluate(() => window.brashReport.run.data.statistics.Fz.peaks);
+  assert.ok(value.every((peak, i) => peak < -stats.mean && (i === 0 || peak >= value[i - 1])), "the deepest first");
+  assert.match(await at.getByText(/peaks between downward crossings of the mean/).innerText(), new RegExp(`; ${value.length} peaks`));
+  const lowest = readCsv(file).reduce((least, row) => (Number(row.Fz) < Number(least.Fz) ? row : least));
+  assert.equal(await ask(at, (report) => (report.loads.chooseLargest(), report.player.time)), Number(lowest.time));
+  await at.close();
 });
 
 test("a measured history lies over the loads, with its statistics", async () => {

@@ -2,52 +2,88 @@
 // A case file as text: single keys are read and written, and the rest stays as its writer left it.
 
 const header = (line: string): string | null => /^\s*\[\s*([A-Za-z0-9_.]+)\s*\]\s*(#.*)?$/.exec(line)?.[1] ?? null;
-const entry = (line: string): { key: string; value: string; comment: string } | null => {
-  const found = /^\s*([A-Za-z0-9_]+)\s*=\s*((?:"(?:[^"\\]|\\.)*"|'[^']*'|[^#"'])*?)\s*(#.*)?$/.exec(line);
-  return found && { key: found[1], value: found[2], comment: found[3] ?? "" };
-};
+
+/** Strings, then comments, then all else of a line. */
+const kTokens = /"(?:[^"\\]|\\.)*"|'[^']*'|#.*|[^"'#]+|["']/g;
+
+/** A line without its comment, the comment, and how many brackets it opens more than it closes. */
+function parts(line: string): { code: string; comment: string; open: number } {
+  const tokens = line.match(kTokens) ?? [];
+  const isComment = (token: string) => token.startsWith("#");
+  const bare = tokens.filter((token) => !/^["'#]/.test(token)).join("");
+  return {
+    code: tokens.filter((token) => !isComment(token)).join("").trim(),
+    comment: tokens.find(isComment) ?? "",
+    open: (bare.match(/\[/g) ?? []).length - (bare.match(/\]/g) ?? []).length,
+  };
+}
+
+interface Entry {
+  key: string;
+  /** On one line. */
+  value: string;
+  /** Behind the value. */
+  comment: string;
+  /** Number of lines: an array may go on over several. */
+  n: number;
+}
+
+/** The entry that begins on a line. */
+function entryAt(lines: string[], first: number): Entry | null {
+  const found = /^([A-Za-z0-9_]+)\s*=\s*(.*)$/.exec(parts(lines[first]).code);
+  if (!found) return null;
+  let { comment, open } = parts(lines[first]);
+  let [value, n] = [found[2], 1];
+  while (open > 0 && first + n < lines.length) {
+    const next = parts(lines[first + n++]);
+    value += ` ${next.code}`;
+    comment = next.comment;
+    open += next.open;
+  }
+  return { key: found[1], value: value.trim(), comment, n };
+}
 
 interface Place {
   /** Line of the section's header, -1: none. */
   head: number;
-  /** Line of the key, -1: none. */
+  /** First line of the key, -1: none. */
   line: number;
+  entry: Entry | null;
   /** Line behind the section's last key. */
   end: number;
 }
 
 function find(lines: string[], section: string, key: string): Place {
-  const place: Place = { head: -1, line: -1, end: lines.length };
+  const place: Place = { head: -1, line: -1, entry: null, end: lines.length };
   let current = "";
-  lines.forEach((line, i) => {
-    const head = header(line);
-    if (head !== null) {
-      current = head;
-      if (head === section) Object.assign(place, { head: i, end: i + 1 });
-    } else if (current === section && entry(line)) {
-      place.end = i + 1;
-      if (entry(line)!.key === key) place.line = i;
+  for (let i = 0; i < lines.length; ) {
+    const head = header(lines[i]);
+    const entry = head === null ? entryAt(lines, i) : null;
+    const n = entry?.n ?? 1;
+    if (head !== null) current = head;
+    if (head === section) Object.assign(place, { head: i, end: i + 1 });
+    if (current === section && entry) {
+      place.end = i + n;
+      if (entry.key === key) Object.assign(place, { line: i, entry });
     }
-  });
+    i += n;
+  }
   return place;
 }
 
-/** The value of a key as it is written; null where it is not. */
+/** The value of a key as it is written, on one line; null where it is not. */
 export function valueIn(toml: string, section: string, key: string): string | null {
-  const lines = toml.split("\n");
-  const { line } = find(lines, section, key);
-  return line < 0 ? null : entry(lines[line])!.value;
+  return find(toml.split("\n"), section, key).entry?.value ?? null;
 }
 
 /** The text with a key of this value; without the key, if the value is null. */
 export function withValue(toml: string, section: string, key: string, value: string | null): string {
   const lines = toml.split("\n");
-  const { head, line, end } = find(lines, section, key);
+  const { head, line, entry, end } = find(lines, section, key);
   if (value === null) {
-    if (line >= 0) lines.splice(line, 1);
-  } else if (line >= 0) {
-    const { comment } = entry(lines[line])!;
-    lines[line] = `${key} = ${value}${comment && `  ${comment}`}`;
+    if (entry) lines.splice(line, entry.n);
+  } else if (entry) {
+    lines.splice(line, entry.n, `${key} = ${value}${entry.comment && `  ${entry.comment}`}`);
   } else if (head >= 0) {
     lines.splice(end, 0, `${key} = ${value}`);
   } else {

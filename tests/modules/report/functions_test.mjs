@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Functions of the pages that need no browser: texts, tables and counts.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { test } from "node:test";
+
+const { BRASH_PACKAGES: packages, BRASH_SOURCE: source } = process.env;
+const { build } = createRequire(join(packages, "package.json"))("esbuild");
+
+/** What a source of the pages exports. */
+async function exported(path) {
+  const { outputFiles } = await build({
+    entryPoints: [join(source, path)], nodePaths: [join(packages, "node_modules")], bundle: true, write: false, format: "esm",
+  });
+  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+}
+
+// A chart's library asks at its start how fine the screen is.
+Object.assign(globalThis, { matchMedia: () => ({ addEventListener: () => {} }), devicePixelRatio: 1 });
+const { csv } = await exported("modules/report/viewer/src/save.ts");
+const { duration } = await exported("modules/report/viewer/src/extremes.ts");
+const { countsOf } = await exported("modules/report/viewer/src/statistics.ts");
+const { valueIn, withValue } = await exported("modules/simulator/page/src/case_text.ts");
+
+test("texts with commas, quotes and line ends keep their cell of a CSV file", () => {
+  const names = ["a, b", "3,5", 'so "called"', "two\nlines"];
+  assert.equal(csv([["setting", names], ["mean [kN]", [1, null, 3, 4]]]),
+    'setting,mean [kN]\n"a, b",1\n"3,5",\n"so ""called""",3\n"two\nlines",4\n');
+});
+
+test("a duration keeps the zeros of whole numbers", () => {
+  for (const [time, text] of [[600, "600 s"], [10, "10 s"], [1.5, "1.5 s"], [3600, "1 h"], [36000, "10 h"], [5400, "1.5 h"], [360000, "100 h"]])
+    assert.equal(duration(time), text);
+});
+
+test("a histogram counts more values than a call takes arguments", () => {
+  const { counts, width, largest } = countsOf(Float64Array.from({ length: 300_000 }, (_, i) => (i % 240) + 0.5));
+  assert.deepEqual([counts.length, largest, width], [24, 239.5, 239.5 / 24]);
+  assert.equal(counts.reduce((sum, n) => sum + n, 0), 300_000);
+});
+
+test("an array over several lines is one value of a case file", () => {
+  const toml = [
+    "[structure]", "legs = [       # four of them", "  [5, 5],", '  [5, -5],    # "starboard"', "  [-5]", "]  # last", "speed = 1", "",
+    "[ice]", "thickness = 0.3", "",
+  ].join("\n");
+  assert.equal(valueIn(toml, "structure", "legs"), "[ [5, 5], [5, -5], [-5] ]");
+  assert.equal(valueIn(toml, "structure", "speed"), "1");
+  const rest = "speed = 1\n\n[ice]\nthickness = 0.3\n";
+  assert.equal(withValue(toml, "structure", "legs", "[[1, 2]]"), `[structure]\nlegs = [[1, 2]]  # last\n${rest}`);
+  assert.equal(withValue(toml, "structure", "legs", null), `[structure]\n${rest}`);
+  assert.equal(withValue(toml, "structure", "angle", "1"), toml.replace("speed = 1", "speed = 1\nangle = 1"));
+});
+
+test("a bracket in a text, or a sign of comment in it, ends no value", () => {
+  const toml = '[reference]\nsource = "[1] # of \\"Lu\\""  # a paper\nmean = 3\n';
+  assert.equal(valueIn(toml, "reference", "source"), '"[1] # of \\"Lu\\""');
+  assert.equal(valueIn(toml, "reference", "mean"), "3");
+  assert.equal(withValue(toml, "reference", "source", "'x'"), "[reference]\nsource = 'x'  # a paper\nmean = 3\n");
+});
