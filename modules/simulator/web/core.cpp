@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
@@ -51,11 +52,13 @@ const char* brash_check(const char* toml, const char* name) {
   });
 }
 
-/// Begins a simulation: `head` as Session::head(), `start` as Session::start(). The earlier one is gone.
+/// Begins a simulation: `head` as Session::head(), `start` as Session::start(). The earlier one is gone, but it stays if
+/// the text is no case.
 const char* brash_make(const char* toml, const char* name) {
   return said([&] {
-    session.reset();
-    session.emplace(brash::io::parse_case(toml, name));
+    brash::model::Case resolved = brash::io::parse_case(toml, name);
+    session.reset();  // a page has no memory for two
+    session.emplace(std::move(resolved));
     return R"({"head":)" + session->head() + R"(,"start":)" + session->start() + "}";
   });
 }
