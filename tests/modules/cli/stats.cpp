@@ -402,7 +402,7 @@ BOOST_AUTO_TEST_CASE(a_load_below_zero_has_its_peaks_with_the_other_sign) {
   HistoryChoice choice;
   const nlohmann::ordered_json of_up = statistics_of(read_history(up.path(), choice));
   const nlohmann::ordered_json plain = statistics_of(read_history(down.path(), choice));
-  BOOST_TEST(of_up["warnings"].empty());
+  BOOST_TEST(!contains(of_up["warnings"].dump(), "the mean is negative"));
   BOOST_TEST(contains(plain["warnings"].dump(), "the mean is negative, and peaks are of the upper end"));
   BOOST_TEST(plain["quantile_99"].get<double>() > -30.0);
 
