@@ -54,13 +54,16 @@ std::vector<std::string> changed(std::vector<std::string> overrides, const py::d
 py::dict to_dict(const Case& c) { return py::module_::import("tomllib").attr("loads")(io::to_toml(c.resolved)); }
 
 py::object value_of(const Case& c, const std::string& name) {
-  const py::dict sections = to_dict(c);
-  const std::size_t dot = name.find('.');
-  if (dot != std::string::npos && sections.contains(name.substr(0, dot))) {
-    const py::dict section = sections[name.substr(0, dot).c_str()];
-    if (section.contains(name.substr(dot + 1))) return section[name.substr(dot + 1).c_str()];
+  if (name.find('.') == std::string::npos) throw py::key_error(name);  // a section is no value
+  // The text of a case leaves the kind out where the structure is towed.
+  if (name == "structure.motion.kind")
+    return py::str(std::string(model::name_of(model::kind_of(c.resolved.structure.motion))));
+  py::object found = to_dict(c);
+  for (const py::handle part : py::str(name).attr("split")(".")) {
+    if (!py::isinstance<py::dict>(found) || !found.contains(part)) throw py::key_error(name);
+    found = found[part];
   }
-  throw py::key_error(name);
+  return found;
 }
 
 py::dict derived(const Case& c) {

@@ -31,6 +31,14 @@ class Cases(unittest.TestCase):
         edges = {(t[i], t[(i + 1) % 3]) for t in triangles.tolist() for i in range(3)}
         self.assertTrue(all((b, a) in edges for a, b in edges))
 
+    def test_a_key_of_a_section_within_a_section_is_read(self):
+        self.assertEqual(self.case["structure.motion.kind"], "towed")
+        self.case["structure.motion.kind"] = "driven"
+        self.assertEqual(self.case["structure.motion.kind"], "driven")
+        self.assertEqual(self.case["structure.motion.frame"], "structure-moves")
+        with self.assertRaises(KeyError):
+            self.case["structure.motion.mass"]
+
     def test_a_key_is_set_with_a_unit_or_as_a_number(self):
         self.case["ice.thickness"] = "40 cm"
         self.assertEqual(self.case["ice.thickness"], 0.4)
