@@ -506,7 +506,7 @@ def bootstrap_interval(
     samples: ArrayLike,
     statistic: Callable[[Floats], float],
     block_length: int = 1,
-    n_resamples: int = 2000,
+    n_resamples: int = 1000,
     confidence: float = 0.95,
     seed: int = 1,
 ) -> Interval: ...

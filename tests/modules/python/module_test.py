@@ -29,11 +29,38 @@ def stubbed(body):
     return names
 
 
+def signatures(function):
+    """Of each overload, as the docstring begins."""
+    return re.findall(r"^(?:\d+\. )?\w+\((.*)\) ->", function.__doc__, re.MULTILINE)
+
+
 def documented(function):
-    """Argument names of each overload, from the signatures that the docstring begins with."""
-    text = function.__doc__
-    signatures = re.findall(r"^(?:\d+\. )?\w+\((.*)\) ->", text, re.MULTILINE)
-    return [re.findall(r"(\w+): ", re.sub(r"\[[^]]*\]", "", s)) for s in signatures]
+    """Argument names of each overload."""
+    return [re.findall(r"(\w+): ", re.sub(r"\[[^]]*\]", "", s)) for s in signatures(function)]
+
+
+def defaults_of(function):
+    """Name -> default of the arguments of a function in a syntax tree, without those that are left out as ..."""
+    of = function.args
+    pairs = [*zip(of.args[len(of.args) - len(of.defaults):], of.defaults), *zip(of.kwonlyargs, of.kw_defaults)]
+    values = {argument.arg: ast.literal_eval(default) for argument, default in pairs if default is not None}
+    return {name: default for name, default in values.items() if default is not ...}
+
+
+def functions_of(body, members):
+    """Pairs of each function of a stub and the module's own, and of the methods of its classes."""
+    overloads = {}
+    for node in body:
+        value = members.get(node.name) if isinstance(node, (ast.FunctionDef, ast.ClassDef)) else None
+        if isinstance(node, ast.ClassDef) and inspect.isclass(value):
+            yield from functions_of(node.body, {name: getattr(value, name) for name in vars(value)})
+        elif callable(value) and value.__doc__:
+            n = overloads[node.name] = overloads.get(node.name, -1) + 1
+            yield node, ast.parse(f"def {node.name}({signatures(value)[n]}): ...").body[0]
+
+
+def alike(value):
+    return tuple(value) if isinstance(value, list) else value
 
 
 class Stub(unittest.TestCase):
@@ -49,6 +76,16 @@ class Stub(unittest.TestCase):
             for wanted, got in zip(overloads, documented(function), strict=True):
                 with self.subTest(name):
                     self.assertTrue(got == wanted or "kwargs" in function.__doc__, (got, wanted))
+
+    def test_its_defaults_are_the_module_s(self):
+        n_compared = 0
+        for wanted, got in functions_of(STUB.body, PUBLIC):
+            found = defaults_of(got)
+            for argument, default in defaults_of(wanted).items():
+                with self.subTest(f"{wanted.name}({argument})"):
+                    self.assertEqual(alike(found.get(argument, "none")), alike(default))
+                    n_compared += 1
+        self.assertGreater(n_compared, 40)
 
     def test_its_classes_have_the_members_of_the_module_s(self):
         for name, body in stubbed(STUB.body).items():
