@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "brash/core/constants.hpp"
 #include "brash/geometry/ice_sheet.hpp"
@@ -23,14 +25,36 @@ using geometry::Polygon;
 constexpr int kMostWedges = 1000;
 constexpr int kMostSides = 100000;
 
-IceSheet make_sheet(const py::object& polygons) {
+/// A sheet that threads may read without the GIL. Calls that change it keep the GIL.
+struct SharedSheet : IceSheet {
+  explicit SharedSheet(IceSheet sheet) : IceSheet(std::move(sheet)) {}
+  mutable int n_readers = 0;  ///< counted with the GIL
+};
+
+/// One reader, while it lives.
+class Reading {
+ public:
+  explicit Reading(const SharedSheet& sheet) : sheet_(sheet) { ++sheet_.n_readers; }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+  ~Reading() { --sheet_.n_readers; }
+
+ private:
+  const SharedSheet& sheet_;
+};
+
+void expect_unread(const SharedSheet& sheet) {
+  if (sheet.n_readers > 0) throw std::runtime_error("this sheet is in use by another thread");
+}
+
+SharedSheet make_sheet(const py::object& polygons) {
   const std::vector<Polygon> ice = to_polygons(polygons, "polygons");
   auto sheet = [&] {
     const Released release;
     return IceSheet::from_polygons(ice);
   }();
   if (!sheet) throw InputError("polygons: " + sheet.error().what);
-  return *std::move(sheet);
+  return SharedSheet(*std::move(sheet));
 }
 
 double expect_range(double value, double least, double most, const char* name) {
@@ -49,7 +73,7 @@ double expect_radius(double radius, Vec2 centre, const char* name, double least 
                                geometry::kMaxCoordinate));
 }
 
-Cut cut(IceSheet& sheet, const py::object& region, const py::object& cracks) {
+Cut cut(SharedSheet& sheet, const py::object& region, const py::object& cracks) {
   const geometry::Ring ring = to_ring(region, "region");
   std::vector<geometry::Crack> lines;
   if (!cracks.is_none()) {
@@ -60,16 +84,18 @@ Cut cut(IceSheet& sheet, const py::object& region, const py::object& cracks) {
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
       lines.push_back({geometry::snap(ends[i]), geometry::snap(ends[i + 1])});
   }
+  expect_unread(sheet);
   return sheet.cut(ring, lines);
 }
 
-Cut cut_circumferential(IceSheet& sheet, const py::object& centre, double radius, int wedges, const py::object& angles,
-                        int sides) {
+Cut cut_circumferential(SharedSheet& sheet, const py::object& centre, double radius, int wedges,
+                        const py::object& angles, int sides) {
   const Vec2 at = point(centre, "centre");
   expect_range(wedges, 1, kMostWedges, "wedges");
   expect_range(sides, 3, kMostSides, "sides");
   // The vertices of the circle must not fall together on the grid.
   expect_radius(radius, at, "radius", std::max(kLeastRadius, geometry::kGridUnit * sides));
+  expect_unread(sheet);
   if (angles.is_none()) return geometry::cut_circumferential(sheet, at, radius, wedges, sides);
   const Array radians = samples(angles, "angles");
   expect_range(static_cast<double>(radians.size()), 0, kMostWedges, "number of angles");
@@ -89,7 +115,7 @@ geometry::FitRequest fit_request(const py::object& at, const py::object& towards
 geometry::Trapezoid fit(const py::object& ice, const py::object& at, const py::object& towards, double reach,
                         double contact_length) {
   const geometry::FitRequest request = fit_request(at, towards, reach, contact_length);
-  if (py::isinstance<IceSheet>(ice)) return geometry::fit_trapezoid(ice.cast<const IceSheet&>(), request);
+  if (py::isinstance<SharedSheet>(ice)) return geometry::fit_trapezoid(ice.cast<const SharedSheet&>(), request);
   std::vector<std::vector<Vec2>> edges;
   if (py::isinstance<py::str>(ice) || !py::isinstance<py::iterable>(ice))
     throw InputError("ice: a sheet or a list of polylines with shape (n, 2) is expected");
@@ -204,17 +230,18 @@ void add_values(py::module_& m) {
           "Unit normal of the chord into the ice, shape (2,).");
 }
 
-py::object contains(const IceSheet& sheet, const py::object& where) {
+py::object contains(const SharedSheet& sheet, const py::object& where) {
   const Array array = numbers(where, "points");
   if (array.ndim() == 1) return py::bool_(sheet.contains(point(array, "points")));
   const std::vector<Vec2> all = points(array, "points");
   py::array_t<bool> inside(static_cast<py::ssize_t>(all.size()));
   auto view = inside.mutable_unchecked<1>();
+  const Reading reading(sheet);
   without_gil(all.size(), [&](std::size_t i) { view(static_cast<py::ssize_t>(i)) = sheet.contains(all[i]); });
   return inside;
 }
 
-py::list free_edge(const IceSheet& sheet, const py::object& at, double radius) {
+py::list free_edge(const SharedSheet& sheet, const py::object& at, double radius) {
   const Vec2 b = point(at, "at");
   py::list chains;
   for (const std::vector<Vec2>& chain : sheet.free_edge(b, expect_radius(radius, b, "radius")))
@@ -227,7 +254,8 @@ py::list free_edge(const IceSheet& sheet, const py::object& at, double radius) {
 void add_geometry(py::module_& m) {
   add_polygon(m);
   add_values(m);
-  py::class_<IceSheet>(m, "IceSheet", R"(The ice sheet: its free edges as an exact polygon set on the grid of 2^-30 m.
+  py::class_<SharedSheet>(m, "IceSheet",
+                          R"(The ice sheet: its free edges as an exact polygon set on the grid of 2^-30 m.
 
 The cost of a cut or a query is that of the edges near it, whatever the size of the sheet.
 
@@ -239,9 +267,9 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
            "polygons: vertices with shape (n, 2) [m], WKT, GeoJSON, a Polygon or shapely geometry, or a list of them; "
            "simple and disjoint.")
       .def_property_readonly(
-          "area", [](const IceSheet& s) { return s.area().square_metres(); }, "[m2]")
+          "area", [](const SharedSheet& s) { return s.area().square_metres(); }, "[m2]")
       .def_property_readonly(
-          "exact_area", [](const IceSheet& s) { return fraction(s.area()); }, "A Fraction [m2].")
+          "exact_area", [](const SharedSheet& s) { return fraction(s.area()); }, "A Fraction [m2].")
       .def_property_readonly("n_vertices", &IceSheet::n_vertices)
       .def("polygons", &IceSheet::polygons, "The connected parts with their holes.")
       .def("contains", &contains, py::arg("points"), "shape (2,) -> bool; shape (n, 2) -> shape (n,).")
@@ -252,20 +280,25 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
            py::arg("angles") = py::none(), py::arg("sides") = 16,
            "Breaks the ice within `radius` [m] of `centre`, shape (2,), free and divides it by radial cracks: evenly "
            "into `wedges`, or at `angles` [rad], counter-clockwise from x. `sides`: chords of the full circle.")
-      .def("release_detached", &IceSheet::release_detached,
-           "Takes every part but the largest out of the sheet and returns them.")
+      .def(
+          "release_detached",
+          [](SharedSheet& s) {
+            expect_unread(s);
+            return s.release_detached();
+          },
+          "Takes every part but the largest out of the sheet and returns them.")
       .def(
           "contacts",
-          [](const IceSheet& s, const py::object& section) { return s.contacts(to_ring(section, "section")); },
+          [](const SharedSheet& s, const py::object& section) { return s.contacts(to_ring(section, "section")); },
           py::arg("section"), "Overlaps of a simple section with the ice; a hollow one may have several.")
       .def(
-          "within", [](const IceSheet& s, const py::object& window) { return s.within(to_ring(window, "window")); },
+          "within", [](const SharedSheet& s, const py::object& window) { return s.within(to_ring(window, "window")); },
           py::arg("window"), "The ice inside the window as polygons, without taking it.")
       .def("free_edge", &free_edge, py::arg("at"), py::arg("radius"),
            "Polylines of ice boundary within `radius` [m] of `at`, ice on the left, the nearest first; shape (n, 2).")
-      .def("to_wkt", [](const IceSheet& s) { return geometry::to_wkt(s.polygons()); })
+      .def("to_wkt", [](const SharedSheet& s) { return geometry::to_wkt(s.polygons()); })
       .def("check", &IceSheet::check, "Raises ContractViolation unless the sheet is consistent.")
-      .def("__repr__", [](const IceSheet& s) {
+      .def("__repr__", [](const SharedSheet& s) {
         return fmt::format("<brash.IceSheet of {:.6g} m2, {} vertices>", s.area().square_metres(), s.n_vertices());
       });
   m.def("fit_trapezoid", &fit, py::arg("ice"), py::arg("at"), py::arg("towards"), py::arg("reach"),

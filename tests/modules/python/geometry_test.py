@@ -3,6 +3,8 @@
 import json
 import pathlib
 import tempfile
+import threading
+import time
 import unittest
 
 import numpy as np
@@ -182,6 +184,25 @@ class Sheets(unittest.TestCase):
             with self.subTest(number), self.assertRaises(brash.InputError):
                 call()
         self.assertEqual(sheet.exact_area, area)
+
+    def test_a_sheet_that_another_thread_reads_is_not_changed(self):
+        sheet = brash.IceSheet([[0, 0], [90, 0], [90, 90], [0, 90]])
+        points = np.random.default_rng(1).uniform(0, 90, (400_000, 2))
+        inside, refused = [], 0
+        reader = threading.Thread(target=lambda: inside.append(sheet.contains(points)))
+        reader.start()
+        while reader.is_alive():
+            try:
+                sheet.release_detached()  # of a whole sheet it takes nothing
+            except RuntimeError as error:
+                self.assertIn("in use by another thread", str(error))
+                refused += 1
+                time.sleep(1e-4)
+        reader.join()
+        self.assertGreater(refused, 0)
+        self.assertTrue(inside[0].all())  # of the whole sheet
+        sheet.cut_circumferential([20, 20], 3)
+        sheet.check()
 
 
 if __name__ == "__main__":
