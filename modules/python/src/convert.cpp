@@ -26,7 +26,17 @@ void expect_on_the_grid(Vec2 v, const char* name, const std::string& place) {
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
 
+void expect_no_mask(py::handle value, const char* name) {
+  if (!py::hasattr(value, "mask")) return;
+  if (!py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>()) return;
+  throw InputError(fmt::format(
+      "{0}: an array without masked values is expected; leave them out with {0}.compressed(), and the times of a "
+      "history likewise, or fill them with {0}.filled(...)",
+      name));
+}
+
 Array numbers(py::handle value, const char* name) {
+  expect_no_mask(value, name);
   Array array = Array::ensure(value);
   if (!array) {
     PyErr_Clear();

@@ -24,7 +24,11 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// "(3, 2)".
 std::string shape_text(const py::array& array);
 
-/// Any array of numbers, copied or cast where needed. @throws InputError naming the argument `name`.
+/// @throws InputError naming the argument `name` when a value of a numpy.ma array is masked: its number means nothing.
+void expect_no_mask(py::handle value, const char* name);
+
+/// Any array of numbers without masked values, copied or cast where needed. @throws InputError naming the argument
+/// `name`.
 Array numbers(py::handle value, const char* name);
 /// The same with shape=(n,).
 Array samples(py::handle value, const char* name);

@@ -78,6 +78,13 @@ class Statistics(unittest.TestCase):
         with self.assertRaises((TypeError, RuntimeError)):
             brash.bootstrap_interval([1, 2, 3], lambda x: "text")
 
+    def test_masked_values_are_refused_with_the_remedy(self):
+        masked = np.ma.masked_array([1.0, 2.0, 1e30, 3.0], mask=[False, False, True, False])
+        with self.assertRaisesRegex(brash.InputError, r"without masked values.*samples\.compressed\(\)"):
+            brash.moments(masked)
+        self.assertEqual(brash.moments(masked.compressed()).mean, 2.0)
+        self.assertEqual(brash.moments(np.ma.masked_array([1.0, 2.0, 3.0], mask=False)).mean, 2.0)
+
     def test_bad_arguments_are_refused(self):
         calls = {
             "empty": lambda: brash.summarise([], 1), "one": lambda: brash.moments([1]),
