@@ -31,13 +31,20 @@ void require(bool allowed, const char* name, double value, const char* range) {
   if (!allowed) throw InputError(fmt::format("{}: {} is not allowed; {}", name, value, range));
 }
 
-/// Seconds: numbers as they are, dates and differences of times from the first one on.
+/// Seconds: numbers as they are, dates and differences of times from the first one on. Dates of a time zone go through
+/// UTC, in which no hour is missing or double.
 py::object seconds(const py::object& times) {
-  const py::object array = py::module_::import("numpy").attr("asarray")(times);
+  expect_no_mask(times, "times");
+  const py::module_ numpy = py::module_::import("numpy");
+  const bool has_zone = py::hasattr(times, "tz_convert") && py::hasattr(times, "tz") && !times.attr("tz").is_none();
+  const py::object array = numpy.attr("asarray")(has_zone ? times.attr("tz_convert")(py::none()) : times);
   const auto kind = array.attr("dtype").attr("kind").cast<std::string>();
   if (kind != "M" && kind != "m") return array;
   return (array - array[py::int_(0)]).attr("astype")("timedelta64[ns]").attr("astype")("float64") * py::float_(1e-9);
 }
+  if (numpy.attr("isnat")(array).attr("any")().cast<bool>())
+    throw InputError("times: a date is missing (NaT); leave such rows out, as with history[history.index.notna()]");
+  if (py::len(array) == 0) return numpy.attr("zeros")(0);
 
 /// Times and values of a pandas.Series, an xarray.DataArray or a pair of arrays.
 std::pair<py::object, py::object> times_and_values(const py::object& history) {
