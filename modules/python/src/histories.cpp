@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "brash/statistics/moments.hpp"
 #include "brash/statistics/rainflow.hpp"
 #include "convert.hpp"
 #include "design.hpp"
@@ -161,7 +162,12 @@ py::object stats(const py::object& history, double return_period, const std::vec
 py::dict events(const py::object& history, std::optional<double> dead_band) {
   return with_arguments_of("load_events", [&] {
     if (dead_band) require(*dead_band >= 0.0 && *dead_band < 1e6, "dead_band", *dead_band, "in [0, 1e6) deviations");
-    const auto found = cli::events_of(load_of(history), dead_band);
+    const LoadHistory load = load_of(history);
+    const statistics::Moments m = statistics::moments(load.history.values, load.even.weights);
+    if (statistics::acts_downwards(m.mean, m.minimum, m.maximum) &&
+        PyErr_WarnEx(PyExc_UserWarning, statistics::kNegativeMean, 1) < 0)
+      throw py::error_already_set();
+    const auto found = cli::events_of(load, dead_band);
     py::dict out;
     const auto add = [&](const char* name, auto member) {
       std::vector<double> column;
