@@ -14,6 +14,7 @@
 #include "history_statistics.hpp"
 #include "load_history.hpp"
 #include "rooms.hpp"
+#include "signals.hpp"
 
 namespace brash::python {
 namespace {
@@ -41,11 +42,11 @@ py::object seconds(const py::object& times) {
   const py::object array = numpy.attr("asarray")(has_zone ? times.attr("tz_convert")(py::none()) : times);
   const auto kind = array.attr("dtype").attr("kind").cast<std::string>();
   if (kind != "M" && kind != "m") return array;
-  return (array - array[py::int_(0)]).attr("astype")("timedelta64[ns]").attr("astype")("float64") * py::float_(1e-9);
-}
   if (numpy.attr("isnat")(array).attr("any")().cast<bool>())
     throw InputError("times: a date is missing (NaT); leave such rows out, as with history[history.index.notna()]");
   if (py::len(array) == 0) return numpy.attr("zeros")(0);
+  return (array - array[py::int_(0)]).attr("astype")("timedelta64[ns]").attr("astype")("float64") * py::float_(1e-9);
+}
 
 /// Times and values of a pandas.Series, an xarray.DataArray or a pair of arrays.
 std::pair<py::object, py::object> times_and_values(const py::object& history) {
@@ -138,11 +139,13 @@ py::object extremes(const py::object& histories, double return_period, double bl
       records.push_back(
           {&load.history, &load.even,
            statistics::autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau});
-    statistics::GoodnessOfFit goodness;
-    ordered_json out;
-    cli::add_extremes(statistics::analyse_extremes(statistics::extreme_values(records, settings), settings, goodness),
-                      out);
-    return from_json(out.dump());
+    return from_json(unlocked([&] {
+      statistics::GoodnessOfFit goodness;
+      ordered_json out;
+      cli::add_extremes(statistics::analyse_extremes(statistics::extreme_values(records, settings), settings, goodness),
+                        out);
+      return out.dump();
+    }));
   });
 }
 
@@ -155,7 +158,8 @@ py::object stats(const py::object& history, double return_period, const std::vec
     require(frequency > 0.0 && frequency < 1e9, "frequency", frequency, "in (0, 1e9) Hz");
     settings.exponents = exponents;
     settings.frequency = frequency;
-    return from_json(cli::statistics_of(load_of(history), settings).dump());
+    const LoadHistory load = load_of(history);
+    return from_json(unlocked([&] { return cli::statistics_of(load, settings).dump(); }));
   });
 }
 
@@ -201,8 +205,10 @@ py::tuple cycles(const py::object& values) {
 }
 
 py::object compare(const py::object& run, const py::object& measured) {
-  return with_arguments_of("compare",
-                           [&] { return from_json(cli::compare_histories(loads_of(run), loads_of(measured)).dump()); });
+  return with_arguments_of("compare", [&] {
+    const std::vector<LoadHistory> first = loads_of(run), second = loads_of(measured);
+    return from_json(unlocked([&] { return cli::compare_histories(first, second).dump(); }));
+  });
 }
 
 py::object design(const py::object& campaign, const std::string& column, const std::vector<double>& hours,
@@ -223,8 +229,9 @@ py::object design(const py::object& campaign, const std::string& column, const s
     if (!scatter.is_none()) asked.scatter = path_of(scatter);
     cli::HistoryChoice choice;
     choice.column = column;
-    const auto settings = cli::read_campaign_histories(path_of(campaign), choice, where);
-    return from_json(cli::design_of(settings, asked).json.dump());
+    const std::string folder = path_of(campaign);
+    return from_json(unlocked(
+        [&] { return cli::design_of(cli::read_campaign_histories(folder, choice, where), asked).json.dump(); }));
   });
 }
 

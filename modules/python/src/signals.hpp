@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "brash/core/interruption.hpp"
+
 namespace brash::python {
 
 /// Releases the GIL while it lives. An interpreter that ends waits for every live Released (see wait_for_calls()): a
@@ -63,6 +65,22 @@ class SignalPoll {
  private:
   std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
 };
+
+/// Lets Python see Ctrl-C in a computation without the GIL. @throws pybind11::error_already_set, as its handler says.
+inline void raise_signals_without_gil() {
+  static thread_local SignalPoll poll;
+  if (!poll.raised()) return;
+  const pybind11::gil_scoped_acquire gil;
+  throw pybind11::error_already_set();
+}
+
+/// Calls a computation that touches nothing of Python, without the GIL. Ctrl-C ends it where it looks for that.
+template <typename Call>
+auto unlocked(Call call) {
+  const Released release;
+  const CheckedForInterruption checked(&raise_signals_without_gil);
+  return call();
+}
 
 /// Calls `piece(i)` for i in [0, n) without the GIL; raises the exception of a signal handler between two pieces.
 template <typename Piece>

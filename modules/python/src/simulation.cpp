@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "../../cli/src/run_folder.hpp"
@@ -57,6 +58,18 @@ int checked(int threads) {
 }
 
 /// A simulation, the records of its floes, and the flag that keeps a second thread out while it steps.
+/// While it lives, the case cannot be changed. Made and ended with the GIL.
+class Frozen {
+ public:
+  explicit Frozen(const Case& c) : case_(c) { ++case_.runs.n; }
+  Frozen(const Frozen&) = delete;
+  Frozen& operator=(const Frozen&) = delete;
+  ~Frozen() { --case_.runs.n; }
+
+ private:
+  const Case& case_;
+};
+
 class LiveSimulation {
  public:
   LiveSimulation(const Case& c, int threads)
@@ -148,18 +161,6 @@ py::list deaths_of(const Steps& steps) {
   return out;
 }
 
-/// While it lives, the case cannot be changed. Made and ended with the GIL.
-class Frozen {
- public:
-  explicit Frozen(const Case& c) : case_(c) { ++case_.runs.n; }
-  Frozen(const Frozen&) = delete;
-  Frozen& operator=(const Frozen&) = delete;
-  ~Frozen() { --case_.runs.n; }
-
- private:
-  const Case& case_;
-};
-
 /// The inputs of a run of this case; a case without a file is recorded as the text that gives it.
 recording::Inputs inputs_of(const Case& c) {
   if (c.has_file) return recording::inputs_of(c.path, c.text, c.resolved);
@@ -240,7 +241,11 @@ void add_simulation(py::module_& m) {
 >>> steps = simulation.step(100)
 >>> steps.loads["Fx"].max()                                     # [N]
 >>> [floe.rings[0] for floe in simulation.frame().floes]        # outlines, shape (n, 3) [m])")
-      .def(py::init<const Case&, int>(), py::arg("case"), py::arg("threads") = 1,
+      .def(py::init([](const Case& c, int threads) {
+             const Frozen frozen(c);
+             return unlocked([&] { return std::make_unique<LiveSimulation>(c, threads); });
+           }),
+           py::arg("case"), py::arg("threads") = 1,
            "Lays the sheet, cuts the initial crack, places the structure.\n\n"
            "threads share out the work of a step; results do not depend on their number.")
       .def(

@@ -3,7 +3,10 @@
 import json
 import pathlib
 import tempfile
+import threading
+import time
 import unittest
+import warnings
 
 import numpy as np
 
@@ -59,6 +62,41 @@ class Histories(unittest.TestCase):
         self.assertEqual((series.name, series.index.name, series.iloc[-1]), ("Fx", "time", 4000.0))
         self.assertEqual(brash.read_history(file, as_="xarray").attrs["units"], "N")
 
+    @unittest.skipIf(pd is None, "pandas and xarray are not installed")
+    def test_dates_with_a_zone_or_a_gap(self):
+        times, load = sawtooth(100)
+        dates = pd.Timestamp("2026-10-25T00:30", tz="Europe/Berlin") + pd.to_timedelta(60 * times, unit="s")
+        # Clocks go back within these hours.
+        zoned = brash.load_events(pd.Series(load, index=dates))
+        np.testing.assert_allclose(zoned["peak_time"], brash.load_events((60 * times, load))["peak_time"])
+        missing = pd.Series(load, index=dates.tz_convert(None).where(times != times[7]))
+        with self.assertRaisesRegex(brash.InputError, "NaT"):
+            brash.load_events(missing)
+        self.assertEqual(len(brash.load_events(missing[missing.index.notna()])["peak"]), len(zoned["peak"]))
+        with self.assertRaises(brash.InputError):
+            brash.load_events(pd.Series([], index=pd.DatetimeIndex([]), dtype=float))
+
+    def test_masked_values_and_times_are_refused(self):
+        times, load = sawtooth(100)
+        masked = np.ma.masked_greater(load, 200.0)
+        for history in ((times, masked), (np.ma.masked_less(times, 1.0), load)):
+            with self.assertRaisesRegex(brash.InputError, "without masked values"):
+                brash.load_events(history)
+        kept = brash.load_events((times, masked.filled(np.nan)))
+        self.assertGreater(len(kept["peak"]), 0)
+
+    def test_long_statistics_let_other_threads_work(self):
+        history, counted = sawtooth(20_000), []
+        worker = threading.Thread(target=lambda: counted.append(brash.stats(history)["n"]))
+        worker.start()
+        looks = 0
+        while worker.is_alive():
+            looks += 1
+            time.sleep(0.001)
+        worker.join()
+        self.assertEqual(counted, [history[1].size])
+        self.assertGreater(looks, 20)
+
     def test_events_extremes_and_fatigue_are_those_of_the_command(self):
         times, load = sawtooth(1000)
         events = brash.load_events((times, load))
@@ -72,6 +110,19 @@ class Histories(unittest.TestCase):
         self.assertEqual(brash.stats((times, load), exponents=[4.0])["fatigue"][0]["exponent"], 4.0)
         halves = [(times[:10000], load[:10000]), (times[10000:], load[10000:])]
         self.assertIsNotNone(brash.extremes(halves, 3000.0)["recommended"]["law"])
+
+    def test_a_load_below_zero_is_told_to_change_its_sign(self):
+        times, load = sawtooth(200)
+        told = "the mean is negative"
+        with self.assertWarnsRegex(UserWarning, told):
+            brash.load_events((times, -load))
+        self.assertTrue(any(told in text for text in brash.stats((times, -load))["warnings"]))
+        self.assertTrue(any(told in text for text in brash.extremes((times, -load), 600.0)["warnings"]))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            brash.load_events((times, load))
+            brash.load_events((times, load - load.mean() - 1.0))  # small below zero, with peaks above it
+        self.assertFalse(any(told in text for text in brash.stats((times, load))["warnings"]))
 
     def test_rainflow_counts_the_example_of_the_standard(self):
         ranges, _, counts = brash.rainflow([-2, 1, -3, 5, -1, 3, -4, 4, -2])
