@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "../../cli/src/run_folder.hpp"
 #include "brash/core/error.hpp"
@@ -57,7 +58,6 @@ int checked(int threads) {
   return threads;
 }
 
-/// A simulation, the records of its floes, and the flag that keeps a second thread out while it steps.
 /// While it lives, the case cannot be changed. Made and ended with the GIL.
 class Frozen {
  public:
@@ -70,6 +70,7 @@ class Frozen {
   const Case& case_;
 };
 
+/// A simulation, the records of its floes, and the flag that keeps a second thread out while it steps.
 class LiveSimulation {
  public:
   LiveSimulation(const Case& c, int threads)
@@ -79,13 +80,12 @@ class LiveSimulation {
     if (n < 0) throw InputError(fmt::format("n = {}: a number of steps is expected", n));
     const Busy busy(busy_, "this simulation");
     drive(n, pose, twist);
-    Steps steps;
     without_gil(static_cast<std::size_t>(n), [&](std::size_t) {
       simulation::StepReport report = simulation_.step();
       for (const model::FloeRecord& floe : report.births) records_.emplace(floe.id, floe);
-      steps.add(std::move(report));
+      steps_.add(std::move(report));
     });
-    return steps;
+    return std::exchange(steps_, {});
   }
 
   /// The simulation at rest, for a look. @throws std::runtime_error while another thread steps it.
@@ -125,6 +125,7 @@ class LiveSimulation {
 
   simulation::Simulation simulation_;
   std::map<std::int64_t, model::FloeRecord> records_;
+  Steps steps_;  ///< done, and not handed over: Ctrl-C came
   bool busy_ = false;
 };
 
@@ -229,7 +230,9 @@ void add_simulation(py::module_& m) {
   py::class_<Steps>(m, "Steps", "What one or several steps did.")
       .def_property_readonly(
           "loads", [](const Steps& s) { return table(std::span<const model::LoadRow>(s.loads)); },
-          "Structured array with the columns of history.csv; shape (n_steps,).")
+          "Structured array with all columns that a history.csv can have; shape (n_steps,). Those of a motion, a "
+          "region "
+          "or a leg that the structure does not have are 0.")
       .def_property_readonly(
           "events", [](const Steps& s) { return table(std::span<const model::CrackEvent>(s.events)); },
           "Structured array with the columns of events.csv; shape (n_events,).")
@@ -251,7 +254,8 @@ void add_simulation(py::module_& m) {
       .def(
           "step", &LiveSimulation::step, py::arg("n") = 1, py::kw_only(), py::arg("pose") = py::none(),
           py::arg("twist") = py::none(),
-          "Advances by n time steps; Ctrl-C stops between two steps.\n\n"
+          "Advances by n time steps; Ctrl-C stops between two steps. The next call gives the steps done before it, "
+          "too.\n\n"
           "With structure.motion.kind = \"driven\", pose = (position, rotation) is reached at the end of one step [m], "
           "and twist = (velocity, angular velocity) is the motion on the way [m/s], [rad/s], each in the sheet frame. "
           "One of them gives the other. Without both, the structure goes on at its last twist.")

@@ -68,6 +68,22 @@ class Steps(unittest.TestCase):
             run.results.frame(31)
         self.assertEqual(len(run.events), run.summary["n_breaks"])
 
+    def test_steps_before_ctrl_c_come_with_the_next_call(self):
+        def interrupt(*_):
+            raise KeyboardInterrupt
+
+        before = signal.signal(signal.SIGALRM, interrupt)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        simulation = brash.Simulation(brash.Case.from_file(CONE))
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        with self.assertRaises(KeyboardInterrupt):
+            simulation.step(1900)
+        done = round(simulation.time / 0.01)
+        self.assertGreater(done, 0)
+        steps = simulation.step(3)
+        np.testing.assert_allclose(steps.loads["time"], 0.01 * np.arange(1, done + 4), atol=1e-9)
+        self.assertEqual(simulation.step(2).loads.shape, (2,))
+
     def test_a_simulation_is_one_thread_s_at_a_time(self):
         simulation = brash.Simulation(brash.Case.from_file(CONE))
         refused = []
