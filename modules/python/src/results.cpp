@@ -39,11 +39,12 @@ void add_floes(py::module_& m) {
       .def_readonly("area", &model::FloeRecord::area, "[m2]")
       .def_readonly("thickness", &model::FloeRecord::thickness, "[m]")
       .def_readonly("birth", &model::FloeRecord::birth, "[s]")
-      .def_readonly("death", &model::FloeRecord::death, "[s]; the run's end when alive")
+      .def_readonly("death", &model::FloeRecord::death,
+                    "[s]; of a floe alive the run's end, and 0 in Simulation.frame() and Steps.births")
       .def_property_readonly(
           "end", [](const model::FloeRecord& f) { return model::name_of(f.end); }, "alive, crushed")
       .def_readonly("peak_stress", &model::FloeRecord::peak_stress,
-                    "Largest compression of the deletion criterion [Pa].")
+                    "Largest compression of the deletion criterion [Pa]; 0 in Simulation.frame() and Steps.births.")
       .def_property_readonly(
           "rings", [](const model::FloeRecord& f) { return rings_of(f.rings); },
           "Outline and holes in the body frame; shape (n, 2) each [m].");
@@ -88,7 +89,8 @@ void add_results(py::module_& m) {
   py::class_<RunResults>(m, "Results", "Everything that a run leaves, as in run.nc.")
       .def_property_readonly(
           "loads", [](const RunResults& r) { return table(std::span<const model::LoadRow>(r.loads)); },
-          "Load history: a structured array with the columns of history.csv; shape (n_steps,).")
+          "Load history: a structured array with all columns that a history.csv can have; shape (n_steps,). Those of a "
+          "motion, a region or a leg that the structure does not have are 0, and are left out of history.csv.")
       .def_property_readonly(
           "events", [](const RunResults& r) { return table(std::span<const model::CrackEvent>(r.events)); },
           "Crack events: a structured array with the columns of events.csv; shape (n_events,).")
