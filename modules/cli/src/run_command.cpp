@@ -43,14 +43,16 @@ void run_case(const RunOptions& options) {
   print_warnings(simulation::derived_scales(resolved).warnings);
   const std::string directory = options.directory.empty() ? "results/" + resolved.name : options.directory;
   const FolderLock lock = open_run_folder(directory);
-  if (!options.resume && !options.replace) refuse_replacing(directory);
   const std::string checkpoint = directory + "/checkpoint.nc";
-  if (options.resume && !std::filesystem::exists(checkpoint))
+  const bool goes_on = options.resume && std::filesystem::exists(checkpoint);
+  if (!goes_on && !options.replace) refuse_replacing(directory, ", or take --replace");
+  if (options.resume && !goes_on)
     say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   simulation::RunOptions how{.begun =
                                  [&] {
                                    recording::expect_unchanged(inputs);
                                    remove_run(directory);
+                                   if (!goes_on) std::filesystem::remove(checkpoint);
                                  },
                              .checkpoint = recording::checkpoint_file(checkpoint, options.resume, inputs),
                              .threads = options.threads > 0 ? options.threads : Workers::available()};

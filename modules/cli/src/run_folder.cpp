@@ -80,16 +80,16 @@ FolderLock open_run_folder(const std::string& directory) {
   return lock;
 }
 
-void refuse_replacing(const std::string& directory) {
-  const auto refuse = [&](const char* what, const char* remedy) {
-    throw InputError(Complaint{directory, what, "a folder without results of a run", remedy});
+void refuse_replacing(const std::string& directory, const std::string& other_remedy) {
+  const auto refuse = [&](const char* what, const std::string& remedy) {
+    throw InputError(Complaint{directory, what, "a folder without results of a run", remedy + other_remedy});
   };
   const fs::path folder(directory);
   if (fs::exists(folder / "manifest.json") && fs::exists(folder / "summary.json"))
-    refuse("holds a finished run, which a new run would replace", "give another folder, or add --replace");
+    refuse("holds a finished run, which a new run would replace", "give another folder");
   if (fs::exists(folder / "checkpoint.nc"))
     refuse("holds an interrupted run, which a new run would replace",
-           "go on from its checkpoint with --resume, give another folder, or add --replace");
+           "go on from its checkpoint with `brash run --resume`, or give another folder");
 }
 
 void remove_run(const std::string& directory) {

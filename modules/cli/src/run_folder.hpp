@@ -17,8 +17,9 @@ namespace brash::cli {
 FolderLock open_run_folder(const std::string& directory);
 
 /// Refuses to begin a run at 0 s where a finished or an interrupted one lies.
-/// @throws InputError naming `--resume` and `--replace`.
-void refuse_replacing(const std::string& directory);
+/// @param other_remedy  ends the remedy, such as ", or take --replace".
+/// @throws InputError with the remedy.
+void refuse_replacing(const std::string& directory, const std::string& other_remedy = "");
 
 /// Removes everything that write_run_folder wrote into `directory` for an earlier run.
 void remove_run(const std::string& directory);

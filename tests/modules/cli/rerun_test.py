@@ -106,6 +106,32 @@ class Rerun(unittest.TestCase):
         self.assertIn("--replace", refused.stderr)
         self.record("a", "--set", "failure.model=wedge", "--replace")
 
+    def test_a_finished_run_without_a_checkpoint_is_not_begun_anew_by_resume(self):
+        folder = self.record("a", "--set", "failure.model=wedge").parent
+        before = {file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}
+        self.assertNotIn("checkpoint.nc", before)
+        refused = brash("run", self.case, "--set", "ice.thickness=0.4", "-o", folder, "--resume")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("holds a finished run", refused.stderr)
+        self.assertEqual({file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}, before)
+        self.record("new", "--set", "failure.model=wedge", "--resume")  # nothing is there yet
+
+    def test_a_replaced_run_leaves_no_checkpoint_behind(self):
+        often = ("--set", "output.checkpoint_interval=0.1", "--set", "failure.model=wedge")
+        folder = self.record("a", *often).parent
+        self.assertTrue((folder / "checkpoint.nc").exists())
+        self.record("a", "--set", "failure.model=wedge", "--replace")
+        self.assertFalse((folder / "checkpoint.nc").exists())
+
+    def test_a_repeated_run_replaces_no_other_run(self):
+        manifest = self.record("a", "--set", "failure.model=wedge")
+        other = self.record("b", "--set", "failure.model=wedge", "--seed", 2)
+        before = other.read_bytes()
+        refused = brash("rerun", manifest, "-o", other.parent)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("holds a finished run", refused.stderr)
+        self.assertEqual(other.read_bytes(), before)
+
     def test_a_changed_model_is_named(self):
         manifest = self.record("a")
         shutil.copy(MODELS / "cone_superposition.json", self.path / "cone_network.json")
