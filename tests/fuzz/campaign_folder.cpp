@@ -119,7 +119,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fs::remove_all(folder);
   fs::create_directories(folder);
   fill(folder, std::string(text_of(data, size)), place.root / "outside");
-  const campaign::Folder files(place.plan, folder.string());
+  campaign::Folder files(place.plan, folder.string());
   const campaign::Campaign campaign{.plan = place.plan,
                                     .plan_file = (place.root / "plan.toml").string(),
                                     .directory = folder.string(),

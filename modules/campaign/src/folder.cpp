@@ -10,9 +10,7 @@
 #include "brash/core/folder_lock.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
-#include "brash/model/case_keys.hpp"
 #include "columns.hpp"
 
 namespace brash::campaign {
@@ -30,8 +28,6 @@ std::string read_text(const fs::path& path) {
 }
 
 namespace {
-
-constexpr std::size_t kMostOfMesh = 512;  // [MiB]
 
 [[noreturn]] void refuse_folder(const std::string& path, const std::string& what) {
   throw InputError(Complaint{path, what, "a folder that is new, empty or of this campaign", "give another folder"});
@@ -96,11 +92,11 @@ void Folder::refuse_files_of_others() const {
   for (std::size_t i = 0; i < plan_.settings.size(); ++i) {
     const std::string path = setting_file(i);
     if (!fs::exists(path)) continue;
-    if (read_text(path) != io::to_toml(plan_.settings[i].resolved)) {
+    if (read_text(path) != copies_->setting_text(plan_.settings[i])) {
       throw InputError(
           fmt::format("{}: is not what the plan makes of the setting {} now\n  allowed: the campaign that the "
                       "folder was begun with; settings and replicates may be added\n  remedy:  give another "
-                      "folder, or undo the change of the plan or its case",
+                      "folder, or undo the change of the plan, its case or a file that the case names",
                       path, plan_.settings[i].name));
     }
     is_own = true;
@@ -114,28 +110,9 @@ void Folder::refuse_files_of_others() const {
       refuse_folder(directory_ + "/" + name, "holds files, but none of this campaign");
 }
 
-/// The plan, the base case, the models, the meshes and the files of floes as they were read.
-void Folder::write_inputs() const {
-  const fs::path inputs = fs::path(directory_) / "inputs";
-  const auto write = [](const fs::path& copy, const std::string& text) {
-    if (!fs::exists(copy) || read_text(copy) != text) write_file(copy.string(), text);
-  };
-  for (const io::SourceText& source : plan_.sources) write(inputs / fs::path(source.path).filename(), source.text);
-  for (const io::Setting& setting : plan_.settings) {
-    if (const fs::path model = setting.resolved.failure.file; !model.empty())
-      write(inputs / "model" / model.filename(), read_text_file(model.string(), "the file of a failure model"));
-    if (const auto* const mesh = std::get_if<model::Mesh>(&setting.resolved.structure.shape))
-      write(inputs / "hull" / fs::path(mesh->file).filename(), read_text_file(mesh->file, "a mesh", kMostOfMesh));
-    model::visit_files_of_field(setting.resolved.field, [&](const char* key, const std::string& file) {
-      const fs::path folder = inputs / (key == std::string_view("file") ? "field" : key);
-      if (!file.empty())
-        write(folder / fs::path(file).filename(), read_text_file(file, "a file of the ice", kMostOfMesh));
-    });
-  }
-}
-
-void Folder::prepare(bool resume) const {
+void Folder::prepare(bool resume) {
   refuse_links(directory_);
+  copies_.emplace(plan_);
   refuse_files_of_others();
   std::error_code reason;
   const fs::path cases = fs::path(directory_) / "cases";
@@ -153,10 +130,11 @@ void Folder::prepare(bool resume) const {
   // A worker that was killed just after it gave the folder of a case its name left the lock there.
   for (const auto& entry : fs::directory_iterator(cases))
     if (entry.path().extension() != ".part") FolderLock::remove_stale((entry.path() / "lock").string());
-  write_inputs();
+  // The settings first: they say whose folder it is, should the copies find no space.
   for (std::size_t i = 0; i < plan_.settings.size(); ++i)
     if (const std::string path = setting_file(i); !fs::exists(path))
-      write_file(path, io::to_toml(plan_.settings[i].resolved));
+      write_file(path, copies_->setting_text(plan_.settings[i]));
+  copies_->write(directory_);
 }
 
 Job Folder::job_of(const CaseKey& key, const std::string& program) const {

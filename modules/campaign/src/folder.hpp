@@ -7,6 +7,7 @@
 
 #include "brash/campaign/pool.hpp"
 #include "brash/io/campaign_plan.hpp"
+#include "copies.hpp"
 
 namespace brash::campaign {
 
@@ -35,19 +36,21 @@ class Folder {
   /// The number `column` of a done case; nothing when its summary has none.
   std::optional<double> value(const CaseKey& key, const std::string& column) const;
 
-  /// Makes the folder and its settings.
+  /// Makes the folder with its settings and the copies of their files.
   /// @throws InputError when a setting of that name is there already and differs, when cases are there and `resume`
   ///         is false, or when there are files of something else, or links.
-  void prepare(bool resume) const;
+  void prepare(bool resume);
+  /// The plan's files, as prepare() hashed them.
+  const std::vector<CopiedFile>& copied_files() const { return copies_.value().files(); }
   /// The process that runs a case.
   Job job_of(const CaseKey& key, const std::string& program) const;
 
  private:
   void refuse_files_of_others() const;
-  void write_inputs() const;
 
   const io::CampaignPlan& plan_;
   std::string directory_;
+  std::optional<Copies> copies_;
 };
 
 /// The bytes of a file; "" when it is none, or cannot be read.

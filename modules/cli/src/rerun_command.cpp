@@ -101,6 +101,13 @@ std::string hash_of(const fs::path& file) {
   return fs::is_regular_file(file, ignored) ? sha256_of_file(file.string()) : "no such file";
 }
 
+/// Where the copies of the inputs are: in the folder of the run, or of the campaign that it is a case of.
+fs::path base_of(const Manifest& manifest, const std::string& copy) {
+  const fs::path folder = fs::absolute(manifest.folder / "manifest.json").parent_path();
+  const fs::path campaign = folder.parent_path().parent_path();
+  return fs::exists(folder / copy) || !fs::exists(campaign / copy) ? folder : campaign;
+}
+
 /// Everything on which the run depends and that is not as it was, one line each.
 std::vector<std::string> changes_since(const Manifest& manifest, const model::Case& resolved) {
   std::vector<std::string> changes;
@@ -112,11 +119,13 @@ std::vector<std::string> changes_since(const Manifest& manifest, const model::Ca
     // The original may have changed or gone: the run has its copy. A model that comes with the program has none, nor
     // have the inputs of older manifests.
     const bool is_model = input.copy.empty() && fs::path(input.path).filename() == fs::path(model).filename();
-    const fs::path file = !input.copy.empty()      ? manifest.folder / input.copy
+    const bool is_case = &input == &manifest.inputs.front();  // of a campaign, which has it elsewhere: a setting
+    const fs::path base = is_case ? manifest.folder : base_of(manifest, input.copy);
+    const fs::path file = !input.copy.empty()      ? base / input.copy
                           : is_model               ? fs::path(model)
                           : fs::exists(input.path) ? fs::path(input.path)
                                                    : manifest.folder / input.path;
-    if (!input.copy.empty() && !fs::exists(file)) continue;  // of a campaign, which has it; the case is in the manifest
+    if (is_case && !input.copy.empty() && !fs::exists(file)) continue;  // the case is in the manifest
     expect((is_model ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
   }
   // Results may have been cleared away; the results that are there must be the run's own.
@@ -147,13 +156,6 @@ class TemporaryFolder {
  private:
   std::string path_;
 };
-
-/// Where the copies of the inputs are: in the folder of the run, or of the campaign that it is a case of.
-fs::path base_of(const Manifest& manifest, const std::string& copy) {
-  const fs::path folder = fs::absolute(manifest.folder / "manifest.json").parent_path();
-  const fs::path campaign = folder.parent_path().parent_path();
-  return fs::exists(folder / copy) || !fs::exists(campaign / copy) ? folder : campaign;
-}
 
 /// The case and its input files, from the manifest and the copies.
 recording::Inputs inputs_in(const Manifest& manifest, const std::string& path) {

@@ -58,8 +58,12 @@ void add_leads_out(const FileKey& file, const CaseSource& source, std::vector<Pr
                         "write its name, relative to the case file"});
   if (file.value->empty() || !named.override_text.empty()) return;
   const auto folder = std::filesystem::absolute(named.file).lexically_normal().parent_path();
-  const std::filesystem::path inside = std::filesystem::path(*file.value).lexically_relative(folder);
-  if (!inside.empty() && *inside.begin() != "..") return;
+  const auto lies_in = [&](const std::filesystem::path& allowed) {
+    const std::filesystem::path inside = std::filesystem::path(*file.value).lexically_relative(allowed);
+    return !inside.empty() && *inside.begin() != "..";
+  };
+  // The settings of a campaign name its copies of the files.
+  if (lies_in(folder) || (folder.filename() == "settings" && lies_in(folder.parent_path() / "inputs"))) return;
   const std::string name = fmt::format("{}.{}", file.section, file.key);
   problems.push_back(
       {named, name, value_text(source, file.section, file.key), "leads out of the folder of the file that names it",

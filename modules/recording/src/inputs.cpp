@@ -24,7 +24,6 @@ constexpr std::size_t kMostMebibytesOfModel = 64, kMostMebibytesOfMesh = 512;
 std::string copy_of(const char* what, const std::string& file) {
   return kFolder + (what + ("/" + fs::path(file).filename().string()));
 }
-std::string copy_of_model(const model::Case& resolved) { return copy_of("model", resolved.failure.file); }
 
 /// The folder of the copy of a file of [field].
 const char* folder_of(const char* key) { return key == std::string_view("file") ? "field" : key; }
@@ -36,7 +35,7 @@ void add_model(const model::Case& resolved, std::vector<InputFile>& files) {
   std::string bytes = read_text_file(model, "the file of a failure model", kMostMebibytesOfModel);
   files.push_back({model, sha256(bytes), bytes.size()});
   if (resolved.failure.file.empty()) return;
-  files.back().copy = copy_of_model(resolved);
+  files.back().copy = copy_of("model", model);
   files.back().bytes = std::move(bytes);
 }
 
@@ -51,12 +50,21 @@ void add_file(const char* what, const char* kind, const std::string& path, std::
 
 model::Case Inputs::recorded() const {
   model::Case recorded = resolved;
-  if (!recorded.failure.file.empty()) recorded.failure.file = copy_of_model(resolved);
-  if (auto* const mesh = std::get_if<model::Mesh>(&recorded.structure.shape)) mesh->file = copy_of("hull", mesh->file);
-  model::visit_files_of_field(recorded.field, [](const char* key, std::string& file) {
-    if (!file.empty()) file = copy_of(folder_of(key), file);
+  visit_own_files(recorded, [](const std::string& folder, std::string& file) {
+    file = folder + fs::path(file).filename().string();
   });
   return recorded;
+}
+
+void visit_own_files(model::Case& resolved,
+                     const std::function<void(const std::string& folder, std::string& file)>& visit) {
+  const auto visit_named = [&](const char* what, std::string& file) {
+    if (!file.empty()) visit(std::string(kFolder) + what + "/", file);
+  };
+  visit_named("model", resolved.failure.file);
+  if (auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape)) visit_named("hull", mesh->file);
+  model::visit_files_of_field(resolved.field,
+                              [&](const char* key, std::string& file) { visit_named(folder_of(key), file); });
 }
 
 Inputs inputs_of(const std::string& case_file, const std::string& case_text, const model::Case& resolved) {

@@ -177,7 +177,7 @@ class Command(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("12 cases failed", done.stderr)
         record = json.loads((folder / "cases" / "speed-1.2_bad-r0001.failed").read_text(encoding="utf-8"))
-        self.assertIn("model.json", record["error"])
+        self.assertIn("inputs/model/model-", record["error"])
         with open(folder / "campaign.csv", newline="", encoding="utf-8") as file:
             rows = {row["case"]: row for row in csv.DictReader(file)}
         self.assertEqual(len(rows), 24)

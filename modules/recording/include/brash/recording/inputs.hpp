@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ Inputs inputs_of(const std::string& case_file, const std::string& case_text, con
 /// Refuses to go on when a file is not as it was read, once the simulation has read it too.
 /// @throws InputError naming the file.
 void expect_unchanged(const Inputs& inputs);
+
+/// Calls `visit(folder, file)` for each file that a case names itself, with the folder of its copy, as "inputs/hull/".
+void visit_own_files(model::Case& resolved,
+                     const std::function<void(const std::string& folder, std::string& file)>& visit);
 
 /// Writes the copies into `directory`.
 void write_copies(const Inputs& inputs, const std::string& directory);
