@@ -209,9 +209,9 @@ void judge(const Job& job, const Exit& exit, std::string error) {
   record_failure(job, exit, error);
 }
 
-bool is_over(const Job& job) { return fs::exists(job.result) || (!job.record.empty() && fs::exists(job.record)); }
-
 }  // namespace
+
+bool is_over(const Job& job) { return fs::exists(job.result) || (!job.record.empty() && fs::exists(job.record)); }
 
 std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
 

@@ -116,10 +116,36 @@ Json read_rounds(const std::string& folder) {
   return rounds;
 }
 
-/// In a collector: how often in a row there was not less to do than before, this time included.
-int idle_rounds(const Json& rounds, std::size_t n_jobs) {
+/// The file that lists the jobs of a round, counted from 1.
+std::string list_of_round(const std::string& folder, std::size_t round) {
+  return fmt::format("{}/round-{}.json", folder, round);
+}
+
+/// The jobs of each part, as `parts` wrote them.
+std::vector<std::vector<Job>> read_list(const std::string& list_file) {
+  const Json list = Json::parse(read_json_text(list_file, "a list of jobs"), nullptr, /*allow_exceptions=*/false);
+  std::vector<std::vector<Job>> all;
+  try {
+    if (!list.is_array()) throw InputError(fmt::format("{}: is no list of jobs", list_file));
+    for (const Json& part : list) {
+      all.emplace_back();
+      for (const Json& job : part)
+        all.back().push_back(
+            {0, job.at("command"), job.at("messages"), job.at("folder"), job.at("result"), job.at("record")});
+    }
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: is no list of jobs: {}", list_file, error.what()));
+  }
+  return all;
+}
+
+/// In a collector: how many rounds in a row ended no job, neither done nor failed by itself, this time included. Their
+/// number alone does not tell: a stop rule adds others.
+int idle_rounds(const std::string& folder, const Json& rounds) {
   if (rounds.empty() || rounds.back().at("collector") != own_job()) return 0;
-  return n_jobs < rounds.back().at("n_jobs").get<std::size_t>() ? 0 : rounds.back().at("idle_rounds").get<int>() + 1;
+  for (const std::vector<Job>& part : read_list(list_of_round(folder, rounds.size())))
+    if (std::ranges::any_of(part, is_over)) return 0;
+  return rounds.back().at("idle_rounds").get<int>() + 1;
 }
 
 bool is_job_in_queue(const std::string& job) {
@@ -140,13 +166,13 @@ SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options) {
                     "or `scancel` it",
                     options.folder));
   Json rounds = read_rounds(options.folder);
-  const int idle = idle_rounds(rounds, jobs.size());
+  const int idle = idle_rounds(options.folder, rounds);
   if (idle >= kMostIdleRounds)
     throw RunError(
-        fmt::format("{} rounds under Slurm ended with as much to do as before; see {}", idle, options.folder));
+        fmt::format("{} rounds under Slurm in a row ended without a job that was done; see {}", idle, options.folder));
 
   write_file(options.folder + "/exec.sh", kScript);
-  const std::string list_file = fmt::format("{}/round-{}.json", options.folder, rounds.size() + 1);
+  const std::string list_file = list_of_round(options.folder, rounds.size() + 1);
   const std::size_t n_tasks = std::min(jobs.size(), static_cast<std::size_t>(options.n_tasks));
   write_file(list_file, parts(jobs, n_tasks).dump(1) + "\n");
   SlurmJobs submitted;
@@ -175,17 +201,9 @@ bool is_in_queue(const std::string& folder) {
 }
 
 bool run_chunk(const std::string& list_file, std::size_t chunk) {
-  const Json list = Json::parse(read_json_text(list_file, "a list of jobs"), nullptr, /*allow_exceptions=*/false);
-  if (!list.is_array() || chunk >= list.size())
-    throw InputError(fmt::format("{}: has no part {} of a list of jobs", list_file, chunk));
-  std::vector<Job> jobs;
-  try {
-    for (const Json& job : list[chunk])
-      jobs.push_back({0, job.at("command"), job.at("messages"), job.at("folder"), job.at("result"), job.at("record")});
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: part {} is no list of jobs: {}", list_file, chunk, error.what()));
-  }
-  return run_jobs(1, jobs);
+  const std::vector<std::vector<Job>> list = read_list(list_file);
+  if (chunk >= list.size()) throw InputError(fmt::format("{}: has no part {} of a list of jobs", list_file, chunk));
+  return run_jobs(1, list[chunk]);
 }
 
 }  // namespace brash::campaign

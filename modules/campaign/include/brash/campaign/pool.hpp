@@ -21,6 +21,9 @@ struct Job {
   std::string record;                ///< file that says why the job failed by itself; empty: the pool stops then
 };
 
+/// Whether a job is done, or has failed by itself.
+bool is_over(const Job& job);
+
 /// How a process ended: with an exit code, or by a signal (0: by none).
 struct Exit {
   int code = 0;

@@ -26,8 +26,8 @@ struct SlurmJobs {
 
 /// Submits `jobs` as an array of tasks, each of which runs its part one after another, and a collector after it.
 ///
-/// The collector is meant to submit the jobs that are still missing again. It gives up when their number has not
-/// fallen three times in a row.
+/// The collector is meant to submit the jobs that are still missing again. It gives up when three rounds in a row have
+/// ended without a job that was done or failed by itself.
 ///
 /// @throws InputError when an earlier submission is still in the queue. @throws RunError when sbatch fails, or in a
 ///         collector that gives up.

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rounds of a campaign under Slurm, with stand-ins for sbatch and squeue: progress, idleness, a killed collector."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from files import PLAN
+
+BRASH = os.environ["BRASH"]
+#: Says a number, and runs the tasks of an array at once where RUNS is set. Collectors are left to the test.
+SBATCH = """#!/usr/bin/python3
+import os, pathlib, subprocess, sys
+folder = pathlib.Path(os.environ["FAKE"])
+number = len(list(folder.iterdir()))
+(folder / str(number)).touch()
+last = [int(word.rpartition("-")[2]) for word in sys.argv if word.startswith("--array=")]
+words = sys.argv[[word.endswith("/exec.sh") for word in sys.argv].index(True) + 1:]
+for task in range(last[0] + 1 if last and "RUNS" in os.environ else 0):
+    subprocess.run(words, check=True, env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)})
+print(100 + number)
+"""
+
+
+class Rounds(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+        self.out = self.path / "out"
+        for name, text in (("sbatch", SBATCH), ("squeue", "#!/bin/sh\n")):
+            command = self.path / "bin" / name
+            command.parent.mkdir(exist_ok=True)
+            command.write_text(text)
+            command.chmod(0o755)
+        (self.path / "submitted").mkdir()
+
+    def campaign(self, plan, *options, **environment):
+        environment = {**os.environ, "PATH": f"{self.path / 'bin'}:{os.environ['PATH']}",
+                       "FAKE": str(self.path / "submitted"), **environment}
+        return subprocess.run([BRASH, "campaign", plan, "-o", self.out, *options], capture_output=True, text=True,
+                              env=environment)
+
+    def as_collector(self, plan, *options, **environment):
+        """The command of the newest collector, as its job runs it."""
+        rounds = json.loads((self.out / "slurm/submitted.json").read_text())
+        return self.campaign(plan, "--on", "slurm", "--resume", *options, SLURM_JOB_ID=rounds[-1]["collector"],
+                             **environment)
+
+    def test_a_stop_rule_may_take_as_many_rounds_as_it_needs(self):
+        plan = self.path / "stopped.toml"
+        grid = "[[grid]]\nstructure.speed = [1.0, 1.2, 1.4, 1.6]\n"
+        plan.write_text(PLAN.read_text().replace("replicates = 50", "replicates = 2").replace(
+            grid, "[stop]\nhalf_width = 1e-9\nmost_replicates = 8\n").partition("[quick]")[0])
+        done = self.campaign(plan, "--on", "slurm", RUNS="1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for _ in range(6):
+            done = self.as_collector(plan, RUNS="1")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.as_collector(plan, RUNS="1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("8 of 8 cases done", done.stdout)
+        self.assertEqual(json.loads((self.out / "summary.json").read_text())["n_done"], 8)
+
+    def test_a_collector_gives_up_after_three_rounds_without_a_case_that_was_done(self):
+        self.assertEqual(self.campaign(PLAN, "--quick", "--on", "slurm").returncode, 0)
+        for _ in range(2):
+            self.assertEqual(self.as_collector(PLAN, "--quick").returncode, 0)
+        done = self.as_collector(PLAN, "--quick")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("3 rounds under Slurm", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
