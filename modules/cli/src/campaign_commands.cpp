@@ -137,6 +137,15 @@ std::string means_table(const std::string& summary_file) {
   return text;
 }
 
+/// Whether the tables are of the cases that there are now: a collector may have been killed before it wrote them again.
+bool is_up_to_date(const std::string& summary_file, const Counts& counts) {
+  if (!std::filesystem::exists(summary_file)) return false;
+  const auto summary = nlohmann::json::parse(read_json_text(summary_file, "the summary of a campaign"), nullptr, false);
+  const auto states = [&](const char* key, int n) { return summary.value(key, nlohmann::json()) == n; };
+  return summary.is_object() && states("n_cases", counts.n_cases) && states("n_done", counts.n_done) &&
+         states("n_failed", counts.n_failed);
+}
+
 Counts run_here(const campaign::Campaign& campaign, int n_jobs) {
   CampaignProgress progress;
   const int n_workers = n_jobs > 0 ? n_jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -206,7 +215,7 @@ void run_campaign(const CampaignOptions& options) {
     return;
   }
   const std::string summary = campaign.directory + "/summary.json";
-  if (counts.n_missing() > 0 || !std::filesystem::exists(summary))
+  if (counts.n_missing() > 0 || !is_up_to_date(summary, counts))
     throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
   if (!options.json) print("{}\n", means_table(summary));
   print_status(counts, options.json);

@@ -72,6 +72,15 @@ class Rounds(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("3 rounds under Slurm", done.stderr)
 
+    def test_tables_of_fewer_cases_are_not_those_of_a_campaign_whose_collector_was_killed(self):
+        first = self.campaign(PLAN, "--quick", "--replicates", "1")
+        self.assertEqual(first.returncode, 0, first.stderr)
+        grown = self.campaign(PLAN, "--quick", "--replicates", "2", "--resume", "--on", "slurm", "--wait", RUNS="1")
+        self.assertEqual(grown.returncode, 3, grown.stdout)
+        self.assertIn("`--resume` goes on", grown.stderr)
+        self.assertEqual(self.as_collector(PLAN, "--quick", "--replicates", "2").returncode, 0)
+        self.assertEqual(json.loads((self.out / "summary.json").read_text())["n_done"], 8)
+
 
 if __name__ == "__main__":
     unittest.main()
