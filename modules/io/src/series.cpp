@@ -121,7 +121,7 @@ bool take_units(Series& series, const std::vector<std::string_view>& cells) {
   std::vector<std::string> units;
   for (const std::string_view cell : cells) {
     const auto [outside, bracketed] = name_and_unit(std::string(cell));
-    units.push_back(outside.empty() ? bracketed : outside);
+    units.push_back(outside.empty() ? bracketed : std::string(cell));
   }
   if (!read_quantity("1 " + units[*times], "s")) return false;
   series.units = std::move(units);

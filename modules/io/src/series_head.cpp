@@ -68,6 +68,22 @@ std::optional<double> take_zone(std::string_view& text) {
   return sign * (3600.0 * *hours + 60.0 * *minutes);
 }
 
+/// How UDUNITS writes the unit in the end of a name, such as `kN` or `N/mm2`; nothing when it is none.
+std::optional<std::string> unit_in(std::string_view end) {
+  const std::size_t slash = end.find('/');
+  std::string_view first = end.substr(0, slash);
+  const auto unit = std::ranges::find_if(kUnitEnds, [&](const auto& known) { return known.first == first; });
+  if (unit == kUnitEnds.end()) return std::nullopt;
+  std::string text(unit->second);
+  if (slash == std::string_view::npos) return text;
+  std::string_view divisor = end.substr(slash + 1);
+  const bool has_power = divisor.ends_with('2') || divisor.ends_with('3');
+  const auto below = unit_in(divisor.substr(0, divisor.size() - (has_power ? 1 : 0)));
+  if (!below) return std::nullopt;
+  text += "/" + *below;
+  return has_power ? text + divisor.back() : text;
+}
+
 }  // namespace
 
 std::pair<std::string, std::string> name_and_unit(const std::string& head) {
@@ -75,12 +91,18 @@ std::pair<std::string, std::string> name_and_unit(const std::string& head) {
   if (open != std::string::npos && (head.back() == ']' || head.back() == ')'))
     return {std::string(without_blanks(std::string_view(head).substr(0, open))),
             head.substr(open + 1, head.size() - open - 2)};
-  const std::size_t mark = head.find_last_of("_ /");
-  if (mark == std::string::npos || mark == 0) return {head, ""};
-  const std::string_view end = std::string_view(head).substr(mark + 1);
-  const auto unit = std::ranges::find_if(kUnitEnds, [&](const auto& known) { return known.first == end; });
-  if (unit == kUnitEnds.end()) return {head, ""};
-  return {std::string(without_blanks(std::string_view(head).substr(0, mark))), std::string(unit->second)};
+  const auto parted = [&](std::size_t mark, const std::string& unit) {
+    return std::pair(std::string(without_blanks(std::string_view(head).substr(0, mark))), unit);
+  };
+  // The longest end that is a unit: q_N/mm is in N/mm.
+  for (std::size_t mark = head.find_first_of("_ ", 1); mark != std::string::npos;
+       mark = head.find_first_of("_ ", mark + 1))
+    if (const auto unit = unit_in(std::string_view(head).substr(mark + 1))) return parted(mark, *unit);
+  // F/kN is in kN, and N/mm has no name.
+  const std::size_t slash = head.rfind('/');
+  if (slash == std::string::npos || slash == 0 || unit_in(std::string_view(head).substr(0, slash))) return {head, ""};
+  const auto unit = unit_in(std::string_view(head).substr(slash + 1));
+  return unit ? parted(slash, *unit) : std::pair(head, std::string());
 }
 
 bool is_text_time_name(std::string_view name) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/io/series.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "scratch.hpp"
+
+namespace {
+
+using namespace brash;
+
+/// The series of a table with these first lines over a row of zeros and a row of ones.
+io::Series series_of(const std::string& names, const std::string& units = "") {
+  std::string zeros = "0", ones = "1";
+  for (const char c : names) zeros += c == ',' ? ",0" : "", ones += c == ',' ? ",1" : "";
+  const Scratch scratch;
+  return io::read_series(scratch.write("history.csv", names + "\n" + units + zeros + "\n" + ones + "\n"));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(series)
+
+BOOST_AUTO_TEST_CASE(units_in_the_ends_of_names_may_be_quotients) {
+  struct Expected {
+    const char *head, *name, *unit;
+    double one;  ///< 1 in SI, where there is a unit of the program's own
+  };
+  for (const auto& [head, name, unit, one] : {Expected{"q_N/mm", "q", "N/mm", 1.0},
+                                              {"v_m/s", "v", "m/s", 1.0},
+                                              {"v_km/h", "v", "m s-1", 1000.0 / 3600.0},
+                                              {"a m/s2", "a", "m/s2", 1.0},
+                                              {"p_N/mm2", "p", "Pa", 1e6},
+                                              {"F/kN", "F", "N", 1e3},
+                                              {"F_kN", "F", "N", 1e3},
+                                              {"water_level_mm", "water_level", "m", 1e-3},
+                                              {"N/mm", "N/mm", "", 1.0},
+                                              {"Fx_leg_1", "Fx_leg_1", "", 1.0}}) {
+    const io::Series read = series_of(std::string("time_s,") + head);
+    BOOST_TEST_CONTEXT(head) {
+      BOOST_TEST(read.names.at(1) == name);
+      BOOST_TEST(read.units.at(1) == unit);
+      BOOST_TEST(read.columns.at(1).back() == one, boost::test_tools::tolerance(1e-12));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_speed_in_the_first_column_is_no_time) {
+  BOOST_TEST(!series_of("v_m/s,F_kN").time.has_value());
+  BOOST_TEST(series_of("x_s,F_kN").time.value() == 0U);
+}
+
+BOOST_AUTO_TEST_CASE(units_under_the_names_may_be_quotients_and_products) {
+  const io::Series read = series_of("time,v,M", "s,km/h,kN m\n");
+  BOOST_TEST(read.units.at(1) == "m s-1");
+  BOOST_TEST(read.columns.at(1).back() == 1000.0 / 3600.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(read.columns.at(2).back() == 1e3, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
