@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
@@ -95,6 +97,20 @@ std::vector<std::pair<CaseKey, CaseState>> Schedule::cases() const {
 Counts count(const io::CampaignPlan& plan, const std::string& directory) {
   const Folder folder(plan, directory);
   return Schedule(plan, folder).counts();
+}
+
+int count_beyond(const io::CampaignPlan& plan, const std::string& directory) {
+  namespace fs = std::filesystem;
+  const Folder folder(plan, directory);
+  std::set<std::string> planned;
+  for (const auto& [key, state] : Schedule(plan, folder).cases()) planned.insert(folder.id(key));
+  int n = 0;
+  std::error_code is_not_there;
+  for (const auto& entry : fs::directory_iterator(directory + "/cases", is_not_there)) {
+    const bool is_done = entry.path().extension() != ".part" && fs::exists(entry.path() / "summary.json");
+    n += is_done && !planned.contains(entry.path().filename().string()) ? 1 : 0;
+  }
+  return n;
 }
 
 }  // namespace brash::campaign

@@ -222,6 +222,9 @@ void run_campaign(const CampaignOptions& options) {
   if (!options.json) print("results in {}\n", options.directory);
   const std::string page = report::has_page() ? write_report(options.directory) : "";
   if (!options.json && !page.empty()) print("report in  {}\n", page);
+  if (const int n = campaign::count_beyond(campaign.plan, campaign.directory); n > 0)
+    say("warning: {}/cases has {} done cases that the plan does not have now: no table counts them\n",
+        options.directory, n);
   if (counts.n_failed > 0)
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }

@@ -6,7 +6,9 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "brash/core/error.hpp"
@@ -35,16 +37,27 @@ ordered_json read_settings(const std::string& folder) {
   return json["settings"];
 }
 
-/// The folders of a setting's replicates, by their numbers.
-std::vector<fs::path> replicates_of(const std::string& folder, const std::string& setting) {
+/// How many replicates of a setting its summary counts; those beyond are of an earlier plan.
+std::size_t n_counted(const ordered_json& setting) {
+  std::size_t n = 0;
+  for (const char* const key : {"n_done", "n_failed"}) {
+    if (!setting.value(key, ordered_json()).is_number_unsigned()) return std::numeric_limits<std::size_t>::max();
+    n += setting[key].get<std::size_t>();
+  }
+  return n;
+}
+
+/// The folders of a setting's first `n` replicates, by their numbers.
+std::vector<fs::path> replicates_of(const std::string& folder, const std::string& setting, std::size_t n) {
   std::vector<fs::path> found;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder + "/cases", ignored)) {
     const std::string name = entry.path().filename().string();
     const std::size_t digits = setting.size() + 2;
-    if (entry.is_directory() && name.starts_with(setting + "-r") && name.size() > digits &&
-        name.find_first_not_of("0123456789", digits) == std::string::npos)
-      found.push_back(entry.path());
+    if (!entry.is_directory() || !name.starts_with(setting + "-r")) continue;
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(name.data() + digits, name.data() + name.size(), number);
+    if (error == std::errc{} && end == name.data() + name.size() && number < n) found.push_back(entry.path());
   }
   std::ranges::sort(found);
   return found;
@@ -87,7 +100,7 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
     SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
     names.push_back(setting.name);
     if (!where.empty() && fnmatch(where.c_str(), setting.name.c_str(), 0) != 0) continue;
-    for (const fs::path& run : replicates_of(folder, setting.name))
+    for (const fs::path& run : replicates_of(folder, setting.name, n_counted(given)))
       setting.replicates.push_back(replicate(run, choice));
     if (setting.replicates.empty())
       throw InputError(Complaint{folder, fmt::format("setting '{}' has no case that is done", printable(setting.name)),

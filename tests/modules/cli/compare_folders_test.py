@@ -41,14 +41,21 @@ class Folders(unittest.TestCase):
         self.assertAlmostEqual(found["measured"]["mean"], 20.0, delta=0.2)
         self.assertAlmostEqual(found["measured"]["duration"], 70.0, delta=0.2)
 
-    def campaign(self, means):
+    def campaign(self, means, **counts):
         """A campaign of two settings with four replicates each, whose loads have these means."""
         (self.folder / "cases").mkdir()
         for setting, mean in means.items():
             for replicate in range(4):
                 self.run_of(f"cases/{setting}-r{replicate:04d}", mean + 0.3 * replicate, 5.0)
-        settings = [{"setting": setting, "values": {"ice.thickness": i}} for i, setting in enumerate(means)]
+        settings = [{"setting": setting, "values": {"ice.thickness": i}, **counts} for i, setting in enumerate(means)]
         (self.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+
+    def test_replicates_beyond_those_that_the_summary_counts_are_left_out(self):
+        self.campaign({"thin": 20.0, "thick": 40.0}, n_done=2, n_failed=1)
+        measured = self.run_of("measured", 20.2, 0.0)
+        done = self.compare(self.folder, measured, "--where", "thin", "--column", "Fy", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["run"]["histories"], 3)
 
     def test_the_replicates_of_a_setting_are_compared_with_several_measurements(self):
         self.campaign({"thin": 20.0, "thick": 40.0})

@@ -32,6 +32,9 @@ struct Counts {
 /// Counts the cases of `plan` in `directory`, which need not exist.
 Counts count(const io::CampaignPlan& plan, const std::string& directory);
 
+/// How many done cases lie in `directory` that `plan` does not have: of more replicates, or of other settings.
+int count_beyond(const io::CampaignPlan& plan, const std::string& directory);
+
 /// A campaign in its folder.
 struct Campaign {
   io::CampaignPlan plan;
