@@ -57,7 +57,7 @@ std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, c
 /// Whether a spreadsheet takes a text for a formula. Numbers, also several, are none.
 bool is_formula(const std::string& text) {
   if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
-  return text.find_first_not_of("0123456789+-.eE ") != std::string::npos;
+  return text.find_first_not_of("0123456789+-.eE; ") != std::string::npos;
 }
 
 /// A cell of a CSV file: quoted where it has to be. One that a spreadsheet would compute begins with an apostrophe.

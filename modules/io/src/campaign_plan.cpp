@@ -2,6 +2,7 @@
 #include "brash/io/campaign_plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -40,16 +41,19 @@ template <typename Value>
 SettingValue value_of(const std::optional<Value>& value) {
   return value ? value_of(*value) : SettingValue{};
 }
-/// Places of legs.
-SettingValue value_of(const std::vector<Vec2>& places) {
-  std::string text;
-  for (const Vec2 place : places) text += (text.empty() ? "" : "; ") + value_of(place).text;
-  return {text, {}};
+template <std::size_t n>
+SettingValue value_of(const std::array<double, n>& row) {
+  return {fmt::format("{}", fmt::join(row, " ")), {}};
 }
-/// A table has no value of its own.
+SettingValue value_of(const model::Waypoint& row) { return value_of(model::detail::numbers_of(row)); }
+SettingValue value_of(const model::MooringLine& row) { return value_of(model::detail::numbers_of(row)); }
+SettingValue value_of(const std::vector<double>& values) { return {fmt::format("{}", fmt::join(values, " ")), {}}; }
+/// Places of legs, and other tables.
 template <typename Row>
 SettingValue value_of(const std::vector<Row>& rows) {
-  return {fmt::format("{} rows", rows.size()), {}};
+  std::string text;
+  for (const Row& row : rows) text += (text.empty() ? "" : "; ") + value_of(row).text;
+  return {text, {}};
 }
 
 SettingValue value_in(const model::Case& resolved, const std::string& name) {

@@ -123,6 +123,26 @@ BOOST_AUTO_TEST_CASE(legs_are_told_by_their_places) {
   BOOST_TEST(plan.settings[1].values[0].text == "8 10.5; 8 -10.5");
 }
 
+BOOST_AUTO_TEST_CASE(tables_are_told_by_their_values) {
+  const Scratch scratch;
+  std::string moves = kLeastCase;
+  for (const std::string line : {"speed = 1.202\n", "start_distance = 7\n"}) moves.erase(moves.find(line), line.size());
+  scratch.write("cone.toml", moves);
+  const std::string plan = scratch.write("plan.toml", kBase +
+                                                          "[[grid]]\nlabels = [\"slow\", \"fast\"]\n"
+                                                          "structure.motion.path = [[[0, -7, 0, 0], [90, 5, -1.5, 0]], "
+                                                          "[[0, -7, 0, 0], [45, 5, 0, 0]]]\n");
+  const CampaignPlan paths = read_campaign_plan(plan, {false, {}, {}, kColumns, kColumns});
+  BOOST_TEST(paths.settings[0].values[0].text == "0 -7 0 0; 90 5 -1.5 0");
+  BOOST_TEST(paths.settings[1].values[0].text == "0 -7 0 0; 45 5 0 0");
+  const CampaignPlan sizes =
+      read(kBase +
+           "[set]\nfield.kind = \"floes\"\nfield.concentration = 0.5\nfield.size.kind = \"list\"\n"
+           "[[grid]]\nfield.size.values = [[3, 5], [4.5]]\n");
+  BOOST_TEST(sizes.settings[0].values[0].text == "3 5");
+  BOOST_TEST(sizes.settings[1].values[0].text == "4.5");
+}
+
 BOOST_AUTO_TEST_CASE(the_quick_variant_takes_fewer_points_and_replicates_and_no_stop_rule) {
   const std::string text = kGrid + "[stop]\nhalf_width = 0.05\nmost_replicates = 20\n" +
                            "[quick]\nreplicates = 2\npoints = 2\nset.time.duration = 17\n";
