@@ -34,9 +34,9 @@ io::PolyData floes_at(const model::Case& resolved, const model::Frame& frame,
                       const std::map<std::int64_t, const model::FloeRecord*>& records) {
   io::PolyData data;
   std::vector<double> id, age, area;
-  const double half = 0.5 * resolved.ice.thickness;
   for (const model::FloePose& floe : frame.floes) {
     const model::FloeRecord& record = *records.at(floe.floe);
+    const double half = 0.5 * thickness_of(record, resolved);
     for (const geometry::Polygon& polygon : polygons_of(record.rings)) {
       const std::size_t n = add_prism(data, polygon, -half, half, floe.pose);
       id.insert(id.end(), n, static_cast<double>(record.id));

@@ -132,7 +132,7 @@ class Scene {
 
   io::PolyData floe_surface(const model::FloeRecord& floe) const {
     io::PolyData surface;
-    const double half = 0.5 * (floe.thickness > 0.0 ? floe.thickness : run_.resolved.ice.thickness);
+    const double half = 0.5 * thickness_of(floe, run_.resolved);
     for (const geometry::Polygon& polygon : polygons_of(floe.rings)) add_prism(surface, polygon, -half, half);
     return surface;
   }

@@ -84,6 +84,10 @@ void SheetReplay::take(std::span<const std::vector<Vec2>> rings) {
   }
 }
 
+double thickness_of(const model::FloeRecord& floe, const model::Case& resolved) {
+  return floe.thickness > 0.0 ? floe.thickness : resolved.ice.thickness;
+}
+
 io::PolyData sheet_surface(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons) {
   io::PolyData data;
   const double top = resolved.ice.thickness * (1.0 - resolved.ice.density / resolved.water.density);

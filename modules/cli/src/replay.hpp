@@ -47,6 +47,9 @@ class SheetReplay {
   bool has_cracked_ = false;
 };
 
+/// The thickness of a floe [m]; of files that do not have it, the level ice's.
+double thickness_of(const model::FloeRecord& floe, const model::Case& resolved);
+
 /// The surface of level ice with these outlines, afloat.
 io::PolyData sheet_surface(const model::Case& resolved, const std::vector<geometry::Polygon>& polygons);
 

@@ -114,6 +114,21 @@ class Export(unittest.TestCase):
                         shown = volume(read_vtp(path / f"{border}_vtk/sheet_{frame:05d}.vtp")) / 0.33
                         self.assertAlmostEqual(shown, run.area_sheet.values[row], delta=13.6 * 1.202 * 0.25)
 
+    def test_each_floe_has_its_own_thickness(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder)
+            subprocess.run([BRASH, "run", SOURCE / "experiments/validation/cone.toml", "-o", path, "--set", "time.duration=2",
+                            "--set", "ice.variation.thickness=0.3", "--set", "output.frames_per_second=1"], check=True,
+                           capture_output=True)
+            subprocess.run([BRASH, "export", "vtk", path / "run.nc"], check=True, capture_output=True)
+            last = read_vtp(max((path / "vtk").glob("floes_*.vtp")))
+            with xr.open_dataset(path / "run.nc") as run:
+                ice = dict(zip(run.floe_id.values, run.floe_area.values * run.floe_thickness.values))
+                self.assertGreater(np.ptp(run.floe_thickness.values), 0.01)
+            floes = set(last["id"])
+            self.assertGreater(len(floes), 2)
+            self.assertAlmostEqual(volume(last), sum(ice[floe] for floe in floes), delta=1e-6)
+
     def test_the_structure_is_a_closed_frustum_that_moves(self):
         first, last = (read_vtp(self.steps[2][i][1]) for i in (0, -1))
         np.testing.assert_allclose((last["Points"] - first["Points"])[:, 0], 1.202 * 3, atol=1e-9)
