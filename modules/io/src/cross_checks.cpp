@@ -77,6 +77,10 @@ void check_rest(const model::Case& c, Checks& checks) {
   checks.require(c.failure.pattern != model::CrackPattern::kStress || takes.knows_field, {"failure", "pattern"},
                  {"failure", "model"}, fmt::format("the model {} knows no stress beside its centre line", name),
                  "stress with failure.model = \"plate-outline\"", "take this model, or disc");
+  checks.require(c.failure.file.empty() || takes.file, {"failure", "file"}, {"failure", "model"},
+                 fmt::format("the model {} reads no file", name),
+                 "a file with failure.model = \"network\", \"deep-network\" or \"superposition\"",
+                 "take one of these models, or remove failure.file");
   std::error_code ignored;
   checks.require(c.failure.file.empty() || std::filesystem::is_regular_file(c.failure.file, ignored),
                  {"failure", "file"}, {"failure", "file"}, fmt::format("there is no file {}", c.failure.file),

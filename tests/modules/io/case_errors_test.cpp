@@ -205,6 +205,10 @@ BOOST_AUTO_TEST_CASE(values_that_do_not_go_together_are_refused) {
   check_has(message_of(with_more("[water]\ndensity = 900\n")), {"ice.density = its default", "does not float"});
   check_has(message_of(with_more("[failure]\nfile = \"no.json\"\n")),
             {"failure.file = \"no.json\"", "there is no file"});
+  for (const std::string model : {"wedge", "plate", "plate-outline"})
+    check_has(message_of(with_more("[failure]\nmodel = \"" + model + "\"\nfile = \"no.json\"\n")),
+              {"failure.file = \"no.json\"", "the model " + model + " reads no file", "superposition",
+               "remove failure.file"});
   check_has(message_of(with_line("thickness", "thickness = 0.009")),
             {"contact.margin", "less than half of ice.thickness"});
 }

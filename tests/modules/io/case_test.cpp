@@ -195,7 +195,8 @@ BOOST_AUTO_TEST_CASE(overrides_win_over_the_file_and_the_last_one_wins) {
 BOOST_AUTO_TEST_CASE(a_model_file_is_relative_to_the_case_file) {
   const Scratch scratch;
   const std::string model = scratch.write("model.json", "{}");
-  const std::string path = scratch.write("case.toml", std::string(kLeastCase) + "[failure]\nfile = \"./model.json\"\n");
+  const std::string path =
+      scratch.write("case.toml", std::string(kLeastCase) + "[failure]\nmodel = \"network\"\nfile = \"./model.json\"\n");
   BOOST_TEST(read_case(path).failure.file == model);
 }
 
