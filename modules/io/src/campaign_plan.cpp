@@ -165,6 +165,7 @@ class PlanReader {
     std::size_t n = 1;
     for (const Axis& axis : axes_) n = std::min(n * std::max<std::size_t>(axis.points.size(), 1), kMostSettings + 1);
     if (n > kMostSettings)
+    for (const std::string& text : options_.overrides) refuse_key_of_grid(text);
       report(place_of(source_, "grid"), "grid", "", "has too many combinations",
              fmt::format("at most {}", kMostSettings), "", "divide the plan");
   }
@@ -172,6 +173,17 @@ class PlanReader {
   void refuse_replicate(const Place& place) {
     report(place, "random.replicate", "", "is counted by the campaign", "any other key of the case file", "",
            "remove it; campaign.replicates says how many there are");
+  /// The names of the settings would not be true any more.
+  void refuse_key_of_grid(const std::string& override_text) {
+    CaseSource alone{path_, {}, {}};
+    apply_override(alone, override_text);
+    for (const auto& [name, place] : alone.overridden)
+      for (const Axis& axis : axes_)
+        if (std::ranges::find(axis.names, name) != axis.names.end())
+          report(place, name, "", "is a key of the grid, which names the settings by its values",
+                 "a key that no axis of the grid has", "", "change the values in [[grid]], or leave the override out");
+  }
+
   }
 
   /// The text of a file, read once, so that a later hash belongs to the same bytes that were read.

@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_setting_does_not_depend_on_what_else_the_grid_has) {
 }
 
 BOOST_AUTO_TEST_CASE(the_command_line_comes_last) {
-  BOOST_TEST(model::speed(read(kGrid, false, {"structure.speed=2"}).settings[0].resolved.structure.motion) == 2.0);
+  BOOST_TEST(read(kGrid, false, {"time.duration=20"}).settings[0].resolved.time.duration == 20.0);
 }
 
 BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_remedy) {
@@ -201,6 +201,8 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_r
             {"plan.toml:6:20: structure.speed = 1: is set twice"});
   check_has(message_of(kBase + "[[grid]]\nrandom.replicate = [1, 2]\n"),
             {"random.replicate: is counted by the campaign"});
+  check_has(message_of(kGrid, {"structure.speed = 2"}),
+            {"structure.speed", "is a key of the grid", "change the values in [[grid]]"});
   check_has(message_of(kBase, {"random.replicate=3"}), {"random.replicate: is counted by the campaign"});
   check_has(message_of(kBase + "[output]\ncolumns = [\"horizontal.men\"]\n"),
             {"output.columns = \"horizontal.men\": is not a column", "nearest: horizontal.mean"});
