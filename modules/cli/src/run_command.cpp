@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "brash/core/error.hpp"
 #include "brash/core/workers.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
@@ -35,8 +37,15 @@ struct RunOptions {
   int threads = 0;  ///< 0: one for each processor
 };
 
+void refuse_two_seeds(const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides)
+    if (text.starts_with("random.seed") && text.find_first_not_of(' ', std::strlen("random.seed")) == text.find('='))
+      throw InputError(Complaint{"--set " + text, "stands beside --seed", "one seed", "remove one of the two"});
+}
+
 void run_case(const RunOptions& options) {
   std::vector<std::string> overrides = options.overrides;
+  if (options.has_seed) refuse_two_seeds(overrides);
   if (options.has_seed) overrides.push_back(fmt::format("random.seed={}", options.seed));
   const recording::Inputs inputs = recording::read_inputs(options.case_file, overrides);
   const model::Case& resolved = inputs.resolved;
@@ -46,8 +55,7 @@ void run_case(const RunOptions& options) {
   const std::string checkpoint = directory + "/checkpoint.nc";
   const bool goes_on = options.resume && std::filesystem::exists(checkpoint);
   if (!goes_on && !options.replace) refuse_replacing(directory, ", or take --replace");
-  if (options.resume && !goes_on)
-    say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
+  if (options.resume && !goes_on) say("warning: there is no {} to resume from: the run starts at 0 s\n", checkpoint);
   simulation::RunOptions how{.begun =
                                  [&] {
                                    recording::expect_unchanged(inputs);

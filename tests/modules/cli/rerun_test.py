@@ -116,6 +116,12 @@ class Rerun(unittest.TestCase):
         self.assertEqual({file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}, before)
         self.record("new", "--set", "failure.model=wedge", "--resume")  # nothing is there yet
 
+    def test_two_seeds_are_refused(self):
+        refused = brash("run", self.case, "-o", self.path / "a", "--seed", 3, "--set", "random.seed = 4")
+        self.assertEqual(refused.returncode, 2)
+        for word in ("--seed", "random.seed", "allowed:", "remedy:"):
+            self.assertIn(word, refused.stderr)
+
     def test_a_replaced_run_leaves_no_checkpoint_behind(self):
         often = ("--set", "output.checkpoint_interval=0.1", "--set", "failure.model=wedge")
         folder = self.record("a", *often).parent
