@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "brash/core/error.hpp"
@@ -17,13 +17,23 @@
 namespace brash::cli {
 namespace {
 
-TextTable::Row cells_of(const std::string& line) {
-  TextTable::Row cells;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t end = std::min(line.find(',', from), line.size());
-    cells.push_back(line.substr(from, end - from));
-    from = end + 1;
+/// Takes the cells of a line off the front of `text`. A cell in quotes may hold commas, line ends and doubled quotes.
+TextTable::Row take_cells(std::string_view& text) {
+  TextTable::Row cells(1);
+  for (bool quoted = false; !text.empty();) {
+    const char c = text.front();
+    text.remove_prefix(1);
+    const bool doubled = quoted && c == '"' && text.starts_with('"');
+    if (doubled) text.remove_prefix(1);
+    if (!quoted && c == '\n') break;
+    if (!quoted && c == ',')
+      cells.emplace_back();
+    else if (!doubled && c == '"' && (quoted || cells.back().empty()))
+      quoted = !quoted;
+    else
+      cells.back() += c;
   }
+  if (cells.back().ends_with('\r')) cells.back().pop_back();
   return cells;
 }
 
@@ -40,10 +50,9 @@ std::size_t TextTable::column(const std::string& name) const {
 TextTable read_text_table(const std::string& path, const std::string& allowed, const std::string& remedy) {
   TextTable table;
   table.path = path;
-  std::istringstream file(read_text_file(path, allowed));
-  for (std::string line; std::getline(file, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    TextTable::Row cells = cells_of(line);
+  const std::string bytes = read_text_file(path, allowed);
+  for (std::string_view text = bytes; !text.empty();) {
+    TextTable::Row cells = take_cells(text);
     if (table.names.empty()) {
       table.names = std::move(cells);
     } else if (cells.size() == table.names.size()) {

@@ -109,6 +109,15 @@ class Trend(unittest.TestCase):
         (self.folder / "campaign.csv").write_text("\n".join(lines) + "\n")
         self.assertRegex(self.trend("--along", "structure.angle").stdout, r"a change of up to [\d.]+ could hide")
 
+    def test_quoted_cells_of_a_campaign_may_hold_commas_quotes_and_line_ends(self):
+        before = self.trend("--along", "structure.angle", "--where", "*_speed-2.0", "--json").stdout
+        path = self.folder / "campaign.csv"
+        head, *rows = path.read_text(encoding="utf-8").splitlines()
+        text = '"a, ""b""\nc"'
+        path.write_text("\r\n".join([f'"failure.file",{head}', *(f"{text},{row}" for row in rows)]) + "\r\n", encoding="utf-8",
+                        newline="")
+        self.assertEqual(self.trend("--along", "structure.angle", "--where", "*_speed-2.0", "--json").stdout, before)
+
     def test_what_cannot_be_tested_is_refused(self):
         self.assertIn("no column 'structure.width'\n  allowed: one of: case, setting",
                       self.trend("--along", "structure.width", code=2).stderr)
