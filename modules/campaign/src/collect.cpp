@@ -102,6 +102,8 @@ io::Table table(const io::CampaignPlan& plan, const std::vector<Row>& rows) {
     all.indices[2].values.push_back(row.failed ? 1 : 0);
   }
   for (std::size_t k = 0; k < plan.keys.size(); ++k) {
+    const auto is_number = [&](const io::Setting& setting) { return setting.values[k].number.has_value(); };
+    if (std::ranges::none_of(plan.settings, is_number)) continue;
     io::TableColumn column{plan.keys[k].name, plan.keys[k].unit, "varied by the grid", {}};
     for (const Row& row : rows)
       column.values.push_back(plan.settings[row.key.setting].values[k].number.value_or(kMissing));

@@ -116,6 +116,13 @@ class Inputs(unittest.TestCase):
             self.assertEqual((self.path / "alone" / name).read_bytes(),
                              (elsewhere / "cases/other-r0000" / name).read_bytes())
 
+    def test_a_text_of_the_grid_is_no_variable_of_the_netcdf_table(self):
+        import netCDF4
+        self.campaign()
+        with netCDF4.Dataset(self.out / "campaign.nc") as table:
+            self.assertNotIn("failure.file", table.variables)
+            self.assertIn("horizontal.mean", table.variables)
+
     def test_a_copy_that_has_changed_is_named_before_a_case_is_repeated(self):
         self.campaign()
         for model in self.models:
