@@ -168,7 +168,20 @@ std::string summary(const io::CampaignPlan& plan, const std::vector<Row>& rows, 
   return out.dump(2) + "\n";
 }
 
-/// The origin of the cases: each combination of program and failure model, and how many cases it made.
+/// The files that a case read besides its setting: its copy, or the name of a model that comes with the program.
+Json files_read(const Json& manifest) {
+  Json files = Json::array();
+  const Json inputs = manifest.is_object() ? manifest.value("inputs", Json()) : Json();
+  for (std::size_t i = 1; inputs.is_array() && i < inputs.size(); ++i) {
+    const Json& input = inputs[i];
+    if (!input.is_object() || !input.value("path", Json()).is_string()) continue;
+    const std::string name = std::filesystem::path(input["path"].get<std::string>()).filename().string();
+    files.push_back({{"name", input.value("copy", Json(name))}, {"sha256", input.value("sha256", Json())}});
+  }
+  return files;
+}
+
+/// The origin of the cases: each combination of program and files, and how many cases it made.
 Json makers(const Folder& folder, const std::vector<Row>& rows) {
   Json all = Json::array();
   for (const Row& row : rows) {
@@ -177,14 +190,10 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
     const std::string text = read_text(path);
     refuse_deep_json(text, path, "the manifest of a run");
     const Json manifest = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-    // The first input is the setting's file, the second the failure model's. An input that is not there is null.
-    const auto at = [&](const char* pointer) {
-      const Json::json_pointer place(pointer);
-      return manifest.contains(place) ? manifest.at(place) : Json();
-    };
-    Json maker{{"program", at("/program")}, {"model_sha256", at("/inputs/1/sha256")}, {"n_cases", 1}};
+    const Json program = manifest.is_object() ? manifest.value("program", Json()) : Json();
+    Json maker{{"program", program}, {"inputs", files_read(manifest)}, {"n_cases", 1}};
     const auto same = std::find_if(all.begin(), all.end(), [&](const Json& other) {
-      return other["program"] == maker["program"] && other["model_sha256"] == maker["model_sha256"];
+      return other["program"] == maker["program"] && other["inputs"] == maker["inputs"];
     });
     if (same == all.end())
       all.push_back(std::move(maker));
@@ -197,14 +206,17 @@ Json makers(const Folder& folder, const std::vector<Row>& rows) {
 void write_campaign_manifest(const Folder& folder, const Campaign& campaign, const std::vector<Row>& rows) {
   // Hashed as they were read; the folder has the copies.
   Json inputs = Json::array();
-  for (const io::SourceText& source : campaign.plan.sources)
-    inputs.push_back({{"path", source.path},
-                      {"sha256", sha256(source.text)},
-                      {"copy", "inputs/" + std::filesystem::path(source.path).filename().string()}});
+  for (const CopiedFile& file : folder.copied_files())
+    inputs.push_back({{"path", file.path}, {"sha256", file.sha256}, {"copy", file.copy}});
+  const io::CampaignPlan& plan = campaign.plan;
+  const Json options{{"set", plan.overrides},
+                     {"quick", plan.quick},
+                     {"replicates", plan.replicates_in_place ? Json(*plan.replicates_in_place) : Json()}};
   Json manifest{{"format", kManifestFormat},
                 {"program", {{"name", "brash"}, {"version", kVersion}}},
                 {"glibc", gnu_get_libc_version()},
                 {"plan", {{"path", campaign.plan_file}, {"sha256", sha256(campaign.plan.sources.front().text)}}},
+                {"options", options},
                 {"inputs", std::move(inputs)},
                 {"cases_made_by", makers(folder, rows)},
                 {"outputs", Json::array()}};

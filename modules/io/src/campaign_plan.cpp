@@ -86,6 +86,9 @@ class PlanReader {
     check_keys();
     if (!problems_.empty()) refuse(std::move(problems_));
     add_settings();
+    plan_.quick = options_.quick;
+    plan_.replicates_in_place = options_.replicates;
+    plan_.overrides = options_.overrides;
     return std::move(plan_);
   }
 
@@ -162,17 +165,14 @@ class PlanReader {
         for (const Assignment& assignment : axis.points.front().assignments) take(assignment);
     for (const Assignment& assignment : quick_set_)
       if (assignment.name() == "random.replicate") refuse_replicate(assignment.place);
+    for (const std::string& text : options_.overrides) refuse_key_of_grid(text);
     std::size_t n = 1;
     for (const Axis& axis : axes_) n = std::min(n * std::max<std::size_t>(axis.points.size(), 1), kMostSettings + 1);
     if (n > kMostSettings)
-    for (const std::string& text : options_.overrides) refuse_key_of_grid(text);
       report(place_of(source_, "grid"), "grid", "", "has too many combinations",
              fmt::format("at most {}", kMostSettings), "", "divide the plan");
   }
 
-  void refuse_replicate(const Place& place) {
-    report(place, "random.replicate", "", "is counted by the campaign", "any other key of the case file", "",
-           "remove it; campaign.replicates says how many there are");
   /// The names of the settings would not be true any more.
   void refuse_key_of_grid(const std::string& override_text) {
     CaseSource alone{path_, {}, {}};
@@ -184,6 +184,9 @@ class PlanReader {
                  "a key that no axis of the grid has", "", "change the values in [[grid]], or leave the override out");
   }
 
+  void refuse_replicate(const Place& place) {
+    report(place, "random.replicate", "", "is counted by the campaign", "any other key of the case file", "",
+           "remove it; campaign.replicates says how many there are");
   }
 
   /// The text of a file, read once, so that a later hash belongs to the same bytes that were read.

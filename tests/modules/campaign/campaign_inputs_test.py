@@ -116,6 +116,17 @@ class Inputs(unittest.TestCase):
             self.assertEqual((self.path / "alone" / name).read_bytes(),
                              (elsewhere / "cases/other-r0000" / name).read_bytes())
 
+    def test_the_manifest_has_the_options_and_every_input_with_its_hash(self):
+        self.campaign("--replicates", 2, "--set", "time.duration=0.2")
+        manifest = json.loads((self.out / "manifest.json").read_text())
+        self.assertEqual(manifest["options"], {"set": ["time.duration=0.2"], "quick": False, "replicates": 2})
+        copies = {str(path.relative_to(self.out)): sha256(path) for path in (self.out / "inputs").rglob("*.*")}
+        self.assertEqual(len(copies), 4)
+        self.assertEqual({file["copy"]: file["sha256"] for file in manifest["inputs"]}, copies)
+        names = [f"inputs/model/model-{sha256(model)[:8]}.json" for model in self.models]
+        self.assertEqual([(maker["inputs"], maker["n_cases"]) for maker in manifest["cases_made_by"]],
+                         [([{"name": name, "sha256": copies[name]}], 2) for name in names])
+
     def test_a_text_of_the_grid_is_no_variable_of_the_netcdf_table(self):
         import netCDF4
         self.campaign()

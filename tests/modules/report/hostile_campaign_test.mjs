@@ -32,7 +32,7 @@ before(async () => {
   writeFileSync(join(folder, "summary.json"), JSON.stringify({ format: "brash-campaign-1", n_cases: hostile("4"), n_done: 4, n_failed: 0, settings: kSettings }));
   writeFileSync(join(folder, "manifest.json"), JSON.stringify({
     program: { name: hostile("name"), version: hostile("version") }, glibc: hostile("glibc"), plan: { path: hostile("plan"), sha256: hostile("hash") },
-    built_with: { [hostile("tool")]: hostile("1") }, cases_made_by: [{ program: { version: hostile("v") }, model_sha256: hostile("m"), n_cases: 1 }],
+    built_with: { [hostile("tool")]: hostile("1") }, cases_made_by: [{ program: { version: hostile("v") }, inputs: [{ name: hostile("m"), sha256: hostile("s") }], n_cases: 1 }],
     outputs: [{ path: hostile("output"), sha256: hostile("hash") }], inputs: [{ path: hostile("input"), sha256: hostile("hash") }],
   }));
   brash("report", folder);

@@ -62,6 +62,9 @@ struct CampaignPlan {
   std::vector<VariedKey> keys;
   std::vector<Setting> settings;    ///< all combinations, the last axis fastest
   std::vector<SourceText> sources;  ///< the plan, and the base case where that is a file of its own
+  bool quick = false;               ///< these three as PlanOptions had them
+  std::optional<int> replicates_in_place;
+  std::vector<std::string> overrides;
 
   friend bool operator==(const CampaignPlan&, const CampaignPlan&) = default;
 };
