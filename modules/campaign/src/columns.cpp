@@ -74,6 +74,7 @@ const std::vector<std::string>& known_columns() {
     model::RegionLoads::visit([&](const char* region, const char*, std::size_t) {
       summary.regions.push_back({region, {}});  // of a ship
     });
+    summary.fastest_floe = 0.0;  // of a run with frames
     summary.initial_floes.emplace();
     summary.initial_floes->size_quantiles.resize(summary.piece_area_quantiles.size());
     return names_in(summary);

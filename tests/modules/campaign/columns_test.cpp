@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(the_columns_that_the_manual_names_are_known) {
 BOOST_AUTO_TEST_CASE(numbers_of_ships_and_fields_are_known_and_wait_to_be_named) {
   for (const char* const name :
        {"mean_by_region.bow.total.Fx", "mean_by_region.shoulders.crushing.Fz", "mean_by_region.leg_4.total.Fx",
-        "initial_floes.n", "initial_floes.size_quantiles.50"}) {
+        "initial_floes.n", "initial_floes.size_quantiles.50", "fastest_floe"}) {
     BOOST_TEST(std::ranges::count(known_columns(), name) == 1, name);
     BOOST_TEST(std::ranges::count(default_columns(), name) == 0, name);
   }
