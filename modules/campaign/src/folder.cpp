@@ -59,6 +59,21 @@ void refuse_links(const std::string& directory) {
   }
 }
 
+/// The `output.keep` of a done case, from the results in its manifest; nothing when it has none.
+std::optional<std::string> kept_by(const fs::path& case_folder) {
+  const std::string path = (case_folder / "manifest.json").string(), text = read_text(path);
+  refuse_deep_json(text, path, "the manifest of a run");
+  const auto manifest = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!manifest.is_object() || !manifest.value("outputs", nlohmann::json()).is_array()) return {};
+  std::string kept = "summary";
+  for (const nlohmann::json& output : manifest["outputs"]) {
+    const nlohmann::json name = output.is_object() ? output.value("path", nlohmann::json()) : nlohmann::json();
+    if (name == "run.nc") return "run";
+    if (name == "history.csv") kept = "history";
+  }
+  return kept;
+}
+
 bool holds_something(const fs::path& folder) {
   std::error_code is_not_there;
   return fs::is_directory(folder, is_not_there) && !fs::is_empty(folder, is_not_there);
@@ -110,6 +125,19 @@ void Folder::refuse_files_of_others() const {
       refuse_folder(directory_ + "/" + name, "holds files, but none of this campaign");
 }
 
+/// A part of the cases would have no histories.
+void Folder::refuse_other_keep() const {
+  for (const auto& entry : fs::directory_iterator(fs::path(directory_) / "cases")) {
+    if (entry.path().extension() == ".part" || !fs::exists(entry.path() / "summary.json")) continue;
+    const std::optional<std::string> kept = kept_by(entry.path());
+    if (kept && *kept != plan_.keep)
+      throw InputError(
+          Complaint{entry.path().string(),
+                    fmt::format("was made with output.keep = \"{}\", and the plan says \"{}\" now", *kept, plan_.keep),
+                    "one output.keep for the whole campaign", "put it back, or give another folder"});
+  }
+}
+
 void Folder::prepare(bool resume) {
   refuse_links(directory_);
   copies_.emplace(plan_);
@@ -125,6 +153,7 @@ void Folder::prepare(bool resume) {
         fmt::format("{}: holds the cases of a campaign already\n  remedy:  `--resume` goes on with them; or "
                     "give another folder",
                     directory_));
+  refuse_other_keep();
   for (const fs::path& written_to : {fs::path(directory_), cases, fs::path(directory_) / "settings"})
     remove_parts(written_to);
   // A worker that was killed just after it gave the folder of a case its name left the lock there.

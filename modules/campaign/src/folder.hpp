@@ -47,6 +47,7 @@ class Folder {
 
  private:
   void refuse_files_of_others() const;
+  void refuse_other_keep() const;
 
   const io::CampaignPlan& plan_;
   std::string directory_;

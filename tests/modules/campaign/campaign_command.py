@@ -55,6 +55,29 @@ class Command(unittest.TestCase):
         self.assertEqual(quick(folder, "--replicates", "3", "--resume").returncode, 0)
         self.assertEqual(different(self.whole, folder), [])
 
+    def test_cases_beyond_the_replicates_are_left_out_of_the_tables_with_a_warning(self):
+        folder = FOLDER / "fewer"
+        self.assertEqual(quick(folder, "--replicates", "3").returncode, 0)
+        fewer = quick(folder, "--replicates", "2", "--resume")
+        self.assertEqual(fewer.returncode, 0)
+        self.assertIn("8 of 8 cases done", fewer.stdout)
+        self.assertIn("has 4 done cases that the plan does not have now", fewer.stderr)
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        self.assertEqual([setting["n_done"] for setting in summary["settings"]], [2] * 4)
+        self.assertNotIn("warning: ", quick(folder, "--replicates", "3", "--resume").stderr)
+
+    def test_what_cases_keep_stays_as_it_was_begun(self):
+        plan, folder = FOLDER / "keeping.toml", FOLDER / "keeping"
+        text = Path(PLAN).read_text(encoding="utf-8")
+        plan.write_text(text, encoding="utf-8")
+        self.assertEqual(campaign("-o", folder, "--replicates", "1", plan=plan).returncode, 0)
+        for keep in ("summary", "run"):
+            plan.write_text(text.replace('keep = "history"', f'keep = "{keep}"'), encoding="utf-8")
+            self.refuses(campaign("-o", folder, "--replicates", "2", "--resume", plan=plan),
+                         f'output.keep = "history", and the plan says "{keep}" now', "allowed:", "remedy:")
+        plan.write_text(text, encoding="utf-8")
+        self.assertEqual(campaign("-o", folder, "--replicates", "1", "--resume", plan=plan).returncode, 0)
+
     def test_cases_that_end_before_their_statistics_are_counted(self):
         # Without a time of their own they begin when the cone's axis passes the edge, 6.9 m away.
         plan = FOLDER / "early.toml"
