@@ -73,6 +73,7 @@ std::optional<std::string> unit_in(std::string_view end) {
   const std::size_t slash = end.find('/');
   std::string_view first = end.substr(0, slash);
   const auto unit = std::ranges::find_if(kUnitEnds, [&](const auto& known) { return known.first == first; });
+  if (end == "1/s" || end == "1/min" || end == "1/h") return std::string(end);
   if (unit == kUnitEnds.end()) return std::nullopt;
   std::string text(unit->second);
   if (slash == std::string_view::npos) return text;
@@ -100,7 +101,7 @@ std::pair<std::string, std::string> name_and_unit(const std::string& head) {
     if (const auto unit = unit_in(std::string_view(head).substr(mark + 1))) return parted(mark, *unit);
   // F/kN is in kN, and N/mm has no name.
   const std::size_t slash = head.rfind('/');
-  if (slash == std::string::npos || slash == 0 || unit_in(std::string_view(head).substr(0, slash))) return {head, ""};
+  if (slash == std::string::npos || slash == 0 || unit_in(head)) return {head, ""};
   const auto unit = unit_in(std::string_view(head).substr(slash + 1));
   return unit ? parted(slash, *unit) : std::pair(head, std::string());
 }
