@@ -29,7 +29,7 @@ inline constexpr double kLongestPeriod = 30.0;
 inline constexpr std::size_t kFewestEvents = 20;
 
 /// Whether a load acts towards its lower end: its mean is negative, and its smallest value is farther from 0 than its
-/// largest. Its extremes are those of the load with the other sign.
+/// largest. With the other sign it has its extremes at the upper end.
 bool acts_downwards(double mean, double minimum, double maximum);
 
 /// The warning of a load that acts towards its lower end.
