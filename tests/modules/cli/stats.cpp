@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
-#include "brash/io/case.hpp"
-#include "brash/io/results.hpp"
 #include "brash/statistics/random.hpp"
-#include "closed_forms.hpp"
 #include "fatigue_statistics.hpp"
+#include "history_file.hpp"
 #include "history_statistics.hpp"
 #include "history_tables.hpp"
-#include "load_history.hpp"
 #include "prepared_history.hpp"
 #include "report_source.hpp"
 #include "stats_commands.hpp"
@@ -29,37 +23,6 @@ using namespace brash;
 using namespace brash::cli;
 using boost::test_tools::tolerance;
 
-/// A file that lives as long as the test.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& text, const char* name = "history.csv")
-      : folder_(std::filesystem::temp_directory_path() / ("brash-cli-stats-" + std::to_string(getpid()))),
-        path_(folder_ / name) {
-    std::filesystem::create_directories(folder_);
-    std::ofstream(path_) << text;
-  }
-  ~TemporaryFile() { std::filesystem::remove_all(folder_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path folder_, path_;
-};
-
-/// The message of the InputError that reading throws.
-std::string complaint(const std::string& text, const HistoryChoice& choice = {}) {
-  const TemporaryFile file(text);
-  try {
-    read_history(file.path(), choice);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// An evenly sampled history without a file.
 LoadHistory every(double dt, const std::vector<double>& samples) {
   LoadHistory load{"Fx", {{}, samples}, {}, 0};
@@ -68,159 +31,7 @@ LoadHistory every(double dt, const std::vector<double>& samples) {
   return load;
 }
 
-model::Case validation_cone() { return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml"); }
-
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(load_histories)
-
-BOOST_AUTO_TEST_CASE(a_named_column_is_read_with_its_times) {
-  const TemporaryFile file("# measured\ntime,Fx,Fz\n0.5,1e3,-1\n0.6,2000,-2\r\n0.7,+3000, -3\n\n");
-  const LoadHistory first = read_history(file.path(), {});
-  BOOST_TEST(first.column == "Fx");
-  BOOST_TEST(first.history.times.front() == 0.5);
-  BOOST_TEST(first.even.sampling.step == 0.1, tolerance(1e-12));
-  BOOST_TEST(first.history.values == (std::vector<double>{1000, 2000, 3000}), boost::test_tools::per_element());
-  HistoryChoice vertical;
-  vertical.column = "Fz";
-  BOOST_TEST(read_history(file.path(), vertical).history.values == (std::vector<double>{-1, -2, -3}),
-             boost::test_tools::per_element());
-}
-
-BOOST_AUTO_TEST_CASE(numbers_without_names_and_other_separators_are_read) {
-  for (const std::string text : {"0 5\n1 6\n2 7\n", "0;5\n1;6\n2;7\n", "0\t5\n1\t6\n2\t7\n", "  0   5 \n 1  6\n2 7"}) {
-    const TemporaryFile file(text);
-    const LoadHistory history = read_history(file.path(), {});
-    BOOST_TEST(history.column == "2");
-    BOOST_TEST(history.history.values == (std::vector<double>{5, 6, 7}), boost::test_tools::per_element());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_single_column_needs_the_step) {
-  BOOST_TEST(contains(complaint("1\n2\n3\n"), "--dt"));
-  const TemporaryFile file("1\n2\n3\n");
-  HistoryChoice choice;
-  choice.dt = 0.25;
-  const LoadHistory history = read_history(file.path(), choice);
-  BOOST_TEST(history.even.sampling.step == 0.25);
-  BOOST_TEST(history.history.values.size() == 3U);
-}
-
-BOOST_AUTO_TEST_CASE(what_is_earlier_than_from_is_left_out) {
-  const TemporaryFile file("time,F\n0.01,1\n0.02,2\n0.03,3\n0.04,4\n0.05,5\n");
-  HistoryChoice choice;
-  choice.has_from = true;
-  for (const double from : {0.03, 0.0299}) {
-    choice.from = from;
-    const LoadHistory history = read_history(file.path(), choice);
-    BOOST_TEST(history.history.values == (std::vector<double>{3, 4, 5}), boost::test_tools::per_element());
-    BOOST_TEST(history.history.times.front() == 0.03);
-  }
-  choice.from = 0.05;
-  BOOST_CHECK_THROW(read_history(file.path(), choice), InputError);
-}
-
-BOOST_AUTO_TEST_CASE(the_loads_of_a_run_are_read_from_its_netcdf_file_as_from_its_table) {
-  const TemporaryFile place("");
-  const std::string folder = std::filesystem::path(place.path()).parent_path().string();
-  model::RunResults results;
-  for (int i = 1; i <= 20; ++i) {
-    model::LoadRow row;
-    row.time = 0.01 * i;
-    row.total = {{1e5 + i, 0.0, -2.0 * i}, {0.0, 3.0 * i, 0.0}};
-    row.crushing.force.z = 7.0 * i;
-    results.loads.push_back(row);
-  }
-  io::write_results(folder, validation_cone(), results);
-  for (const char* column : {"Fx", "Fz", "My", "crushing_Fz"}) {
-    HistoryChoice choice;
-    choice.column = column;
-    const LoadHistory table = read_history(folder + "/history.csv", choice);
-    const LoadHistory run = read_history(folder + "/run.nc", choice);
-    BOOST_TEST(run.history.values == table.history.values, boost::test_tools::per_element());
-    BOOST_TEST(run.history.times == table.history.times, boost::test_tools::per_element());
-    BOOST_TEST(run.even.sampling.even);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(times_in_another_unit_become_seconds) {
-  const TemporaryFile file("Time [ms];F\n0;1\n20;2\n40;3\n");
-  const LoadHistory load = read_history(file.path(), {});
-  BOOST_TEST(load.column == "F");
-  BOOST_TEST(load.even.sampling.step == 0.02, tolerance(1e-14));
-}
-
-BOOST_AUTO_TEST_CASE(what_spreadsheets_and_loggers_export_is_read) {
-  for (const std::string text : {
-           "Time [s];Fx [kN]\n0,0;1,5\n0,5;2,5\n1,0;3,5\n",                        // decimal commas
-           "\xef\xbb\xbfTime [s]\tFx [kN]\r\n0,0\t1,5\r\n0,5\t2,5\r\n1\t3,5\r\n",  // of Windows, with a byte order mark
-           "\"Time (ms)\",\"Fx (kN)\"\n\"0\",\"1.5\"\n\"500\",\"2.5\"\n\"1000\",\"3.5\"\n",
-           "Zeit,Fx\ns,kN\n0,1.5\n0.5,2.5\n1,3.5\n",  // units in a line of their own
-           "Zeit;Fx\n[ms];[kN]\n0;1,5\n500;2,5\n1000;3,5\n",
-       }) {
-    const TemporaryFile file(text);
-    const LoadHistory load = read_history(file.path(), {});
-    BOOST_TEST(load.column == "Fx");
-    BOOST_TEST(load.unit == "N");
-    BOOST_TEST(load.history.times == (std::vector<double>{0, 0.5, 1}), boost::test_tools::per_element());
-    BOOST_TEST(load.history.values == (std::vector<double>{1500, 2500, 3500}), boost::test_tools::per_element());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_unit_is_converted_to_si_or_kept) {
-  const TemporaryFile file("t [min],M [kN m],p [MPa],E [J],U [V],n [],Q\n0,1,1,1,1,1,1\n1,2,2,2,2,2,2\n");
-  const auto read = [&](const char* column) {
-    HistoryChoice choice;
-    choice.column = column;
-    const LoadHistory load = read_history(file.path(), choice);
-    BOOST_TEST(load.history.times.back() == 60.0);
-    return std::pair(load.unit, load.history.values.back());
-  };
-  BOOST_TEST((read("M") == std::pair(std::string("N m"), 2e3)));
-  BOOST_TEST((read("p [MPa]") == std::pair(std::string("Pa"), 2e6)));  // as the file has it
-  BOOST_TEST((read("E") == std::pair(std::string("J"), 2.0)));
-  BOOST_TEST((read("U") == std::pair(std::string("V"), 2.0)));
-  BOOST_TEST((read("n") == std::pair(std::string(), 2.0)));
-  BOOST_TEST((read("Q") == std::pair(std::string(), 2.0)));
-}
-
-BOOST_AUTO_TEST_CASE(missing_values_and_missing_rows_make_gaps) {
-  std::string text = "t,F\n";
-  for (int i = 0; i < 100; ++i) {
-    if (i >= 40 && i < 50) continue;  // rows are missing
-    text += std::to_string(0.1 * i) + (i >= 70 && i < 80 ? ",\n" : ",5\n");
-  }
-  const TemporaryFile file(text);
-  const LoadHistory load = read_history(file.path(), {});
-  BOOST_TEST(load.n_missing == 10U);
-  BOOST_TEST(load.even.sampling.even);
-  BOOST_TEST_REQUIRE(load.even.sampling.gaps.size() == 2U);
-  BOOST_TEST(load.even.sampling.gaps[0].from == 3.9, tolerance(1e-12));
-  BOOST_TEST(load.even.sampling.gaps[1].to == 8.0, tolerance(1e-12));
-  const auto s = statistics_of(load);
-  BOOST_TEST(s["duration"].get<double>() == 8.0, tolerance(1e-12));
-  BOOST_TEST(contains(statistics_text(s), "gaps                 2 (2.2 s together), 10 values missing"));
-  HistoryChoice patient;
-  patient.longest_interval = 2.0;
-  BOOST_TEST(read_history(file.path(), patient).even.sampling.gaps.empty());
-}
-
-BOOST_AUTO_TEST_CASE(bad_files_are_refused_with_the_place) {
-  BOOST_TEST(contains(complaint("time,F\n0,1\n1,x\n2,3\n"), "history.csv:3: column 'F': 'x'"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\nnan,2\n2,3\n"), ":3: the time is missing"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\n1,inf\n2,3\n"), ":3:"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\n1,2,3\n"), ":3: 3 values in a table of 2"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\n1,2\n1,3\n2,4\n"), ":4: time 1 after 1\n  allowed: times that rise"));
-  BOOST_TEST(contains(complaint("time [kg],F\n0,1\n1,2\n"), "column 'time [kg]': the times' unit 'kg'"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\n1,nan\n2,NA\n"), "fewer than two values"));
-  BOOST_TEST(contains(complaint("time,F\n0,1\n"), "1 rows of numbers\n  allowed: lines of numbers, 2 at least"));
-  HistoryChoice wrong;
-  wrong.column = "Fy";
-  BOOST_TEST(contains(complaint("time,Fx\n0,1\n1,2\n", wrong), "has no column 'Fy'\n  allowed: one of: time, Fx"));
-  BOOST_CHECK_THROW(read_history("/no/such/file.csv", {}), InputError);
-}
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(stats_command)
 
@@ -445,58 +256,6 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_no_limit) {
   add_stats_command(app);
   BOOST_CHECK_EXCEPTION(app.parse("stats " + file.path() + " --threshold nan"), InputError,
                         [](const InputError& e) { return contains(e.what(), "--threshold nan is no load"); });
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_AUTO_TEST_SUITE(loads_command)
-
-BOOST_AUTO_TEST_CASE(the_validation_cone_has_its_known_peaks) {
-  const auto loads = closed_form_loads(validation_cone())["loads"];
-  BOOST_TEST_REQUIRE(loads.size() == 8U);  // Croasdale, Ralston twice, 3 to 5 wedges, crushing twice
-  BOOST_CHECK_SMALL(loads[0]["horizontal"].get<double>() - 319e3, 0.5e3);
-  BOOST_CHECK_SMALL(loads[1]["horizontal"].get<double>() - 275e3, 0.5e3);
-  BOOST_TEST(loads[3]["horizontal"].get<double>() / loads[3]["vertical"].get<double>() ==
-                 loads[0]["horizontal"].get<double>() / loads[0]["vertical"].get<double>(),
-             tolerance(1e-12));  // the same slope and friction
-  const std::string text = loads_text(closed_form_loads(validation_cone()));
-  BOOST_TEST(contains(text, "Croasdale"));
-  BOOST_TEST(contains(text, "peaks of one breaking event; of crushing, once in many years"));
-  for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U}) BOOST_TEST(loads[i]["kind"] == "peak of one breaking event");
-  for (const std::size_t i : {6U, 7U}) BOOST_TEST(loads[i]["kind"] == "peak, once in many years");
-}
-
-BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
-  const std::string cone = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
-  const model::Case ship = io::read_case(cone, {"hull.length=75.2", "hull.breadth=18", "hull.draught=6.5",
-                                                "hull.stem_angle=30 deg", "hull.waterline_angle=35 deg"});
-  const auto load = closed_form_loads(ship)["loads"].back();
-  BOOST_TEST(load["source"].get<std::string>() == "Lindqvist 1989");
-  const auto& parts = load["components"];
-  BOOST_TEST(load["horizontal"].get<double>() >
-             parts["R_c"].get<double>() + parts["R_b"].get<double>() + parts["R_s"].get<double>());
-  BOOST_TEST(contains(loads_text(closed_form_loads(ship)), "Lindqvist"));
-  BOOST_CHECK_THROW(io::read_case(cone, {"hull.length=75.2"}), InputError);
-}
-
-BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {
-  model::Case c = validation_cone();
-  c.ice.friction_structure = 0.6;
-  const auto loads = closed_form_loads(c);
-  for (const auto& load : loads["loads"]) {
-    const bool of_a_slope = !contains(load["method"].get<std::string>(), "vertical face");
-    BOOST_TEST(load.contains("not_applicable") == of_a_slope);
-  }
-  BOOST_TEST(contains(loads_text(loads), "not applicable: the ice locks"));
-}
-
-BOOST_AUTO_TEST_CASE(a_half_disc_in_one_piece_is_no_narrow_wedge) {
-  model::Case c = validation_cone();
-  c.failure.wedges = {1, 2};
-  const auto loads = closed_form_loads(c)["loads"];
-  BOOST_TEST_REQUIRE(loads.size() == 7U);
-  BOOST_TEST(loads[3].contains("not_applicable"));
-  BOOST_TEST(loads[4]["horizontal"].get<double>() > 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "brash/core/error.hpp"
+#include "brash/io/case.hpp"
+#include "closed_forms.hpp"
+#include "history_file.hpp"
+
+namespace {
+
+using namespace brash;
+using namespace brash::cli;
+using boost::test_tools::tolerance;
+
+model::Case validation_cone() { return io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml"); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(loads_command)
+
+BOOST_AUTO_TEST_CASE(the_validation_cone_has_its_known_peaks) {
+  const auto loads = closed_form_loads(validation_cone())["loads"];
+  BOOST_TEST_REQUIRE(loads.size() == 8U);  // Croasdale, Ralston twice, 3 to 5 wedges, crushing twice
+  BOOST_CHECK_SMALL(loads[0]["horizontal"].get<double>() - 319e3, 0.5e3);
+  BOOST_CHECK_SMALL(loads[1]["horizontal"].get<double>() - 275e3, 0.5e3);
+  BOOST_TEST(loads[3]["horizontal"].get<double>() / loads[3]["vertical"].get<double>() ==
+                 loads[0]["horizontal"].get<double>() / loads[0]["vertical"].get<double>(),
+             tolerance(1e-12));  // the same slope and friction
+  const std::string text = loads_text(closed_form_loads(validation_cone()));
+  BOOST_TEST(contains(text, "Croasdale"));
+  BOOST_TEST(contains(text, "peaks of one breaking event; of crushing, once in many years"));
+  for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U}) BOOST_TEST(loads[i]["kind"] == "peak of one breaking event");
+  for (const std::size_t i : {6U, 7U}) BOOST_TEST(loads[i]["kind"] == "peak, once in many years");
+}
+
+BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
+  const std::string cone = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
+  const model::Case ship = io::read_case(cone, {"hull.length=75.2", "hull.breadth=18", "hull.draught=6.5",
+                                                "hull.stem_angle=30 deg", "hull.waterline_angle=35 deg"});
+  const auto load = closed_form_loads(ship)["loads"].back();
+  BOOST_TEST(load["source"].get<std::string>() == "Lindqvist 1989");
+  const auto& parts = load["components"];
+  BOOST_TEST(load["horizontal"].get<double>() >
+             parts["R_c"].get<double>() + parts["R_b"].get<double>() + parts["R_s"].get<double>());
+  BOOST_TEST(contains(loads_text(closed_form_loads(ship)), "Lindqvist"));
+  BOOST_CHECK_THROW(io::read_case(cone, {"hull.length=75.2"}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {
+  model::Case c = validation_cone();
+  c.ice.friction_structure = 0.6;
+  const auto loads = closed_form_loads(c);
+  for (const auto& load : loads["loads"]) {
+    const bool of_a_slope = !contains(load["method"].get<std::string>(), "vertical face");
+    BOOST_TEST(load.contains("not_applicable") == of_a_slope);
+  }
+  BOOST_TEST(contains(loads_text(loads), "not applicable: the ice locks"));
+}
+
+BOOST_AUTO_TEST_CASE(a_half_disc_in_one_piece_is_no_narrow_wedge) {
+  model::Case c = validation_cone();
+  c.failure.wedges = {1, 2};
+  const auto loads = closed_form_loads(c)["loads"];
+  BOOST_TEST_REQUIRE(loads.size() == 7U);
+  BOOST_TEST(loads[3].contains("not_applicable"));
+  BOOST_TEST(loads[4]["horizontal"].get<double>() > 0.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
