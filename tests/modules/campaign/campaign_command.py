@@ -52,7 +52,8 @@ class Command(unittest.TestCase):
         folder = FOLDER / "replicates"
         done = quick(folder, "--replicates", "1")
         self.assertIn("4 of 4 cases done", done.stdout)
-        self.assertEqual(quick(folder, "--replicates", "3", "--resume").returncode, 0)
+        self.assertIn("8 of 8 cases done", quick(folder, "--replicates", "2", "--resume").stdout)
+        self.assertEqual(quick(folder, "--resume").returncode, 0)
         self.assertEqual(different(self.whole, folder), [])
 
     def test_cases_beyond_the_replicates_are_left_out_of_the_tables_with_a_warning(self):
