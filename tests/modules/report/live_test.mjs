@@ -103,7 +103,7 @@ const shows = async (page, text) => {
 };
 
 test("two browsers see the run go on, and one pauses it for both", { timeout: kPatience }, async () => {
-  const run = await watched("pair");
+  const run = await watched("pair", "--set", "time.duration=20");  // long enough to be paused by hand
   await paused(run.address);
   const [a, b] = [await browser.open(run.address), await browser.open(run.address)];
   await Promise.all([a, b].map((page) => shows(page, "Continue the run")));
