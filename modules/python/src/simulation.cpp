@@ -231,8 +231,7 @@ void add_simulation(py::module_& m) {
       .def_property_readonly(
           "loads", [](const Steps& s) { return table(std::span<const model::LoadRow>(s.loads)); },
           "Structured array with all columns that a history.csv can have; shape (n_steps,). Those of a motion, a "
-          "region "
-          "or a leg that the structure does not have are 0.")
+          "region or a leg that the structure does not have are 0.")
       .def_property_readonly(
           "events", [](const Steps& s) { return table(std::span<const model::CrackEvent>(s.events)); },
           "Structured array with the columns of events.csv; shape (n_events,).")

@@ -8,33 +8,17 @@ import resource
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+import broken_files  # noqa: E402
+
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 MODELS = SOURCE / "experiments/failure_database"
-CASE = """
-[ice]
-thickness = 0.33
-youngs_modulus = "0.35 GPa"
-flexural_strength = "539 kPa"
-[structure]
-angle = "61.4 deg"
-waterline_width = 13.6
-height = 9.08
-height_under_water = 5.68
-speed = 1.2
-start_distance = 6.9
-[field]
-length = 20
-width = 30
-[failure]
-model = "network"
-[time]
-duration = 0.3
-[output]
-statistics_from = 0.1
-"""
+# A model that reads a file, and a run that may be shorter.
+CASE = broken_files.CASE.replace('model = "wedge"', 'model = "network"').replace("statistics_from = 0.2", "statistics_from = 0.1")
 PLAN = """
 [campaign]
 case = "cone.toml"
