@@ -21,6 +21,8 @@ ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1
           "breaking_frequency": ("1/s", 1.0), "breaking_length": ("m", 1.0), "breaking_length_over_lc": ("-", 1.0),
           "piece_size_05": ("m", 1.0), "piece_size": ("m", 1.0), "piece_size_95": ("m", 1.0)}
 REGRESSIONS = ["riska", "jeong", "lindqvist", "edwards", "croasdale", "ralston_tresca", "ralston_johansen"]
+SHOWN_AS = {"edwards": "edwards (45 deg)"}  # a form that knows no slope says for which it was made
+JUDGED = ["mean", "breaking_frequency"]  # of a series; the other statistics are printed beside them, without a verdict
 UNSETTLED = 0.2  # a load that changes by more between the halves of the window has not settled
 
 
@@ -130,7 +132,7 @@ def beside(prediction, rows):
         for name in REGRESSIONS:
             values, _ = points_and_values(chosen, name)
             if len(values):
-                lines.append(f"| {arm or '-'} | {name} | {number(np.median(values) / 1e3)} | "
+                lines.append(f"| {arm or '-'} | {SHOWN_AS.get(name, name)} | {number(np.median(values) / 1e3)} | "
                              f"{interval((values.min() / 1e3, values.max() / 1e3))} |")
     head = ["Beside it, over the same points:", "", "| arm | form | median [kN] | least to largest [kN] |", "|---|---|---|---|"]
     return head + lines + [""] if lines else []
@@ -156,25 +158,25 @@ def series_lines(prediction, rows, measured, statistic):
         lines.append(f"| {test.get('file') or test['arm'] or '-'} | {number(found['simulated'])} | {interval((low, high))} | "
                      f"{' | '.join(cells)} | {interval(found['model_error'])} | {'yes' if inside[-1] else 'no'} |")
     if not ratios:
-        return []
+        return lines[:2] + ["Not measured: this part of the criterion is open.", ""] if measured else []
     return lines + [""] + series_summary(prediction, statistic, ratios, inside, chosen_rows)
 
 
 def series_summary(prediction, statistic, ratios, inside, chosen_rows):
-    """Bias, root mean square and coverage; for the mean also of the regressions, and the criterion."""
+    """Bias, root mean square and coverage; for what is judged also the criterion, and for the mean the regressions."""
     if any(simulated <= 0 or measured <= 0 for simulated, measured in ratios):
         return ["No logarithms: a value is not positive.", ""]
     found = series(*zip(*ratios), inside)
     low, high = found["coverage_95"]
     lines = [f"Bias (mean ln S/D): {found['bias']:+.3f} ({interval(found['bias_95'])}). Root mean square: {found['rms']:.3f}. "
              f"Inside: {found['covered']} of {found['n']} ({low:.0%} to {high:.0%}).", ""]
-    if statistic != "mean":
+    if statistic not in JUDGED:
         return lines
     others = {}
-    for name in prediction.criterion.get("regressions", []):
-        medians = [np.median(points_and_values(rows, name)[0]) for rows in chosen_rows]
-        if all(math.isfinite(value) and value > 0 for value in medians):
-            others[name] = series(medians, [measured for _, measured in ratios], inside)
+    for name in prediction.criterion.get("regressions", []) if statistic == "mean" else []:
+        means = [np.mean(points_and_values(rows, name)[0]) for rows in chosen_rows]
+        if all(math.isfinite(value) and value > 0 for value in means):
+            others[name] = series(means, [measured for _, measured in ratios], inside)
     lines += [f"- {name}: bias {other['bias']:+.3f}, root mean square {other['rms']:.3f}." for name, other in others.items()]
     return lines + [""] + statements(prediction, found, [other["rms"] for other in others.values()])
 

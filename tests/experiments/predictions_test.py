@@ -282,6 +282,15 @@ class Texts(unittest.TestCase):
         for line in ("Inside their intervals: 0 of 10, 8 are needed: **no**", "holds 0: **no**", "below each regression: **no**"):
             self.assertIn(line, text)
 
+    def test_a_series_judges_the_frequency_and_names_what_was_not_measured(self):
+        prediction = predict.prediction_of("m5")
+        rows = [{**row, "breaking_frequency": row["mean"] / 1e3} for row in made_up(prediction, [5e3])]
+        measured = [{"arm": "", "mean": 5e3, "breaking_frequency": 50.0}] * 7
+        text = tables.verdict(prediction, rows, measured, None)
+        self.assertIn("Inside their intervals: 7 of 7, 6 are needed: **yes**", text.split("### breaking_frequency")[0])
+        self.assertIn("Inside their intervals: 0 of 7, 6 are needed: **no**", text.split("### breaking_frequency")[1])
+        self.assertIn("### largest\n\nNot measured", text)
+
     def test_fewer_points_than_promised_give_no_verdict(self):
         prediction = predict.prediction_of("m3")
         rows = [{"arm": "", "point": i, "quantile_99_0.1s": 1e6, "mean": 3e5} for i in range(5)]
