@@ -134,7 +134,7 @@ def draw(prediction, outcomes, rows_of_claim, folder, name):
             limits_of(axis, rows, claim)
         axis.set_title(f"{textwrap.fill(claim['text'], 40)}\np = {outcome.p:.2g}", fontsize=9)
     share_ordinates(grid[0])
-    figure.suptitle(prediction.table["title"], fontsize=10)
+    figure.suptitle(textwrap.fill(prediction.table["title"], 50 * len(outcomes)), fontsize=10)
     figures.save(figure, folder, name)
     return list(grid[0])
 
