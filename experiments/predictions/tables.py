@@ -158,7 +158,10 @@ def series_lines(prediction, rows, measured, statistic):
         lines.append(f"| {test.get('file') or test['arm'] or '-'} | {number(found['simulated'])} | {interval((low, high))} | "
                      f"{' | '.join(cells)} | {interval(found['model_error'])} | {'yes' if inside[-1] else 'no'} |")
     if not ratios:
-        return lines[:2] + ["Not measured: this part of the criterion is open.", ""] if measured else []
+        if not measured:
+            return []
+        given = any(test.get(statistic) is not None for test in measured)
+        return [*lines[:2], "No interval: fewer than two points have this number." if given else "Not measured.", ""]
     return lines + [""] + series_summary(prediction, statistic, ratios, inside, chosen_rows)
 
 
