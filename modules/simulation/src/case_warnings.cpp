@@ -288,6 +288,7 @@ Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const 
   add_front_warning(scales, warnings);
   add_legs_warning(c, warnings);
   add_model_warnings(c, scales, criterion, warnings);
+  add_idle_keys_warning(c, warnings);
   return warnings;
 }
 

@@ -28,6 +28,9 @@ void add_time_warnings(const model::Case& resolved, const DerivedScales& scales,
 void add_model_warnings(const model::Case& resolved, const DerivedScales& scales,
                         const failure::BendingCriterion& criterion, Warnings& warnings);
 
+/// Keys that differ from their defaults and do nothing, because another key was left out.
+void add_idle_keys_warning(const model::Case& resolved, Warnings& warnings);
+
 /// All of them. docs/reference/warnings.md
 Warnings case_warnings(const model::Case& resolved, const DerivedScales& scales,
                        const failure::BendingCriterion& criterion);

@@ -139,4 +139,51 @@ BOOST_AUTO_TEST_CASE(legs_in_a_triangle_are_not_lopsided) {
                   "lopsided-legs"));
 }
 
+BOOST_AUTO_TEST_CASE(a_key_that_needs_another_is_warned_of_without_it) {
+  struct Idle {
+    std::string key, value;
+    std::vector<std::string> needs;
+  };
+  const std::vector<Idle> all{
+      {"ice.fracture_toughness", "2e5", {"field.border=free"}},
+      {"field.smallest_plate", "4", {"field.border=free"}},
+      {"ice.variation.correlation_length", "3", {"ice.variation.thickness=0.1"}},
+      {"field.initial_crack_radius", "1", {"field.initial_crack=true"}},
+      {"field.origin", "[1,2]", {"field.shore=tests/experiments/shore.wkt"}},
+      {"hydrodynamics.rotational_drag", "0.8", {"hydrodynamics.drag=paper", "algorithm.preset=paper"}},
+      {"hydrodynamics.shading_gap", "0.4", {"hydrodynamics.shading=true"}},
+      {"wind.density", "1.2", {"wind.velocity=[5,0]"}},
+      {"wind.skin_friction", "0.002", {"wind.velocity=[5,0]"}},
+      {"failure.max_substeps", "4", {"failure.model=superposition"}},
+      {"structure.motion.thrust_arm", "[1,0,0]", {"structure.motion.thrust=[1e5,0,0]"}},
+  };
+  std::filesystem::current_path(kSource);  // the file of the shore
+  for (const Idle& one : all) {
+    std::vector<std::string> settings{one.key + "=" + one.value, "failure.model=wedge", "hydrodynamics.shading=false",
+                                      "field.initial_crack=false"};
+    if (one.key.starts_with("structure.motion")) settings.push_back("structure.motion.kind=free");
+    const auto text = text_of(warnings_with(settings), "idle-keys");
+    BOOST_TEST(says(text, one.key + " needs "), one.key + ": " + text);
+    settings.insert(settings.end(), one.needs.begin(), one.needs.end());
+    BOOST_TEST(text_of(warnings_with(settings), "idle-keys") == "", one.key);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_source_of_a_reference_is_idle_without_its_value) {
+  model::Case c = validation();
+  c.reference.mean_horizontal.reset();
+  BOOST_TEST(says(text_of(simulation::derived_scales(c).warnings, "idle-keys"), "reference.source needs "));
+}
+
+BOOST_AUTO_TEST_CASE(the_laws_of_generated_floes_are_idle_beside_a_file_of_floes) {
+  model::Case c = validation({"field.initial_crack=false"});
+  c.field.kind = model::FieldKind::kFloes;
+  c.field.file = "floes.wkt";
+  BOOST_TEST(text_of(simulation::derived_scales(c).warnings, "idle-keys") == "");
+  c.field.floes.shape = model::FloeShape::kDiscs;
+  c.field.floes.size.median = 3.0;
+  const auto text = text_of(simulation::derived_scales(c).warnings, "idle-keys");
+  BOOST_TEST(says(text, "field.shape needs floes without field.file; field.size needs floes"), text);
+}
+
 }  // namespace
