@@ -79,7 +79,8 @@ def run(options):
         raise BadInput(f"--preset {options.preset}: is not in this prediction; take {' or '.join(prediction.presets)}")
     output = output_of(options, prediction)
     command = [options.brash, "campaign", plan_for(options, prediction, output), "-o", output]
-    command += ["--set", f"algorithm.preset={json.dumps(options.preset)}"] + ["--resume"] * output.exists()
+    command += ["--set", f"algorithm.preset={json.dumps(options.preset)}"]
+    command += ["--tables"] if options.tables else ["--resume"] * output.exists()
     command += ["--jobs", options.jobs] * bool(options.jobs) + ["--on", "slurm"] * (options.on == "slurm")
     command += [f"--sbatch={text}" for text in options.sbatch]
     return subprocess.run([str(word) for word in command]).returncode
@@ -164,6 +165,7 @@ def arguments():
     command("design", design, many=True).add_argument("--check", action="store_true")
     runs = command("run", run)
     runs.add_argument("--points", type=int, help="points of the unknowns: a multiple of ensemble.points; fewer than that give no verdict")
+    runs.add_argument("--tables", action="store_true", help="run nothing: the tables of the finished ones, for a verdict so far")
     runs.add_argument("--jobs", type=int)
     runs.add_argument("--on", choices=["local", "slurm"], default="local")
     runs.add_argument("--sbatch", action="append", default=[])

@@ -40,6 +40,7 @@ struct Row {
 std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, const Schedule& schedule) {
   std::vector<Row> rows;
   for (const auto& [key, state] : schedule.cases()) {
+    if (state == CaseState::kMissing) continue;
     Row row{key, state == CaseState::kFailed, std::vector<double>(plan.columns.size(), kMissing), {}};
     if (!row.failed) {
       const std::string path = folder.case_folder(key) + "/summary.json";
@@ -130,6 +131,13 @@ Json statistic(const std::vector<double>& values) {
   return out;
 }
 
+/// Why a setting has no more replicates.
+const char* stopped_by(const io::CampaignPlan& plan, std::size_t setting, const Schedule& schedule) {
+  if (schedule.is_missing_cases(setting)) return "missing";
+  if (!plan.stop) return "replicates";
+  return schedule.is_narrow_enough(setting) ? "half_width" : "most_replicates";
+}
+
 Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const std::vector<Row>& rows,
                      const Schedule& schedule) {
   const io::Setting& s = plan.settings[setting];
@@ -152,7 +160,7 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
   out["n_done"] = n_done;
   out["n_failed"] = n_failed;
   out["warnings"] = warnings;
-  out["stopped_by"] = !plan.stop ? "replicates" : schedule.is_narrow_enough(setting) ? "half_width" : "most_replicates";
+  out["stopped_by"] = stopped_by(plan, setting, schedule);
   out["statistics"] = Json::object();
   for (std::size_t c = 0; c < plan.columns.size(); ++c) out["statistics"][plan.columns[c]] = statistic(by_column[c]);
   return out;

@@ -7,7 +7,7 @@
 
 namespace brash::campaign {
 
-/// Writes the tables and the manifest of a campaign that has no case missing.
+/// Writes the tables and the manifest of the cases that are done or failed.
 /// @throws RunError naming the file and the reason. @throws InputError when a case's summary cannot be read.
 void collect(const Campaign& campaign, const Folder& folder, const Schedule& schedule);
 

@@ -59,6 +59,16 @@ Counts run_local(const Campaign& campaign, int n_workers, const Progress& progre
   return counts;
 }
 
+Counts write_tables(const Campaign& campaign) {
+  // Opening makes a folder.
+  if (const Counts now = count(campaign.plan, campaign.directory); now.n_done + now.n_failed == 0)
+    throw InputError(Complaint{campaign.directory, "holds no case of this plan that is done or failed",
+                               "the folder of a campaign with a finished case", "run the campaign first"});
+  const Opened opened(campaign);
+  collect(campaign, opened.folder, opened.schedule);
+  return opened.schedule.counts();
+}
+
 Counts run_slurm(const Campaign& campaign, SlurmOptions slurm) {
   Opened opened(campaign);
   std::vector<Job> jobs;

@@ -53,11 +53,14 @@ bool Schedule::is_narrow_enough(std::size_t setting) const {
   return plan_.stop && is_narrow(*plan_.stop, values);
 }
 
+bool Schedule::is_missing_cases(std::size_t setting) const {
+  return std::ranges::any_of(settings_[setting], [](const Replicate& r) { return r.state == CaseState::kMissing; });
+}
+
 void Schedule::extend(std::size_t setting) {
   if (!plan_.stop) return;
-  const auto is_missing = [](const Replicate& r) { return r.state == CaseState::kMissing; };
   // The replicates that a stopped campaign left behind may fulfil several batches at once.
-  while (std::ranges::none_of(settings_[setting], is_missing) && !is_narrow_enough(setting)) {
+  while (!is_missing_cases(setting) && !is_narrow_enough(setting)) {
     const int left = plan_.stop->most_replicates - static_cast<int>(settings_[setting].size());
     if (left <= 0) return;
     add_replicates(setting, std::min(left, plan_.stop->batch));

@@ -27,6 +27,8 @@ class Schedule {
   Counts counts() const;
   /// All cases, by setting, then replicate.
   std::vector<std::pair<CaseKey, CaseState>> cases() const;
+  /// Whether a case of `setting` is neither done nor failed.
+  bool is_missing_cases(std::size_t setting) const;
   /// Whether the stop rule holds for the replicates of `setting`.
   bool is_narrow_enough(std::size_t setting) const;
 

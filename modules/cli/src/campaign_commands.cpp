@@ -43,6 +43,7 @@ struct CampaignOptions {
   bool wait = false;
   bool status = false;
   bool resume = false;
+  bool tables = false;
   bool quick = false;
   bool json = false;
 };
@@ -193,31 +194,9 @@ Counts run_under_slurm(campaign::Campaign& campaign, const CampaignOptions& opti
   return options.wait ? wait_for_slurm(campaign) : counts;
 }
 
-void run_campaign(const CampaignOptions& options) {
-  campaign::Campaign campaign{
-      .plan = io::read_campaign_plan(options.plan_file, {.quick = options.quick,
-                                                         .replicates = options.replicates,
-                                                         .overrides = options.overrides,
-                                                         .known_columns = campaign::known_columns(),
-                                                         .default_columns = campaign::default_columns()}),
-      .plan_file = options.plan_file,
-      .directory = options.directory,
-      .resume = options.resume,
-      .program = campaign::this_program()};
-  if (options.status) {
-    print_status(campaign::count(campaign.plan, options.directory), options.json);
-    return;
-  }
-  const bool here = options.on == "local";
-  const Counts counts = here ? run_here(campaign, options.n_jobs) : run_under_slurm(campaign, options);
-  if (counts.n_missing() > 0 && !here && !options.wait) {
-    print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
-    return;
-  }
-  const std::string summary = campaign.directory + "/summary.json";
-  if (counts.n_missing() > 0 || !is_up_to_date(summary, counts))
-    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
-  if (!options.json) print("{}\n", means_table(summary));
+/// Prints the tables of a campaign and makes its page.
+void show_results(const campaign::Campaign& campaign, const CampaignOptions& options, const Counts& counts) {
+  if (!options.json) print("{}\n", means_table(campaign.directory + "/summary.json"));
   print_status(counts, options.json);
   if (!options.json) print("results in {}\n", options.directory);
   const std::string page = report::has_page() ? write_report(options.directory) : "";
@@ -227,6 +206,36 @@ void run_campaign(const CampaignOptions& options) {
         options.directory, n);
   if (counts.n_failed > 0)
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
+}
+
+void run_campaign(const CampaignOptions& options) {
+  campaign::Campaign campaign{
+      .plan = io::read_campaign_plan(options.plan_file, {.quick = options.quick,
+                                                         .replicates = options.replicates,
+                                                         .overrides = options.overrides,
+                                                         .known_columns = campaign::known_columns(),
+                                                         .default_columns = campaign::default_columns()}),
+      .plan_file = options.plan_file,
+      .directory = options.directory,
+      .resume = options.resume || options.tables,
+      .program = campaign::this_program()};
+  if (options.status) {
+    print_status(campaign::count(campaign.plan, options.directory), options.json);
+    return;
+  }
+  if (options.tables) {
+    show_results(campaign, options, campaign::write_tables(campaign));
+    return;
+  }
+  const bool here = options.on == "local";
+  const Counts counts = here ? run_here(campaign, options.n_jobs) : run_under_slurm(campaign, options);
+  if (counts.n_missing() > 0 && !here && !options.wait) {
+    print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
+    return;
+  }
+  if (counts.n_missing() > 0 || !is_up_to_date(campaign.directory + "/summary.json", counts))
+    throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));
+  show_results(campaign, options, counts);
 }
 
 void run_one_case(const campaign::CaseTask& task) {
@@ -294,7 +303,10 @@ void add_campaign_commands(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false);
   command->add_flag("--wait", options->wait, "under Slurm, stay until it is over");
-  command->add_flag("--status", options->status, "count the cases done, failed and missing; run nothing");
+  auto* const status =
+      command->add_flag("--status", options->status, "count the cases done, failed and missing; run nothing");
+  command->add_flag("--tables", options->tables, "make the tables of the cases that are done; run nothing")
+      ->excludes(status);
   command->add_flag("--resume", options->resume, "go on with what the folder holds");
   command->add_flag("--quick", options->quick, "the small variant that the plan's [quick] describes");
   command

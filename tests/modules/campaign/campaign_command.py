@@ -128,8 +128,22 @@ class Command(unittest.TestCase):
         _, errors = process.communicate()
         self.assertEqual(process.returncode, 3)
         self.assertIn("`--resume` goes on", errors)
+        self.assertFalse((folder / "campaign.csv").exists())
+        tables = quick(folder, "--tables")
+        self.assertEqual(tables.returncode, 0, tables.stderr)
+        with open(folder / "campaign.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        self.assertEqual({row["case"] for row in rows}, {p.name for p in (folder / "cases").glob("*[0-9]")})
+        self.assertEqual((summary["n_cases"], summary["n_done"]), (12, len(rows)))
+        self.assertLess(len(rows), 12)
+        self.assertEqual(summary["settings"][-1]["stopped_by"], "missing")
         self.assertEqual(quick(folder, "--resume").returncode, 0)
         self.assertEqual(different(self.whole, folder), [])
+
+    def test_tables_of_nothing_are_refused_and_make_no_folder(self):
+        self.refuses(quick(FOLDER / "nothing", "--tables"), "holds no case", "allowed:", "remedy:")
+        self.assertFalse((FOLDER / "nothing").exists())
 
     def test_a_folder_that_another_process_works_in_is_refused(self):
         with open(self.whole / "campaign.lock", "w", encoding="utf-8") as lock:

@@ -62,6 +62,12 @@ Counts run_local(const Campaign& campaign, int n_workers, const Progress& progre
 /// @throws as run_local and submit do.
 Counts run_slurm(const Campaign& campaign, SlurmOptions slurm);
 
+/// Writes the tables of the cases that are done or failed so far, and runs nothing. A missing case has no row.
+///
+/// @return the counts.
+/// @throws InputError when no case is done or failed, or as run_local does.
+Counts write_tables(const Campaign& campaign);
+
 /// The folder for the files of Slurm in the folder of a campaign.
 std::string slurm_folder(const std::string& directory);
 
