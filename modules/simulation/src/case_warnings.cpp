@@ -137,12 +137,20 @@ void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnin
   const Course course = course_of(c);
   const double from = statistics_from(c);
   const double travel = course.speed * (c.time.duration - from);
+  const bool keeps_speed = !std::holds_alternative<model::Free>(c.structure.motion) &&
+                           c.field.kind == model::FieldKind::kLevelIce && c.field.border == model::Border::kFixed;
   if (from >= c.time.duration)
     warnings.push_back(
         {"no-statistics", fmt::format("the run is over before its statistics begin, when the structure's axis passes "
                                       "the ice edge at {:.3g} s: raise time.duration = {} s, or set "
                                       "output.statistics_from",
                                       -course.axis / course.speed, c.time.duration)});
+  else if (keeps_speed && from < -course.bow / course.speed)
+    warnings.push_back(
+        {"early-statistics", fmt::format("the statistics begin at {:.3g} s, before the structure touches the ice at "
+                                         "{:.3g} s: zeros and the entry lower the mean; raise output.statistics_from, "
+                                         "or leave it out",
+                                         from, -course.bow / course.speed)});
   else if (travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
     warnings.push_back(
         {"short-run",
@@ -158,7 +166,15 @@ void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnin
                                     "s, as {:.9g} and {:.9g} s are",
                                     std::round(steps) * c.time.step, c.time.duration, c.time.step,
                                     std::floor(steps) * c.time.step, std::ceil(steps) * c.time.step)});
+  if (keeps_speed && c.time.settle_speed >= course.speed)
+    warnings.push_back({"fast-sleepers", fmt::format("time.settle_speed = {} m/s is not below the structure's speed of "
+                                                     "{:.3g} m/s: floes fall asleep while they drift with it; lower it",
+                                                     c.time.settle_speed, course.speed)});
   const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
+  if (c.failure.smallest_floe > piece)
+    warnings.push_back({"all-brash", fmt::format("failure.smallest_floe = {} m2, and a typical piece has {:.2g} m2: "
+                                                 "most pieces become brash and bear no load; lower it",
+                                                 c.failure.smallest_floe, piece)});
   if (scales.collision_time < c.time.step)
     warnings.push_back({"long-step", fmt::format("time.step = {} s is longer than the collision time {:.3g} s of a "
                                                  "piece of {:.2g} m2 (Eq. 11): shorten it",
@@ -224,37 +240,6 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
                                    scales.mu1)});
 }
 
-void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
-  if (scales.front_slope < structure::kSteepestSlope) return;
-  warnings.push_back({"vertical-front",
-                      "the front of the structure is vertical: it crushes the ice at ice.crushing_factor * "
-                      "ice.compressive_strength and bends none; buckling of the sheet, and a structure whose swaying "
-                      "locks to the crushing, are not modelled"});
-}
-
-/// Legs that do not mirror each other about x or y have a product of inertia, which a body afloat leaves out.
-void add_legs_warning(const model::Case& c, Warnings& warnings) {
-  constexpr double kLopsided = 0.05;  // of the product of inertia over the sum of both moments
-  const bool is_afloat = std::holds_alternative<model::Free>(c.structure.motion) ||
-                         std::holds_alternative<model::Moored>(c.structure.motion);
-  if (!is_afloat || c.structure.legs.empty()) return;
-  const std::vector<Vec2>& legs = c.structure.legs;
-  Vec2 middle{};
-  for (const Vec2 place : legs) middle += place / static_cast<double>(legs.size());
-  double product = 0.0, moments = 0.0;
-  for (const Vec2 place : legs) {
-    const Vec2 arm = place - middle;
-    product += arm.x * arm.y;
-    moments += dot(arm, arm);
-  }
-  if (std::abs(product) <= kLopsided * moments) return;
-  warnings.push_back({"lopsided-legs",
-                      fmt::format("structure.legs has no symmetry about x or y: the sum of their arms' products x y is "
-                                  "{:.3g} m2, and the structure's product of inertia is left out, so it rolls and "
-                                  "pitches with wrong periods; lay x along a line of symmetry of the legs",
-                                  product)});
-}
-
 /// Land is solid to ice alone.
 void add_land_warning(const model::Case& c, Warnings& warnings) {
   if (c.field.shore.empty()) return;
@@ -285,14 +270,31 @@ Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const 
   add_field_warnings(c, scales, warnings);
   add_land_warning(c, warnings);
   add_time_warnings(c, scales, warnings);
-  add_front_warning(scales, warnings);
-  add_legs_warning(c, warnings);
+  add_structure_warnings(c, scales, warnings);
   add_model_warnings(c, scales, criterion, warnings);
   add_idle_keys_warning(c, warnings);
   return warnings;
 }
 
-Warnings warnings_of(const RunSummary& s) {
+namespace {
+
+/// A measured mean in another unit is off by a thousand; a model is not off by this much.
+constexpr double kFarFromReference = 50.0;
+
+void add_reference_warning(const RunSummary& s, const model::ReferenceSection& reference, Warnings& warnings) {
+  if (!reference.mean_horizontal || std::isnan(s.horizontal.mean)) return;
+  const double ours = std::abs(s.horizontal.mean), theirs = std::abs(*reference.mean_horizontal);
+  if (theirs < kFarFromReference * ours && ours < kFarFromReference * theirs) return;
+  warnings.push_back(
+      {"far-from-reference",
+       fmt::format("the mean horizontal load is {:.3g} N, and reference.mean_horizontal = {:.4g} N: a bare "
+                   "number is in N; was another unit meant, such as \"{:.4g} kN\"?",
+                   s.horizontal.mean, *reference.mean_horizontal, *reference.mean_horizontal)});
+}
+
+}  // namespace
+
+Warnings warnings_of(const RunSummary& s, const model::ReferenceSection& reference) {
   Warnings warnings;
   if (s.n_breaks == 0 && !s.initial_floes)  // the loads of a field are of its floes
     warnings.push_back({"no-breaks",
@@ -304,6 +306,7 @@ Warnings warnings_of(const RunSummary& s) {
          fmt::format("the load has {:.1f} independent samples from {:.3g} s on, expected {:.0f} or more: "
                      "its interval means nothing; run longer, or take more replicates",
                      s.horizontal.effective_sample_size, s.statistics_from, kFewSamples)});
+  add_reference_warning(s, reference, warnings);
   return warnings;
 }
 

@@ -28,6 +28,9 @@ void add_time_warnings(const model::Case& resolved, const DerivedScales& scales,
 void add_model_warnings(const model::Case& resolved, const DerivedScales& scales,
                         const failure::BendingCriterion& criterion, Warnings& warnings);
 
+/// A vertical front, and a structure afloat that is lopsided, turns over or is not in balance.
+void add_structure_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
+
 /// Keys that differ from their defaults and do nothing, because another key was left out.
 void add_idle_keys_warning(const model::Case& resolved, Warnings& warnings);
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/theory/motion.md, (B2), (B3), (B4), (B5), (B6).
+// docs/theory/motion.md, (B2), (B3), (B4), (B5), (B6), (B12), (B13).
 #include "body_motion.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -225,6 +226,20 @@ std::vector<NaturalMode> BodyMotion::natural_modes() const {
     modes.push_back({kMotions[static_cast<std::size_t>(most)], solved.eigenvalues()[i]});
   }
   return modes;
+}
+
+Settling BodyMotion::settling() const {
+  const auto stiffness = stiffness_over_mass();
+  const Wrench load = loads_at(now_.pose).load;
+  const Eigen::Vector3d roots = Eigen::Array3d(mass_.z, moments_.x, moments_.y).sqrt();
+  const Eigen::Vector3d scaled = Eigen::Array3d(load.force.z, load.moment.x, load.moment.y) / roots.array();
+  constexpr std::size_t kHeave = 2;
+  Eigen::Matrix3d restoring;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      restoring(static_cast<int>(i), static_cast<int>(j)) = stiffness[kHeave + i][kHeave + j];
+  const Eigen::Vector3d way = restoring.fullPivLu().solve(scaled).cwiseQuotient(roots);
+  return {way.x(), way.y(), way.z()};
 }
 
 /// The leapfrog is stable below 2 / omega (B4), with the highest frequency of the restoring loads. It is bounded by the

@@ -34,6 +34,7 @@ class BodyMotion final : public Motion {
   Vec2 course() const override;
   model::BodyEnergy energy() const override { return energy_; }
   std::vector<NaturalMode> natural_modes() const override;
+  Settling settling() const override;
   void save(model::Checkpoint& checkpoint) const override;
   void restore(const model::Checkpoint& checkpoint) override;
 

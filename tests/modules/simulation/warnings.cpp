@@ -63,14 +63,14 @@ BOOST_AUTO_TEST_CASE(the_validation_case_gives_no_warning) { BOOST_TEST(warnings
 
 BOOST_AUTO_TEST_CASE(each_row_of_the_table_before_the_run_gives_its_warning) {
   const std::vector<Row> rows = rows_under("Before the run");
-  BOOST_TEST(rows.size() >= 18u);
+  BOOST_TEST(rows.size() >= 29u);
   std::filesystem::current_path(kSource);  // files of the settings
   for (const Row& row : rows) BOOST_TEST(has(warnings_with(row.settings), row.id), row.id);
 }
 
 BOOST_AUTO_TEST_CASE(each_row_of_the_table_after_the_run_gives_its_warning) {
   const std::vector<Row> rows = rows_under("After the run");
-  BOOST_TEST(rows.size() == 2u);
+  BOOST_TEST(rows.size() == 3u);
   for (const Row& row : rows)
     BOOST_TEST(has(simulation::run(validation(row.settings)).summary.warnings, row.id), row.id);
 }
@@ -127,6 +127,21 @@ BOOST_AUTO_TEST_CASE(a_leg_beside_the_sheet_is_warned_of_wherever_the_others_are
   const auto text = text_of(warnings_with({"field.width=100", "structure.legs=[[0,20],[0,50]]"}), "leaves-field");
   BOOST_TEST(says(text, "comes 6."), text);  // the leg's axis is on the border
   BOOST_TEST(!has(warnings_with({"field.width=100", "structure.legs=[[0,20],[0,-20]]"}), "leaves-field"));
+}
+
+BOOST_AUTO_TEST_CASE(a_body_that_floats_as_drawn_gives_no_warning_and_one_in_tonnes_does) {
+  const auto afloat = [](std::vector<std::string> settings) {
+    settings.push_back("structure.motion.kind=free");
+    return warnings_with(settings);
+  };
+  BOOST_TEST(afloat({}).empty());
+  BOOST_TEST(!has(afloat({"structure.motion.mass=530 t"}), "not-in-balance"));
+  const auto text = text_of(afloat({"structure.motion.mass=606"}), "not-in-balance");
+  BOOST_TEST(says(text, "on its waterline it displaces "), text);
+  // The metacentre lies 1 m above the waterline.
+  BOOST_TEST(!has(afloat({"structure.motion.centre_of_gravity=[0,0,0.9]"}), "turns-over"));
+  BOOST_TEST(has(afloat({"structure.motion.centre_of_gravity=[0,0,1.1]"}), "turns-over"));
+  BOOST_TEST(has(afloat({"structure.motion.centre_of_gravity=[0,0.5,0]"}), "not-in-balance"));
 }
 
 BOOST_AUTO_TEST_CASE(legs_in_a_triangle_are_not_lopsided) {

@@ -115,6 +115,23 @@ BOOST_AUTO_TEST_CASE(natural_periods_are_those_of_waterplane_and_metacentre_and_
   BOOST_TEST(slowest.squared_frequency < 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(a_box_out_of_balance_settles_by_its_waterplane_and_metacentre) {
+  const auto near = boost::test_tools::tolerance(1e-6);
+  const structure::Settling heavy = Moving(box(), model::Free{0.0, {.mass = 1.01 * kMass}}, 0.01)->settling();
+  BOOST_TEST(heavy.heave == -0.01 * kDraught, near);
+  BOOST_TEST(std::abs(heavy.roll) + std::abs(heavy.pitch) < 1e-12);
+
+  const double offset = 1e-4, height = -0.5;
+  const double metacentric = -0.5 * kDraught + kBreadth * kBreadth / (12.0 * kDraught) - height;
+  const structure::Settling aslant =
+      Moving(box(), model::Free{0.0, {.centre_of_gravity = Vec3{0.0, offset, height}}}, 0.01)->settling();
+  BOOST_TEST(aslant.roll == -offset / metacentric, near);
+  BOOST_TEST(std::abs(aslant.pitch) < 1e-9);
+
+  const structure::Settling level = Moving(cone(), model::Free{}, 0.01)->settling();
+  BOOST_TEST(std::abs(level.heave) + std::abs(level.roll) + std::abs(level.pitch) < 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(a_cone_heaves_and_pitches_at_the_closed_forms_periods) {
   const double radius = 6.8, keel = radius - 5.68 / std::tan(radians(61.4));
   const double area = kPi * radius * radius, squares = radius * radius + radius * keel + keel * keel;

@@ -11,9 +11,10 @@ namespace brash::simulation {
 /// A mean of fewer independent samples than this gets no interval: its estimate of the deviation is itself a guess.
 inline constexpr double kFewSamples = 10.0;
 
-/// Warnings about a result: no break at all, or too few independent samples of the load. derived_scales() has the
-/// warnings about the case. RunSummary::warnings has both. docs/reference/warnings.md
-std::vector<model::Warning> warnings_of(const RunSummary& summary);
+/// Warnings about a result: no break at all, too few independent samples of the load, or a mean of another order of
+/// magnitude than the reference. derived_scales() has the warnings about the case. RunSummary::warnings has both.
+/// docs/reference/warnings.md
+std::vector<model::Warning> warnings_of(const RunSummary& summary, const model::ReferenceSection& reference);
 
 /// Whether a mean of `summary` gets an interval: enough independent samples, of a run that is long enough and in which
 /// ice broke.

@@ -35,6 +35,13 @@ struct NaturalMode {
   double squared_frequency = 0.0;  ///< omega^2 [1/s2]; below 0: the structure does not come back
 };
 
+/// The way of a body from its pose at the start to the pose where its loads balance, without ice and damping: the
+/// first step of Newton's method in heave, roll and pitch.
+struct Settling {
+  double heave = 0.0;              ///< of the centre of gravity, upwards [m]
+  double roll = 0.0, pitch = 0.0;  ///< about x and y [rad]
+};
+
 /// How a structure moves: a load goes in, a pose and a twist come out. Time passes in steps of one length, which may
 /// be taken in parts.
 class Motion {
@@ -68,6 +75,9 @@ class Motion {
 
   /// The modes that something restores, the slowest first; none of a prescribed motion. docs/theory/motion.md, (B12).
   virtual std::vector<NaturalMode> natural_modes() const { return {}; }
+
+  /// Nothing of a motion without heave. docs/theory/motion.md, (B13).
+  virtual Settling settling() const { return {}; }
 
   /// Saves in a table of its own all that the motion from now on depends on.
   virtual void save(model::Checkpoint& checkpoint) const;
