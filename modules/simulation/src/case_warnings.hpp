@@ -28,7 +28,8 @@ void add_time_warnings(const model::Case& resolved, const DerivedScales& scales,
 void add_model_warnings(const model::Case& resolved, const DerivedScales& scales,
                         const failure::BendingCriterion& criterion, Warnings& warnings);
 
-/// A vertical front, and a structure afloat that is lopsided, turns over or is not in balance.
+/// A vertical front, a motion that its steps, its spring or its path do not suit, and a structure afloat that is
+/// lopsided, turns over or is not in balance.
 void add_structure_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
 
 /// Keys that differ from their defaults and do nothing, because another key was left out.

@@ -59,8 +59,8 @@ bool settles(const structure::Settling& way, double draught) {
            std::abs(way.pitch) <= kSettledAngle);
 }
 
-/// A structure that is not in balance on the waterplane of its frame, or turns over there. Only about a balance is the
-/// stiffness that of a potential; what little is missing to it is seen in the plan.
+/// A structure that is not in balance on the waterplane of its frame, or turns over there. Modes in plan do not count:
+/// loads that are nearly in balance make small ones, which mean nothing.
 void add_balance_warnings(const model::Case& c, Warnings& warnings) {
   const auto hull = structure::make_hull(c.structure);
   const auto motion = structure::make_motion(c, *hull);
@@ -86,10 +86,61 @@ void add_balance_warnings(const model::Case& c, Warnings& warnings) {
   }
 }
 
+/// A natural period that the steps hardly resolve: at ten steps a period the leapfrog's is 1.7 % off (B4).
+void add_period_warning(const model::Case& c, Warnings& warnings) {
+  constexpr double kSteps = 10.0;
+  const auto hull = structure::make_hull(c.structure);
+  for (const structure::NaturalMode& mode : structure::make_motion(c, *hull)->natural_modes()) {
+    if (mode.squared_frequency <= 0.0) continue;
+    const double period = 2.0 * kPi / std::sqrt(mode.squared_frequency);
+    if (period >= kSteps * c.time.step) continue;
+    warnings.push_back({"short-period", fmt::format("the structure's natural period of {:.3g} s, mostly {}, has {:.2g} "
+                                                    "steps of time.step = {} s: expected {:.0f} or more; shorten the "
+                                                    "step, or check mass and stiffness",
+                                                    period, mode.motion, period / c.time.step, c.time.step, kSteps)});
+    return;
+  }
+}
+
+/// A spring so soft that its whole way in the run does not pull with the force that breaks ice.
+void add_spring_warning(const model::Case& c, Warnings& warnings) {
+  double stiffness = 0.0;
+  if (const auto* const compliant = std::get_if<model::Compliant>(&c.structure.motion))
+    stiffness = compliant->stiffness;
+  else if (const auto* const moored = std::get_if<model::Moored>(&c.structure.motion); moored && moored->lines.empty())
+    stiffness = moored->stiffness[0][0];
+  else
+    return;
+  const double pull = stiffness * model::speed(c.structure.motion) * c.time.duration;
+  const double needed = c.ice.flexural_strength * c.ice.thickness * c.ice.thickness;
+  if (pull >= needed || c.field.kind != model::FieldKind::kLevelIce) return;
+  warnings.push_back({"soft-spring", fmt::format("the spring of the structure pulls with at most {:.3g} N in this run, "
+                                                 "and the ice breaks at some sigma_f h^2 = {:.3g} N: the structure "
+                                                 "stays before the ice; check the unit of the stiffness",
+                                                 pull, needed)});
+}
+
+/// A path that turns by more than half a circle from row to row.
+void add_turn_warning(const model::Motion& motion, Warnings& warnings) {
+  const auto* const towed = std::get_if<model::Towed>(&motion);
+  if (towed == nullptr) return;
+  const auto turns = [](const model::Waypoint& a, const model::Waypoint& b) {
+    return std::abs(b.heading - a.heading) > kPi;
+  };
+  const auto row = std::ranges::adjacent_find(towed->path, turns);
+  if (row == towed->path.end()) return;
+  warnings.push_back({"path-turns", fmt::format("the path turns from a heading of {:.4g} to {:.4g} rad between {:.4g} "
+                                                "and {:.4g} s: were degrees meant? Name the column heading_deg",
+                                                row->heading, (row + 1)->heading, row->time, (row + 1)->time)});
+}
+
 }  // namespace
 
 void add_structure_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
   add_front_warning(scales, warnings);
+  add_turn_warning(c.structure.motion, warnings);
+  add_spring_warning(c, warnings);
+  add_period_warning(c, warnings);
   if (!is_afloat(c.structure.motion)) return;
   add_legs_warning(c, warnings);
   add_balance_warnings(c, warnings);
