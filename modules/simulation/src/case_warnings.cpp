@@ -133,64 +133,88 @@ void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warni
   add_border_warnings(c, scales, warnings);
 }
 
-void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  const Course course = course_of(c);
-  const double from = statistics_from(c);
+namespace {
+
+/// Whether the structure goes through ice that is held from x = 0 on, at its own speed.
+bool comes_at_its_speed(const model::Case& c) {
+  const model::Motion& motion = c.structure.motion;
+  return !std::holds_alternative<model::Free>(motion) && model::speed(motion) > 0.0 &&
+         c.field.kind == model::FieldKind::kLevelIce && !model::has_ice_files(c.field) &&
+         c.field.border == model::Border::kFixed;
+}
+
+void add_statistics_warnings(const model::Case& c, const Course& course, const DerivedScales& scales,
+                             Warnings& warnings) {
+  const double from = statistics_from(c), contact = -course.bow / course.speed;
   const double travel = course.speed * (c.time.duration - from);
-  const bool keeps_speed = !std::holds_alternative<model::Free>(c.structure.motion) &&
-                           c.field.kind == model::FieldKind::kLevelIce && c.field.border == model::Border::kFixed;
+  if (comes_at_its_speed(c) && from < contact)
+    warnings.push_back(
+        {"early-statistics", fmt::format("the statistics begin at {:.3g} s, before the structure touches the ice at "
+                                         "{:.3g} s: zeros and the entry lower the mean; raise output.statistics_from, "
+                                         "or leave it out",
+                                         from, contact)});
   if (from >= c.time.duration)
     warnings.push_back(
         {"no-statistics", fmt::format("the run is over before its statistics begin, when the structure's axis passes "
                                       "the ice edge at {:.3g} s: raise time.duration = {} s, or set "
                                       "output.statistics_from",
                                       -course.axis / course.speed, c.time.duration)});
-  else if (keeps_speed && from < -course.bow / course.speed)
-    warnings.push_back(
-        {"early-statistics", fmt::format("the statistics begin at {:.3g} s, before the structure touches the ice at "
-                                         "{:.3g} s: zeros and the entry lower the mean; raise output.statistics_from, "
-                                         "or leave it out",
-                                         from, -course.bow / course.speed)});
   else if (travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
     warnings.push_back(
         {"short-run",
          fmt::format("the statistics cover {:.3g} m of travel from {:.3g} s on, where loads stay alike over "
                      "about {:.2g} m: expected ten times that; raise time.duration = {} s",
                      travel, from, kCorrelatedTravel * scales.characteristic_length, c.time.duration)});
-  // A run is a whole number of steps long, the one nearest to its duration.
-  const double steps = c.time.duration / c.time.step;
+}
+
+/// A run is a whole number of steps long, the one nearest to its duration.
+void add_broken_step_warning(const model::TimeSection& time, Warnings& warnings) {
+  const double steps = time.duration / time.step;
   constexpr double kRounding = 1e-6;  // of a duration and a step as they are written
-  if (std::abs(steps - std::round(steps)) > kRounding * steps)
-    warnings.push_back(
-        {"broken-step", fmt::format("the run ends at {:.9g} s: time.duration = {} s is no whole number of steps of {} "
-                                    "s, as {:.9g} and {:.9g} s are",
-                                    std::round(steps) * c.time.step, c.time.duration, c.time.step,
-                                    std::floor(steps) * c.time.step, std::ceil(steps) * c.time.step)});
-  if (keeps_speed && c.time.settle_speed >= course.speed)
-    warnings.push_back({"fast-sleepers", fmt::format("time.settle_speed = {} m/s is not below the structure's speed of "
-                                                     "{:.3g} m/s: floes fall asleep while they drift with it; lower it",
-                                                     c.time.settle_speed, course.speed)});
-  const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
-  if (c.failure.smallest_floe > piece)
+  if (std::abs(steps - std::round(steps)) <= kRounding * steps) return;
+  warnings.push_back(
+      {"broken-step", fmt::format("the run ends at {:.9g} s: time.duration = {} s is no whole number of steps of {} "
+                                  "s, as {:.9g} and {:.9g} s are",
+                                  std::round(steps) * time.step, time.duration, time.step,
+                                  std::floor(steps) * time.step, std::ceil(steps) * time.step)});
+}
+
+/// What a typical piece of `area` [m2] does not bear.
+void add_piece_warnings(const model::Case& c, double speed, double area, double collision_time, Warnings& warnings) {
+  if (c.failure.smallest_floe > area)
     warnings.push_back({"all-brash", fmt::format("failure.smallest_floe = {} m2, and a typical piece has {:.2g} m2: "
                                                  "most pieces become brash and bear no load; lower it",
-                                                 c.failure.smallest_floe, piece)});
-  if (scales.collision_time < c.time.step)
+                                                 c.failure.smallest_floe, area)});
+  if (collision_time < c.time.step)
     warnings.push_back({"long-step", fmt::format("time.step = {} s is longer than the collision time {:.3g} s of a "
                                                  "piece of {:.2g} m2 (Eq. 11): shorten it",
-                                                 c.time.step, scales.collision_time, piece)});
+                                                 c.time.step, collision_time, area)});
   // When the structure squeezes a floe against a support, each sweep adds about m v to the impulse
   // (docs/theory/dynamics.md, "Squeezed floes"). The floe needs this many sweeps to reach its crushing bound.
-  const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * piece;
+  const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * area;
   const double bound =
-      c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * c.ice.thickness * std::sqrt(piece);
-  const double sweeps = std::ceil(bound / (mass * course.speed));
+      c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * c.ice.thickness * std::sqrt(area);
+  const double sweeps = std::ceil(bound / (mass * speed));
   if (sweeps > c.contact.iterations)
     warnings.push_back(
         {"few-iterations",
          fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at structure.speed "
                      "= {} m/s to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
-                     c.contact.iterations, piece, course.speed, sweeps, c.time.step * c.contact.iterations / sweeps)});
+                     c.contact.iterations, area, speed, sweeps, c.time.step * c.contact.iterations / sweeps)});
+}
+
+}  // namespace
+
+void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  const Course course = course_of(c);
+  add_statistics_warnings(c, course, scales, warnings);
+  add_broken_step_warning(c.time, warnings);
+  if (comes_at_its_speed(c) && c.time.settle_speed >= course.speed)
+    warnings.push_back({"fast-sleepers", fmt::format("time.settle_speed = {} m/s is not below the structure's speed of "
+                                                     "{:.3g} m/s: floes fall asleep while they drift with it; lower it",
+                                                     c.time.settle_speed, course.speed)});
+  const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
+  add_piece_warnings(c, course.speed, piece, scales.collision_time, warnings);
 }
 
 namespace {

@@ -118,6 +118,14 @@ BOOST_AUTO_TEST_CASE(the_way_to_the_ice_depends_on_the_direction_of_breaking) {
   BOOST_TEST(has(warnings_with({"time.duration=0.14", "structure.breaking=upward"}), "no-statistics"));
 }
 
+BOOST_AUTO_TEST_CASE(statistics_from_before_the_contact_are_short_all_the_same) {
+  const auto warnings = warnings_with({"output.statistics_from=0.1", "time.duration=2"});
+  BOOST_TEST(has(warnings, "early-statistics"));
+  BOOST_TEST(has(warnings, "short-run"));
+  BOOST_TEST(!has(warnings_with({"output.statistics_from=0.2"}), "early-statistics"));
+  BOOST_TEST(!has(warnings_with({"output.statistics_from=0.1", "field.border=free"}), "early-statistics"));
+}
+
 BOOST_AUTO_TEST_CASE(a_duration_of_no_whole_number_of_steps_names_the_two_nearest) {
   const auto text = text_of(warnings_with({"time.duration=10", "time.step=0.03"}), "broken-step");
   BOOST_TEST(says(text, "the run ends at 9.99 s"), text);
