@@ -72,20 +72,25 @@ void first_guess(const Line& line, double span, double rise, double& h, double& 
 
 }  // namespace
 
-/// The pull is where `complementary - h span - v rise` is least: Newton's steps, halved until it falls.
+/// The pull is where `complementary - h span - v rise` is least: Newton's steps, halved until it falls. At one rise the
+/// vertical force grows with the span, so that of the slack or upright line bounds it from below. Without the bound a
+/// first guess too high lets both forces shrink together to nothing.
 LinePull pull_of(const Line& line, double span, double rise) {
   BRASH_EXPECTS(line.length > 0.0 && line.weight > 0.0 && line.stiffness > 0.0 && span >= 0.0 && rise > 0.0,
                 line.length, line.weight, line.stiffness, span, rise);
   // A slack line hangs straight down and lies on the bed.
   const double w = line.weight, ea = line.stiffness;
   const double hung = ea * (std::sqrt(1.0 + 2.0 * w * rise / ea) - 1.0);
-  if (hung <= w * line.length && span <= line.length - hung / w)
-    return {0.0, hung, hung * rise - hanging(line, 0.0, 0.0, hung)};
-  if (span <= kClose * line.length) return upright(line, span, rise);
+  const bool rests = hung <= w * line.length;
+  if (rests && span <= line.length - hung / w) return {0.0, hung, hung * rise - hanging(line, 0.0, 0.0, hung)};
+  const LinePull beside = upright(line, span, rise);
+  if (span <= kClose * line.length) return beside;
+  const double least_v = rests ? hung : beside.downward;
 
   constexpr int kMostSteps = 200;
   double h = 0.0, v = 0.0;
   first_guess(line, span, rise, h, v);
+  v = std::max(v, least_v);
   Shape s = shape_under(line, h, v);
   const auto height = [&](const Shape& at, double x, double z) { return at.complementary - x * span - z * rise; };
   for (int i = 0; i < kMostSteps; ++i) {
@@ -95,7 +100,7 @@ LinePull pull_of(const Line& line, double span, double rise) {
     const double dh = (s.rise_by_v * dx - s.span_by_v * dz) / det, dv = (s.span_by_h * dz - s.span_by_v * dx) / det;
     bool moved = false;
     for (double share = 1.0; share > 1e-12 && !moved; share *= 0.5) {
-      const double next_h = std::max(h + share * dh, 0.1 * h), next_v = std::max(v + share * dv, 0.1 * v);
+      const double next_h = std::max(h + share * dh, 0.1 * h), next_v = std::max(v + share * dv, least_v);
       const Shape next = shape_under(line, next_h, next_v);
       moved = height(next, next_h, next_v) < height(s, h, v);
       if (!moved) continue;
@@ -105,6 +110,8 @@ LinePull pull_of(const Line& line, double span, double rise) {
     }
     if (!moved) break;  // as near as the rounding allows
   }
+  BRASH_EXPECTS(std::hypot(span - s.span, rise - s.rise) < 1e-6 * line.length, line.length, line.weight, line.stiffness,
+                span, rise, h, v);
   return {h, v, h * span + v * rise - s.complementary};
 }
 

@@ -55,6 +55,28 @@ BOOST_AUTO_TEST_CASE(a_stiff_line_on_the_bed_is_the_textbook_s_catenary) {
   BOOST_TEST(pull.downward == line.weight * a * std::sinh(x / a), boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(a_shallow_line_pulls_from_the_span_at_which_it_is_slack) {
+  // Long chains that rise by a few hundredths of their length. Their pull grows with the span, and hangs together.
+  for (const auto& [line, rise] : {std::pair(Line{350.0, 1500.0, 5e8}, 15.0), std::pair(Line{500.0, 1000.0, 3e8}, 20.0),
+                                   std::pair(Line{850.0, 1500.0, 5e8}, 50.0), std::pair(Line{850.0, 1500.0, 5e8}, 1.0)}) {
+    const double slack = line.length - rise;
+    LinePull last = pull_of(line, slack - 0.1, rise);
+    BOOST_TEST(last.horizontal == 0.0);
+    for (double span = slack + 0.01; span < std::hypot(line.length, rise) - rise * rise / line.length;
+         span += rise / 100.0) {
+      BOOST_TEST_CONTEXT(line.length << " m, " << span << " m along, " << rise << " m up") {
+        const LinePull pull = pull_of(line, span, rise);
+        BOOST_TEST(pull.horizontal > last.horizontal);
+        BOOST_TEST(pull.downward > last.downward);
+        last = pull;
+      }
+    }
+    const Vec2 end = end_under(line, pull_of(line, slack + 0.5 * rise, rise));
+    BOOST_TEST(std::abs(end.x - slack - 0.5 * rise) < 1e-5);
+    BOOST_TEST(std::abs(end.y - rise) < 1e-5);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_slack_line_hangs_straight_down) {
   const LinePull pull = pull_of(kChain, 100.0, 30.0);
   BOOST_TEST(pull.horizontal == 0.0);
