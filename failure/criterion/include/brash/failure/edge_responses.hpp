@@ -26,6 +26,8 @@ class EdgeSource {
     EdgeResponses responses;
     bool in_range = true;  ///< else an input was moved into the model's range
   };
+  /// A contact shorter than the model's shortest keeps its force, not its line load: away from the tip only the force
+  /// counts.
   /// @throws RunError when the plate cannot be solved.
   Answer at(const EdgeGeometry& geometry) const;
 
