@@ -17,6 +17,9 @@ namespace {
 /// The lengths of a moving sheet over those of one at rest are sought in this range.
 constexpr double kShortest = 0.15, kLongest = 1.25;
 constexpr int kHalvings = 8;
+/// A moment along the edge less than this share of the largest one across the axis passes through zero: its ratio means
+/// nothing.
+constexpr double kHardlyBent = 0.05;
 
 /// Where the axis is bent, and how much.
 struct Bending {
@@ -159,9 +162,11 @@ SheetMotion EdgeDynamics::sheet_motion(const LoadCase& load, const EdgeHistory& 
   }
   SheetMotion result{.length = std::sqrt(shorter * longer)};
   const plate::EdgeResponses rest = at_rest(result.length);
-  result.stress = now.largest / bent(rest, result.length).largest;
+  const double largest = bent(rest, result.length).largest;
+  result.stress = now.largest / largest;
   const double radial = weights.of(r.edge_moment.data(), 1, r.static_edge_moment) / force;
-  result.radial = radial / (result.length * rest.static_edge_moment);
+  const double radial_at_rest = result.length * rest.static_edge_moment;
+  result.radial = std::abs(radial_at_rest) > kHardlyBent * largest ? radial / radial_at_rest : result.stress;
   return result;
 }
 

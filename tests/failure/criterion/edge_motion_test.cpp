@@ -131,6 +131,22 @@ BOOST_AUTO_TEST_CASE(a_bay_of_a_run_breaks_nearly_as_the_moving_bay_does) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_factor_of_the_edge_s_own_moment_is_bounded_where_that_moment_passes_through_zero) {
+  // At rest it does so under contacts of some 11 l_c, and under the tips of narrow protrusions.
+  const double l_c = failure::characteristic_length(kIce);
+  const failure::EdgeDynamics edge = failure::make_edge_dynamics(kIce, kDensity);
+  for (const auto& [depth, angle] : {std::pair(0.0, 0.0), std::pair(0.05, 40.0), std::pair(0.4, 40.0)})
+    for (const double c : {0.05, 0.06, 0.07, 0.1, 0.3, 1.0, 4.0, 8.0, 9.0, 10.0, 11.0, 12.0}) {
+      BOOST_TEST_CONTEXT("b " << depth << " c " << c) {
+        const failure::LoadCase load{
+            .depth = depth * l_c, .contact_length = c * l_c, .angle = radians(angle), .mu1 = kMu1};
+        const failure::SheetMotion sheet = edge.motion(load, push(edge, load, 1.202, 0.3).history).whole;
+        std::cout << "b " << depth << " c " << c << ": " << sheet.stress << " " << sheet.radial << "\n";
+        BOOST_TEST(std::abs(sheet.radial) < 5.0);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_shorter_than_the_model_knows_keeps_its_force) {
   // The model begins at 0.05 l_c. On a straight edge a force is a force there. A tip is blunter in the model.
   struct Case {
