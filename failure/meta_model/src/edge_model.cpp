@@ -24,6 +24,8 @@ constexpr double kVarianceLeft = 1e-6;
 constexpr Index kMostModes = 75;
 /// Principal shapes and histories of the moments.
 constexpr Index kShapes = 20;
+/// How far a grid of two thicknesses, which is linear in them, goes on so for thicker ice, over its width.
+constexpr double kBeyond = 1.5;
 /// Keeps the logarithm of the depth finite; about half the thickness, below which responses hardly depend on it.
 constexpr double kDepthShift = 0.05;
 /// Contacts wider than this over l_c answer more and more as a strip.
@@ -278,7 +280,7 @@ EdgeResponseModel EdgeResponseModel::fit(std::span<const EdgeSample> samples, co
 
 EdgeResponses EdgeResponseModel::at(const EdgeGeometry& g) const {
   const Impl& m = *impl_;
-  BRASH_EXPECTS(check(g).inside() && g.mass_ratio > 0.0, g.depth, g.contact_length, g.angle, g.thickness);
+  BRASH_EXPECTS(clamp(g) == g && g.mass_ratio > 0.0, g.depth, g.contact_length, g.angle, g.thickness);
   BRASH_EXPECTS(!g.split || m.has_split);
   const VectorXd of_outlines = m.outline_weights(g), h = m.thickness.weights(g.thickness);
   const VectorXd weights = (h * of_outlines.transpose()).reshaped();
@@ -327,7 +329,8 @@ EdgeGeometry EdgeResponseModel::clamp(const EdgeGeometry& g) const {
   result.depth = std::clamp(g.depth, low.depth, high.depth);
   result.contact_length = std::clamp(g.contact_length, low.contact_length, high.contact_length);
   result.angle = std::clamp(g.angle, low.angle, high.angle);
-  result.thickness = std::clamp(g.thickness, low.thickness, high.thickness);
+  const double beyond = impl_->grid[3].size() == 2 ? kBeyond * (high.thickness - low.thickness) : 0.0;
+  result.thickness = std::clamp(g.thickness, low.thickness, high.thickness + beyond);
   return result;
 }
 

@@ -169,6 +169,40 @@ BOOST_AUTO_TEST_CASE(a_contact_shorter_than_the_model_knows_keeps_its_force) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(ice_thicker_than_the_model_s_is_the_plate_along_a_straight_line) {
+  // The model ends at 0.14 l_c. The twin at rest of a sheet that moves is thicker over its l_c than the sheet.
+  struct Case {
+    double depth, contact_length, angle;
+  };
+  const failure::EdgeSource model(""), plate("fem");
+  for (const auto& [b, c, theta] :
+       {Case{0.0, 0.24, 0.0}, Case{0.0, 1.5, 0.0}, Case{0.12, 0.2, 115.0}, Case{0.4, 0.3, 60.0}}) {
+    const double thickness = 0.2;
+    const plate::EdgeGeometry edge{.depth = b,
+                                   .contact_length = c,
+                                   .angle = radians(theta),
+                                   .mass_ratio = 0.88 * thickness,
+                                   .thickness = thickness};
+    BOOST_TEST(!model.at(edge).in_range);
+    const plate::EdgeResponses found = model.at(edge).responses, known = plate.at(edge).responses;
+    const auto largest = [&](const plate::EdgeResponses& r) {
+      double most = 0.0;
+      for (std::size_t i = 0; i < r.station.size(); ++i)
+        if (r.station[i] > thickness) most = std::max(most, r.static_axis_moment[i]);
+      return most;
+    };
+    std::cout << "b " << b << " c " << c << ": m " << largest(found) << " (" << largest(known) << "), edge "
+              << found.static_edge_moment << " (" << known.static_edge_moment << ")\n";
+    BOOST_TEST(largest(found) == largest(known), tt::tolerance(0.02));
+    BOOST_TEST(found.static_edge_moment == known.static_edge_moment, tt::tolerance(0.04));
+    double off = 0.0;
+    for (std::size_t i = 0; i < found.time.size(); ++i)
+      off = std::max(off, std::abs(found.deflection[i] - known.deflection[i]) / known.static_deflection);
+    std::cout << "  deflection off by " << off << "\n";
+    BOOST_TEST(off < 0.02);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_of_another_thickness_moves_as_one_made_for_it) {
   failure::IceProperties thick = kIce;
   thick.thickness *= 1.2;
