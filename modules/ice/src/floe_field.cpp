@@ -29,14 +29,18 @@ constexpr int kDiscSides = 24;
 /// the share at which random places run out, 0.55 for equal discs. It decides how even the cells' shapes are.
 constexpr double kSeedShare = 0.42;
 constexpr int kSeedSides = 8;
+/// The cells of a Voronoi field leave this share of it free at least: their areas have that relative error.
+constexpr double kLeastGap = 2.0 * kAreaError;
 /// Steps of the concentration in which the reachable one is sought.
 constexpr double kConcentrationStep = 0.05;
 
-/// The cells of a power diagram, each shrunk about its centroid to its floe: docs/theory/floe-fields.md, (F5).
+/// The cells of a power diagram, each shrunk about its centroid to its floe: docs/theory/floe-fields.md, (F5). Empty
+/// where the floes do not fit.
 std::vector<Ring> eroded_cells(const Domain& domain, const std::vector<double>& areas,
                                statistics::RandomStream& random) {
   double sum = 0.0;
   for (const double area : areas) sum += area;
+  if (sum > (1.0 - kLeastGap) * domain.area()) return {};  // the last floe is too large for the rest of the field
   std::vector<double> cell_areas, seed_areas;
   for (const double area : areas) {
     cell_areas.push_back(area / sum * domain.area());
@@ -139,7 +143,7 @@ tl::expected<FloePacking, FloeFieldError> pack_floes(const model::FieldSection& 
     if (packing && step == 0) return std::move(*packing);
     if (packing)
       return error("is more than floes of this shape and these sizes reach at random places",
-                   fmt::format("at most {:.3g}, which was reached", packing->concentration),
+                   fmt::format("at most {:.3g}, which was reached", std::min(packing->concentration, concentration)),
                    at_random ? "lower it, spread the sizes, or take field.shape = \"voronoi\""
                              : "lower it or field.size, enlarge the field, or take another random.seed");
   }

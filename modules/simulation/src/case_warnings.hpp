@@ -24,7 +24,7 @@ void add_field_warnings(const model::Case& resolved, const DerivedScales& scales
 /// A duration or a step that does not suit the case.
 void add_time_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
 
-/// Inputs far outside the range of the failure model.
+/// Inputs far outside the range of the failure model, and ice of another Poisson's ratio.
 void add_model_warnings(const model::Case& resolved, const DerivedScales& scales,
                         const failure::BendingCriterion& criterion, Warnings& warnings);
 

@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <initializer_list>
+#include <string>
 
 #include "brash/core/constants.hpp"
 #include "brash/geometry/cgal.hpp"
@@ -200,6 +201,43 @@ BOOST_AUTO_TEST_CASE(a_few_large_cells_that_do_not_fit_are_refused_with_a_remedy
   }
   BOOST_TEST(n_refused > 0);
   BOOST_TEST(n_refused < 20);
+}
+
+BOOST_AUTO_TEST_CASE(cells_that_would_exceed_the_field_are_refused) {
+  model::FieldSection field = field_of(model::FloeShape::kVoronoi, 0.9, 100.0);
+  field.floes.size = {.kind = model::SizeLaw::kList, .values = {59.0}};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    // Three floes are nearer to 0.9 than two are, and have 1.04 of the field.
+    const auto packing = pack_floes(field, {}, stream(seed));
+    BOOST_REQUIRE(!packing.has_value());
+    BOOST_TEST(packing.error().key == "field.concentration");
+    BOOST_TEST(packing.error().allowed == "at most 0.696, which was reached");  // two floes
+  }
+  field.floes.size.values = {101.0};
+  const auto single = pack_floes(field, {}, stream());
+  BOOST_REQUIRE(!single.has_value());
+  BOOST_TEST(single.error().allowed == "floes smaller than the field");
+}
+
+BOOST_AUTO_TEST_CASE(a_wide_law_of_sizes_fits_the_field_or_is_refused_with_a_lower_concentration) {
+  model::FieldSection field = field_of(model::FloeShape::kVoronoi, 0.95, 100.0);
+  field.floes.size = {.kind = model::SizeLaw::kLogNormal, .median = 8.0, .deviation = 1.0};
+  const std::string before = "at most ", after = ", which was reached";
+  int n_refused = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto packing = pack_floes(field, {}, stream(seed));
+    if (packing) {
+      BOOST_TEST(packing->concentration < 1.0);
+      continue;
+    }
+    ++n_refused;
+    const std::string& allowed = packing.error().allowed;
+    BOOST_REQUIRE(allowed.starts_with(before));
+    BOOST_REQUIRE(allowed.ends_with(after));
+    BOOST_TEST(std::stod(allowed.substr(before.size())) <= 0.9);  // the next step of the concentration
+  }
+  BOOST_TEST(n_refused > 0);
+  BOOST_TEST(n_refused < 40);
 }
 
 BOOST_AUTO_TEST_CASE(a_field_of_a_single_floe_is_a_field) {

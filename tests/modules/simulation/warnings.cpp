@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(the_validation_case_gives_no_warning) { BOOST_TEST(warnings
 
 BOOST_AUTO_TEST_CASE(each_row_of_the_table_before_the_run_gives_its_warning) {
   const std::vector<Row> rows = rows_under("Before the run");
-  BOOST_TEST(rows.size() >= 32u);
+  BOOST_TEST(rows.size() >= 33u);
   std::filesystem::current_path(kSource);  // files of the settings
   for (const Row& row : rows) {
     const model::Case c = io::read_case(kSource + "/" + row.file, row.settings);
@@ -96,6 +96,28 @@ BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
   BOOST_TEST(warnings_with({"ice.thickness=0.5 m"}).empty());  // h/l_c = 0.112
   const auto text = text_of(warnings_with({"ice.youngs_modulus=9 GPa"}), "trained-thickness");
   BOOST_TEST(says(text, "failure.model = network was trained with h/l_c = 0.1, and this ice has 0.044"), text);
+}
+
+BOOST_AUTO_TEST_CASE(another_poisson_s_ratio_is_warned_of_where_the_model_knows_one) {
+  const auto text = [](const std::string& ratio, std::vector<std::string> settings) {
+    settings.push_back("ice.poisson_ratio=" + ratio);
+    return text_of(warnings_with(settings), "poisson-ratio");
+  };
+  for (const std::string model : {"network", "deep-network", "superposition"}) {
+    const std::string choice = "failure.model=" + model;
+    BOOST_TEST(says(text("0.2", {choice}), "ice.poisson_ratio = 0.2, and failure.model = " + model), choice);
+    BOOST_TEST(says(text("0.36", {choice}), "take 0.3, or model = \"plate-outline\""), choice);
+    BOOST_TEST(text("0.25", {choice}) == "", choice);
+    BOOST_TEST(text("0.35", {choice}) == "", choice);
+  }
+  // A file of one's own may be of plates with any ratio.
+  const std::string file = kSource + "/experiments/failure_database/cone_network.json";
+  BOOST_TEST(text("0.2", {"failure.model=network", "failure.file=" + file}) == "");
+  BOOST_TEST(says(text("0.2", {"failure.model=plate-outline", "failure.edge=dynamic"}),
+                  "failure.edge = dynamic was solved with 0.3"));
+  BOOST_TEST(text("0.2", {"failure.model=plate-outline", "failure.edge=static"}) == "");
+  BOOST_TEST(text("0.2", {"failure.model=plate"}) == "");
+  BOOST_TEST(text("0.2", {"failure.model=wedge"}) == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_structure_too_slow_for_the_sweeps_of_a_step_is_warned_of) {
