@@ -37,6 +37,7 @@ std::string probable_unit(double length) {
   return "correct structure.scale";
 }
 
+/// Not finite where the mesh has no section at the waterline.
 Vec2 middle_of_waterline(const TriangleMesh& mesh) {
   const MeshSections sections(mesh);
   Vec2 least{HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL};
@@ -68,6 +69,10 @@ tl::expected<void, MeshError> place(const model::Mesh& how, TriangleMesh& mesh) 
                                     "lower structure.draught, or correct structure.scale"});
   for (Vec3& v : mesh.vertices) v.z -= keel + how.draught;
   const Vec2 middle = middle_of_waterline(mesh);
+  if (!std::isfinite(middle.x))
+    return tl::unexpected(
+        MeshError{fmt::format("has nothing {:.4g} m above its lowest point, where the water's surface is", how.draught),
+                  "a structure that crosses the water's surface", "correct structure.draught"});
   for (Vec3& v : mesh.vertices) v = {v.x - middle.x, v.y - middle.y, v.z};
   return {};
 }

@@ -6,6 +6,7 @@
 #include "brash/core/constants.hpp"
 #include "brash/structure/floating_body.hpp"
 #include "brash/structure/regions.hpp"
+#include "meshes.hpp"
 
 namespace {
 
@@ -114,6 +115,26 @@ BOOST_AUTO_TEST_CASE(legs_afloat_add_up_and_turn_about_their_middle) {
   BOOST_TEST(four.added_inertia.y == 4.0 * (one.added_inertia.y + one.added_mass.z * 64.0), kExact);
   BOOST_TEST(four.added_inertia.z == 4.0 * (one.added_inertia.z + one.added_mass.x * 100.0 + one.added_mass.y * 64.0),
              kExact);
+}
+
+BOOST_AUTO_TEST_CASE(columns_of_one_mesh_have_the_inertia_of_as_many_legs) {
+  const model::Plane column{
+      .angle = 0.5 * kPi, .waterline_width = 6.0, .length = 4.0, .height = 12.0, .height_under_water = 8.0};
+  const auto legs = with_legs(column, kPlaces);
+  TriangleMesh mesh;
+  const auto [least, most] = make_hull(column)->bounds();
+  for (const Vec2 place : kPlaces) {
+    const Vec3 to{place.x, place.y, 0.0};
+    mesh = mesh.vertices.empty() ? test::box(least + to, most + to)
+                                 : test::joined(std::move(mesh), test::box(least + to, most + to));
+  }
+  const MeshHull columns = test::hull(mesh);
+  const Inertia of_legs = inertia_of({}, *legs, 1025.0), of_columns = inertia_of({}, columns, 1025.0);
+  const auto close = [](Vec3 a, Vec3 b) { return norm(a - b) < 1e-9 * norm(b); };
+  BOOST_TEST(of_columns.mass == of_legs.mass, kExact);
+  BOOST_TEST(close(of_columns.moments, of_legs.moments));
+  BOOST_TEST(close(of_columns.added_mass, of_legs.added_mass));
+  BOOST_TEST(close(of_columns.added_inertia, of_legs.added_inertia));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -212,6 +212,16 @@ BOOST_AUTO_TEST_CASE(a_draught_above_the_deck_is_refused) {
   BOOST_TEST(says(refused.error().what, "is 4 m high, and its draught 4.5 m"), refused.error().what);
 }
 
+BOOST_AUTO_TEST_CASE(a_mesh_with_a_gap_at_the_waterline_is_refused) {
+  const Scratch scratch;
+  const TriangleMesh apart = joined(box({0.0, 0.0, 0.0}, {8.0, 4.0, 10.0}), box({0.0, 0.0, 12.0}, {8.0, 4.0, 20.0}));
+  const std::string file = scratch.write("apart.off", off(apart));
+  const auto refused = examine(model::Mesh{.file = file, .draught = 11.0});
+  BOOST_REQUIRE(!refused.has_value());
+  BOOST_TEST(says(refused.error().what, "has nothing 11 m above its lowest point"), refused.error().what);
+  BOOST_TEST(examine(model::Mesh{.file = file, .draught = 9.0}).has_value());
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

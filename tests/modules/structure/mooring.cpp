@@ -57,8 +57,9 @@ BOOST_AUTO_TEST_CASE(a_stiff_line_on_the_bed_is_the_textbook_s_catenary) {
 
 BOOST_AUTO_TEST_CASE(a_shallow_line_pulls_from_the_span_at_which_it_is_slack) {
   // Long chains that rise by a few hundredths of their length. Their pull grows with the span, and hangs together.
-  for (const auto& [line, rise] : {std::pair(Line{350.0, 1500.0, 5e8}, 15.0), std::pair(Line{500.0, 1000.0, 3e8}, 20.0),
-                                   std::pair(Line{850.0, 1500.0, 5e8}, 50.0), std::pair(Line{850.0, 1500.0, 5e8}, 1.0)}) {
+  for (const auto& [line, rise] :
+       {std::pair(Line{350.0, 1500.0, 5e8}, 15.0), std::pair(Line{500.0, 1000.0, 3e8}, 20.0),
+        std::pair(Line{850.0, 1500.0, 5e8}, 50.0), std::pair(Line{850.0, 1500.0, 5e8}, 1.0)}) {
     const double slack = line.length - rise;
     LinePull last = pull_of(line, slack - 0.1, rise);
     BOOST_TEST(last.horizontal == 0.0);
