@@ -296,14 +296,20 @@ void check_structure(const model::Case& c, Checks& checks) {
   const double freeboard = c.ice.thickness - draught;
   if (!check_heights(*hull, height_keys(c.structure.shape), draught, freeboard, checks)) return;
 
-  const auto [surface, reach] = structure::foremost(*hull, {}, -draught, freeboard, {1.0, 0.0});
-  check_front(c, surface.slope, checks);
+  const auto meets = [&](const Pose& pose, Vec2 course) {
+    return structure::foremost(*hull, pose, -draught, freeboard, course);
+  };
   if (const auto* const moored = std::get_if<model::Moored>(&c.structure.motion)) check_mooring(*moored, checks);
   const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
-  if (towed == nullptr || towed->path.empty())
-    check_way(c, reach, structure::foremost(*hull, {}, -draught, freeboard, {-1.0, 0.0}).reach, checks);
-  else if (check_rows(c, towed->path, hull->reach(), checks))
+  if (towed == nullptr || towed->path.empty()) {
+    const auto [surface, reach] = meets({}, {1.0, 0.0});
+    check_front(c, surface.slope, checks);
+    check_way(c, reach, meets({}, {-1.0, 0.0}).reach, checks);
+  } else if (check_rows(c, towed->path, hull->reach(), checks)) {
+    const auto motion = structure::make_motion(c, *hull);
+    check_front(c, meets(motion->now().pose, motion->course()).surface.slope, checks);
     check_start(c, *hull, draught, freeboard, checks);
+  }
   const double width = structure::foremost(*hull, {}, 0.0, 0.0, {0.0, 1.0}).reach +
                        structure::foremost(*hull, {}, 0.0, 0.0, {0.0, -1.0}).reach;
   checks.require(c.field.width > width || c.field.kind == model::FieldKind::kFloes, {"field", "width"},

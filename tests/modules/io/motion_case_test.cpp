@@ -78,6 +78,17 @@ BOOST_AUTO_TEST_CASE(a_path_in_a_file_becomes_its_table) {
   refused("gap.csv", "has no number");
 }
 
+BOOST_AUTO_TEST_CASE(a_structure_that_backs_into_the_ice_is_judged_by_its_stern) {
+  // The plane slopes ahead; its back is vertical and bends no ice.
+  const auto towed = [](const std::string& heading) {
+    std::string text = with_motion("path = [[0, -12, 0, " + heading + "], [20, 12, 0, " + heading + "]]\n");
+    text.insert(text.find("[structure]") + 12, "kind = \"plane\"\nlength = 9\n");
+    return text;
+  };
+  BOOST_TEST(message_of(towed("0")) == "");
+  check_refused(towed("\"180 deg\""), "the structure's front is vertical and bends no ice");
+}
+
 BOOST_AUTO_TEST_CASE(a_path_that_is_none_and_keys_beside_it_are_refused) {
   check_refused(with_motion(kPath, true), "structure.speed = 1.202: stands beside structure.motion.path");
   check_refused(with_motion(kPath, true), "structure.start_distance = 7: stands beside structure.motion.path");
