@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,8 +43,10 @@ class IdleKeys {
 };
 
 void look_at_ice(const model::Case& c, const model::Case& usual, IdleKeys& keys) {
-  const bool drifts = c.field.kind == model::FieldKind::kFloes || c.field.border == model::Border::kFree;
-  const char* const drifting = "field.border = \"free\" or field.kind = \"floes\"";
+  const bool has_floes = c.field.kind == model::FieldKind::kFloes,
+             may_drift = c.contact.engine == model::ContactEngine::kBrash;
+  const bool drifts = may_drift && (has_floes || c.field.border == model::Border::kFree);
+  const char* const drifting = "field.border = \"free\" or field.kind = \"floes\", and contact.engine = \"brash\"";
   keys.look_at("ice.fracture_toughness", c.ice.fracture_toughness, usual.ice.fracture_toughness, drifts, drifting);
   keys.look_at("field.smallest_plate", c.field.smallest_plate, usual.field.smallest_plate, drifts, drifting);
   keys.look_at("ice.variation.correlation_length", c.ice.variation.correlation_length,
@@ -53,6 +56,8 @@ void look_at_ice(const model::Case& c, const model::Case& usual, IdleKeys& keys)
                c.field.initial_crack, "field.initial_crack = true");
   keys.look_at("field.origin", c.field.origin, usual.field.origin, names_a_file(c.field),
                "field.file, openings, cracks or shore");
+  keys.look_at("time.settle_speed", c.time.settle_speed, usual.time.settle_speed,
+               has_floes || c.field.border != model::Border::kFree, "field.border = \"fixed\" or field.kind = \"floes\"");
   const char* const generated = "floes without field.file";
   keys.look_at("field.shape", c.field.floes.shape, usual.field.floes.shape, c.field.file.empty(), generated);
   keys.look_at("field.size", c.field.floes.size, usual.field.floes.size, c.field.file.empty(), generated);
@@ -65,8 +70,31 @@ void look_at_water_and_wind(const model::Case& c, const model::Case& usual, Idle
                "hydrodynamics.drag = \"paper\"");
   keys.look_at("hydrodynamics.shading_gap", h.shading_gap, usual.hydrodynamics.shading_gap, by_surface && h.shading,
                "hydrodynamics.shading = true and drag = \"surface\"");
+  keys.look_at("hydrodynamics.form_drag_along", h.form_drag_along, usual.hydrodynamics.form_drag_along,
+               h.form_drag != 0.0, "hydrodynamics.form_drag");
   keys.look_at("wind.density", c.wind.density, usual.wind.density, blows, "wind.velocity");
   keys.look_at("wind.skin_friction", c.wind.skin_friction, usual.wind.skin_friction, blows, "wind.velocity");
+}
+
+/// The closed form of a ship beside another structure reads five keys of [hull], and these are not among them.
+void look_at_hull(const model::Case& c, IdleKeys& keys) {
+  const bool is_ship = std::holds_alternative<model::Ship>(c.structure.shape);
+  const std::optional<double> absent;
+  const char* const ship = "structure.kind = \"ship\"";
+  keys.look_at("hull.depth", c.hull.depth, absent, is_ship, ship);
+  keys.look_at("hull.bow_length", c.hull.bow_length, absent, is_ship, ship);
+  keys.look_at("hull.flare", c.hull.flare, absent, is_ship, ship);
+  keys.look_at("hull.midbody", c.hull.midbody, absent, is_ship, ship);
+  keys.look_at("hull.stern_angle", c.hull.stern_angle, absent, is_ship, ship);
+}
+
+/// Replicates of a case that draws nothing are all alike.
+void look_at_random(const model::Case& c, const model::Case& usual, IdleKeys& keys) {
+  const bool is_generated = c.field.kind == model::FieldKind::kFloes && c.field.file.empty();
+  const bool draws = is_generated || ice::varies(c.ice) || c.failure.wedges[0] != c.failure.wedges[1];
+  const char* const drawn = "something random: failure.wedges, ice.variation or generated floes";
+  keys.look_at("random.seed", c.random.seed, usual.random.seed, draws, drawn);
+  keys.look_at("random.replicate", c.random.replicate, usual.random.replicate, draws, drawn);
 }
 
 }  // namespace
@@ -76,6 +104,8 @@ void add_idle_keys_warning(const model::Case& c, Warnings& warnings) {
   IdleKeys keys;
   look_at_ice(c, usual, keys);
   look_at_water_and_wind(c, usual, keys);
+  look_at_hull(c, keys);
+  look_at_random(c, usual, keys);
   const bool has_range = model::options_of(c.failure.model, !c.failure.file.empty()).file;
   keys.look_at("failure.max_substeps", c.failure.max_substeps, usual.failure.max_substeps, has_range,
                "failure.model = \"network\", \"deep-network\" or \"superposition\", which have a range");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -16,8 +17,11 @@
 namespace brash::simulation {
 namespace {
 
-bool is_afloat(const model::Motion& motion) {
-  return std::holds_alternative<model::Free>(motion) || std::holds_alternative<model::Moored>(motion);
+/// The body of a structure afloat; null for any other.
+const model::FloatingBody* afloat(const model::Motion& motion) {
+  if (const auto* const free = std::get_if<model::Free>(&motion)) return &free->body;
+  if (const auto* const moored = std::get_if<model::Moored>(&motion)) return &moored->body;
+  return nullptr;
 }
 
 void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
@@ -47,6 +51,23 @@ void add_legs_warning(const model::Case& c, Warnings& warnings) {
                                   "{:.3g} m2, and the structure's product of inertia is left out, so it rolls and "
                                   "pitches with wrong periods; lay x along a line of symmetry of the legs",
                                   product)});
+}
+
+/// A hull askew to x and y has products of inertia and of added mass, which a body afloat leaves out, unless the case
+/// states them without.
+void add_askew_warning(const model::Case& c, const model::FloatingBody& body, Warnings& warnings) {
+  constexpr double kAskew = 0.05;  // of the product of inertia over the sum of both moments
+  if (body.radii_of_gyration && body.added_mass && body.added_inertia) return;
+  const auto hull = structure::make_hull(c.structure);
+  const structure::HalfEllipsoid half = structure::fitted_ellipsoid(*hull->copies().hull);
+  const double xx = half.semi_axes.x * half.semi_axes.x, yy = half.semi_axes.y * half.semi_axes.y;
+  if (0.5 * std::abs((xx - yy) * std::sin(2.0 * half.heading)) <= kAskew * (xx + yy)) return;
+  warnings.push_back(
+      {"askew-hull", fmt::format("the hull's length lies {:.3g} degrees off the structure's x axis: its products of "
+                                 "inertia and of added mass are left out, so it rolls and pitches with wrong periods; "
+                                 "turn it along x or y with structure.heading, or write "
+                                 "structure.motion.radii_of_gyration, added_mass and added_inertia",
+                                 degrees(half.heading))});
 }
 
 /// It would move by more than this before the ice comes.
@@ -102,35 +123,52 @@ void add_period_warning(const model::Case& c, Warnings& warnings) {
   }
 }
 
-/// A spring so soft that its whole way in the run does not pull with the force that breaks ice.
-void add_spring_warning(const model::Case& c, Warnings& warnings) {
-  double stiffness = 0.0;
+/// What moves a structure that springs hold.
+struct Drive {
+  double mass = 0.0;       ///< [kg]
+  double stiffness = 0.0;  ///< along x [N/m]
+  double pull = 0.0;       ///< along x without a stretch of the springs [N]
+};
+
+std::optional<Drive> drive_of(const model::Case& c) {
   if (const auto* const compliant = std::get_if<model::Compliant>(&c.structure.motion))
-    stiffness = compliant->stiffness;
-  else if (const auto* const moored = std::get_if<model::Moored>(&c.structure.motion); moored && moored->lines.empty())
-    stiffness = moored->stiffness[0][0];
-  else
-    return;
-  const double pull = stiffness * model::speed(c.structure.motion) * c.time.duration;
+    return Drive{compliant->mass, compliant->stiffness, 0.0};
+  const auto* const moored = std::get_if<model::Moored>(&c.structure.motion);
+  if (moored == nullptr || !moored->lines.empty()) return std::nullopt;
+  const auto hull = structure::make_hull(c.structure);
+  return Drive{structure::inertia_of(moored->body, *hull, c.water.density).mass, moored->stiffness[0][0],
+               moored->body.thrust.x + (moored->pretension.empty() ? 0.0 : moored->pretension[0])};
+}
+
+/// A spring so soft that its whole way in the run does not pull with the force that breaks ice, and no momentum that
+/// breaks ice over that way.
+void add_spring_warning(const model::Case& c, Warnings& warnings) {
+  const auto drive = drive_of(c);
+  if (!drive || c.field.kind != model::FieldKind::kLevelIce) return;
+  const double speed = model::speed(c.structure.motion), way = speed * c.time.duration;
+  const double pull = drive->stiffness * way + drive->pull;
   const double needed = c.ice.flexural_strength * c.ice.thickness * c.ice.thickness;
-  if (pull >= needed || c.field.kind != model::FieldKind::kLevelIce) return;
+  if (pull >= needed || 0.5 * drive->mass * speed * speed >= needed * way) return;
   warnings.push_back({"soft-spring", fmt::format("the spring of the structure pulls with at most {:.3g} N in this run, "
-                                                 "and the ice breaks at some sigma_f h^2 = {:.3g} N: the structure "
-                                                 "stays before the ice; check the unit of the stiffness",
+                                                 "and the ice breaks at some sigma_f h^2 = {:.3g} N: the ice stops the "
+                                                 "structure; check the unit of the stiffness",
                                                  pull, needed)});
 }
 
-/// A path that turns by more than half a circle from row to row.
+/// A path whose headings change by more than half a circle from row to row, but for small turns through north.
 void add_turn_warning(const model::Motion& motion, Warnings& warnings) {
+  constexpr double kThroughNorth = 1.0;  // [rad]; of a step in a compass track
   const auto* const towed = std::get_if<model::Towed>(&motion);
   if (towed == nullptr) return;
   const auto turns = [](const model::Waypoint& a, const model::Waypoint& b) {
-    return std::abs(b.heading - a.heading) > kPi;
+    const double turn = b.heading - a.heading;
+    return std::abs(turn) > kPi && std::abs(std::remainder(turn, 2.0 * kPi)) > kThroughNorth;
   };
   const auto row = std::ranges::adjacent_find(towed->path, turns);
   if (row == towed->path.end()) return;
   warnings.push_back({"path-turns", fmt::format("the path turns from a heading of {:.4g} to {:.4g} rad between {:.4g} "
-                                                "and {:.4g} s: were degrees meant? Name the column heading_deg",
+                                                "and {:.4g} s: were degrees meant? Write \"10 deg\" in the case file, "
+                                                "and name the column of a file heading_deg",
                                                 row->heading, (row + 1)->heading, row->time, (row + 1)->time)});
 }
 
@@ -141,8 +179,10 @@ void add_structure_warnings(const model::Case& c, const DerivedScales& scales, W
   add_turn_warning(c.structure.motion, warnings);
   add_spring_warning(c, warnings);
   add_period_warning(c, warnings);
-  if (!is_afloat(c.structure.motion)) return;
+  const model::FloatingBody* const body = afloat(c.structure.motion);
+  if (body == nullptr) return;
   add_legs_warning(c, warnings);
+  add_askew_warning(c, *body, warnings);
   add_balance_warnings(c, warnings);
 }
 

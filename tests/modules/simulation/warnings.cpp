@@ -223,6 +223,66 @@ BOOST_AUTO_TEST_CASE(a_key_that_needs_another_is_warned_of_without_it) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(keys_of_drift_shape_and_chance_are_idle_where_nothing_reads_them) {
+  const auto idle = [](const std::vector<std::string>& settings) {
+    return text_of(warnings_with(settings), "idle-keys");
+  };
+  BOOST_TEST(says(idle({"field.border=free", "time.settle_speed=0.01"}), "time.settle_speed needs "));
+  BOOST_TEST(idle({"time.settle_speed=0.01"}) == "");
+  BOOST_TEST(
+      says(idle({"hydrodynamics.form_drag=0", "hydrodynamics.form_drag_along=velocity"}), "form_drag_along needs"));
+  BOOST_TEST(says(idle({"hull.flare=10 deg", "hull.length=80", "hull.breadth=20", "hull.draught=6",
+                        "hull.stem_angle=25 deg", "hull.waterline_angle=30 deg"}),
+                  "hull.flare needs structure.kind"));
+  // Four wedges in every break, even ice, no generated floes: all replicates are alike.
+  BOOST_TEST(says(idle({"failure.wedges=[4,4]", "random.seed=7"}), "random.seed needs something random"));
+  BOOST_TEST(idle({"failure.wedges=[4,4]"}) == "");
+  BOOST_TEST(idle({"failure.wedges=[4,4]", "random.seed=7", "ice.variation.thickness=0.1"}) == "");
+  BOOST_TEST(idle({"random.seed=7"}) == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_track_through_north_is_no_mistake) {
+  const auto turns = [](const std::string& first, const std::string& second) {
+    const std::string path = "structure.motion.path=[[0,-7,0," + first + "],[20,13,0," + second + "]]";
+    const std::string file = kSource + "/tests/modules/simulation/turning_path.toml";
+    return has(simulation::derived_scales(io::read_case(file, {path})).warnings, "path-turns");
+  };
+  BOOST_TEST(!turns("\"350 deg\"", "\"10 deg\""));
+  BOOST_TEST(!turns("0", "3"));
+  BOOST_TEST(turns("0", "45"));
+}
+
+BOOST_AUTO_TEST_CASE(a_thrust_a_pretension_and_a_heavy_body_break_ice_without_a_stiff_spring) {
+  const auto is_soft = [](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"structure.motion.kind=moored",
+                                     "structure.motion.stiffness_matrix=[[0,0,0,0,0,0],[0,1e5,0,0,0,0],[0,0,0,0,0,0],"
+                                     "[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,1e8]]"});
+    return has(warnings_with(settings), "soft-spring");
+  };
+  BOOST_TEST(is_soft({}));
+  BOOST_TEST(!is_soft({"structure.motion.thrust=[1e6,0,0]"}));
+  BOOST_TEST(!is_soft({"structure.motion.pretension=[1e6,0,0,0,0,0]"}));
+  // 3.6 MJ break ice with 59 kN over the 24 m of the run.
+  const auto compliant = [](const std::string& mass) {
+    return has(warnings_with({"structure.motion.kind=compliant", "structure.motion.stiffness=100", mass}),
+               "soft-spring");
+  };
+  BOOST_TEST(!compliant("structure.motion.mass=5e6"));
+  BOOST_TEST(compliant("structure.motion.mass=5e5"));
+}
+
+BOOST_AUTO_TEST_CASE(a_hull_askew_whose_inertia_is_stated_gives_no_warning) {
+  const std::string file = kSource + "/tests/modules/simulation/askew_barge.toml";
+  const auto is_askew = [&](const std::vector<std::string>& settings) {
+    return has(simulation::derived_scales(io::read_case(file, settings)).warnings, "askew-hull");
+  };
+  BOOST_TEST(is_askew({}));
+  BOOST_TEST(!is_askew({"structure.heading=0"}));
+  BOOST_TEST(!is_askew({"structure.heading=90 deg"}));
+  BOOST_TEST(!is_askew({"structure.motion.radii_of_gyration=[3,6,6]", "structure.motion.added_mass=[1e4,1e5,1e6]",
+                        "structure.motion.added_inertia=[1e6,1e7,1e6]"}));
+}
+
 BOOST_AUTO_TEST_CASE(the_source_of_a_reference_is_idle_without_its_value) {
   model::Case c = validation();
   c.reference.mean_horizontal.reset();
