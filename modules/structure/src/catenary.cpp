@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brash/core/contract.hpp"
 
@@ -93,16 +94,18 @@ LinePull pull_of(const Line& line, double span, double rise) {
   v = std::max(v, least_v);
   Shape s = shape_under(line, h, v);
   const auto height = [&](const Shape& at, double x, double z) { return at.complementary - x * span - z * rise; };
+  const auto distance = [&](const Shape& at) { return std::hypot(span - at.span, rise - at.rise); };
   for (int i = 0; i < kMostSteps; ++i) {
     const double dx = span - s.span, dz = rise - s.rise;
-    if (std::hypot(dx, dz) <= kClose * line.length) break;
+    if (distance(s) <= kClose * line.length) break;
     const double det = s.span_by_h * s.rise_by_v - s.span_by_v * s.span_by_v;
     const double dh = (s.rise_by_v * dx - s.span_by_v * dz) / det, dv = (s.span_by_h * dz - s.span_by_v * dx) / det;
     bool moved = false;
     for (double share = 1.0; share > 1e-12 && !moved; share *= 0.5) {
       const double next_h = std::max(h + share * dh, 0.1 * h), next_v = std::max(v + share * dv, least_v);
       const Shape next = shape_under(line, next_h, next_v);
-      moved = height(next, next_h, next_v) < height(s, h, v);
+      // Near the least value rounding hides its fall, and not that of the distance.
+      moved = height(next, next_h, next_v) < height(s, h, v) || (share == 1.0 && distance(next) < distance(s));
       if (!moved) continue;
       h = next_h;
       v = next_v;
@@ -110,8 +113,9 @@ LinePull pull_of(const Line& line, double span, double rise) {
     }
     if (!moved) break;  // as near as the rounding allows
   }
-  BRASH_EXPECTS(std::hypot(span - s.span, rise - s.rise) < 1e-6 * line.length, line.length, line.weight, line.stiffness,
-                span, rise, h, v);
+  const double rounding =
+      16.0 * std::numeric_limits<double>::epsilon() * std::hypot(h, v) / w;  // of a taut line's rise
+  BRASH_EXPECTS(distance(s) < 1e-9 * line.length + rounding, line.length, w, ea, span, rise, h, v);
   return {h, v, h * span + v * rise - s.complementary};
 }
 
