@@ -86,7 +86,10 @@ FrameView view_of(const model::Frame& frame, const std::map<std::int64_t, model:
 void add_results(py::module_& m) {
   add_floes(m);
   using model::RunResults;
-  py::class_<RunResults>(m, "Results", "Everything that a run leaves, as in run.nc.")
+  py::class_<RunResults>(
+      m, "Results",
+      "Loads, crack events, splits, floes and frames of a run, and its sheet at the start and at the end.\n\n"
+      "A run.nc has more: the sheet after each step with cracks (``cracked_sheet_...``).")
       .def_property_readonly(
           "loads", [](const RunResults& r) { return table(std::span<const model::LoadRow>(r.loads)); },
           "Load history: a structured array with all columns that a history.csv can have; shape (n_steps,). Those of a "
