@@ -42,7 +42,8 @@ void add_floes(py::module_& m) {
       .def_readonly("death", &model::FloeRecord::death,
                     "[s]; of a floe alive the run's end, and 0 in Simulation.frame() and Steps.births")
       .def_property_readonly(
-          "end", [](const model::FloeRecord& f) { return model::name_of(f.end); }, "alive, crushed")
+          "end", [](const model::FloeRecord& f) { return model::name_of(f.end); },
+          "alive, crushed or broken (into floes of their own)")
       .def_readonly("peak_stress", &model::FloeRecord::peak_stress,
                     "Largest compression of the deletion criterion [Pa]; 0 in Simulation.frame() and Steps.births.")
       .def_property_readonly(
