@@ -4,6 +4,7 @@
 References: FMI 2.0.4 and FMI 3.0.2 (Modelica Association, 2022 and 2024).
 """
 import ctypes
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -164,6 +165,15 @@ class Tests(Common):
         case.write_bytes(CASE.read_bytes())
         self.assertEqual(brash("export", "fmu", case, "-o", case, "--fmi", self.fmi).returncode, 2)
         self.assertEqual(case.read_bytes(), CASE.read_bytes())
+
+    def test_a_case_whose_name_no_description_can_hold_is_refused(self):
+        for name in (b"c\xff.toml", b"c\x01.toml"):
+            case, unit = bytes(UNITS.folder) + b"/" + name, UNITS.folder / f"named{self.fmi}.fmu"
+            pathlib.Path(os.fsdecode(case)).write_bytes(CASE.read_bytes())
+            said = brash("export", "fmu", os.fsdecode(case), "-o", unit, "--fmi", self.fmi)
+            self.assertEqual(said.returncode, 2, said.stderr)
+            self.assertIn("rename the file", said.stderr)
+            self.assertFalse(unit.exists())
 
     def test_errors_are_logged_even_where_the_log_is_off_and_discards_are_not(self):
         instance = self.keep(self.unit().instantiate(logging=False))
