@@ -136,11 +136,20 @@ class Tests(Common):
         instance.enter_initialization(stop=1.0)
         instance.exit_initialization()
         for at, size in ((0.0, 0.5 * STEP), (0.0, 1.5 * STEP), (0.0, 0.0), (0.0, -STEP), (0.0, float("nan")),
-                         (STEP, STEP), (0.0, 1.0 + STEP)):
+                         (STEP, STEP)):
             self.refuses(DISCARD, instance.step, at, size)
         self.assertEqual(instance.categories[-1], "logStatusDiscard")
         instance.step(0.0, STEP * (1 + 1e-9))
         self.assertEqual(instance.get(["time"]), [STEP])
+
+    def test_a_step_past_the_stop_time_is_an_error(self):
+        instance = self.keep(self.unit().instantiate())
+        instance.enter_initialization(stop=3 * STEP)
+        instance.exit_initialization()
+        instance.step(0.0, 3 * STEP)
+        refused = self.refuses(ERROR, instance.step, 3 * STEP, STEP)
+        self.assertIn("beyond the stop time 0.03 s", str(refused))
+        self.assertEqual(instance.categories[-1], "logStatusError")
 
     def test_an_instance_needs_its_name_token_and_resources(self):
         for wrong in ({"name": " "}, {"token": "other"}, {"resources": "/nowhere"}):
