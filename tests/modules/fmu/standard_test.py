@@ -257,6 +257,13 @@ class Fmi2(Under2, Tests, unittest.TestCase):
                      "SetRealInputDerivatives", "GetRealOutputDerivatives"):
             self.assertTrue(hasattr(library, "fmi2" + name))
 
+    def test_the_place_of_resources_is_any_uri_of_a_file(self):
+        place = (self.unit().folder / "resources").as_uri().removeprefix("file://")
+        for uri in (f"file:{place}", f"file://localhost{place}", f"FILE://{place}", f"File://{place}?version=2#top",
+                    f"file://{place.replace('r', '%72')}#"):
+            with self.subTest(uri):
+                self.assertIsNotNone(self.keep(self.unit().instantiate(resources=uri)).pointer.value)
+
     def test_model_exchange_is_refused(self):
         self.assertIsNone(self.unit().instantiate(kind=0).pointer.value)
 
