@@ -194,6 +194,13 @@ class Tests(Common):
         self.refuses(ERROR, instance.terminate)
         self.assertEqual(instance.categories[-1], "logStatusError")
 
+    def test_a_null_pointer_in_place_of_a_category_is_an_error(self):
+        instance = self.keep(self.unit().instantiate())
+        for categories in (None, (ctypes.c_char_p * 1)(None)):
+            refused = self.refuses(ERROR, instance.call, "SetDebugLogging", self.flag(True), ctypes.c_size_t(1), categories)
+            self.assertIn("null pointer", str(refused))
+            instance.reset()
+
     def test_a_driven_unit_has_inputs_with_a_start_at_rest(self):
         variables = {v.get("name"): v for v in self.unit(**DRIVEN).description.find("ModelVariables")}
         self.assertEqual([n for n, v in variables.items() if v.get("causality") == "input"], INPUTS)
