@@ -52,7 +52,7 @@ struct Server::Impl {
   std::string address;
   std::string host;
   Stream stream;
-  std::atomic<bool> is_paused{false}, is_ended{false};
+  std::atomic<bool> is_paused{false}, is_ended{false}, has_listened{false};
   httplib::Server http;
   std::thread thread;
 
@@ -67,13 +67,16 @@ struct Server::Impl {
       throw RunError("no view: cannot listen on 127.0.0.1\n  remedy:  run without --view, and look at the report");
     host = std::string(kHost) + ":" + std::to_string(port);
     address = "http://" + host + "/" + token + "/";
-    thread = std::thread([this] { http.listen_after_bind(); });
+    thread = std::thread([this] {
+      http.listen_after_bind();
+      has_listened = true;
+    });
   }
 
   ~Impl() {
     stream.close();
-    // A server that is stopped before it listens would listen on.
-    while (!http.is_running()) std::this_thread::sleep_for(1ms);
+    // A server that is stopped before it listens would listen on. One whose socket has failed listens no more.
+    while (!http.is_running() && !has_listened) std::this_thread::sleep_for(1ms);
     http.stop();
     thread.join();
   }
