@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -47,6 +48,30 @@ int listener_at(const sockaddr_in& place) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(a_server_ends_beside_senders_that_never_finish_a_request) {
+  std::optional<Server> server("<html></html>");
+  const sockaddr_in place = place_of(*server);
+  // More of them than the server has threads.
+  std::vector<int> senders;
+  for (int i = 0; i < 20; ++i) senders.push_back(connection_to(place));
+  for (const int socket : senders) BOOST_TEST(::send(socket, "GET / HTTP/1.1\r\nName: ", 22, MSG_NOSIGNAL) == 22);
+  // Each byte comes well within the library's patience for one, for longer than the test may take.
+  std::jthread bytes([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      for (const int socket : senders) ::send(socket, "a", 1, MSG_NOSIGNAL);
+      std::this_thread::sleep_for(100ms);
+    }
+  });
+  std::this_thread::sleep_for(300ms);
+  server.reset();
+  bytes = {};
+  char byte = 0;
+  for (const int socket : senders) {
+    BOOST_TEST(::recv(socket, &byte, 1, MSG_DONTWAIT) <= 0);
+    ::close(socket);
+  }
+}
 
 BOOST_AUTO_TEST_CASE(a_server_that_listens_no_more_ends) {
   std::optional<Server> server("<html></html>");
