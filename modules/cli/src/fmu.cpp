@@ -9,6 +9,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/own_path.hpp"
 #include "brash/core/sha256.hpp"
+#include "brash/core/text.hpp"
 #include "brash/core/version.hpp"
 #include "brash/failure/model_files.hpp"
 #include "brash/fmu/unit.hpp"
@@ -89,6 +90,13 @@ std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& inputs)
   return hexadecimal(hash.digest());
 }
 
+/// Descriptions of units are XML, which holds no control characters and no bytes that are not UTF-8.
+void check_name(const std::string& name, const std::string& case_file) {
+  if (escaped(name) == name) return;
+  throw InputError(Complaint{case_file, "has a name that the description of a unit cannot hold, " + escaped(name),
+                             "letters of UTF-8 without control characters", "rename the file"});
+}
+
 }  // namespace
 
 void export_fmu(const std::string& case_file, const std::vector<std::string>& overrides, const std::string& file,
@@ -96,6 +104,7 @@ void export_fmu(const std::string& case_file, const std::vector<std::string>& ov
   refuse_overwriting(file, {case_file});
   check_ending(file, "a co-simulation unit", {".fmu"});
   const recording::Inputs inputs = recording::read_inputs(case_file, overrides);
+  check_name(inputs.resolved.name, case_file);
   print_warnings(simulation::derived_scales(inputs.resolved).warnings);
   fmu::Unit unit{inputs.recorded(), parameters_of(inputs.resolved), ""};
   std::vector<ZipEntry> entries = input_entries(inputs);

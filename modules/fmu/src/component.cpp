@@ -27,12 +27,18 @@ void keep(void** kept, State state) {
 
 }  // namespace
 
-void Log::select(bool on, const std::vector<std::string>& categories) {
+void Log::select(bool on, const char* const* categories, std::size_t n) {
   constexpr std::array<std::string_view, 2> kKnown{kDiscardCategory, kErrorCategory};
-  for (const std::string& category : categories)
+  expect_array(categories, n);
+  bool has_discards = n == 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    expect_array(categories[i], 1);
+    const std::string category = categories[i];
     if (std::ranges::find(kKnown, category) == kKnown.end())
       throw std::runtime_error("there is no log category " + category);
-  if (categories.empty() || std::ranges::find(categories, kDiscardCategory) != categories.end()) discards_ = on;
+    if (category == kDiscardCategory) has_discards = true;
+  }
+  if (has_discards) discards_ = on;
 }
 
 void Log::discard(const char* message) const {
@@ -49,6 +55,8 @@ Component* make_component(const std::string& resources, const std::string& token
   } catch (const std::exception& error) {
     log.error(error.what());
     return nullptr;
+  } catch (...) {
+    return nullptr;
   }
 }
 
@@ -64,6 +72,9 @@ Status attempt(void* pointer, const std::function<void(Component&)>& action) noe
   } catch (const std::exception& error) {
     component->instance.fail();
     component->log.error(error.what());
+    return Status::kError;
+  } catch (...) {
+    component->instance.fail();
     return Status::kError;
   }
 }

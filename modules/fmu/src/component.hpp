@@ -26,9 +26,9 @@ class Log {
   /// @param on  of all categories.
   Log(Write write, bool on) : write_(std::move(write)), discards_(on) {}
 
-  /// @param categories  empty: all.
-  /// @throws std::runtime_error for a category that is not there.
-  void select(bool on, const std::vector<std::string>& categories);
+  /// @param categories  of the host, n of them; none: all.
+  /// @throws std::runtime_error for a category that is not there, and for a null pointer.
+  void select(bool on, const char* const* categories, std::size_t n);
   void discard(const char* message) const;
   void error(const char* message) const;
 
@@ -45,6 +45,16 @@ struct Component {
 
 /// Makes an instance. @return null when that fails, once the reason is logged.
 Component* make_component(const std::string& resources, const std::string& token, const Log& log) noexcept;
+
+/// The instance that `make()` gives, or null. No exception leaves: the host may be in C.
+template <typename Make>
+Component* made_by(Make make) noexcept {
+  try {
+    return make();
+  } catch (...) {
+    return nullptr;
+  }
+}
 
 /// Does `action(component)`. No exception leaves.
 Status attempt(void* pointer, const std::function<void(Component&)>& action) noexcept;

@@ -53,25 +53,24 @@ const char* fmi2GetTypesPlatform() { return "default"; }
 const char* fmi2GetVersion() { return "2.0"; }
 
 fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, std::size_t n, const fmi2String categories[]) {
-  return code(attempt(component, [&](Component& c) {
-    brash::fmu::expect_array(categories, n);
-    c.log.select(on != 0, {categories, categories + n});
-  }));
+  return code(attempt(component, [&](Component& c) { c.log.select(on != 0, categories, n); }));
 }
 
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                               const fmi2CallbackFunctions* host, fmi2Boolean /*visible*/, fmi2Boolean logging_on) {
-  const std::string shown = name != nullptr ? name : "";
-  const brash::fmu::Log log = log_to(host, shown, logging_on != 0);
-  if (shown.find_first_not_of(" \t\n") == std::string::npos || guid == nullptr || resources == nullptr) {
-    log.error("an instance needs a name, a GUID and the place of its resources");
-    return nullptr;
-  }
-  if (type != fmi2CoSimulation) {
-    log.error("the unit is for co-simulation only");
-    return nullptr;
-  }
-  return brash::fmu::make_component(brash::fmu::path_of_uri(resources), guid, log);
+  return brash::fmu::made_by([&]() -> Component* {
+    const std::string shown = name != nullptr ? name : "";
+    const brash::fmu::Log log = log_to(host, shown, logging_on != 0);
+    if (shown.find_first_not_of(" \t\n") == std::string::npos || guid == nullptr || resources == nullptr) {
+      log.error("an instance needs a name, a GUID and the place of its resources");
+      return nullptr;
+    }
+    if (type != fmi2CoSimulation) {
+      log.error("the unit is for co-simulation only");
+      return nullptr;
+    }
+    return brash::fmu::make_component(brash::fmu::path_of_uri(resources), guid, log);
+  });
 }
 
 void fmi2FreeInstance(fmi2Component component) { delete static_cast<Component*>(component); }

@@ -48,9 +48,11 @@ fmi3Status without(fmi3Instance instance, const char* ability, std::size_t n = 1
 }
 
 /// A kind of instance that the unit is not made for.
-fmi3Instance refuse(fmi3LogMessageCallback host, fmi3InstanceEnvironment environment, const char* why) {
-  log_to(host, environment, true).error(why);
-  return nullptr;
+Component* refuse(fmi3LogMessageCallback host, fmi3InstanceEnvironment environment, const char* why) noexcept {
+  return brash::fmu::made_by([&]() -> Component* {
+    log_to(host, environment, true).error(why);
+    return nullptr;
+  });
 }
 
 }  // namespace
@@ -60,10 +62,7 @@ extern "C" {
 const char* fmi3GetVersion() { return "3.0"; }
 
 fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean on, std::size_t n, const fmi3String categories[]) {
-  return code(attempt(instance, [&](Component& c) {
-    brash::fmu::expect_array(categories, n);
-    c.log.select(on, {categories, categories + n});
-  }));
+  return code(attempt(instance, [&](Component& c) { c.log.select(on, categories, n); }));
 }
 
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources,
@@ -71,12 +70,14 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
                                          fmi3Boolean /*early_return_allowed*/, const fmi3ValueReference[],
                                          std::size_t n_required, fmi3InstanceEnvironment environment,
                                          fmi3LogMessageCallback host, fmi3IntermediateUpdateCallback) {
-  const std::string shown = name != nullptr ? name : "";
-  if (shown.find_first_not_of(" \t\n") == std::string::npos || token == nullptr || resources == nullptr)
-    return refuse(host, environment, "an instance needs a name, a token and the place of its resources");
-  if (event_mode_used) return refuse(host, environment, "the unit has no event mode");
-  if (n_required > 0) return refuse(host, environment, "the unit has no values between its steps");
-  return brash::fmu::make_component(resources, token, log_to(host, environment, logging_on));
+  return brash::fmu::made_by([&] {
+    const std::string shown = name != nullptr ? name : "";
+    if (shown.find_first_not_of(" \t\n") == std::string::npos || token == nullptr || resources == nullptr)
+      return refuse(host, environment, "an instance needs a name, a token and the place of its resources");
+    if (event_mode_used) return refuse(host, environment, "the unit has no event mode");
+    if (n_required > 0) return refuse(host, environment, "the unit has no values between its steps");
+    return brash::fmu::make_component(resources, token, log_to(host, environment, logging_on));
+  });
 }
 fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
                                           fmi3InstanceEnvironment environment, fmi3LogMessageCallback host) {

@@ -240,8 +240,9 @@ std::int64_t Instance::n_steps_of(double from, double size) const {
     throw Discarded(fmt::format("a step of {} s: allowed is a multiple of {} s, the time step of the case", size, dt));
   if (!(std::abs(from - time()) <= tolerance))
     throw Discarded(fmt::format("a step from {} s, but the unit is at {} s", from, time()));
+  // Both standards ask for an error: fmi2SetupExperiment, fmi3EnterInitializationMode.
   if (state_.stop_time && !(from + size <= *state_.stop_time + tolerance))
-    throw Discarded(fmt::format("a step to {} s, beyond the stop time {} s", from + size, *state_.stop_time));
+    throw std::runtime_error(fmt::format("a step to {} s, beyond the stop time {} s", from + size, *state_.stop_time));
   const auto* const towed = std::get_if<model::Towed>(&state_.resolved.structure.motion);
   if (towed != nullptr && !towed->path.empty()) {
     const double end = state_.start_time + towed->path.back().time;

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace brash::fmu {
 
-/// The path that a URI with the scheme `file` names; a plain path stays as it is (RFC 8089, RFC 3986 Sec. 2.1).
+/// The path that a URI with the scheme `file` names, in letters of either case, without its query and its fragment. A
+/// plain path stays as it is (RFC 8089; RFC 3986 Secs. 2.1, 3).
 inline std::string path_of_uri(const std::string& uri) {
   constexpr std::string_view kScheme = "file:";
-  if (!uri.starts_with(kScheme)) return uri;
-  std::string rest = uri.substr(kScheme.size());
+  const auto in_lower_case = [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  if (!std::ranges::equal(uri.substr(0, kScheme.size()), kScheme, {}, in_lower_case)) return uri;
+  std::string rest = uri.substr(kScheme.size(), uri.find_first_of("?#") - kScheme.size());
   if (rest.starts_with("//")) rest.erase(0, rest.find('/', 2));  // with the name of this host
   std::string path;
   for (std::size_t i = 0; i < rest.size(); ++i) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -64,19 +65,33 @@ class OpenFile {
     std::vector<double> result(length);
     if (length > 0) check(nc_get_var_double(id_, variable.id, result.data()), variable.name);
     const double fill = number(variable, "_FillValue", default_fill(variable.type));
-    const double missing = number(variable, "missing_value", fill);
+    const std::vector<double> missing = numbers(variable, "missing_value");
     const double scale = number(variable, "scale_factor", 1.0), offset = number(variable, "add_offset", 0.0);
     for (double& value : result) {
-      const bool absent = value == fill || value == missing || !std::isfinite(value);
+      const bool absent = value == fill || std::ranges::find(missing, value) != missing.end() || !std::isfinite(value);
       value = absent ? std::numeric_limits<double>::quiet_NaN() : scale * value + offset;
     }
     return result;
   }
 
  private:
+  /// None without the attribute, or if it is text.
+  std::vector<double> numbers(const Variable& variable, const char* attribute) const {
+    std::size_t length = 0;
+    nc_type type = NC_NAT;
+    if (nc_inq_att(id_, variable.id, attribute, &type, &length) != NC_NOERR) return {};
+    if (type == NC_CHAR || type > NC_UINT64) return {};
+    std::vector<double> values(length);
+    if (length > 0) check(nc_get_att_double(id_, variable.id, attribute, values.data()), variable.name);
+    return values;
+  }
   double number(const Variable& variable, const char* attribute, double otherwise) const {
-    double value = otherwise;
-    return nc_get_att_double(id_, variable.id, attribute, &value) == NC_NOERR ? value : otherwise;
+    const std::vector<double> values = numbers(variable, attribute);
+    if (values.size() > 1)
+      throw InputError(Complaint{fmt::format("{}, {}, {}", path_, variable.name, attribute),
+                                 fmt::format("{} numbers", values.size()), "one number",
+                                 "write one number there, for the whole variable, or leave the attribute out"});
+    return values.empty() ? otherwise : values.front();
   }
   /// The fill value of the library for unwritten values; not for bytes, all of whose values are in use.
   static double default_fill(nc_type type) {

@@ -124,8 +124,21 @@ std::vector<std::vector<Point>> read_rings(const NetcdfReader& file, const std::
   return split(file, name + "_part_node_count", std::move(nodes), node_counts);
 }
 
-/// Writes polygons (each its outline, then its holes) along `dimension`, as a geometry of the CF conventions (1.8,
-/// Sec. 7.5) with the container `name`; `name`_part_count says how many rings each polygon has.
+/// Whether `ring` runs clockwise, as the holes of a polygon do.
+template <typename Point>
+bool is_clockwise(const std::vector<Point>& ring) {
+  double area = 0.0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const auto x = [&](std::size_t k) { return static_cast<double>(ring[k].x - ring[0].x); };
+    const auto y = [&](std::size_t k) { return static_cast<double>(ring[k].y - ring[0].y); };
+    area += x(i) * y(i + 1) - x(i + 1) * y(i);
+  }
+  return area < 0.0;
+}
+
+/// Writes polygons along `dimension`, as a geometry of the CF conventions (1.8, Sec. 7.5) with the container `name`;
+/// `name`_part_count says how many rings each polygon has. A polygon may have several parts: each is its outline, then
+/// its holes.
 template <typename Point>
 void write_polygons(NetcdfWriter& file, const std::string& name, const std::string& dimension, const NodeFrame& frame,
                     const std::vector<std::vector<std::vector<Point>>>& polygons) {
@@ -137,7 +150,7 @@ void write_polygons(NetcdfWriter& file, const std::string& name, const std::stri
     std::int32_t n_nodes = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       rings.push_back(polygon[i]);
-      interior.push_back(i == 0 ? 0 : 1);
+      interior.push_back(is_clockwise(polygon[i]) ? 1 : 0);
       n_nodes += static_cast<std::int32_t>(polygon[i].size());
     }
     node_counts.push_back(n_nodes);

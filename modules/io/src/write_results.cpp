@@ -23,9 +23,9 @@ std::string netcdf_bytes(const std::string& path, const model::Case& resolved, c
   file.attribute("source", std::string("brash ") + kVersion);
   file.attribute(
       "comment",
-      "Loads act on the structure in load axes: x as the ice drifts against the structure, y to starboard, z "
-      "upwards; moments are about the structure's origin on the waterplane. Places are in the sheet frame: x "
-      "along the structure's track, y to port, z upwards from the waterplane.");
+      "Loads act on the structure in load axes: x against the structure's heading (as the ice drifts, if it does not "
+      "turn), y to starboard, z upwards; moments are about the structure's origin on the waterplane. Places are in "
+      "the sheet frame: x along the structure's track, y to port, z upwards from the waterplane.");
   file.attribute("case", to_toml(resolved));
   write_tables(file, results);
   return file.finish();

@@ -2,9 +2,13 @@
 #include "brash/live/server.hpp"
 
 #include <httplib.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include <atomic>
 #include <charconv>
+#include <cstdlib>
+#include <filesystem>
 #include <random>
 #include <thread>
 #include <utility>
@@ -23,6 +27,8 @@ constexpr std::size_t kThreads = 16;           ///< of the server; the others an
 constexpr std::size_t kMostBytes = 1024;       ///< of a request's body; wishes have none
 constexpr std::chrono::seconds kHeartbeat{1};  ///< a comment is sent so often: a browser that is gone is noticed
 constexpr std::chrono::milliseconds kPauseStep{50};
+constexpr std::chrono::milliseconds kEndStep{5};   ///< at the end the server is looked at so often
+constexpr std::chrono::milliseconds kGrace{1000};  ///< for answers under way at the end; then connections are shut
 
 /// 128 random bits of the system, in hexadecimal.
 std::string new_token() {
@@ -34,6 +40,19 @@ std::string new_token() {
     for (int shift = 28; shift >= 0; shift -= 4) token += kDigits[word >> static_cast<unsigned>(shift) & 15U];
   }
   return token;
+}
+
+/// Ends all connections of this process that lead to `port` of 127.0.0.1: the library names no socket of its own.
+void shut_connections(int port) {
+  std::error_code failed;
+  for (std::filesystem::directory_iterator file("/proc/self/fd", failed), end; !failed && file != end;
+       file.increment(failed)) {
+    const int socket = std::atoi(file->path().filename().c_str());
+    sockaddr_in place{};
+    socklen_t size = sizeof place;
+    if (::getsockname(socket, reinterpret_cast<sockaddr*>(&place), &size) != 0) continue;
+    if (place.sin_family == AF_INET && ntohs(place.sin_port) == port) ::shutdown(socket, SHUT_RDWR);
+  }
 }
 
 /// Where a browser that was cut off goes on: behind the last event that it has.
@@ -51,8 +70,9 @@ struct Server::Impl {
   std::string token = new_token();
   std::string address;
   std::string host;
+  int port = 0;
   Stream stream;
-  std::atomic<bool> is_paused{false}, is_ended{false};
+  std::atomic<bool> is_paused{false}, is_ended{false}, has_listened{false};
   httplib::Server http;
   std::thread thread;
 
@@ -62,19 +82,27 @@ struct Server::Impl {
     http.set_pre_routing_handler(
         [this](const httplib::Request& request, httplib::Response& response) { return admit(request, response); });
     route();
-    const int port = http.bind_to_any_port(kHost);
+    port = http.bind_to_any_port(kHost);
     if (port <= 0)
       throw RunError("no view: cannot listen on 127.0.0.1\n  remedy:  run without --view, and look at the report");
     host = std::string(kHost) + ":" + std::to_string(port);
     address = "http://" + host + "/" + token + "/";
-    thread = std::thread([this] { http.listen_after_bind(); });
+    thread = std::thread([this] {
+      http.listen_after_bind();
+      has_listened = true;
+    });
   }
 
   ~Impl() {
     stream.close();
-    // A server that is stopped before it listens would listen on.
-    while (!http.is_running()) std::this_thread::sleep_for(1ms);
+    // A server that is stopped before it listens would listen on. One whose socket has failed listens no more.
+    while (!http.is_running() && !has_listened) std::this_thread::sleep_for(1ms);
     http.stop();
+    // The library waits for a byte at a time: a sender of endless requests would hold its thread.
+    for (auto waited = 0ms; !has_listened; waited += kEndStep) {
+      std::this_thread::sleep_for(kEndStep);
+      if (waited >= kGrace) shut_connections(port);
+    }
     thread.join();
   }
   Impl(const Impl&) = delete;

@@ -44,7 +44,10 @@ std::string key_of(const std::string& text) { return text.substr(0, text.find('=
 /// `overrides` with the entries of `changes`, a dict, in place of older overrides of the same key.
 std::vector<std::string> changed(std::vector<std::string> overrides, const py::dict& changes) {
   for (const auto& [key, value] : changes) {
-    const std::string name = py::cast<std::string>(key);
+    if (!py::isinstance<py::str>(key))
+      throw py::type_error(fmt::format("changes: {} is no key; a key is a text such as \"ice.thickness\"",
+                                       py::repr(key).cast<std::string>()));
+    const auto name = key.attr("encode")().cast<std::string>();
     std::erase_if(overrides, [&](const std::string& old) { return key_of(old) == name; });
     overrides.push_back(name + "=" + toml_value(value));
   }

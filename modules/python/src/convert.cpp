@@ -22,6 +22,18 @@ void expect_on_the_grid(Vec2 v, const char* name, const std::string& place) {
       fmt::format("{}{} = ({}, {}): metres within +-{} are expected", name, place, v.x, v.y, geometry::kMaxCoordinate));
 }
 
+/// Throws for values that NumPy would cast to numbers with a loss, or without their unit.
+void expect_real(const py::array& array, const char* name) {
+  const auto refuse = [name](const char* found, const char* remedy) {
+    throw InputError(fmt::format("{}: an array of numbers is expected, not of {}; {}", name, found, remedy));
+  };
+  const char kind = array.dtype().kind();
+  if (kind == 'c') refuse("complex numbers", "take their real or their imaginary part");
+  if (kind == 'M') refuse("dates", "subtract the first of them and divide by numpy.timedelta64(1, 's')");
+  if (kind == 'm') refuse("durations", "divide them by numpy.timedelta64(1, 's')");
+  if (kind == 'U' || kind == 'S') refuse("texts", "convert them with numpy.asarray(..., dtype=float)");
+}
+
 }  // namespace
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
@@ -37,6 +49,8 @@ void expect_no_mask(py::handle value, const char* name) {
 
 Array numbers(py::handle value, const char* name) {
   expect_no_mask(value, name);
+  const py::array as_given = py::array::ensure(value);
+  if (as_given) expect_real(as_given, name);
   Array array = Array::ensure(value);
   if (!array) {
     PyErr_Clear();

@@ -27,8 +27,8 @@ std::string shape_text(const py::array& array);
 /// @throws InputError naming the argument `name` when a value of a numpy.ma array is masked: its number means nothing.
 void expect_no_mask(py::handle value, const char* name);
 
-/// Any array of numbers without masked values, copied or cast where needed. @throws InputError naming the argument
-/// `name`.
+/// Any array of real numbers without masked values, copied or cast where needed. Dates, durations and texts are none.
+/// @throws InputError naming the argument `name`.
 Array numbers(py::handle value, const char* name);
 /// The same with shape=(n,).
 Array samples(py::handle value, const char* name);

@@ -100,7 +100,8 @@ py::object read(const py::object& path, const std::string& column, std::optional
   choice.from = start.value_or(0.0);
   choice.to = end;
   choice.dt = dt;
-  const LoadHistory load = cli::read_history(path_of(path), choice);
+  const std::string name = path_of(path);
+  const LoadHistory load = unlocked([&] { return cli::read_history(name, choice); });
   const py::array times = to_array(load.history.times), values = to_array(load.history.values);
   if (as == "numpy") return py::make_tuple(times, values);
   if (as == "pandas") {

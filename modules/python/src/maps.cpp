@@ -67,14 +67,13 @@ std::vector<T> members(const Map& map, T geometry::Feature::*member) {
 
 py::object sizes_of(const py::object& pieces, bool born, bool picture) {
   const bool is_path = py::isinstance<py::str>(pieces) || py::hasattr(pieces, "__fspath__");
-  const cli::PieceSizes sizes =
-      is_path ? cli::read_piece_sizes(py::module_::import("os").attr("fspath")(pieces).cast<std::string>(), born)
-              : cli::piece_sizes_of(to_polygons(pieces, "pieces"), "polygons");
+  const auto read = [&] {
+    const auto path = py::module_::import("os").attr("fspath")(pieces).cast<std::string>();
+    return unlocked([&] { return cli::read_piece_sizes(path, born); });
+  };
+  const cli::PieceSizes sizes = is_path ? read() : cli::piece_sizes_of(to_polygons(pieces, "pieces"), "polygons");
   if (sizes.areas.empty()) throw InputError("pieces: there are none");
-  const cli::PieceAnalysis analysis = [&] {
-    const Released release;
-    return cli::analyse_pieces(sizes);
-  }();
+  const cli::PieceAnalysis analysis = unlocked([&] { return cli::analyse_pieces(sizes); });
   py::object out = from_json(cli::pieces_json(sizes, analysis).dump());
   if (picture) out[py::str("picture")] = cli::pieces_picture(sizes, analysis);
   return out;

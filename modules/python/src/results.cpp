@@ -42,7 +42,8 @@ void add_floes(py::module_& m) {
       .def_readonly("death", &model::FloeRecord::death,
                     "[s]; of a floe alive the run's end, and 0 in Simulation.frame() and Steps.births")
       .def_property_readonly(
-          "end", [](const model::FloeRecord& f) { return model::name_of(f.end); }, "alive, crushed")
+          "end", [](const model::FloeRecord& f) { return model::name_of(f.end); },
+          "alive, crushed or broken (into floes of their own)")
       .def_readonly("peak_stress", &model::FloeRecord::peak_stress,
                     "Largest compression of the deletion criterion [Pa]; 0 in Simulation.frame() and Steps.births.")
       .def_property_readonly(
@@ -86,7 +87,10 @@ FrameView view_of(const model::Frame& frame, const std::map<std::int64_t, model:
 void add_results(py::module_& m) {
   add_floes(m);
   using model::RunResults;
-  py::class_<RunResults>(m, "Results", "Everything that a run leaves, as in run.nc.")
+  py::class_<RunResults>(
+      m, "Results",
+      "Loads, crack events, splits, floes and frames of a run, and its sheet at the start and at the end.\n\n"
+      "A run.nc has more: the sheet after each step with cracks (``cracked_sheet_...``).")
       .def_property_readonly(
           "loads", [](const RunResults& r) { return table(std::span<const model::LoadRow>(r.loads)); },
           "Load history: a structured array with all columns that a history.csv can have; shape (n_steps,). Those of a "

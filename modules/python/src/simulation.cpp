@@ -31,12 +31,14 @@ namespace {
 struct Steps {
   std::vector<model::LoadRow> loads;
   std::vector<model::CrackEvent> events;
+  std::vector<model::SheetSplit> splits;
   std::vector<model::FloeRecord> births;
   std::vector<simulation::FloeDeath> deaths;
 
   void add(simulation::StepReport report) {
     loads.push_back(report.loads);
     std::ranges::move(report.events, std::back_inserter(events));
+    std::ranges::move(report.splits, std::back_inserter(splits));
     std::ranges::move(report.births, std::back_inserter(births));
     std::ranges::move(report.deaths, std::back_inserter(deaths));
   }
@@ -235,6 +237,9 @@ void add_simulation(py::module_& m) {
       .def_property_readonly(
           "events", [](const Steps& s) { return table(std::span<const model::CrackEvent>(s.events)); },
           "Structured array with the columns of events.csv; shape (n_events,).")
+      .def_property_readonly(
+          "splits", [](const Steps& s) { return table(std::span<const model::SheetSplit>(s.splits)); },
+          "Drifting sheets that split: structured array with the columns ``split_...`` of run.nc; shape (n_splits,).")
       .def_readonly("births", &Steps::births, "A list of FloeRecord.")
       .def_property_readonly("deaths", &deaths_of, "A list of (id, cause).");
   py::class_<LiveSimulation>(m, "Simulation", R"(One structure driving into one ice sheet, step by step.

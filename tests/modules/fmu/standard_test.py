@@ -4,6 +4,7 @@
 References: FMI 2.0.4 and FMI 3.0.2 (Modelica Association, 2022 and 2024).
 """
 import ctypes
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -135,11 +136,20 @@ class Tests(Common):
         instance.enter_initialization(stop=1.0)
         instance.exit_initialization()
         for at, size in ((0.0, 0.5 * STEP), (0.0, 1.5 * STEP), (0.0, 0.0), (0.0, -STEP), (0.0, float("nan")),
-                         (STEP, STEP), (0.0, 1.0 + STEP)):
+                         (STEP, STEP)):
             self.refuses(DISCARD, instance.step, at, size)
         self.assertEqual(instance.categories[-1], "logStatusDiscard")
         instance.step(0.0, STEP * (1 + 1e-9))
         self.assertEqual(instance.get(["time"]), [STEP])
+
+    def test_a_step_past_the_stop_time_is_an_error(self):
+        instance = self.keep(self.unit().instantiate())
+        instance.enter_initialization(stop=3 * STEP)
+        instance.exit_initialization()
+        instance.step(0.0, 3 * STEP)
+        refused = self.refuses(ERROR, instance.step, 3 * STEP, STEP)
+        self.assertIn("beyond the stop time 0.03 s", str(refused))
+        self.assertEqual(instance.categories[-1], "logStatusError")
 
     def test_an_instance_needs_its_name_token_and_resources(self):
         for wrong in ({"name": " "}, {"token": "other"}, {"resources": "/nowhere"}):
@@ -165,6 +175,15 @@ class Tests(Common):
         self.assertEqual(brash("export", "fmu", case, "-o", case, "--fmi", self.fmi).returncode, 2)
         self.assertEqual(case.read_bytes(), CASE.read_bytes())
 
+    def test_a_case_whose_name_no_description_can_hold_is_refused(self):
+        for name in (b"c\xff.toml", b"c\x01.toml"):
+            case, unit = bytes(UNITS.folder) + b"/" + name, UNITS.folder / f"named{self.fmi}.fmu"
+            pathlib.Path(os.fsdecode(case)).write_bytes(CASE.read_bytes())
+            said = brash("export", "fmu", os.fsdecode(case), "-o", unit, "--fmi", self.fmi)
+            self.assertEqual(said.returncode, 2, said.stderr)
+            self.assertIn("rename the file", said.stderr)
+            self.assertFalse(unit.exists())
+
     def test_errors_are_logged_even_where_the_log_is_off_and_discards_are_not(self):
         instance = self.keep(self.unit().instantiate(logging=False))
         self.refuses(DISCARD, instance.set, {"ice.poisson_ratio": 9.0})
@@ -174,6 +193,13 @@ class Tests(Common):
         self.assertIn("ice.poisson_ratio = 9", instance.messages[-1])
         self.refuses(ERROR, instance.terminate)
         self.assertEqual(instance.categories[-1], "logStatusError")
+
+    def test_a_null_pointer_in_place_of_a_category_is_an_error(self):
+        instance = self.keep(self.unit().instantiate())
+        for categories in (None, (ctypes.c_char_p * 1)(None)):
+            refused = self.refuses(ERROR, instance.call, "SetDebugLogging", self.flag(True), ctypes.c_size_t(1), categories)
+            self.assertIn("null pointer", str(refused))
+            instance.reset()
 
     def test_a_driven_unit_has_inputs_with_a_start_at_rest(self):
         variables = {v.get("name"): v for v in self.unit(**DRIVEN).description.find("ModelVariables")}
@@ -237,6 +263,13 @@ class Fmi2(Under2, Tests, unittest.TestCase):
                      "GetIntegerStatus", "GetBooleanStatus", "GetStringStatus", "GetDirectionalDerivative",
                      "SetRealInputDerivatives", "GetRealOutputDerivatives"):
             self.assertTrue(hasattr(library, "fmi2" + name))
+
+    def test_the_place_of_resources_is_any_uri_of_a_file(self):
+        place = (self.unit().folder / "resources").as_uri().removeprefix("file://")
+        for uri in (f"file:{place}", f"file://localhost{place}", f"FILE://{place}", f"File://{place}?version=2#top",
+                    f"file://{place.replace('r', '%72')}#"):
+            with self.subTest(uri):
+                self.assertIsNotNone(self.keep(self.unit().instantiate(resources=uri)).pointer.value)
 
     def test_model_exchange_is_refused(self):
         self.assertIsNone(self.unit().instantiate(kind=0).pointer.value)

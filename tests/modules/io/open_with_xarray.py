@@ -9,6 +9,7 @@ import xarray as xr
 run = xr.open_dataset(sys.argv[1])
 assert run.attrs["Conventions"] == "CF-1.8"
 assert "[ice]" in run.attrs["case"]
+assert "x against the structure's heading" in run.attrs["comment"]
 
 # The load history is indexed by time, in seconds as plain numbers.
 assert run["time"].dtype == np.float64 and run["time"].attrs["units"] == "s"

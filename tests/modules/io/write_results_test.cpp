@@ -14,6 +14,7 @@
 #include "brash/core/version.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
+#include "netcdf_file.hpp"
 #include "sample_results.hpp"
 #include "scratch.hpp"
 
@@ -95,6 +96,22 @@ BOOST_AUTO_TEST_CASE(a_long_replay_of_floes_at_rest_takes_little_room) {
   const double bytes = 9.0 * sizeof(double) * kFrames * kFloes;
   BOOST_TEST(static_cast<double>(std::filesystem::file_size(scratch.path("run.nc"))) < 0.05 * bytes);
   BOOST_TEST((read_results(scratch.path("run.nc")) == results));
+}
+
+BOOST_AUTO_TEST_CASE(the_outline_of_a_second_sheet_is_no_hole) {
+  const Scratch scratch;
+  RunResults results = sample_results();
+  const std::vector<Vec2> far{{60, -25}, {70, -25}, {70, 25}, {60, 25}};
+  const std::vector<Vec2> hole_of_far{{64, -1}, {64, 1}, {66, 1}};
+  results.cracked_sheets.at(1).rings.push_back(far);
+  results.cracked_sheets.at(1).rings.push_back(hole_of_far);
+  write_results(scratch.folder().string(), validation(), results);
+  std::vector<std::int32_t> interior;
+  NetcdfReader(scratch.path("run.nc"))
+      .read("cracked_sheet_outline_interior_ring", "cracked_sheet_outline_part", interior);
+  // The first sheet has an outline; the second an outline and its hole, and another outline and its hole.
+  const std::vector<std::int32_t> expected{0, 0, 1, 0, 1};
+  BOOST_TEST(interior == expected, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(two_writes_give_the_same_bytes) {

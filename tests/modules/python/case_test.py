@@ -86,6 +86,17 @@ class Cases(unittest.TestCase):
             with self.assertRaises(KeyError, msg=repr(key)):
                 self.case[key]
 
+    def test_a_key_that_is_no_text_is_named(self):
+        before = self.case.copy()
+        for change in (self.case.update, lambda changes: brash.Case.from_file(CONE, changes=changes)):
+            for key in (1, None, b"ice.thickness"):
+                with self.assertRaises(TypeError) as raised:
+                    change({"ice.thickness": 0.4, key: 2})
+                self.assertIn(f"{key!r} is no key", str(raised.exception))
+            with self.assertRaises(UnicodeEncodeError):
+                change({"ice.\ud800": 2})
+        self.assertEqual(self.case, before)
+
     def test_bad_files_are_named(self):
         with tempfile.TemporaryDirectory() as folder:
             missing = pathlib.Path(folder) / "none.toml"

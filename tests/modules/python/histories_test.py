@@ -85,16 +85,30 @@ class Histories(unittest.TestCase):
         kept = brash.load_events((times, masked.filled(np.nan)))
         self.assertGreater(len(kept["peak"]), 0)
 
-    def test_long_statistics_let_other_threads_work(self):
-        history, counted = sawtooth(20_000), []
-        worker = threading.Thread(target=lambda: counted.append(brash.stats(history)["n"]))
+    def looks_during(self, call):
+        """How often this thread comes to work during a call in another thread, and its result."""
+        results = []
+        worker = threading.Thread(target=lambda: results.append(call()))
         worker.start()
         looks = 0
         while worker.is_alive():
             looks += 1
             time.sleep(0.001)
         worker.join()
-        self.assertEqual(counted, [history[1].size])
+        return looks, results[0]
+
+    def test_long_statistics_let_other_threads_work(self):
+        history = sawtooth(20_000)
+        looks, n = self.looks_during(lambda: brash.stats(history)["n"])
+        self.assertEqual(n, history[1].size)
+        self.assertGreater(looks, 20)
+
+    def test_the_reading_of_a_long_history_lets_other_threads_work(self):
+        times, load = sawtooth(20_000)
+        file = self.folder / "long.csv"
+        np.savetxt(file, np.column_stack([times, load]), delimiter=",", header="time,Fx", comments="")
+        looks, (_, values) = self.looks_during(lambda: brash.read_history(file))
+        self.assertEqual(values.size, load.size)
         self.assertGreater(looks, 20)
 
     def test_events_extremes_and_fatigue_are_those_of_the_command(self):

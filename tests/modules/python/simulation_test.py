@@ -68,6 +68,19 @@ class Steps(unittest.TestCase):
             run.results.frame(31)
         self.assertEqual(len(run.events), run.summary["n_breaks"])
 
+    def test_splits_of_steps_are_those_of_a_run(self):
+        # Tests of the law have this weak sheet; it splits after 2.4 s.
+        case = brash.Case.from_file(CONE, {
+            "field.border": "free", "field.length": 40, "field.width": 60, "ice.fracture_toughness": 20e3,
+            "failure.model": "wedge", "failure.pattern": "disc", "failure.judged": "centre-line",
+            "failure.order": "circumferential-first", "failure.edge": "static", "failure.second_order": False,
+            "failure.joint_loads": False, "time.duration": "2.5 s"})
+        simulation = brash.Simulation(case)
+        splits = np.concatenate([simulation.step(n).splits for n in (100, 150)])
+        self.assertEqual(splits.shape, (1,))
+        self.assertGreater(splits["stress_intensity"][0], 20e3)
+        np.testing.assert_array_equal(splits, case.run().results.splits)
+
     def test_steps_before_ctrl_c_come_with_the_next_call(self):
         def interrupt(*_):
             raise KeyboardInterrupt

@@ -78,6 +78,16 @@ class Statistics(unittest.TestCase):
         with self.assertRaises((TypeError, RuntimeError)):
             brash.bootstrap_interval([1, 2, 3], lambda x: "text")
 
+    def test_complex_numbers_dates_durations_and_texts_are_refused_with_the_remedy(self):
+        dates = np.array(["2026-01-01", "2026-01-02"], dtype="datetime64[s]")
+        for values, said in ((np.array([1 + 2j, 2]), "complex numbers; take their real"), (dates, "dates; subtract"),
+                             (dates - dates[0], "durations; divide"), (np.array(["1", "2"]), "texts; convert"),
+                             (np.array([b"1", b"2"]), "texts; convert"), (["1", "2"], "texts; convert")):
+            with self.subTest(said), self.assertRaisesRegex(brash.InputError, f"samples: .*{said}"):
+                brash.moments(values)
+        self.assertEqual(brash.moments([True, False]).mean, 0.5)
+        self.assertEqual(brash.moments(np.array([1, 2], dtype=np.int8)).mean, 1.5)
+
     def test_masked_values_are_refused_with_the_remedy(self):
         masked = np.ma.masked_array([1.0, 2.0, 1e30, 3.0], mask=[False, False, True, False])
         with self.assertRaisesRegex(brash.InputError, r"without masked values.*samples\.compressed\(\)"):
