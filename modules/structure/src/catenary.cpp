@@ -74,7 +74,7 @@ void first_guess(const Line& line, double span, double rise, double& h, double& 
 }  // namespace
 
 /// The pull is where `complementary - h span - v rise` is least: Newton's steps, halved until it falls. At one rise the
-/// vertical force grows with the span, so that of the slack or upright line bounds it from below. Without the bound a
+/// vertical force grows with the span, so the slack or upright line bounds it from below. Without the bound a
 /// first guess too high lets both forces shrink together to nothing.
 LinePull pull_of(const Line& line, double span, double rise) {
   BRASH_EXPECTS(line.length > 0.0 && line.weight > 0.0 && line.stiffness > 0.0 && span >= 0.0 && rise > 0.0,
@@ -104,7 +104,7 @@ LinePull pull_of(const Line& line, double span, double rise) {
     for (double share = 1.0; share > 1e-12 && !moved; share *= 0.5) {
       const double next_h = std::max(h + share * dh, 0.1 * h), next_v = std::max(v + share * dv, least_v);
       const Shape next = shape_under(line, next_h, next_v);
-      // Near the least value rounding hides its fall, and not that of the distance.
+      // Near the least value rounding hides its fall, and the distance still falls.
       moved = height(next, next_h, next_v) < height(s, h, v) || (share == 1.0 && distance(next) < distance(s));
       if (!moved) continue;
       h = next_h;

@@ -17,7 +17,7 @@ struct Inertia {
 
 /// The inertia of `body`, with defaults where it states none: the mass of the water that the hull displaces as it lies;
 /// its centre on the waterplane above the centre of buoyancy; the radii of gyration and the added mass of the fitted
-/// half ellipsoid, or of those of all legs and of all outlines of the waterline, each as if alone.
+/// half ellipsoid. Legs and outlines of the waterline have one each, as if alone, and add up.
 /// @param density  of the water [kg/m3].
 /// @throws InputError when the hull displaces no water.
 /// @see docs/theory/motion.md, (B7) and (B8)
