@@ -63,7 +63,7 @@ class Boundary {
   bool contains(std::size_t i) const { return contains_[i]; }
 
  private:
-  /// Adds the points from one of them to another, counter-clockwise (quickhull): those on their chord, or else the
+  /// Adds the points from one of them to another, counter-clockwise (quickhull): the points on their chord, or else the
   /// boundary to and from the point farthest beyond it.
   void add(std::size_t from, std::size_t to) {
     const Vec2 along = normalized(at_[to] - at_[from]);
