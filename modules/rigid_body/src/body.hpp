@@ -56,6 +56,7 @@ struct Body {
   Pose next_pose;                  ///< of a structure or a sheet that moves as it is told
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
+  bool struck = false;            ///< a settled floe that a blow has released in this step
   bool in_plane = false;          ///< a sheet that drifts: it has no parts, and moves in x, y and yaw
   Body* sheet = nullptr;          ///< of a part: the sheet that drifts with it; null where the part is fast
   int rank = 0;                   ///< in the order of the step

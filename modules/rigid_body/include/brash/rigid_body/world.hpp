@@ -43,7 +43,8 @@ struct WorldSettings {
   int iterations = 30;  ///< sweeps of sequential impulses a step, at most
   /// [m], > 0; convex parts thinner than twice this have no contact. Bullet's hulls are inset by it and rounded.
   double collision_margin = 0.005;
-  /// A floe that comes nearer faster than this releases a settled floe, before the contact acts [m/s].
+  /// A floe that comes nearer faster than this releases a settled floe, before the contact acts [m/s]. The blow may
+  /// drive the released floe on against others that touch it: Engine::kBrash releases those by the same rule.
   double release_speed = std::numeric_limits<double>::infinity();
   /// Bullet keeps contact points from step to step: a repeated run gives the same bytes, one from stored states does
   /// not.
