@@ -72,6 +72,8 @@ struct Body {
   std::unique_ptr<btRigidBody> bullet;
 
   bool is_floe() const { return kind == BodyKind::kFloe; }
+  /// Whether it is a sheet that drifts, or a part of one.
+  bool drifts() const { return in_plane || sheet != nullptr; }
   /// Whether the step moves it.
   bool is_free() const { return mass.mass > 0.0 && !settled; }
   /// Whether contacts move it, or the sheet that it is part of.

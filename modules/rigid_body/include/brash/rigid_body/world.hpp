@@ -228,10 +228,11 @@ class World {
   void remove(BodyId id);
 
   /// Ties points of two bodies together: a joint that turns freely, or a spring with a damper. At least one of them is
-  /// one that the step moves. The two do not collide with each other any more.
+  /// one that the step moves, and neither is a sheet that drifts or a part of one. The two do not collide with each
+  /// other any more.
   /// @return ids are given in ascending order and never again.
   LinkId link(const Anchor& one, const Anchor& other, const LinkLaw& law = {});
-  /// Moors a point of a body to a place in the world [m].
+  /// Moors a point of a body to a place in the world [m]. The body is no sheet that drifts.
   LinkId moor(const Anchor& anchor, Vec3 place, const LinkLaw& law = {});
   void unlink(LinkId id);
   /// The loads of the links in the last step, sorted by id.
