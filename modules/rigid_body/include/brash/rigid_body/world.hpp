@@ -263,8 +263,8 @@ class World {
   /// Advances all bodies by `dt` [s].
   void step(double dt);
 
-  /// The loads of the contact points in the last step, sorted by (body, other, point); parts of the sheet are one and
-  /// come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
+  /// The loads of the contact points in the last step, sorted by (body, other, point). With Engine::kBrash parts of the
+  /// sheet are one and come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// Likewise between parts of sheets that drift, and of one with a fixed part: `body` and `other` are the parts, and
   /// `body` is of a sheet that drifts. In the order of the step.
