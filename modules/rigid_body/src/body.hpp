@@ -58,7 +58,7 @@ struct Body {
   bool settled = false;           ///< a floe fixed where it is
   bool struck = false;            ///< a settled floe that a blow has released in this step
   bool in_plane = false;          ///< a sheet that drifts: it has no parts, and moves in x, y and yaw
-  Body* sheet = nullptr;          ///< of a part: the sheet that drifts with it; null where the part is fast
+  Body* sheet = nullptr;          ///< of a part: the sheet that drifts with it; null where no contact moves the part
   int rank = 0;                   ///< in the order of the step
   std::uint32_t in_solver = 0;    ///< number there, in this step
   Box box;                        ///< of its parts where it is now

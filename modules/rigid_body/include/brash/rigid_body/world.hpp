@@ -206,7 +206,8 @@ class World {
   /// A convex prism of the sheet, plan ring in the sheet's frame [m], between two heights [m]. It is fixed, or moves as
   /// move_sheet_part() says.
   /// @param frame  pose of the sheet's frame.
-  /// @param sheet  which add_drifting_sheet() gave: contacts of the part act on it. Without it the part is fast.
+  /// @param sheet  which add_drifting_sheet() gave: contacts of the part act on it. Without it no contact moves the
+  /// part.
   BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& frame = {},
                         BodyId sheet = kNoBody);
   /// A sheet that drifts. It has no shape but its parts, and no mass until set_sheet(). Its parts meet floes, the parts
