@@ -11,7 +11,7 @@
 namespace brash::rigid_body {
 namespace {
 
-/// Iterations stop when no row changes a relative velocity by more than this [m/s]: 0.1 N on 10 t of ice at 0.01 s.
+/// Iterations stop when no row changes a relative velocity by more than this [m/s]: 0.01 N on 10 t of ice at 0.01 s.
 constexpr double kStill = 1e-8;
 /// Share of the turn that a split impulse gives which a step takes [-]: floes that part shall not tumble.
 constexpr double kPartingTurn = 0.1;
