@@ -196,6 +196,11 @@ ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, co
   return load;
 }
 
+// The report. `reported_` is indexed like `contacts_`, in the order of the step. `listed_` holds the same contacts body
+// by body: of_body_[b - 1] to of_body_[b] are the contacts of the body with index b, once they are dealt out. The
+// solver numbers the points of its contacts in the order of the step: Listed::solved is the number of a contact's first
+// one.
+
 /// Deals the contacts out to the bodies from which they are reported.
 void ContactSet::list_by_body(Workers& workers) {
   // Contacts and bodies lie all over the memory: all threads fetch them.
