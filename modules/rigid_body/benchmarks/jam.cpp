@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     points += world.contacts().size();
     for (const ContactLoad& c : world.contacts())
       if (c.other == structure) impulse -= dt * (c.normal_force * c.normal.x + c.friction_force.x);
-    if ((i + 1) % (steps / 5) == 0)
+    if ((i + 1) % std::max(1, steps / 5) == 0)
       std::printf(
           "t %5.2f s  %6.0f steps/s so far, %zu bearing points, kinetic energy %.0f J, mean resistance %.1f kN\n",
           (i + 1) * dt, (i + 1) / spent, world.contacts().size(), world.kinetic_energy(),

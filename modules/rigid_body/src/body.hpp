@@ -56,8 +56,9 @@ struct Body {
   Pose next_pose;                  ///< of a structure or a sheet that moves as it is told
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
+  bool struck = false;            ///< a settled floe that a blow has released in this step
   bool in_plane = false;          ///< a sheet that drifts: it has no parts, and moves in x, y and yaw
-  Body* sheet = nullptr;          ///< of a part: the sheet that drifts with it; null where the part is fast
+  Body* sheet = nullptr;          ///< of a part: the sheet that drifts with it; null where no contact moves the part
   int rank = 0;                   ///< in the order of the step
   std::uint32_t in_solver = 0;    ///< number there, in this step
   Box box;                        ///< of its parts where it is now
@@ -71,6 +72,8 @@ struct Body {
   std::unique_ptr<btRigidBody> bullet;
 
   bool is_floe() const { return kind == BodyKind::kFloe; }
+  /// Whether it is a sheet that drifts, or a part of one.
+  bool drifts() const { return in_plane || sheet != nullptr; }
   /// Whether the step moves it.
   bool is_free() const { return mass.mass > 0.0 && !settled; }
   /// Whether contacts move it, or the sheet that it is part of.

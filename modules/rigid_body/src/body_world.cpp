@@ -128,6 +128,8 @@ void BodyWorld::list_as_moving(const Body& body, bool moves) {
   if (!listed && moves) moving_.insert(place, body.id);
 }
 
+/// Floes that move are of the group kMobile and meet both groups. All else is of the group kFixed and meets kMobile
+/// alone: structures, sheets and settled floes do not meet each other (for sheets that drift see PartsOfSheetsMeet).
 /// The broad phase seeks out a body that wakes anew. One that settles stays where it is, and loses its pairs with other
 /// fixed bodies in the next step: at once, each would cost a walk through the pairs of all.
 void BodyWorld::set_settled(Body& body, bool settled) {
@@ -147,7 +149,7 @@ void BodyWorld::set_settled(Body& body, bool settled) {
   list_as_moving(body, body.is_free());
 }
 
-/// Two bodies that do not move meet no more.
+/// Two bodies of the group kFixed meet no more. Bullet asks for the groups only when a pair is new.
 void BodyWorld::part_settled() {
   struct Fixed final : btOverlapCallback {
     bool processOverlap(btBroadphasePair& pair) override {

@@ -294,6 +294,11 @@ class BoundedSolver {
   template <typename Rows>
   double iterate(std::vector<Moved>& bodies, int iterations, double still, Workers& workers, Rows&& rows);
 
+  // Four numberings. Bodies keep theirs, from 1 on: `bodies_`, `moved_`, `parted_`, `velocities_before_`. Contacts and
+  // points have two. As they were added: `given_`, `first_points_` and `ends_` by contact, `places_` by point. Strip by
+  // strip: `contacts_` by contact, `normals_`, `borne_` and `bearings_` by point; a strip says where its own begin.
+  // Frictions and tangents are numbered within their strip. `places_` leads from a point as added to its place among
+  // the strips.
   double restitution_ = 0.0;
   // As they were added.
   std::vector<SolverBody> bodies_{1};

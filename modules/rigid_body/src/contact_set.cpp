@@ -93,17 +93,37 @@ std::span<const Part* const> ContactSet::Search::beside(const Part& part, const 
 }
 
 bool ContactSet::hits_settled(const Contact& c) const {
-  if (!c.first->settled && !c.second->settled) return false;
+  return (c.first->settled || c.second->settled) && closes_fast(c, c.first->twist, c.second->twist);
+}
+
+bool ContactSet::closes_fast(const Contact& c, const Twist& first, const Twist& second) const {
   return std::ranges::any_of(c.points(), [&](const PatchPoint& p) {
-    const Vec3 first = velocity_at(c.first->twist, p.position - c.first->pose.position);
-    const Vec3 second = velocity_at(c.second->twist, p.position - c.second->pose.position);
-    return dot(c.normal, second - first) > release_speed_;
+    const Vec3 of_first = velocity_at(first, p.position - c.first->pose.position);
+    const Vec3 of_second = velocity_at(second, p.position - c.second->pose.position);
+    return dot(c.normal, of_second - of_first) > release_speed_;
   });
+}
+
+bool ContactSet::is_of_struck_and_settled(const Contact& c) {
+  return (c.first->struck && c.second->settled) || (c.first->settled && c.second->struck);
+}
+
+bool ContactSet::struck_touch_settled() const {
+  return std::ranges::any_of(contacts_, [](const Contact* c) { return is_of_struck_and_settled(*c); });
 }
 
 std::vector<Body*> ContactSet::settled_and_hit() const {
   std::vector<Body*> hit;
   for (const Found& found : found_) hit.insert(hit.end(), found.hit.begin(), found.hit.end());
+  return hit;
+}
+
+std::vector<Body*> ContactSet::settled_and_hit(const BoundedSolver& solver) const {
+  std::vector<Body*> hit;
+  const auto twist = [&](const Body& body) { return body.settled ? Twist{} : solver.twist(body.in_solver); };
+  for (const Contact* const c : contacts_)
+    if (is_of_struck_and_settled(*c) && closes_fast(*c, twist(*c->first), twist(*c->second)))
+      hit.push_back(c->first->settled ? c->first : c->second);
   return hit;
 }
 
@@ -130,10 +150,11 @@ void ContactSet::add(std::span<const GivenContact> given, const std::function<Bo
 }
 
 /// Overlap of breakable ice is crushed ice: nothing pushes it apart.
-void ContactSet::add_to(BoundedSolver& solver, double dt, Workers& workers) {
+void ContactSet::add_to(BoundedSolver& solver, double dt, Workers& workers, Which which) {
   solved_.clear();
   for (const Contact* const contact : contacts_)
-    if (contact->moves_a_body) solved_.push_back(contact);
+    if (contact->moves_a_body && (which == Which::kAll || !is_of_struck_and_settled(*contact)))
+      solved_.push_back(contact);
   solver.add_contacts(solved_.size(), workers, [&](std::size_t i) {
     const Contact& contact = *solved_[i];
     const ContactLaw& how = contact.law;
@@ -174,6 +195,11 @@ ContactLoad ContactSet::load(const Contact& contact, const PatchPoint& point, co
   load.at_bound = impulse.at_bound;
   return load;
 }
+
+// The report. `reported_` is indexed like `contacts_`, in the order of the step. `listed_` holds the same contacts body
+// by body: of_body_[b - 1] to of_body_[b] are the contacts of the body with index b, once they are dealt out. The
+// solver numbers the points of its contacts in the order of the step: Listed::solved is the number of a contact's first
+// one.
 
 /// Deals the contacts out to the bodies from which they are reported.
 void ContactSet::list_by_body(Workers& workers) {

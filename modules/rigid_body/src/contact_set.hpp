@@ -36,8 +36,14 @@ class ContactSet {
   void add(std::span<const GivenContact> given, const std::function<Body*(BodyId)>& find_body);
   /// The settled floes that another body runs into faster than WorldSettings::release_speed.
   std::vector<Body*> settled_and_hit() const;
-  /// Adds all of them to a solver that knows the bodies by their Body::in_solver.
-  void add_to(BoundedSolver& solver, double dt, Workers& workers);
+  /// All contacts, or without the contacts of struck floes with settled ones.
+  enum class Which { kAll, kWithoutSettled };
+  /// Adds them to a solver that knows the bodies by their Body::in_solver.
+  void add_to(BoundedSolver& solver, double dt, Workers& workers, Which which = Which::kAll);
+  /// Whether a struck floe touches a settled one.
+  bool struck_touch_settled() const;
+  /// The settled floes that a struck one runs into likewise, at its velocity after that solver.
+  std::vector<Body*> settled_and_hit(const BoundedSolver& solver) const;
   /// Fills `loads` with the load of each point that bears any after that solver, sorted by (body, other, point).
   void report(const BoundedSolver& solver, double dt, std::vector<ContactLoad>& loads, Workers& workers);
 
@@ -79,7 +85,9 @@ class ContactSet {
   }
   void find(const Meeting& meeting, btDispatcher& dispatcher, Search& search, Found& found) const;
   void find(const Part& part, Body& second, Search& search, std::vector<Contact>& contacts) const;
+  static bool is_of_struck_and_settled(const Contact& contact);
   bool hits_settled(const Contact& contact) const;
+  bool closes_fast(const Contact& contact, const Twist& first, const Twist& second) const;
   /// The impulse of a point between bodies that nothing moves, in a step of `dt` [s]: its bound, while they close up.
   static PointImpulse crushed(const Contact& contact, const PatchPoint& point, double dt);
   static ContactLoad load(const Contact& contact, const PatchPoint& point, const PointImpulse& impulse, double dt);

@@ -45,7 +45,45 @@ bool supports(Plane& plane, std::span<const Vec3> points, double tolerance) {
   return inside || outside;
 }
 
-/// Indices of the points on `plane`, counter-clockwise seen from outside.
+/// The points of a plane that are on the boundary of their convex hull.
+class Boundary {
+ public:
+  /// @param at  from a point inside the hull [m].
+  Boundary(std::span<const Vec2> at, double tolerance) : at_(at), tolerance_(tolerance), contains_(at.size()) {
+    const auto farthest_from = [&](Vec2 p) {
+      const auto distance = [p](Vec2 q) { return norm(q - p); };
+      return static_cast<std::size_t>(std::ranges::max_element(at, {}, distance) - at.begin());
+    };
+    const std::size_t one = farthest_from({});
+    const std::size_t other = farthest_from(at[one]);
+    add(one, other);
+    add(other, one);
+  }
+
+  bool contains(std::size_t i) const { return contains_[i]; }
+
+ private:
+  /// Adds the points from one of them to another, counter-clockwise (quickhull): the points on their chord, or else the
+  /// boundary to and from the point farthest beyond it.
+  void add(std::size_t from, std::size_t to) {
+    const Vec2 along = normalized(at_[to] - at_[from]);
+    const auto beyond = [&](Vec2 p) { return cross(p - at_[from], along); };
+    const auto farthest = std::ranges::max_element(at_, {}, beyond);
+    if (beyond(*farthest) > tolerance_) {
+      const auto middle = static_cast<std::size_t>(farthest - at_.begin());
+      add(from, middle);
+      return add(middle, to);
+    }
+    for (std::size_t i = 0; i < at_.size(); ++i)
+      if (beyond(at_[i]) >= -tolerance_) contains_[i] = true;
+  }
+
+  std::span<const Vec2> at_;
+  double tolerance_;
+  std::vector<bool> contains_;
+};
+
+/// Indices of the points on the boundary of the face on `plane`, counter-clockwise seen from outside.
 std::vector<int> loop_on(const Plane& plane, std::span<const Vec3> points, double tolerance) {
   std::vector<int> on;
   Vec3 middle{};
@@ -56,15 +94,22 @@ std::vector<int> loop_on(const Plane& plane, std::span<const Vec3> points, doubl
   }
   middle = middle / static_cast<double>(on.size());
   const auto [u, v] = plane_axes(plane.normal);
-  const auto angle = [&, u = u, v = v](int i) {  // clang 14 does not capture structured bindings
+  std::vector<Vec2> at;
+  for (const int i : on) {
     const Vec3 r = points[static_cast<std::size_t>(i)] - middle;
-    return std::atan2(dot(r, v), dot(r, u));
-  };
-  std::sort(on.begin(), on.end(), [&](int i, int j) { return angle(i) < angle(j); });
+    at.push_back({dot(r, u), dot(r, v)});
+  }
+  const Boundary boundary(at, tolerance);
+  std::vector<std::pair<double, int>> loop;
+  for (std::size_t k = 0; k < on.size(); ++k)
+    if (boundary.contains(k)) loop.emplace_back(std::atan2(at[k].y, at[k].x), on[k]);
+  std::ranges::sort(loop);
+  on.clear();
+  for (const auto& [angle, i] : loop) on.push_back(i);
   return on;
 }
 
-/// Points that are corners of the hull, each once.
+/// The points, each once.
 std::vector<Vec3> distinct(std::span<const Vec3> points, double tolerance) {
   std::vector<Vec3> kept;
   for (const Vec3& p : points) {
@@ -111,6 +156,22 @@ std::pair<std::vector<int>, Plane> settle(const Plane& plane, std::span<const Ve
         return {on, dot(settled->normal, plane.normal) > 0.0 ? *settled : Plane{-settled->normal, -settled->offset}};
   BRASH_EXPECTS(false, "a face of points in line", on.size());
   return {};
+}
+
+/// Leaves the vertices that are in a face's loop, in their order.
+void keep_corners(ConvexPart& part) {
+  std::vector<int> number(part.vertices.size(), -1);
+  for (const std::vector<int>& loop : part.faces)
+    for (const int i : loop) number[static_cast<std::size_t>(i)] = 0;
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] < 0) continue;
+    number[i] = static_cast<int>(kept.size());
+    kept.push_back(part.vertices[i]);
+  }
+  for (std::vector<int>& loop : part.faces)
+    for (int& i : loop) i = number[static_cast<std::size_t>(i)];
+  part.vertices = std::move(kept);
 }
 
 /// Each edge once: the loops of the faces beside it run along it in opposite directions.
@@ -208,6 +269,7 @@ ConvexPart convex_hull(std::span<const Vec3> points) {
     part.planes.push_back(plane);
     part.faces.push_back(loop_on(plane, part.vertices, tolerance));
   }
+  keep_corners(part);
   part.edges = edges_between(part.faces);
   return part;
 }

@@ -31,7 +31,8 @@ struct ConvexPart {
 ConvexPart convex_prism(std::span<const Vec2> ring, double bottom, double top);
 
 /// The convex hull of `points` [m] by gift wrapping, coplanar points in one face: at most points times edges, for
-/// structures, which are built once. Points closer to a plane than 1e-9 of the extent lie on it.
+/// structures, which are built once. Points closer to a plane than 1e-9 of the extent lie on it. Points inside a face
+/// or the hull are no vertices.
 ConvexPart convex_hull(std::span<const Vec3> points);
 
 /// Two unit vectors that make a right-handed frame with the unit vector `normal`.

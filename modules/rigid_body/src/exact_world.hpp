@@ -24,7 +24,11 @@ class ExactWorld final : public BodyWorld {
   /// The rows of all bodies are solved together.
   void calculateSimulationIslands() override;
   void find_contacts();
+  /// Releases settled floes that a blow reaches, and finds the contacts again.
+  void release(const std::vector<Body*>& hit);
   void solve(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info);
+  void solve_rows(std::span<btTypedConstraint* const> constraints, const btContactSolverInfo& info,
+                  ContactSet::Which which);
   /// New velocities from the solver, then Eqs. 9 and 10.
   void integrateTransforms(btScalar dt) override;
   void advance(Body& body, double dt);

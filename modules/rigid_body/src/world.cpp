@@ -110,12 +110,13 @@ BodyId World::add_structure(std::span<const std::vector<Vec3>> hulls, const Pose
 LinkId World::link(const Anchor& one, const Anchor& other, const LinkLaw& law) {
   Body &a = world_->get(one.body), &b = world_->get(other.body);
   BRASH_EXPECTS(&a != &b && !a.settled && !b.settled && (a.is_free() || b.is_free()), one.body.index, other.body.index);
+  BRASH_EXPECTS(!a.drifts() && !b.drifts(), "a sheet that drifts takes no links", one.body.index, other.body.index);
   return world_->links().add(a, one.point, &b, other.point, law);
 }
 
 LinkId World::moor(const Anchor& anchor, Vec3 place, const LinkLaw& law) {
   Body& body = world_->get(anchor.body);
-  BRASH_EXPECTS(body.is_free(), anchor.body.index);
+  BRASH_EXPECTS(body.is_free() && !body.drifts(), anchor.body.index);
   return world_->links().add(body, anchor.point, nullptr, place, law);
 }
 

@@ -152,3 +152,18 @@ BOOST_AUTO_TEST_CASE(Links_go_with_their_bodies_and_keep_floes_from_settling) {
   BOOST_CHECK_NO_THROW(chain.world.set_settled(chain.first, true));
   BOOST_CHECK_THROW(chain.world.moor({chain.first, {}}, {}), ContractViolation);
 }
+
+BOOST_AUTO_TEST_CASE(Sheets_that_drift_and_their_parts_take_no_links) {
+  World world(breakable());
+  const BodyId floe = add_floe(world, rectangle({0, 0}, {2, 2}), 0.5);
+  const BodyId sheet = world.add_drifting_sheet();
+  const BodyId tile = world.add_sheet_part(rectangle({4, 0}, {8, 4}), -0.25, 0.25, {}, sheet);
+  const BodyId wall = world.add_sheet_part(rectangle({-4, 0}, {-2, 4}), -0.25, 0.25);
+  world.set_sheet(sheet, {.mass = 7200.0, .inertia = 19200.0, .centre = {6, 2}});
+  for (const BodyId drifts : {sheet, tile}) {
+    BOOST_CHECK_THROW(world.link({floe, {}}, {drifts, {}}), ContractViolation);
+    BOOST_CHECK_THROW(world.link({drifts, {}}, {floe, {}}), ContractViolation);
+    BOOST_CHECK_THROW(world.moor({drifts, {}}, {}), ContractViolation);
+  }
+  BOOST_CHECK_NO_THROW(world.link({floe, {}}, {wall, {}}));
+}

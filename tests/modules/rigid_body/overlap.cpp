@@ -192,6 +192,39 @@ BOOST_AUTO_TEST_CASE(The_hull_of_a_frustum_has_a_face_for_each_facet_and_two_end
   }
 }
 
+BOOST_AUTO_TEST_CASE(Points_inside_the_faces_of_a_hull_are_no_vertices) {
+  // A box whose faces are split 4 x 4, turned by amounts that round off. Points halfway along its edges stay: they are
+  // where faces meet.
+  for (const Quaternion& turn : {Quaternion{}, turned({}, {0, 0, 1}, kPi / 2).rotation,
+                                 turned({}, {1, 0, 0}, kPi / 4).rotation, turned({}, {3, -1, 2}, 0.7).rotation}) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= 4; ++i)
+      for (int j = 0; j <= 4; ++j)
+        for (int k = 0; k <= 4; ++k) points.push_back(rotate(turn, {2.0 * i, 1.5 * j, 1.5 * k}));
+    const ConvexPart hull = convex_hull(points);
+    BOOST_TEST(hull.planes.size() == 6u);
+    BOOST_TEST(hull.vertices.size() == 8u + 12u * 3u);
+    BOOST_TEST(hull.edges.size() == 12u * 4u);
+    for (const auto& face : hull.faces) BOOST_TEST(face.size() == 16u);
+    // Inside a larger body all of it overlaps: 8 m x 6 m along the box's z.
+    const Quaternion back{turn.w, -turn.x, -turn.y, -turn.z};
+    const ConvexPart room = convex_prism(rectangle({-50, -50}, {50, 50}), -50, 50);
+    BOOST_TEST(overlap_area(placed(hull, {{}, back}), placed(room, {}), {0, 0, 1}) == 48.0,
+               boost::test_tools::tolerance(kRoundOff));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(A_point_in_the_middle_of_a_face_changes_no_hull) {
+  std::vector<Vec3> points = box({-1, -1, -1}, {1, 1, 1});
+  const ConvexPart plain = convex_hull(points);
+  for (const double x : {0.0, 0.5, -0.5}) points.insert(points.begin(), {x, 0.25 * x, 1.0});
+  points.push_back({0.0, 0.999, 1.0});
+  points.push_back({0.3, 0.2, 0.1});  // inside the solid
+  const ConvexPart hull = convex_hull(points);
+  BOOST_TEST((hull.vertices == plain.vertices));
+  BOOST_TEST((hull.faces == plain.faces));
+}
+
 BOOST_AUTO_TEST_CASE(A_part_thinner_than_two_insets_has_no_inset) {
   const ConvexPart thin = convex_prism(rectangle({0, 0}, {1, 0.009}), -0.2, 0.2);
   BOOST_TEST(inset_vertices(thin, 0.005).empty());

@@ -69,6 +69,31 @@ BOOST_AUTO_TEST_CASE(A_settled_floe_is_to_the_others_what_the_sheet_is_until_it_
   BOOST_TEST(settled.twist(rests).linear.x == 0.01, boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(A_blow_goes_on_through_settled_floes_that_touch_as_far_as_it_is_fast) {
+  // Equal floes in a row, each 0.4 mm into the next. The first moves, the others sleep. Without restitution n floes
+  // take v / n each.
+  const auto row = [](int n, double release_speed, double speed) {
+    World world({.iterations = 1000, .release_speed = release_speed});
+    for (int i = 0; i < n; ++i) {
+      const double x = 1.9996 * i;
+      const BodyId floe = add_floe(world, rectangle({x, 0}, {x + 2, 2}), 0.5);
+      if (i > 0) world.set_settled(floe, true);
+    }
+    world.set_state(world.floes()[0], world.pose(world.floes()[0]), {{speed, 0, 0}, {}});
+    world.step(0.01);
+    return world;
+  };
+  const World three = row(3, 0.05, 0.3);
+  // Iterations stop at changes below 1e-8 m/s.
+  for (const BodyId floe : three.floes())
+    BOOST_TEST(three.twist(floe).linear.x == 0.1, boost::test_tools::tolerance(1e-5));
+
+  // The fourth would take v / 4 and the fifth would take v / 5. At v / 4 the blow is too slow to release the fifth.
+  const World seven = row(7, 0.26 * 0.4, 0.4);
+  const std::vector<BodyId> floes = seven.floes();
+  for (std::size_t i = 0; i < floes.size(); ++i) BOOST_TEST(seven.is_settled(floes[i]) == (i >= 4));
+}
+
 BOOST_AUTO_TEST_CASE(The_floes_that_move_are_those_not_settled_in_the_order_of_their_ids) {
   WorldSettings settings = breakable();
   settings.release_speed = 0.1;

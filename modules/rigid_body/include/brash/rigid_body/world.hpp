@@ -43,7 +43,8 @@ struct WorldSettings {
   int iterations = 30;  ///< sweeps of sequential impulses a step, at most
   /// [m], > 0; convex parts thinner than twice this have no contact. Bullet's hulls are inset by it and rounded.
   double collision_margin = 0.005;
-  /// A floe that comes nearer faster than this releases a settled floe, before the contact acts [m/s].
+  /// A floe that comes nearer faster than this releases a settled floe, before the contact acts [m/s]. The blow may
+  /// drive the released floe on against others that touch it: Engine::kBrash releases those by the same rule.
   double release_speed = std::numeric_limits<double>::infinity();
   /// Bullet keeps contact points from step to step: a repeated run gives the same bytes, one from stored states does
   /// not.
@@ -205,7 +206,8 @@ class World {
   /// A convex prism of the sheet, plan ring in the sheet's frame [m], between two heights [m]. It is fixed, or moves as
   /// move_sheet_part() says.
   /// @param frame  pose of the sheet's frame.
-  /// @param sheet  which add_drifting_sheet() gave: contacts of the part act on it. Without it the part is fast.
+  /// @param sheet  which add_drifting_sheet() gave: contacts of the part act on it. Without it no contact moves the
+  /// part.
   BodyId add_sheet_part(std::span<const Vec2> ring, double bottom, double top, const Pose& frame = {},
                         BodyId sheet = kNoBody);
   /// A sheet that drifts. It has no shape but its parts, and no mass until set_sheet(). Its parts meet floes, the parts
@@ -227,10 +229,11 @@ class World {
   void remove(BodyId id);
 
   /// Ties points of two bodies together: a joint that turns freely, or a spring with a damper. At least one of them is
-  /// one that the step moves. The two do not collide with each other any more.
+  /// one that the step moves, and neither is a sheet that drifts or a part of one. The two do not collide with each
+  /// other any more.
   /// @return ids are given in ascending order and never again.
   LinkId link(const Anchor& one, const Anchor& other, const LinkLaw& law = {});
-  /// Moors a point of a body to a place in the world [m].
+  /// Moors a point of a body to a place in the world [m]. The body is no sheet that drifts.
   LinkId moor(const Anchor& anchor, Vec3 place, const LinkLaw& law = {});
   void unlink(LinkId id);
   /// The loads of the links in the last step, sorted by id.
@@ -261,8 +264,8 @@ class World {
   /// Advances all bodies by `dt` [s].
   void step(double dt);
 
-  /// The loads of the contact points in the last step, sorted by (body, other, point); parts of the sheet are one and
-  /// come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
+  /// The loads of the contact points in the last step, sorted by (body, other, point). With Engine::kBrash parts of the
+  /// sheet are one and come last. Points that touch and bear nothing are left out: most are of floes that drift apart.
   const std::vector<ContactLoad>& contacts() const;
   /// Likewise between parts of sheets that drift, and of one with a fixed part: `body` and `other` are the parts, and
   /// `body` is of a sheet that drifts. In the order of the step.
