@@ -233,8 +233,12 @@ test("a run that fails says why to those who watch", { timeout: kPatience }, asy
   const checkpoint = join(folder, "fails", "checkpoint.nc");
   rmSync(checkpoint, { force: true });
   mkdirSync(join(checkpoint, "in-the-way"), { recursive: true });
+  let watches;
+  const first = new Promise((done) => (watches = done));
+  const told = stream(run.address, () => watches());
+  await first;  // the run fails at once, and waits for none who comes later
   assert.equal(await ask(new URL("resume", run.address), { method: "POST" }), 204);
-  const text = await stream(run.address);
+  const text = await told;
   assert.match(text, /^event: end\ndata: "The run failed\. .*checkpoint\.nc/m);
   assert.equal(await run.ended, 1);
 });
