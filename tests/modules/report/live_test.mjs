@@ -230,13 +230,13 @@ test("a browser stops the run, which is then resumed, and seen from its start", 
 test("a run that fails says why to those who watch", { timeout: kPatience }, async () => {
   const run = await watched("fails", "--set", "output.checkpoint_interval=0.2");
   await paused(run.address);
+  let begins;
+  const begun = new Promise((done) => (begins = done));
+  const told = stream(run.address, (text) => text.includes("event: records") && begins());
+  await begun;  // it has removed checkpoints of older runs, and does not wait for those who come later
   const checkpoint = join(folder, "fails", "checkpoint.nc");
   rmSync(checkpoint, { force: true });
   mkdirSync(join(checkpoint, "in-the-way"), { recursive: true });
-  let watches;
-  const first = new Promise((done) => (watches = done));
-  const told = stream(run.address, () => watches());
-  await first;  // the run fails at once, and waits for none who comes later
   assert.equal(await ask(new URL("resume", run.address), { method: "POST" }), 204);
   const text = await told;
   assert.match(text, /^event: end\ndata: "The run failed\. .*checkpoint\.nc/m);
