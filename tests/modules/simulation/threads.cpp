@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(no_byte_of_a_run_depends_on_the_number_of_threads) {
 /// Where several contacts are judged in a step, each by a solution of the sheet.
 BOOST_AUTO_TEST_CASE(no_byte_depends_on_the_threads_that_solve_sheets) {
   const model::Case resolved = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
-                                             {"algorithm.preset=brash", "time.duration=6"});
+                                             {"algorithm.preset=brash", "time.duration=8"});
   const simulation::Run alone = simulation::run(resolved);
   BOOST_TEST(alone.summary.breaks.true_edge > 5);
   const std::vector<std::string> expected = hashes(resolved, alone);
