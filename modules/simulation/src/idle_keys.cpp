@@ -57,7 +57,8 @@ void look_at_ice(const model::Case& c, const model::Case& usual, IdleKeys& keys)
   keys.look_at("field.origin", c.field.origin, usual.field.origin, names_a_file(c.field),
                "field.file, openings, cracks or shore");
   keys.look_at("time.settle_speed", c.time.settle_speed, usual.time.settle_speed,
-               has_floes || c.field.border != model::Border::kFree, "field.border = \"fixed\" or field.kind = \"floes\"");
+               has_floes || c.field.border != model::Border::kFree,
+               "field.border = \"fixed\" or field.kind = \"floes\"");
   const char* const generated = "floes without field.file";
   keys.look_at("field.shape", c.field.floes.shape, usual.field.floes.shape, c.field.file.empty(), generated);
   keys.look_at("field.size", c.field.floes.size, usual.field.floes.size, c.field.file.empty(), generated);
