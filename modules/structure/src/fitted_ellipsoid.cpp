@@ -69,6 +69,7 @@ std::vector<HalfEllipsoid> fitted_ellipsoids(const Hull& hull) {
     area += outlines.back().area;
   }
   std::vector<HalfEllipsoid> result;
+  result.reserve(outlines.size());
   for (const PlanMoments& m : outlines)
     result.push_back(half_ellipsoid(m, wet.waterplane.area * (m.area / area), depth));
   return result;
