@@ -12,6 +12,9 @@ namespace brash::simulation {
 
 using Warnings = std::vector<model::Warning>;
 
+/// The body of a structure afloat; null for any other.
+const model::FloatingBody* afloat(const model::Motion& motion);
+
 /// Properties outside the measured ranges of ice, with the unit that was probably meant.
 void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
 

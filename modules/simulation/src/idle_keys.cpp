@@ -21,12 +21,6 @@ bool names_a_file(const model::FieldSection& field) {
   return names;
 }
 
-model::FloatingBody body_of(const model::Motion& motion) {
-  if (const auto* const free = std::get_if<model::Free>(&motion)) return free->body;
-  if (const auto* const moored = std::get_if<model::Moored>(&motion)) return moored->body;
-  return {};
-}
-
 class IdleKeys {
  public:
   /// @param acts   whether the case reads this key.
@@ -110,9 +104,9 @@ void add_idle_keys_warning(const model::Case& c, Warnings& warnings) {
   const bool has_range = model::options_of(c.failure.model, !c.failure.file.empty()).file;
   keys.look_at("failure.max_substeps", c.failure.max_substeps, usual.failure.max_substeps, has_range,
                "failure.model = \"network\", \"deep-network\" or \"superposition\", which have a range");
-  const model::FloatingBody body = body_of(c.structure.motion);
-  keys.look_at("structure.motion.thrust_arm", body.thrust_arm, Vec3{}, body.thrust != Vec3{},
-               "structure.motion.thrust");
+  if (const model::FloatingBody* const body = afloat(c.structure.motion))
+    keys.look_at("structure.motion.thrust_arm", body->thrust_arm, Vec3{}, body->thrust != Vec3{},
+                 "structure.motion.thrust");
   keys.look_at("reference.source", c.reference.source, usual.reference.source, c.reference.mean_horizontal.has_value(),
                "reference.mean_horizontal");
   if (keys.all().empty()) return;

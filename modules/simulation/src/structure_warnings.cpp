@@ -17,13 +17,6 @@
 namespace brash::simulation {
 namespace {
 
-/// The body of a structure afloat; null for any other.
-const model::FloatingBody* afloat(const model::Motion& motion) {
-  if (const auto* const free = std::get_if<model::Free>(&motion)) return &free->body;
-  if (const auto* const moored = std::get_if<model::Moored>(&motion)) return &moored->body;
-  return nullptr;
-}
-
 void add_front_warning(const DerivedScales& scales, Warnings& warnings) {
   if (scales.front_slope < structure::kSteepestSlope) return;
   warnings.push_back({"vertical-front",
@@ -173,6 +166,12 @@ void add_turn_warning(const model::Motion& motion, Warnings& warnings) {
 }
 
 }  // namespace
+
+const model::FloatingBody* afloat(const model::Motion& motion) {
+  if (const auto* const free = std::get_if<model::Free>(&motion)) return &free->body;
+  if (const auto* const moored = std::get_if<model::Moored>(&motion)) return &moored->body;
+  return nullptr;
+}
 
 void add_structure_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
   add_front_warning(scales, warnings);
