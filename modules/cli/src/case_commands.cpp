@@ -78,7 +78,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
   print("# thickness / l_c                {:.4g}\n", scales.thickness_over_lc);
   print("# mu1 straight ahead             {:.4g}\n", scales.mu1);
-  print("# freeboard, draft               {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
+  print("# freeboard, draught             {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
   print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
   const simulation::InitialField field = simulation::initial_field(resolved);
   if (resolved.field.kind == model::FieldKind::kLevelIce && !model::has_ice_files(resolved.field))
