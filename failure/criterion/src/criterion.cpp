@@ -41,8 +41,8 @@ std::unique_ptr<BendingCriterion> superposition(const std::string& file, const I
 std::unique_ptr<BendingCriterion> screened(std::unique_ptr<BendingCriterion> exact, const IceProperties& ice,
                                            const BendingOptions& options, double margin) {
   if (options.radial_first) margin *= kSplitMargin;
-  return make_screened_criterion(superposition("", ice, {.second_order = options.second_order}), std::move(exact),
-                                 ice.flexural_strength, margin);
+  return make_screened_criterion(superposition("", ice, {.second_order = options.second_order}), std::move(exact), ice,
+                                 margin);
 }
 
 void refuse_options(FailureModel model, const std::string& file, const BendingOptions& options) {

@@ -159,7 +159,7 @@ struct BendingOptions {
 /// - `superposition`: unit profiles interpolated between solved geometries, superposed exactly in mu1, mu2, E and h,
 ///   but for the h / l_c of the shear flexibility, which is moved into the model's range.
 /// - `plate`: the floating plate solved for each load case (about a third of a second each). Where the superposition
-///   that comes with the program says less than 80 % of the strength (less with options), its answer is taken instead.
+///   that comes with the program knows h / l_c and says less than 80 % of the strength (less with options), it answers.
 /// - `plate-outline`: the same on the load's outline, simplified to min(0.02 l_c, c/4); where it cannot be meshed, or
 ///   there is none, on the trapezoid. It needs no range. Not solved below a sixth of the strength, as above.
 /// - `wedge`: narrow wedge as a tapered beam on water, cut off where it is c wide, loaded on that end; bending only,
