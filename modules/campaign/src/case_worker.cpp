@@ -7,7 +7,6 @@
 #include "brash/core/error.hpp"
 #include "brash/core/folder_lock.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/io/checkpoint.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
 
@@ -24,13 +23,13 @@ recording::Kept kept(const std::string& keep) {
   return keep == "history" ? recording::Kept::kHistory : recording::Kept::kRun;
 }
 
-/// Removes a checkpoint that cannot be gone on from: the case begins again.
-void remove_if_damaged(const std::string& checkpoint) {
-  if (!fs::exists(checkpoint)) return;
+/// Removes a checkpoint that cannot be gone on from, because it is damaged or a model that comes with the program has
+/// changed since: the case begins again.
+void remove_if_unfit(const simulation::CheckpointStore& checkpoint) {
   try {
-    io::read_checkpoint(checkpoint);
+    checkpoint.newest();
   } catch (const InputError&) {
-    fs::remove(checkpoint);
+    fs::remove(checkpoint.name);
   }
 }
 
@@ -70,11 +69,11 @@ CaseEnd run_case(const CaseTask& task, const std::function<bool()>& interrupted)
   const recording::Inputs inputs = recording::read_inputs(
       task.case_file, {fmt::format("random.replicate={}", task.replicate)}, io::ModelFile::kAnywhere);
   const std::string checkpoint = partial + "/checkpoint.nc";
-  remove_if_damaged(checkpoint);
-  const simulation::Run run =
-      simulation::run(inputs.resolved, {.begun = [&] { recording::expect_unchanged(inputs); },
-                                        .checkpoint = recording::checkpoint_file(checkpoint, true, inputs),
-                                        .interrupted = interrupted});
+  const simulation::CheckpointStore store = recording::checkpoint_file(checkpoint, true, inputs);
+  remove_if_unfit(store);
+  const simulation::Run run = simulation::run(
+      inputs.resolved,
+      {.begun = [&] { recording::expect_unchanged(inputs); }, .checkpoint = store, .interrupted = interrupted});
   if (!run.complete) return CaseEnd::kInterrupted;
   recording::write_run(partial, inputs, run, {}, kept(task.keep));
   fs::remove(checkpoint);

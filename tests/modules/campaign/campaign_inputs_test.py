@@ -118,6 +118,30 @@ class Inputs(unittest.TestCase):
             self.assertNotIn("failure.file", table.variables)
             self.assertIn("horizontal.mean", table.variables)
 
+    def test_an_interrupted_case_begins_again_when_the_program_has_another_model_now(self):
+        self.plan.write_text('[campaign]\ncase = "cone.toml"\n[set]\noutput.checkpoint_interval = 0.1\n'
+                             '[output]\nkeep = "history"\n')
+        shipped = self.path / "shipped"
+        shipped.mkdir()
+        model = shipped / "cone_network.json"
+        shutil.copy(MODELS / model.name, model)
+        there = {**os.environ, "BRASH_MODEL_PATH": str(shipped)}
+        self.campaign(env=there)
+        # The checkpoint of a run of this case is that of the interrupted case.
+        alone = brash("run", self.out / "settings/cone.toml", "-o", self.path / "alone", env=there)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        case = self.out / "cases/base-r0000"
+        before = (case / "history.csv").read_bytes()
+        case.rename(case.with_suffix(".part"))
+        for file in case.with_suffix(".part").iterdir():
+            file.unlink()
+        shutil.copy(self.path / "alone/checkpoint.nc", case.with_suffix(".part"))
+        model.write_text(model.read_text() + "\n")
+        self.campaign("--resume", env=there)
+        self.assertFalse(case.with_suffix(".failed").exists())
+        self.assertEqual((case / "history.csv").read_bytes(), before)
+        self.assertEqual(self.manifest("base-r0000")["inputs"][1]["sha256"], sha256(model))
+
     def test_a_copy_that_has_changed_is_named_before_a_case_is_repeated(self):
         self.campaign()
         for model in self.models:
