@@ -118,12 +118,13 @@ class PlanReader {
     const StopRule rule{stop.at("statistic"), stop.at("half_width"), stop.at("confidence"), stop.at("most_replicates"),
                         stop.at("batch")};
     check_column("stop", "statistic", rule.statistic);
+    if (options_.quick || options_.replicates) return;  // in place of the stop rule
     const int least = document.at("campaign").at("replicates");
     if (least < 2 || least > rule.most_replicates)
       report(place_of(source_, "campaign", "replicates"), "campaign.replicates", std::to_string(least),
              "is no least number of replicates for [stop]",
              fmt::format("from 2 to stop.most_replicates = {}", rule.most_replicates), "", "change one of the two");
-    if (!options_.quick && !options_.replicates) plan_.stop = rule;
+    plan_.stop = rule;
   }
 
   void check_column(const char* section, const char* key, const std::string& column) {

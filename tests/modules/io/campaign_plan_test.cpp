@@ -169,6 +169,19 @@ BOOST_AUTO_TEST_CASE(a_plan_without_a_quick_variant_has_none) {
   BOOST_TEST(names(read(kGrid + "[quick]\n", true)).size() == 6u);
 }
 
+BOOST_AUTO_TEST_CASE(a_stop_rule_that_is_left_out_asks_for_no_least_number_of_replicates) {
+  const std::string text = kBase + "replicates = 1\n[stop]\nhalf_width = 0.1\nmost_replicates = 9\n[quick]\n";
+  BOOST_CHECK_THROW(read(text), InputError);
+  const CampaignPlan quick = read(text, true);
+  BOOST_TEST(!quick.stop);
+  BOOST_TEST(quick.replicates == 1);
+  const Scratch scratch;
+  scratch.write("cone.toml", kLeastCase);
+  const CampaignPlan four = read_campaign_plan(scratch.write("plan.toml", text), {false, 4, {}, kColumns, kColumns});
+  BOOST_TEST(!four.stop);
+  BOOST_TEST(four.replicates == 4);
+}
+
 BOOST_AUTO_TEST_CASE(a_setting_does_not_depend_on_what_else_the_grid_has) {
   const CampaignPlan many = read(kGrid);
   const CampaignPlan few = read(kBase + "[set]\ntime.duration = 30\n[[grid]]\nstructure.angle = [\"65 deg\"]\n" +
