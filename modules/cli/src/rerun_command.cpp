@@ -21,6 +21,7 @@
 #include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
+#include "text_table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -108,12 +109,29 @@ fs::path base_of(const Manifest& manifest, const std::string& copy) {
   return fs::exists(folder / copy) || !fs::exists(campaign / copy) ? folder : campaign;
 }
 
-/// Everything on which the run depends and that is not as it was, one line each.
-std::vector<std::string> changes_since(const Manifest& manifest, const model::Case& resolved) {
-  std::vector<std::string> changes;
-  const auto expect = [&](const std::string& what, const std::string& was, const std::string& is) {
-    if (was != is) changes.push_back(fmt::format("{}\n    was {}\n    is  {}", escaped(what), printable(was), is));
-  };
+/// What is not as it was, one text each.
+class Changes {
+ public:
+  void expect(const std::string& what, const std::string& was, const std::string& is) {
+    if (was != is) text_ += fmt::format("\n  {}\n    was {}\n    is  {}", escaped(what), printable(was), is);
+  }
+  /// Refuses to go on from `manifest`; `anyway` prints the changes instead.
+  void settle(const std::string& manifest, bool anyway) const {
+    if (text_.empty()) return;
+    if (anyway) return print("not what it was:{}\n", text_);
+    throw InputError(
+        fmt::format("{}: not what it was:{}\n  allowed: the bytes that the manifest has the hashes of"
+                    "\n  remedy:  put them back, or repeat the run with --anyway",
+                    escaped(manifest), text_));
+  }
+
+ private:
+  std::string text_;
+};
+
+/// Everything on which the run depends and that is not as it was.
+Changes changes_since(const Manifest& manifest, const model::Case& resolved) {
+  Changes changes;
   const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   for (const Recorded& input : manifest.inputs) {
     // The original may have changed or gone: the run has its copy. A model that comes with the program has none, nor
@@ -126,15 +144,16 @@ std::vector<std::string> changes_since(const Manifest& manifest, const model::Ca
                           : fs::exists(input.path) ? fs::path(input.path)
                                                    : manifest.folder / input.path;
     if (is_case && !input.copy.empty() && !fs::exists(file)) continue;  // the case is in the manifest
-    expect((is_model ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
+    changes.expect((is_model ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
   }
   // Results may have been cleared away; the results that are there must be the run's own.
   for (const Recorded& output : manifest.outputs) {
     const fs::path file = manifest.folder / output.path;
-    if (fs::exists(file)) expect("output " + file.string(), output.sha256, hash_of(file));
+    if (fs::exists(file)) changes.expect("output " + file.string(), output.sha256, hash_of(file));
   }
   if (!manifest.program_sha256.empty())
-    expect(fmt::format("program brash {}", manifest.program_version), manifest.program_sha256, io::sha256_of_program());
+    changes.expect(fmt::format("program brash {}", manifest.program_version), manifest.program_sha256,
+                   io::sha256_of_program());
   return changes;
 }
 
@@ -191,15 +210,7 @@ struct RerunOptions {
 bool rerun_run(const RerunOptions& options) {
   const Manifest manifest = read_manifest(options.manifest);
   const recording::Inputs inputs = inputs_in(manifest, options.manifest);
-  const std::vector<std::string> changes = changes_since(manifest, inputs.resolved);
-  std::string text;
-  for (const std::string& change : changes) text += "\n  " + change;
-  if (!changes.empty() && !options.anyway)
-    throw InputError(
-        fmt::format("{}: not what it was:{}\n  allowed: the bytes that the manifest has the hashes of"
-                    "\n  remedy:  put them back, or repeat the run with --anyway",
-                    escaped(options.manifest), text));
-  if (!changes.empty()) print("not what it was:{}\n", text);
+  changes_since(manifest, inputs.resolved).settle(options.manifest, options.anyway);
 
   const TemporaryFolder temporary;
   const std::string folder = options.output.empty() ? temporary.path() : options.output;
@@ -214,23 +225,61 @@ bool rerun_run(const RerunOptions& options) {
   return different.empty();
 }
 
+/// The cases that a campaign.csv counts as done.
+std::vector<std::string> done_cases(const std::string& path) {
+  const TextTable table = read_text_table(path, "the campaign.csv of a campaign", "copy it again");
+  const std::size_t name = table.column("case"), status = table.column("status");
+  std::vector<std::string> done;
+  for (const TextTable::Row& row : table.rows) {
+    const bool is_marked = row[name].starts_with('\'');  // because a spreadsheet would compute it
+    if (row[status] == "done") done.push_back(is_marked ? row[name].substr(1) : row[name]);
+  }
+  return done;
+}
+
+/// Inputs and tables of a campaign that are not as they were, and cases that have gone.
+Changes changes_in_campaign(const std::string& path, const json& manifest) {
+  const fs::path folder = fs::path(path).parent_path(), table = folder / "campaign.csv";
+  Changes changes;
+  bool has_table = false;
+  try {
+    for (const Recorded& input : inputs_of(manifest.value("inputs", json::array()), path))
+      if (const fs::path file = folder / input.copy; !input.copy.empty())
+        changes.expect("input " + file.string(), input.sha256, hash_of(file));
+    for (const Recorded& output : files_of(manifest.at("outputs"))) {
+      const fs::path file = folder / name_in(output.path, path, "outputs.path");
+      if (file == table || fs::exists(file)) changes.expect("output " + file.string(), output.sha256, hash_of(file));
+      has_table = has_table || (file == table && hash_of(file) == output.sha256);
+    }
+  } catch (const json::exception& error) {
+    throw InputError(Complaint{path, fmt::format("is not the manifest of a campaign: {}", error.what()),
+                               "the manifest.json in the folder of a campaign", "copy it again"});
+  }
+  if (!has_table) return changes;
+  for (const std::string& id : done_cases(table.string()))
+    changes.expect("case " + id, "done", fs::exists(folder / "cases" / id / "manifest.json") ? "done" : "gone");
+  return changes;
+}
+
 /// Repeats every case of the campaign that wrote `manifest`, each with its own manifest.
-void rerun_campaign(const RerunOptions& options) {
+void rerun_campaign(const RerunOptions& options, const json& manifest) {
+  changes_in_campaign(options.manifest, manifest).settle(options.manifest, options.anyway);
   const fs::path cases = fs::path(options.manifest).parent_path() / "cases";
   std::vector<fs::path> manifests;
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(cases, missing))
-    if (fs::is_regular_file(entry.path() / "manifest.json")) manifests.push_back(entry.path() / "manifest.json");
+    if (entry.path().extension() != ".part" && fs::is_regular_file(entry.path() / "manifest.json"))
+      manifests.push_back(entry.path() / "manifest.json");
   if (manifests.empty())
     throw InputError(Complaint{options.manifest, "is a campaign's, and its folder has no case with a manifest",
                                "the manifest.json in the whole folder of a campaign",
                                "copy the folder with its cases"});
   std::ranges::sort(manifests);
   std::size_t n_different = 0;
-  for (const fs::path& manifest : manifests) {
-    const std::string name = manifest.parent_path().filename().string();
+  for (const fs::path& path : manifests) {
+    const std::string name = path.parent_path().filename().string();
     print("{}\n", name);
-    n_different += rerun_run({.manifest = manifest.string(),
+    n_different += rerun_run({.manifest = path.string(),
                               .output = options.output.empty() ? "" : options.output + "/" + name,
                               .anyway = options.anyway,
                               .of_campaign = true})
@@ -249,7 +298,7 @@ void rerun(const RerunOptions& options) {
                   fmt::format("name the manifest in it: {}", (fs::path(options.manifest) / "manifest.json").string())});
   const json manifest = json::parse(read_json_text(options.manifest, kAllowed), nullptr, /*allow_exceptions=*/false);
   if (manifest.is_object() && manifest.contains("format") && manifest["format"] == campaign::kManifestFormat)
-    rerun_campaign(options);
+    rerun_campaign(options, manifest);
   else
     rerun_run(options);
 }

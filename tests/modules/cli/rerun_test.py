@@ -70,7 +70,8 @@ class Rerun(unittest.TestCase):
         done = brash("rerun", manifest.name, cwd=manifest.parent)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_a_copied_campaign_reruns_case_by_case(self):
+    def campaign(self, name):
+        """The manifest of a campaign of two cases, all that it was given removed."""
         model = self.path / "mine.json"
         shutil.copy(MODELS / "cone_network.json", model)
         plan = self.path / "plan.toml"
@@ -78,10 +79,39 @@ class Rerun(unittest.TestCase):
                         'failure.model = "network"\nfailure.file = "mine.json"\n[output]\nkeep = "history"\n')
         done = brash("campaign", plan, "-o", self.path / "c")
         self.assertEqual(done.returncode, 0, done.stderr)
-        shutil.move(self.path / "c", self.path / "elsewhere")
+        shutil.move(self.path / "c", self.path / name)
         for gone in (model, self.case, plan):
             gone.unlink()
-        done = brash("rerun", self.path / "elsewhere/manifest.json")
+        return self.path / name / "manifest.json"
+
+    def test_what_has_changed_in_a_campaign_is_named_before_a_case_is_repeated(self):
+        manifest = self.campaign("c")
+        folder = manifest.parent
+        case = folder / "cases/base-r0001"
+
+        def named(what, n):
+            done = brash("rerun", manifest)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(f"\n  {what}\n", done.stderr)
+            self.assertEqual(done.stderr.count("\n    was "), n)
+
+        for name, what in (("campaign.csv", "output"), ("summary.json", "output"), ("inputs/plan.toml", "input")):
+            file, text = folder / name, (folder / name).read_text()
+            file.write_text(text + "\n")
+            named(f"{what} {file}", 1)
+            file.write_text(text)
+        case.rename(case.with_suffix(".part"))  # as one that is interrupted
+        named(f"case {case.name}", 1)
+        again = brash("rerun", manifest, "--anyway")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertIn(f"case {case.name}", again.stdout)
+        self.assertIn("1 of 1 cases identical", again.stdout)
+        (folder / "campaign.csv").unlink()
+        named(f"output {folder / 'campaign.csv'}", 1)
+
+    def test_a_copied_campaign_reruns_case_by_case(self):
+        manifest = self.campaign("elsewhere")
+        done = brash("rerun", manifest)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("2 of 2 cases identical", done.stdout)
 
