@@ -63,15 +63,34 @@ std::string newest_start(const fs::path& folder, const std::vector<std::string>&
   return newest;
 }
 
-/// Takes over the user's statements about the whole: who made the results, and under which licence they are given.
-void keep_users_words(const fs::path& crate, Json& root) {
+/// The entities of an earlier description.
+Json earlier_entities(const fs::path& crate) {
   const Json earlier = parsed(crate);
-  if (!earlier.is_object() || !earlier.contains("@graph") || !earlier["@graph"].is_array()) return;
-  for (const Json& entity : earlier["@graph"]) {
-    if (!entity.is_object() || entity.value("@id", Json()) != "./") continue;
+  if (!earlier.is_object() || !earlier.contains("@graph") || !earlier["@graph"].is_array()) return Json::array();
+  return earlier["@graph"];
+}
+
+/// The id of an entity, or that a reference leads to; nothing where there is none.
+Json id_of(const Json& entity) { return entity.is_object() ? entity.value("@id", Json()) : Json(); }
+
+/// Takes over the user's statements about the whole: who made the results, and under which licence they are given.
+void keep_users_words(const Json& earlier, Json& root) {
+  for (const Json& entity : earlier) {
+    if (id_of(entity) != "./") continue;
     for (const char* const key : {"license", "author"})
       if (entity.contains(key)) root[key] = entity[key];
   }
+}
+
+/// Adds the earlier entities to which `value` leads, and those to which they lead, unless `graph` has them.
+void keep_referred(const Json& earlier, const Json& value, Json& graph) {
+  if (!value.is_structured()) return;
+  for (const Json& part : value) keep_referred(earlier, part, graph);
+  const auto is_it = [id = id_of(value)](const Json& entity) { return !id.is_null() && id_of(entity) == id; };
+  const auto found = std::ranges::find_if(earlier, is_it);
+  if (found == earlier.end() || std::ranges::any_of(graph, is_it)) return;
+  graph.push_back(*found);
+  keep_referred(earlier, *found, graph);
 }
 
 }  // namespace
@@ -92,7 +111,8 @@ void write_crate(const std::string& directory) {
             {"datePublished", newest_start(folder, paths)},
             {"hasPart", parts},
             {"mentions", {{"@id", "#campaign"}}}};
-  keep_users_words(folder / kCrateFile, root);
+  const Json earlier = earlier_entities(folder / kCrateFile);
+  keep_users_words(earlier, root);
   Json graph{{{"@id", kCrateFile},
               {"@type", "CreativeWork"},
               {"conformsTo", {{"@id", "https://w3id.org/ro/crate/1.1"}}},
@@ -105,6 +125,7 @@ void write_crate(const std::string& directory) {
               {"instrument", {{"@id", "#brash"}}},
               {"result", parts}}};
   graph.insert(graph.end(), files.begin(), files.end());
+  for (const char* const key : {"license", "author"}) keep_referred(earlier, root.value(key, Json()), graph);
   // SHA-256 is not in the context of version 1.1.
   const Json crate{{"@context", {"https://w3id.org/ro/crate/1.1/context", {{"sha256", "https://schema.org/sha256"}}}},
                    {"@graph", graph}};

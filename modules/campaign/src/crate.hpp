@@ -11,7 +11,8 @@ constexpr const char* kCrateFile = "ro-crate-metadata.json";
 /// Writes `kCrateFile` into the folder of a campaign that is done: its files with sizes and SHA-256, and the program.
 ///
 /// The manifest of a case is listed with its hash and holds the hashes of the case's other files. The licence and the
-/// authors of the results are the user's: their entries in an earlier description are kept.
+/// authors of the results are the user's: their entries in an earlier description are kept, with the entities to which
+/// these lead, such as a person.
 /// @throws StorageError when it cannot be written; RunError when a listed file cannot be read.
 /// @see https://www.researchobject.org/ro-crate/specification/1.1/
 void write_crate(const std::string& directory);

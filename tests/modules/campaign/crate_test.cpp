@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crate.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -60,6 +61,27 @@ BOOST_AUTO_TEST_CASE(the_licence_that_a_user_gave_the_results_outlives_a_campaig
   write_crate(scratch.folder().string());
   BOOST_TEST(entity(scratch, "./")["license"]["@id"] == "by");
   BOOST_TEST(entity(scratch, "./")["hasPart"].size() == 7u);
+}
+
+BOOST_AUTO_TEST_CASE(the_people_and_the_licence_to_which_the_users_words_lead_are_kept_once) {
+  const Scratch scratch;
+  lay_out(scratch, 1);
+  scratch.write(kCrateFile, R"({"@graph": [
+    {"@id": "./", "license": {"@id": "by"}, "author": [{"@id": "#ada"}, {"@id": "#gone"}, {"@id": "#ben"}]},
+    {"@id": "by", "@type": "CreativeWork", "name": "CC BY 4.0"},
+    {"@id": "#ada", "@type": "Person", "affiliation": {"@id": "#lab"}, "knows": {"@id": "#ben"}},
+    {"@id": "#ben", "@type": "Person", "knows": [{"@id": "#ada"}, {"@id": "campaign.csv"}]},
+    {"@id": "#lab", "@type": "Organization"}, {"@id": "#other", "@type": "Person"},
+    {"@id": "campaign.csv", "@type": "File", "sha256": "old"}, 7]})");
+  for (int round = 0; round < 2; ++round) {
+    write_crate(scratch.folder().string());
+    const auto crate = nlohmann::json::parse(read_bytes(scratch.path(kCrateFile)));
+    for (const char* const id : {"by", "#ada", "#ben", "#lab", "campaign.csv", "./"})
+      BOOST_TEST(std::ranges::count_if(crate["@graph"], [&](const auto& e) { return e["@id"] == id; }) == 1, id);
+    BOOST_TEST(entity(scratch, "by")["name"] == "CC BY 4.0");
+    BOOST_TEST(entity(scratch, "#other").is_null());
+    BOOST_TEST(entity(scratch, "campaign.csv")["sha256"] == sha256("campaign.csv"));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_crate_that_is_no_json_is_written_again) {
