@@ -208,7 +208,16 @@ void show_results(const campaign::Campaign& campaign, const CampaignOptions& opt
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }
 
+/// Refuses the options of Slurm on this machine, where they would have no effect.
+void refuse_options_of_slurm(const CampaignOptions& options) {
+  if (options.on == "slurm" || (options.sbatch.empty() && !options.wait)) return;
+  throw InputError(Complaint{options.wait ? "--wait" : "--sbatch",
+                             fmt::format("has no effect with --on {}", options.on), "--on slurm",
+                             "add `--on slurm`, or leave the option out"});
+}
+
 void run_campaign(const CampaignOptions& options) {
+  refuse_options_of_slurm(options);
   campaign::Campaign campaign{
       .plan = io::read_campaign_plan(options.plan_file, {.quick = options.quick,
                                                          .replicates = options.replicates,
@@ -230,8 +239,9 @@ void run_campaign(const CampaignOptions& options) {
   const bool here = options.on == "local";
   const Counts counts = here ? run_here(campaign, options.n_jobs) : run_under_slurm(campaign, options);
   if (counts.n_missing() > 0 && !here && !options.wait) {
-    print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
-    return;
+    if (!options.json) return print("{}; submitted, see squeue; `--status` counts\n", counts_text(counts));
+    print_status(counts, options.json);
+    return say("submitted, see squeue; `--status` counts\n");
   }
   if (counts.n_missing() > 0 || !is_up_to_date(campaign.directory + "/summary.json", counts))
     throw Interrupted(fmt::format("stopped with {}; the same command with `--resume` goes on", counts_text(counts)));

@@ -72,6 +72,20 @@ class Rounds(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("3 rounds under Slurm", done.stderr)
 
+    def test_a_submission_answers_in_json_where_it_is_asked_to(self):
+        done = self.campaign(PLAN, "--quick", "--on", "slurm", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout), {"n_cases": 12, "n_done": 0, "n_failed": 0, "n_missing": 12})
+        self.assertIn("submitted", done.stderr)
+
+    def test_options_of_slurm_are_refused_on_this_machine(self):
+        for option in ("--wait", "--sbatch=--partition=short"):
+            done = self.campaign(PLAN, "--quick", option)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            for part in (option.partition("=")[0], "has no effect with --on local", "allowed:", "remedy:"):
+                self.assertIn(part, done.stderr)
+            self.assertFalse(self.out.exists())
+
     def test_tables_of_fewer_cases_are_not_those_of_a_campaign_whose_collector_was_killed(self):
         first = self.campaign(PLAN, "--quick", "--replicates", "1")
         self.assertEqual(first.returncode, 0, first.stderr)
