@@ -273,22 +273,26 @@ void add_crack_command(CLI::App& app) {
   auto options = std::make_shared<CrackOptions>();
   CLI::App* command = app.add_subcommand("crack", "Crack a sheet: the geometry kernel alone");
   command->add_option("--sheet", options->sheet, "sheet (GeoJSON or WKT); floes in it are passed on")->required();
-  command->add_option("--events", options->events, "crack events: CSV x,y,radius,wedges[,angles] in m and rad");
+  auto* const events =
+      command->add_option("--events", options->events, "crack events: CSV x,y,radius,wedges[,angles] in m and rad");
   command->add_option("--cutters", options->cutters,
                       "polygons (WKT or GeoJSON), the sheet loses the ice inside each, as a floe");
-  command->add_option("--along,--cracks", options->lines,
-                      "lines (WKT or GeoJSON) that split the sheet; every part becomes a floe");
+  auto* const along = command->add_option("--along,--cracks", options->lines,
+                                          "lines (WKT or GeoJSON) that split the sheet; every part becomes a floe");
   command->add_option("-o,--output", options->output,
                       "sheet and floes to write (.geojson, or .wkt without their kinds)");
   command->add_option(
       "--origin", options->origin,
       "X,Y: zero of the grid in the coordinates of the file; else the file's own, or the middle of data "
       "that are far from 0,0");
-  command->add_option("--sides", options->sides, "chords of a full circle")
+  command->add_option("--sides", options->sides, "chords of a full circle of --events")
       ->capture_default_str()
+      ->needs(events)
       ->check(CLI::Range(3, 100000));
-  command->add_flag("--release", options->release_detached,
-                    "make every part but the largest a floe after each cut; else parts stay in the sheet");
+  command
+      ->add_flag("--release", options->release_detached,
+                 "make every part but the largest a floe after each cut; else parts stay in the sheet")
+      ->excludes(along);
   command->footer(
       "Prints the ledger as JSON, areas in m2 as exact text.\n"
       "Example: brash crack --sheet sheet.wkt --events events.csv -o pieces.geojson\n"

@@ -306,6 +306,12 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_with_its_place) {
   refused({"fit", "--sheet", sheet, "--at", "0,5", "--towards", "0,0"}, "--towards");
 }
 
+BOOST_AUTO_TEST_CASE(an_option_of_crack_that_would_have_no_effect_is_refused) {
+  const std::string sheet = write("sheet.wkt", kSheet), lines = write("lines.wkt", "LINESTRING (-1 5, 11 5)");
+  BOOST_CHECK_THROW(run({"crack", "--sheet", sheet, "--along", lines, "--sides", "8"}), CLI::RequiresError);
+  BOOST_CHECK_THROW(run({"crack", "--sheet", sheet, "--along", lines, "--release"}), CLI::ExcludesError);
+}
+
 BOOST_AUTO_TEST_CASE(an_input_is_not_written_over) {
   const std::string sheet = write("sheet.wkt", kSheet), events = write("events.csv", "0,5,2,3\n");
   const std::string cutters = write("cutters.wkt", "POLYGON ((4 -1, 6 -1, 6 11, 4 11, 4 -1))");
