@@ -111,7 +111,8 @@ void Folder::refuse_files_of_others() const {
       throw InputError(
           fmt::format("{}: is not what the plan makes of the setting {} now\n  allowed: the campaign that the "
                       "folder was begun with; settings and replicates may be added\n  remedy:  give another "
-                      "folder, or undo the change of the plan, its case or a file that the case names",
+                      "folder; undo the change of the plan, its case or a file that the case names; or, after an "
+                      "upgrade, take the version of the program that began it",
                       path, plan_.settings[i].name));
     }
     is_own = true;
