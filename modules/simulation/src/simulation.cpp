@@ -184,7 +184,7 @@ Clear Simulation::Impl::clear_of_structure(bool fall) const {
   const structure::State& now = motion->now();
   const bool all_around = resolved.field.kind == model::FieldKind::kFloes;
   const bool stirs = all_around && resolved.hydrodynamics.structure_flow;
-  const double speed = norm(plan(now.twist.linear) - resolved.water.current);
+  const double speed = norm(plan(now.twist.linear) - current_past_ice(resolved));
   const double stirred = stirs ? reach * std::cbrt(speed / resolved.time.settle_speed) : 0.0;
   const double width = fall ? 2.0 * hull->displaced(now.pose).waterplane.radius : 0.0;
   return {.origin = plan(now.pose.position),
@@ -202,7 +202,7 @@ void Simulation::Impl::fall_asleep_or_wake() {
 
 /// A field that nothing drives rests until the structure comes.
 void Simulation::Impl::begin_asleep() {
-  const bool at_rest = resolved.water.current == Vec2{} && resolved.wind.velocity == Vec2{};
+  const bool at_rest = current_past_ice(resolved) == Vec2{} && resolved.wind.velocity == Vec2{};
   if (resolved.time.settle_speed == 0.0 || sheets.any() || !at_rest) return;
   if (resolved.field.kind == model::FieldKind::kFloes) sleep.begin(world, floes, clear_of_structure(true));
 }

@@ -178,7 +178,8 @@ BOOST_AUTO_TEST_CASE(a_field_that_sleeps_until_it_is_pushed_gives_the_structure_
 }
 
 BOOST_AUTO_TEST_CASE(a_field_in_a_current_or_wind_begins_awake) {
-  for (const std::string drive : {"water.current=[0.2, 0]", "wind.velocity=[10, 0]"}) {
+  for (const std::string drive :
+       {"water.current=[0.2, 0]", "wind.velocity=[10, 0]", "structure.motion.frame=ice-drifts-through-still-water"}) {
     const Run run = simulation::run(field_case({"time.settle_speed=0.05", "time.duration=1", drive}));
     BOOST_TEST(run.results.loads.back().kinetic_energy > 0.0);
     Run still = simulation::run(field_case({"time.settle_speed=0", "time.duration=1", drive}));
