@@ -223,6 +223,7 @@ namespace {
 /// A network is scaled by Eq. 19 to ice of another h / l_c, which is right for its bending alone. Against the plate its
 /// stress was 23 % off at three times the h / l_c it was trained with.
 constexpr double kThicknessScaled = 0.2;
+constexpr double kRangeRounds = 1e-3;  ///< share by which h/l_c may miss a model's range: written inputs are rounded
 /// Ice breaks about so far ahead of a contact, in characteristic lengths.
 constexpr double kEvenOver = 0.5;
 
@@ -278,7 +279,8 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
                      "which knows h/l_c, or train a network for this ice",
                      model::name_of(c.failure.model), *trained, scales.thickness_over_lc)});
   if (const auto range = criterion.thickness_over_lc_range();
-      range && (scales.thickness_over_lc < range->first || scales.thickness_over_lc > range->second))
+      range && (scales.thickness_over_lc < (1.0 - kRangeRounds) * range->first ||
+                scales.thickness_over_lc > (1.0 + kRangeRounds) * range->second))
     warnings.push_back(
         {"thickness-range",
          fmt::format("h/l_c = {:.3g} of this ice, and failure.model = {} holds from {:.3g} to {:.3g}: every answer is "

@@ -98,6 +98,14 @@ BOOST_AUTO_TEST_CASE(a_network_for_other_ice_is_warned_of) {
   BOOST_TEST(says(text, "failure.model = network was trained with h/l_c = 0.1, and this ice has 0.044"), text);
 }
 
+BOOST_AUTO_TEST_CASE(ice_beyond_the_range_of_a_model_is_warned_of_but_not_for_a_rounded_input) {
+  const std::string model = "failure.model=superposition";
+  const auto beyond = text_of(warnings_with({model, "ice.youngs_modulus=70.6 MPa"}), "thickness-range");  // 0.1505
+  BOOST_TEST(says(beyond, "failure.model = superposition holds from 0.05 to 0.15"), beyond);
+  const auto rounded = text_of(warnings_with({model, "ice.youngs_modulus=71.4 MPa"}), "thickness-range");  // 0.1501
+  BOOST_TEST(rounded == "", rounded);
+}
+
 BOOST_AUTO_TEST_CASE(another_poisson_s_ratio_is_warned_of_where_the_model_knows_one) {
   const auto text = [](const std::string& ratio, std::vector<std::string> settings) {
     settings.push_back("ice.poisson_ratio=" + ratio);
