@@ -79,7 +79,9 @@ class EnergyLedger {
   static void visit(Self& self, Visit&& visit) {
     visit("work", "J", "work of the structure", self.work_);
     visit("birth_energy", "J", "energy of floes at their birth", self.birth_);
-    visit("removed_energy", "J", "energy of floes that were deleted or fell asleep", self.removed_);
+    visit("removed_energy", "J",
+          "energy of floes that were deleted or fell asleep, of brash, and of ice that left drifting sheets",
+          self.removed_);
     model::EnergyLosses::visit([&](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
       visit(cause, "J", meaning, self.losses_.*loss);
     });
