@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -28,16 +29,20 @@ using Groups = std::map<double, std::vector<double>>;
 /// The same for each combination of the other axes, by its name; of one axis alone, "".
 using Strata = std::map<std::string, Groups>;
 
-TextTable read_cases(const std::string& given) {
-  return read_text_table(std::filesystem::is_directory(given) ? given + "/campaign.csv" : given,
-                         "the campaign.csv of a campaign that is done",
+std::filesystem::path table_of(const std::string& given) {
+  const std::filesystem::path path(given);
+  return std::filesystem::is_directory(path) ? path / "campaign.csv" : path;
+}
+
+TextTable read_cases(const std::filesystem::path& table) {
+  return read_text_table(table.string(), "the campaign.csv of a campaign that is done",
                          "run the campaign with `--resume`, which writes the table again");
 }
 
-/// The varied keys of a campaign, as its summary.json names them; none for a table alone.
-std::vector<std::string> varied_keys(const std::string& given) {
+/// The varied keys of a campaign, as the summary.json beside its table names them; none for a table alone.
+std::vector<std::string> varied_keys(const std::filesystem::path& table) {
   std::vector<std::string> keys;
-  const std::string path = given + "/summary.json";
+  const std::string path = (table.parent_path() / "summary.json").string();
   if (!std::filesystem::exists(path)) return keys;
   const auto json = ordered_json::parse(read_json_text(path, "the summary.json of a campaign"), nullptr, false);
   if (!json.is_object() || !json.contains("settings") || !json["settings"].is_array()) return keys;
@@ -73,17 +78,32 @@ std::string stratum_of(const TextTable& table, const TextTable::Row& row, const 
   return name;
 }
 
+/// Two settings at one value of `along` in one stratum: another key varies, and nothing names it.
+[[noreturn]] void refuse_unnamed_axis(const TextTable& table, const std::string& first, const std::string& second,
+                                      const std::string& along) {
+  throw InputError(Complaint{
+      table.path,
+      fmt::format("'{}' and '{}' have one value of '{}'", printable(first), printable(second), printable(along)),
+      "one setting at each value, or the campaign's summary.json beside its table",
+      "name the folder of the campaign, or choose settings with --where"});
+}
+
 /// Rows without a number in either column, such as failed cases, are left out; so are strata without a trend to see.
 Strata strata_of(const TextTable& table, const std::vector<std::string>& keys, const std::string& along,
                  const std::string& of, const std::string& where) {
   const std::size_t x = table.column(along), y = table.column(of);
-  const std::size_t setting = where.empty() ? 0 : table.column("setting");
+  const std::size_t setting = table.column("setting");
   const std::vector<std::size_t> others = other_axes(table, along, keys);
   Strata strata;
+  std::map<std::string, std::map<double, std::string>> names;  // of the settings, by stratum and value of `along`
   for (const TextTable::Row& row : table.rows) {
     if (!where.empty() && fnmatch(where.c_str(), row[setting].c_str(), 0) != 0) continue;
     const auto at = number_in(row[x]), value = number_in(row[y]);
-    if (at && value) strata[stratum_of(table, row, others)][*at].push_back(*value);
+    if (!at || !value) continue;
+    const std::string stratum = stratum_of(table, row, others);
+    const std::string& first = names[stratum].try_emplace(*at, row[setting]).first->second;
+    if (first != row[setting]) refuse_unnamed_axis(table, first, row[setting], along);
+    strata[stratum][*at].push_back(*value);
   }
   std::size_t most = 0;
   bool repeated = true;
@@ -131,20 +151,42 @@ statistics::TestResult kendall_of(const Strata& strata) {
   return statistics::kendall(x, y);
 }
 
+/// The groups at the last and the first setting of all, in each stratum that has both.
+std::vector<statistics::PairOfGroups> ends_of(const Strata& strata) {
+  double first = INFINITY, last = -INFINITY;
+  for (const auto& [name, groups] : strata) {
+    first = std::min(first, groups.begin()->first);
+    last = std::max(last, groups.rbegin()->first);
+  }
+  std::vector<statistics::PairOfGroups> ends;
+  for (const auto& [name, groups] : strata)
+    if (groups.contains(first) && groups.contains(last)) ends.push_back({groups.at(last), groups.at(first)});
+  return ends;
+}
+
+/// The difference of the ends with its interval; nulls if no stratum has both ends.
+ordered_json last_less_first(const Strata& strata, double confidence) {
+  const std::vector<statistics::PairOfGroups> ends = ends_of(strata);
+  ordered_json out{{"difference", nullptr}, {"interval_95", {nullptr, nullptr}}, {"confidence", confidence}};
+  if (strata.size() > 1) out["strata"] = ends.size();
+  if (ends.empty()) return out;
+  const statistics::MeanComparison found = statistics::compare_means(ends, confidence);
+  out["difference"] = found.difference;
+  out["interval_95"] = {found.interval.lower, found.interval.upper};
+  return out;
+}
+
 /// @param confidence  of the interval of the last less the first.
 ordered_json trend_of(const Strata& strata, const std::string& of, double confidence) {
   std::vector<std::vector<std::vector<double>>> values;
-  std::vector<statistics::PairOfGroups> ends;
   ordered_json settings = ordered_json::array(), by_stratum = ordered_json::array();
   for (const auto& [name, groups] : strata) {
     settings = settings_json(groups);
     by_stratum.push_back({{"stratum", name}, {"settings", settings}});
     values.emplace_back();
     for (const auto& [at, group] : groups) values.back().push_back(group);
-    ends.push_back({values.back().back(), values.back().front()});
   }
   const statistics::TestResult trend = statistics::jonckheere_terpstra(values), tau = kendall_of(strata);
-  const statistics::MeanComparison difference = statistics::compare_means(ends, confidence);
   ordered_json out{{"of", of}};
   if (strata.size() == 1)
     out["settings"] = settings;
@@ -152,15 +194,14 @@ ordered_json trend_of(const Strata& strata, const std::string& of, double confid
     out["strata"] = by_stratum;
   out["jonckheere_terpstra"] = {{"z", trend.statistic}, {"p", trend.p_value}};
   out["kendall"] = {{"tau", tau.statistic}, {"p", tau.p_value}};
-  out["last_less_first"] = {{"difference", difference.difference},
-                            {"interval_95", {difference.interval.lower, difference.interval.upper}},
-                            {"confidence", confidence}};
+  out["last_less_first"] = last_less_first(strata, confidence);
   return out;
 }
 
 /// The verdict at 5 %: the test of the trend, else the interval of the ends where it excludes zero.
 std::string verdict(double p_adjusted, double z, const ordered_json& ends) {
   if (p_adjusted < 0.05) return z > 0.0 ? "rises" : "falls";
+  if (ends["difference"].is_null()) return "undecided";
   if (ends["interval_95"][0].get<double>() > 0.0) return "last above first";
   if (ends["interval_95"][1].get<double>() < 0.0) return "last below first";
   return "undecided";
@@ -189,12 +230,17 @@ std::string settings_text(const ordered_json& settings) {
 
 std::string ends_text(const ordered_json& trend) {
   const ordered_json& ends = trend["last_less_first"];
+  if (ends["difference"].is_null()) return "  last less first: no stratum has both ends\n";
   const double lower = ends["interval_95"][0].get<double>(), upper = ends["interval_95"][1].get<double>();
   std::string text =
       fmt::format("  last less first: {:.6g}  [{:.6g}, {:.6g}]", ends["difference"].get<double>(), lower, upper);
   // Of several columns each interval is wider, so that all together hold with 95 %.
   const double confidence = ends["confidence"].get<double>();
-  text += confidence > 0.95 ? fmt::format(" at {:.4g} %\n", 100.0 * confidence) : "\n";
+  if (confidence > 0.95) text += fmt::format(" at {:.4g} %", 100.0 * confidence);
+  const std::size_t n = trend.contains("strata") ? trend["strata"].size() : 1;
+  if (const std::size_t used = ends.value("strata", n); used < n)
+    text += fmt::format(", in the {} of {} strata with both ends", used, n);
+  text += "\n";
   const auto verdict = trend["trend"].get<std::string>();
   if (verdict.starts_with("last"))
     text += "  the ends differ at 5 %, but the values between them do not rise or fall steadily\n";
@@ -241,8 +287,9 @@ void add_trend_command(CLI::App& app) {
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash trend results/angle_velocity --along structure.angle --where '*_speed-2.0'");
   command->callback([options] {
-    const TextTable table = read_cases(options->campaign);
-    const std::vector<std::string> keys = varied_keys(options->campaign);
+    const std::filesystem::path path = table_of(options->campaign);
+    const TextTable table = read_cases(path);
+    const std::vector<std::string> keys = varied_keys(path);
     // The intervals of all columns together hold with 95 %.
     const double confidence = 1.0 - 0.05 / static_cast<double>(options->of.size());
     ordered_json trends = ordered_json::array();

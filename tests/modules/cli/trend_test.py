@@ -92,6 +92,50 @@ class Trend(unittest.TestCase):
         ends = [sum(LOADS[70, v]) / len(LOADS[70, v]) - sum(LOADS[50, v]) / len(LOADS[50, v]) for v in (0.5, 2.0)]
         self.assertAlmostEqual(trend["last_less_first"]["difference"], sum(ends) / 2, places=9)
 
+    def test_a_table_keeps_the_axes_that_the_summary_beside_it_names(self):
+        table = self.folder / "campaign.csv"
+        alone = subprocess.run([BRASH, "trend", str(table), "--along", "structure.angle"], capture_output=True, text=True)
+        self.assertEqual(alone.returncode, 2)
+        self.assertIn("'angle-50deg_speed-0.5' and 'angle-50deg_speed-2.0' have one value of 'structure.angle'", alone.stderr)
+        self.assertIn("  remedy:  name the folder of the campaign, or choose settings with --where", alone.stderr)
+        self.name_the_axes()
+        of_folder = self.trend("--along", "structure.angle", "--json").stdout
+        for given, place in ((table, "/"), ("campaign.csv", self.folder)):
+            of_table = subprocess.run([BRASH, "trend", str(given), "--along", "structure.angle", "--json"], cwd=place,
+                                      capture_output=True, text=True)
+            self.assertEqual(of_table.stdout, of_folder)
+
+    def write_speeds(self, loads):
+        """Cases of speeds and angles with these loads, and the summary that names the axes."""
+        lines = [",".join(COLUMNS)]
+        for (angle, speed), values in loads.items():
+            name = f"angle-{angle}_speed-{speed}"
+            lines += [f"{name}-r{i},{name},{i},done,{angle},{speed},{x},{x}" for i, x in enumerate(values)]
+        (self.folder / "campaign.csv").write_text("\n".join(lines) + "\n")
+        self.name_the_axes()
+
+    def test_the_difference_of_the_ends_is_of_strata_that_have_both(self):
+        # The load rises by 100 a step. All cases of angle 3 at speed 2 failed.
+        loads = {(angle, speed): [100.0 * angle + 1000.0 * speed + e for e in (-1, 0, 1)]
+                 for speed in (1, 2) for angle in (1, 2, 3) if (angle, speed) != (3, 2)}
+        self.write_speeds(loads)
+        (trend,) = json.loads(self.trend("--along", "structure.angle", "--json").stdout)["trends"]
+        ends = trend["last_less_first"]
+        self.assertAlmostEqual(ends["difference"], 200.0, places=9)
+        # Student's t of 4 degrees of freedom, and the error of a difference of two means of three.
+        self.assertAlmostEqual(ends["interval_95"][1] - 200.0, 2.776445 * (2 / 3)**0.5, places=5)
+        self.assertEqual(ends["strata"], 1)
+        self.assertEqual(len(trend["strata"]), 2)  # the test of the trend keeps both
+        self.assertIn("], in the 1 of 2 strata with both ends\n", self.trend("--along", "structure.angle").stdout)
+
+    def test_no_stratum_with_both_ends_has_no_difference(self):
+        self.write_speeds({(1, 1): [1.0, 1.2], (2, 1): [1.1, 1.3], (2, 2): [5.0, 5.2], (3, 2): [5.1, 5.3]})
+        (trend,) = json.loads(self.trend("--along", "structure.angle", "--json").stdout)["trends"]
+        self.assertEqual(trend["last_less_first"],
+                         {"difference": None, "interval_95": [None, None], "confidence": 0.95, "strata": 0})
+        self.assertEqual(trend["trend"], "undecided")
+        self.assertIn("last less first: no stratum has both ends", self.trend("--along", "structure.angle").stdout)
+
     def test_a_difference_of_the_ends_is_no_undecided_trend(self):
         lines = [",".join(COLUMNS)]
         for angle, values in ((50, (10.0, 10.1)), (60, (8.0, 8.1)), (70, (10.5, 10.6))):
@@ -121,6 +165,7 @@ class Trend(unittest.TestCase):
     def test_what_cannot_be_tested_is_refused(self):
         self.assertIn("no column 'structure.width'\n  allowed: one of: case, setting",
                       self.trend("--along", "structure.width", code=2).stderr)
+        self.name_the_axes()
         self.assertIn("allowed: 2 settings at least", self.trend("--along", "structure.angle", "--where", "angle-50deg_*",
                                                              code=2).stderr)
 
