@@ -76,6 +76,22 @@ void refuse_other_files(const std::string& path) {
     refuse("is no history", "name a history, such as the history.csv of a run or the table of a logger");
 }
 
+/// With a time step the file is one without times, and all its columns are loads. The first of several columns without
+/// names may be of times, and is no load by default.
+void leave_times_to_step(io::Series& series, const std::string& path, const std::vector<std::string>& wanted) {
+  if (!series.time) return;
+  const std::string& head = series.heads[*series.time];
+  if (head != "1")  // as io::read_series calls a first column without a name
+    throw InputError(Complaint{path, fmt::format("has times in column '{}', and a time step is given", printable(head)),
+                               "a time step for a file without times",
+                               "leave the time step out; if these are no times, give their column another name"});
+  if (wanted.front().empty())
+    throw InputError(Complaint{path, "has several columns without names, of which the first may be of times",
+                               "a column by its number, or no time step",
+                               "name the column of the load, such as 2, or leave the time step out"});
+  series.time.reset();
+}
+
 /// Times of the rows: of the file, or counted with the step of `choice`.
 std::vector<double> times_of(const io::Series& series, const HistoryChoice& choice) {
   if (series.time) return series.columns[*series.time];
@@ -138,6 +154,7 @@ LoadHistory history_of(io::Series& series, const std::string& path, const std::s
 
 LoadHistory negated(LoadHistory load) {
   load.column = "-" + load.column;
+  load.is_negated = !load.is_negated;
   for (double& value : load.history.values) value = 0.0 - value;
   return load;
 }
@@ -154,7 +171,8 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
     throw InputError(Complaint{path, fmt::format("--to {} is no time", *choice.to), "seconds", "give a number"});
   refuse_other_files(path);
   io::Series series = io::read_series(path);
-  if (choice.dt > 0.0) series.time.reset();
+  const std::vector<std::string> wanted = columns.empty() ? std::vector{choice.column} : columns;
+  if (choice.dt > 0.0) leave_times_to_step(series, path, wanted);
   if (choice.dt <= 0.0 && !series.time)
     throw InputError(
         Complaint{path, "has no column of times: none is named time or t, or has a unit of time",
@@ -162,7 +180,6 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
                   "name the column of times and its unit, begin a preamble with #, or give the time step with --dt"});
   if (series.time) require_rising(series, series.columns[*series.time]);
   std::vector<LoadHistory> loads;
-  const std::vector<std::string> wanted = columns.empty() ? std::vector{choice.column} : columns;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     loads.push_back(history_of(series, path, wanted[i], choice, i + 1 == wanted.size()));
   return loads;

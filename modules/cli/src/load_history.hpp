@@ -17,12 +17,13 @@ struct LoadHistory {
   std::size_t n_missing = 0;  ///< rows of the file in which the column has no value
   std::string unit{};         ///< of the values, as io::Series has it; empty: the file states none
   std::string file{};         ///< as given
+  bool is_negated = false;    ///< the file has it with the other sign, under the column's name without its -
 };
 
 /// Which column to read and how.
 struct HistoryChoice {
   std::string column;  ///< with or without its unit; empty: the first one that is not the time
-  double dt = 0.0;     ///< [s], for files without a column of times; 0: the file has one
+  double dt = 0.0;     ///< [s], for files without times, which others refuse; 0: the file has them
   double from = 0.0;   ///< leave out samples before this time [s]
   bool has_from = false;
   std::optional<double> to{};     ///< leave out samples after this time [s]
@@ -32,8 +33,8 @@ struct HistoryChoice {
 
 /// Reads a column of a run.nc, named as in history.csv, or of any file that io::read_series reads.
 ///
-/// @throws InputError naming file, place and fault: no such column, not a number, times that do not rise, fewer
-///   than two samples.
+/// @throws InputError naming file, place and fault: no such column, not a number, times that do not rise, times beside
+///   a time step, fewer than two samples.
 LoadHistory read_history(const std::string& path, const HistoryChoice& choice);
 
 /// The history with the other sign; its column is named -column.

@@ -54,6 +54,24 @@ BOOST_AUTO_TEST_CASE(a_single_column_needs_the_step) {
   BOOST_TEST(history.history.values.size() == 3U);
 }
 
+BOOST_AUTO_TEST_CASE(a_step_is_for_files_without_times) {
+  HistoryChoice choice;
+  choice.dt = 0.02;
+  for (const std::string text : {"time [s],Fx\n0,5\n0.1,6\n", "Fx,t\n5,0\n6,0.1\n"})
+    BOOST_TEST(contains(complaint(text, choice), ", and a time step is given"));
+  BOOST_TEST(contains(complaint("0 5\n0.1 6\n", choice), "of which the first may be of times"));
+  const TemporaryFile unnamed("3 5\n4 6\n");
+  for (const auto& [column, first] : {std::pair("1", 3.0), std::pair("2", 5.0)}) {
+    choice.column = column;
+    const LoadHistory load = read_history(unnamed.path(), choice);
+    BOOST_TEST(load.history.values.front() == first);
+    BOOST_TEST(load.even.sampling.step == 0.02);
+  }
+  choice.column = "";
+  const TemporaryFile named("Fx,Fz\n5,1\n6,2\n");
+  BOOST_TEST(read_history(named.path(), choice).column == "Fx");
+}
+
 BOOST_AUTO_TEST_CASE(what_is_earlier_than_from_is_left_out) {
   const TemporaryFile file("time,F\n0.01,1\n0.02,2\n0.03,3\n0.04,4\n0.05,5\n");
   HistoryChoice choice;
