@@ -42,9 +42,10 @@ std::vector<Crack> cracks_beside(const std::string& history) {
 struct Causes {
   io::Series series;
   std::vector<std::size_t> columns;
+  double sign;  ///< of the load against the file
 
-  Causes(const std::string& path, const std::string& column) : series(io::read_series(path)) {
-    const std::string end = "_" + column;
+  explicit Causes(const LoadHistory& load) : series(io::read_series(load.file)), sign(load.is_negated ? -1.0 : 1.0) {
+    const std::string end = "_" + load.column.substr(load.is_negated ? 1 : 0);
     for (std::size_t i = 0; i < series.names.size(); ++i)
       if (series.names[i].ends_with(end) && series.time) columns.push_back(i);
   }
@@ -56,7 +57,7 @@ struct Causes {
     const auto at = static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
     const std::size_t row = std::min(at, times.size() - 1);
     const std::size_t best =
-        *std::ranges::max_element(columns, {}, [&](std::size_t c) { return series.columns[c][row]; });
+        *std::ranges::max_element(columns, {}, [&](std::size_t c) { return sign * series.columns[c][row]; });
     return series.names[best].substr(0, series.names[best].rfind('_'));
   }
 };
@@ -76,7 +77,7 @@ std::string crack_of(const statistics::LoadEvent& event, const std::vector<Crack
 
 CsvTable events_table(const LoadHistory& load, std::optional<double> dead_band) {
   CsvTable table{"start,end,peak_time,peak,impulse,rise,fall,cause,crack_time,crack_x,crack_y\n", ""};
-  const Causes causes(load.file, load.column);
+  const Causes causes(load);
   const std::vector<Crack> cracks = cracks_beside(load.file);
   for (const statistics::LoadEvent& e : events_of(load, dead_band))
     table.lines += fmt::format("{},{},{},{},{},{},{},{},{}\n", e.start, e.end, e.peak_time, e.peak, e.impulse, e.rise(),
