@@ -13,7 +13,8 @@
 namespace brash::cli {
 namespace {
 
-constexpr double kAntiAlias = 0.4;  // of the new sampling frequency; at half of it slower waves would appear
+constexpr double kMostSamples = 134217728.0;  // 2^27: times and values take 2 GiB
+constexpr double kAntiAlias = 0.4;            // of the new sampling frequency; at half of it slower waves would appear
 
 /// Adds samples every `step` between the first and the last one of a piece.
 void add_resampled(const std::vector<double>& samples, double start, double old_step, double step,
@@ -31,6 +32,21 @@ void add_resampled(const std::vector<double>& samples, double start, double old_
   }
 }
 
+/// Refuses a step of so many samples that their memory is a mistake.
+void require_few_samples(const LoadHistory& load, double step) {
+  double length = 0.0;
+  const statistics::Pieces pieces = load.even.pieces(load.history);
+  for (const auto piece : pieces) length += load.even.sampling.step * static_cast<double>(piece.size() - 1);
+  const auto n_pieces = static_cast<double>(pieces.size());
+  if (length / step + n_pieces <= kMostSamples) return;
+  // A thousandth absorbs the rounding of the printed step.
+  const double shortest = 1.001 * length / (kMostSamples - n_pieces);
+  throw InputError(
+      Complaint{load.file, fmt::format("--resample {} makes {:.3g} samples", step, length / step),
+                fmt::format("at most {:.0f} samples, by a step of {:.4g} s or more", kMostSamples, shortest),
+                "give a longer step"});
+}
+
 }  // namespace
 
 LoadHistory prepared(const LoadHistory& load, const Preparation& preparation) {
@@ -41,7 +57,8 @@ LoadHistory prepared(const LoadHistory& load, const Preparation& preparation) {
     throw InputError(Complaint{
         load.file, fmt::format("--low-pass {} Hz of samples every {:.6g} s", preparation.low_pass, old_step),
         fmt::format("below half of the sampling frequency, {:.6g} Hz", 0.5 / old_step), "give a lower frequency"});
-  LoadHistory out{load.column, {}, {}, load.n_missing, load.unit, load.file};
+  require_few_samples(load, step);
+  LoadHistory out{load.column, {}, {}, load.n_missing, load.unit, load.file, load.is_negated};
   const statistics::Pieces pieces = load.even.pieces(load.history);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     std::vector<double> samples(pieces[p].begin(), pieces[p].end());

@@ -21,7 +21,8 @@ struct Preparation {
 ///
 /// Samples of a coarser step come from a zero-phase low-pass at 0.4 of the new sampling frequency, then from straight
 /// lines between samples.
-/// @throws InputError when the cut-off is not below half of the sampling frequency.
+/// @throws InputError when the cut-off is not below half of the sampling frequency, or the step makes more than 2^27
+///   samples.
 LoadHistory prepared(const LoadHistory& load, const Preparation& preparation);
 
 /// The preparation for JSON: cut-off, phase, delay, step.
