@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace brash::cli {
 
@@ -14,5 +15,15 @@ namespace brash::cli {
 /// @param endings  that such files have, with their dots.
 /// @throws InputError naming the file, the endings and the remedy.
 void check_ending(const std::string& file, std::string_view kind, std::initializer_list<std::string_view> endings);
+
+/// Refuses to write over a result of a run or a campaign: the manifest.json beside the output, or a file that it lists.
+///
+/// @param output  path to write; empty: nothing is written.
+/// @throws InputError naming the output.
+void refuse_replacing_results(const std::string& output);
+
+/// Refuses outputs of one command with one path, of which only the last would stay. Empty ones are passed over.
+/// @throws InputError naming the path.
+void refuse_equal_names(const std::vector<std::string>& outputs);
 
 }  // namespace brash::cli

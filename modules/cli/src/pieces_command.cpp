@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "brash/core/input_file.hpp"
+#include "file_name.hpp"
 #include "geometry_commands.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
@@ -18,6 +19,7 @@ struct PiecesOptions {
 
 void pieces(const PiecesOptions& options) {
   refuse_overwriting(options.picture, {options.file});
+  refuse_replacing_results(options.picture);
   check_picture_name(options.picture);
   const PieceSizes sizes = read_piece_sizes(options.file, options.born);
   const PieceAnalysis analysis = analyse_pieces(sizes);

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -13,6 +15,7 @@
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
+#include "file_name.hpp"
 #include "history_statistics.hpp"
 #include "history_tables.hpp"
 #include "messages.hpp"
@@ -60,11 +63,24 @@ void write_outputs(const StatsOptions& o, const std::vector<LoadHistory>& loads)
   write_table(o.events, loads, [&](const auto& load) { return events_table(load, dead_band); });
   write_table(o.exceedance, loads, [&](const auto& load) { return exceedance_table(load, dead_band); });
   write_table(o.cycles, loads, [](const auto& load) { return cycles_table(load); });
-  if (o.picture.empty()) return;
-  if (loads.size() > 1)
-    throw InputError(Complaint{o.picture, fmt::format("--picture of {} histories", loads.size()), "one history",
+  if (!o.picture.empty()) write_picture(o.picture, stats_picture(loads.front(), o.settings));
+}
+
+/// Refuses outputs that would replace an input, a result or each other, before anything is written.
+void check_outputs(const StatsOptions& o) {
+  const std::vector<std::string> outputs{o.spectrum, o.events, o.exceedance, o.cycles, o.picture};
+  refuse_equal_names(outputs);
+  for (const std::string& out : outputs) {
+    refuse_replacing_results(out);
+    // The cracks of a run lie beside its history.
+    for (const std::string& file : o.files)
+      refuse_overwriting(out, {file, (std::filesystem::path(file).parent_path() / "events.csv").string()});
+  }
+  check_picture_name(o.picture);
+  const std::size_t n = o.files.size() * std::max(o.columns.size(), std::size_t{1});
+  if (!o.picture.empty() && n > 1)
+    throw InputError(Complaint{o.picture, fmt::format("--picture of {} histories", n), "one history",
                                "name one file and one --column"});
-  write_picture(o.picture, stats_picture(loads.front(), o.settings));
 }
 
 std::vector<LoadHistory> histories_of(const StatsOptions& o) {
@@ -79,9 +95,7 @@ void run_stats(const StatsOptions& o) {
   if (!std::isfinite(o.threshold))
     throw InputError(Complaint{o.files.front(), fmt::format("--threshold {} is no load", o.threshold),
                                "a finite number in the unit of the column", "give a number"});
-  for (const std::string& out : {o.spectrum, o.events, o.exceedance, o.cycles, o.picture})
-    for (const std::string& file : o.files) refuse_overwriting(out, {file});
-  check_picture_name(o.picture);
+  check_outputs(o);
   const std::vector<LoadHistory> loads = histories_of(o);
   write_outputs(o, loads);
   ordered_json all = ordered_json::array();
@@ -113,11 +127,13 @@ void add_reading_options(CLI::App& command, StatsOptions& o) {
   command.add_option("--gap", o.choice.longest_interval, "longest step that is no gap [s] [5 x the median step]")
       ->check(time_span());
   command.add_option("--resample", o.preparation.step, "new time step [s]")->check(time_span());
-  command.add_option("--low-pass", o.preparation.low_pass, "cut-off of Butterworth's filter [Hz]")
-      ->check(CLI::Range(1e-9, 1e9));
+  CLI::Option* low_pass =
+      command.add_option("--low-pass", o.preparation.low_pass, "cut-off of Butterworth's filter [Hz]")
+          ->check(CLI::Range(1e-9, 1e9));
   command.add_option("--phase", o.phase, "of the filter: zero, or causal as in an instrument")
       ->check(CLI::IsMember({"zero", "causal"}))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(low_pass);
 }
 
 void add_estimate_options(CLI::App& command, StatsOptions& o) {
@@ -133,13 +149,15 @@ void add_estimate_options(CLI::App& command, StatsOptions& o) {
       ->check(CLI::Range(0.0, 100.0));
   command.add_option("--segment", o.settings.segment, "of the spectrum [s] [an eighth of the longest piece]")
       ->check(time_span());
-  command.add_option("--exponent", o.settings.exponents, "of S-N curves, for damage-equivalent loads by rainflow")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->check(CLI::Range(1.0, 20.0));
+  CLI::Option* exponent =
+      command.add_option("--exponent", o.settings.exponents, "of S-N curves, for damage-equivalent loads by rainflow")
+          ->take_all()
+          ->allow_extra_args(false)
+          ->check(CLI::Range(1.0, 20.0));
   command.add_option("--frequency", o.settings.frequency, "of the equivalent sinusoid [Hz]")
       ->check(CLI::Range(1e-9, 1e9))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(exponent);
 }
 
 void add_output_options(CLI::App& command, StatsOptions& o) {

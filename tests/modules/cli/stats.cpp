@@ -151,6 +151,10 @@ BOOST_AUTO_TEST_CASE(a_history_is_filtered_and_resampled_with_its_gaps) {
   // The slow wave passes but for (0.5/2)^4/2, the fast one is a ten-thousandth.
   for (std::size_t i = 40; i < 160; ++i)
     BOOST_CHECK_SMALL(slow.history.values[i] - std::sin(2.0 * kPi * 0.5 * slow.history.times[i]), 5e-3);
+  BOOST_CHECK_EXCEPTION(prepared(load, {.low_pass = 0.0, .step = 1e-9, .phase = statistics::Phase::kZero}), InputError,
+                        [](const InputError& e) {
+                          return contains(e.what(), "at most 134217728 samples, by a step of 1.49e-07 s or more");
+                        });
   BOOST_CHECK_EXCEPTION(prepared(load, {.low_pass = 50.0, .step = 0.0, .phase = statistics::Phase::kZero}), InputError,
                         [](const InputError& e) { return contains(e.what(), "below half of the sampling frequency"); });
 }
@@ -196,6 +200,73 @@ BOOST_AUTO_TEST_CASE(an_event_of_a_run_has_its_cause_and_its_crack) {
   const CsvTable table = events_table(read_history(file.path(), {}), std::nullopt);
   const std::string first = table.lines.substr(0, table.lines.find('\n'));
   BOOST_TEST(first.ends_with(",crushing,1.9,4,5"), first);
+}
+
+BOOST_AUTO_TEST_CASE(an_event_of_a_load_below_zero_has_its_cause_too) {
+  std::string text = "time,Fx,crushing_Fx,floe_normal_Fx,floe_friction_Fx\n";
+  for (int i = 0; i < 200; ++i) {
+    const double load = i % 20 < 10 ? 0.0 : -100.0 * (i % 20 - 9);
+    text += fmt::format("{},{},{},{},{}\n", 0.1 * i, load, 0.8 * load, 0.3 * load, -0.1 * load);
+  }
+  const TemporaryFile file(text);
+  HistoryChoice choice;
+  choice.negate = true;
+  for (const double step : {0.0, 0.1}) {
+    const LoadHistory load =
+        prepared(read_history(file.path(), choice), {.low_pass = 0.0, .step = step, .phase = statistics::Phase::kZero});
+    const CsvTable table = events_table(load, std::nullopt);
+    BOOST_TEST(contains(table.lines.substr(0, table.lines.find('\n')), ",crushing,"), table.lines);
+  }
+}
+
+/// What `brash stats` refuses, or "" when it refuses nothing.
+std::string refusal_of(const std::string& arguments) {
+  CLI::App app;
+  add_stats_command(app);
+  try {
+    app.parse("stats " + arguments);
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const CLI::ParseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+BOOST_AUTO_TEST_CASE(tables_replace_no_result_of_a_run_and_not_each_other) {
+  const TemporaryFile file("time,Fx\n0,1\n1,2\n2,1\n3,2\n");
+  const std::filesystem::path folder = std::filesystem::path(file.path()).parent_path();
+  const std::string history = file.path(), in_folder = folder.string() + "/";
+  const std::string events = "time,x,y,event\n1,4,5,break\n";
+  const auto text_of = [&](const char* name) {
+    std::ifstream stream(folder / name);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  std::ofstream(folder / "events.csv") << events;
+  std::ofstream(folder / "summary.json") << "{}";
+  BOOST_TEST(contains(refusal_of(history + " --events " + in_folder + "events.csv"), "which is an input"));
+  BOOST_TEST(
+      contains(refusal_of(history + " --cycles " + in_folder + "../" + folder.filename().string() + "/events.csv"),
+               "which is an input"));
+  std::ofstream(folder / "manifest.json") << R"({"outputs": [{"path": "events.csv"}, {"path": "summary.json"}]})";
+  for (const char* name : {"summary.json", "manifest.json"})
+    BOOST_TEST(contains(refusal_of(history + " --exceedance " + in_folder + name), "is no result of a run"));
+  BOOST_TEST(text_of("events.csv") == events);
+  BOOST_TEST(text_of("summary.json") == "{}");
+
+  const std::string out = in_folder + "o.csv";
+  BOOST_TEST(contains(refusal_of(history + " --exceedance " + out + " --cycles " + in_folder + "./o.csv"),
+                      "is the name of two files to write"));
+  BOOST_TEST(
+      contains(refusal_of(history + " --column Fx --column time --cycles " + out + " --picture " + in_folder + "o.svg"),
+               "--picture of 2 histories"));
+  BOOST_TEST(!std::filesystem::exists(out));
+}
+
+BOOST_AUTO_TEST_CASE(options_without_effect_are_refused) {
+  const TemporaryFile file("time,Fx\n0,1\n1,2\n2,1\n3,2\n");
+  BOOST_TEST(contains(refusal_of(file.path() + " --phase causal"), "--phase requires --low-pass"));
+  BOOST_TEST(contains(refusal_of(file.path() + " --frequency 2"), "--frequency requires --exponent"));
 }
 
 BOOST_AUTO_TEST_CASE(a_load_below_zero_has_its_peaks_with_the_other_sign) {
