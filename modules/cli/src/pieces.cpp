@@ -113,6 +113,9 @@ PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const 
 
 PieceSizes read_piece_sizes(const std::string& path, bool born) {
   const fs::path file = fs::is_directory(path) ? fs::path(path) / "run.nc" : fs::path(path);
+  if (born && file.extension() != ".nc")
+    throw InputError(Complaint{path, "is a map, which knows no floes that are gone", "--born for a run",
+                               "leave --born out, or give the run.nc of the run"});
   PieceSizes sizes = file.extension() == ".nc" ? sizes_of_run(file.string(), born) : sizes_of_map(file.string());
   if (sizes.areas.empty())
     throw InputError(Complaint{path, "has no pieces", "a map with floes, or a run that broke ice",

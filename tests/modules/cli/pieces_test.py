@@ -11,6 +11,14 @@ BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"]
 
 
 class Pieces(unittest.TestCase):
+    def test_a_map_knows_no_floes_that_are_gone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "floes.wkt").write_text("POLYGON ((0 0, 1 0, 0 1, 0 0))")
+            said = subprocess.run([BRASH, "pieces", "floes.wkt", "--born"], cwd=folder, capture_output=True, text=True)
+            self.assertEqual(said.returncode, 2)
+            self.assertIn("floes.wkt: is a map, which knows no floes that are gone", said.stderr)
+            self.assertIn("remedy:  leave --born out", said.stderr)
+
     def test_plates_of_a_field_are_counted_at_the_start_and_at_the_end(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder)
