@@ -12,6 +12,7 @@
 namespace brash::cli {
 namespace {
 
+constexpr double kYear = 8784.0;  // of the longest year [h]
 constexpr const char* kTable = "a scatter table: CSV of the campaign's varied keys and `hours` a year";
 
 /// Whether a cell means the value of a varied key.
@@ -52,11 +53,12 @@ std::vector<double> read_scatter(const std::string& path, const std::vector<Sett
   const std::size_t hours = table.column("hours");
   const std::vector<std::size_t> keys = keys_in(table, settings.front());
   std::vector<double> of_settings(settings.size(), 0.0);
+  double sum = 0.0;
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const TextTable::Row& row = table.rows[r];
     const std::string place = fmt::format("{}:{}", path, r + 2);
     const auto value = number_in(row[hours]);
-    if (!value || *value < 0.0 || *value > 8784.0)
+    if (!value || *value < 0.0 || *value > kYear)
       throw InputError(Complaint{place, fmt::format("hours '{}'", printable(row[hours])), "hours of a year, 0 to 8784",
                                  "correct the number"});
     std::size_t found = settings.size(), n = 0;
@@ -72,7 +74,12 @@ std::vector<double> read_scatter(const std::string& path, const std::vector<Sett
       throw InputError(Complaint{place, fmt::format("{} settings have these values", n), "one setting for each state",
                                  "name all varied keys as columns"});
     if (n == 1) of_settings[found] += *value;
+    sum += *value;
   }
+  // A millionth absorbs the rounding of hours that are shares of a year.
+  if (sum > (1.0 + 1e-6) * kYear)
+    throw InputError(Complaint{path, fmt::format("all states together last {:g} hours a year", sum),
+                               "hours of a year, 8784 together at most", "correct the hours"});
   return of_settings;
 }
 

@@ -51,7 +51,10 @@ TextTable read_text_table(const std::string& path, const std::string& allowed, c
   TextTable table;
   table.path = path;
   const std::string bytes = read_text_file(path, allowed);
-  for (std::string_view text = bytes; !text.empty();) {
+  std::string_view text = bytes;
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8, as spreadsheets write it
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  while (!text.empty()) {
     TextTable::Row cells = take_cells(text);
     if (table.names.empty()) {
       table.names = std::move(cells);
