@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "brash/core/text.hpp"
 #include "brash/io/results.hpp"
 #include "campaign_histories.hpp"
+#include "file_name.hpp"
 #include "history_comparison.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
@@ -22,7 +24,7 @@ namespace brash::cli {
 namespace {
 
 struct CompareOptions {
-  std::string run, where, picture = "comparison.svg";
+  std::string run, where, measured_where, picture = "comparison.svg";
   std::vector<std::string> measured;
   HistoryChoice of_run, of_measured;
   bool json = false;
@@ -74,13 +76,32 @@ std::vector<LoadHistory> measurements(const CompareOptions& options) {
   for (const std::string& given : options.measured) {
     HistoryChoice choice = options.of_measured;
     // Another run has the column that is asked for; a measurement may name it otherwise.
-    if (std::filesystem::is_directory(given) && choice.column.empty()) choice.column = options.of_run.column;
-    for (LoadHistory& load : side(given, choice, options.where)) measured.push_back(std::move(load));
+    if (std::filesystem::is_directory(given)) {
+      if (choice.column.empty()) choice.column = options.of_run.column;
+      choice.dt = 0.0;  // its histories have times
+    }
+    for (LoadHistory& load : side(given, choice, options.measured_where)) measured.push_back(std::move(load));
   }
   return measured;
 }
 
+/// A pattern chooses a setting of a campaign; of anything else there is nothing to choose.
+void check_patterns(CompareOptions& options) {
+  const bool measured = std::ranges::any_of(options.measured, is_campaign);
+  const auto refuse = [](const std::string& option, const std::string& given, const std::string& allowed) {
+    throw InputError(Complaint{given, fmt::format("is no campaign of which {} could choose a setting", option), allowed,
+                               fmt::format("leave {} out, or give the folder of a campaign", option)});
+  };
+  if (!options.measured_where.empty() && !measured)
+    refuse("--measured-where", options.measured.front(), "the folder of a campaign on the measured side");
+  if (!options.where.empty() && !is_campaign(options.run) && !measured)
+    refuse("--where", options.run, "the folder of a campaign on one side at least");
+  if (options.measured_where.empty()) options.measured_where = options.where;
+}
+
 void compare(CompareOptions& options) {
+  check_patterns(options);
+  refuse_replacing_results(options.picture);
   for (const std::string& given : options.measured) refuse_overwriting(options.picture, {options.run, given});
   check_picture_name(options.picture);
   const std::vector<LoadHistory> runs = side(options.run, options.of_run, options.where);
@@ -109,7 +130,8 @@ void add_compare_command(CLI::App& app) {
   command->add_option("run", options->run, "folder of a run or a campaign, its run.nc, or any history")->required();
   command->add_option("measured", options->measured, "CSV or netCDF files with times, or folders of other runs")
       ->required();
-  command->add_option("--where", options->where, "setting of a campaign, such as 'angle-50deg_*'");
+  command->add_option("--where", options->where, "setting of a campaign, such as 'angle-50deg_*', on both sides");
+  command->add_option("--measured-where", options->measured_where, "setting of a measured campaign [as --where]");
   command->add_option("--column", options->of_run.column, "of the run")->capture_default_str();
   command->add_option("--measured-column", options->of_measured.column,
                       "[the first that is not the time; of a folder, the run's]");
