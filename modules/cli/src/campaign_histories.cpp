@@ -6,14 +6,14 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <limits>
+#include <map>
 #include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "text_table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* kSummary = "the summary.json of a campaign that is done";
+constexpr const char* kTable = "the campaign.csv of a campaign that is done";
 constexpr const char* kResume = "run the campaign with `--resume`, which writes it again";
 
 ordered_json read_settings(const std::string& folder) {
@@ -37,29 +38,14 @@ ordered_json read_settings(const std::string& folder) {
   return json["settings"];
 }
 
-/// How many replicates of a setting its summary counts; those beyond are of an earlier plan.
-std::size_t n_counted(const ordered_json& setting) {
-  std::size_t n = 0;
-  for (const char* const key : {"n_done", "n_failed"}) {
-    if (!setting.value(key, ordered_json()).is_number_unsigned()) return std::numeric_limits<std::size_t>::max();
-    n += setting[key].get<std::size_t>();
-  }
-  return n;
-}
-
-/// The folders of a setting's first `n` replicates, by their numbers.
-std::vector<fs::path> replicates_of(const std::string& folder, const std::string& setting, std::size_t n) {
-  std::vector<fs::path> found;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder + "/cases", ignored)) {
-    const std::string name = entry.path().filename().string();
-    const std::size_t digits = setting.size() + 2;
-    if (!entry.is_directory() || !name.starts_with(setting + "-r")) continue;
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(name.data() + digits, name.data() + name.size(), number);
-    if (error == std::errc{} && end == name.data() + name.size() && number < n) found.push_back(entry.path());
-  }
-  std::ranges::sort(found);
+/// The folders of the cases that campaign.csv counts as done, by setting. The folder cases/ may hold others: cases of
+/// an earlier plan, and cases that ended after the tables were written.
+std::map<std::string, std::vector<fs::path>> replicates_of(const std::string& folder) {
+  const TextTable table = read_text_table(folder + "/campaign.csv", kTable, kResume);
+  const std::size_t name = table.column("case"), setting = table.column("setting"), status = table.column("status");
+  std::map<std::string, std::vector<fs::path>> found;
+  for (const TextTable::Row& row : table.rows)
+    if (row[status] == "done") found[row[setting]].push_back(fs::path(folder) / "cases" / row[name]);
   return found;
 }
 
@@ -96,12 +82,12 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
                                "give the folder that `brash campaign` wrote"});
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;
+  std::map<std::string, std::vector<fs::path>> replicates = replicates_of(folder);
   for (const ordered_json& given : read_settings(folder)) {
     SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
     names.push_back(setting.name);
     if (!where.empty() && fnmatch(where.c_str(), setting.name.c_str(), 0) != 0) continue;
-    for (const fs::path& run : replicates_of(folder, setting.name, n_counted(given)))
-      setting.replicates.push_back(replicate(run, choice));
+    for (const fs::path& run : replicates[setting.name]) setting.replicates.push_back(replicate(run, choice));
     if (setting.replicates.empty())
       throw InputError(Complaint{folder, fmt::format("setting '{}' has no case that is done", printable(setting.name)),
                                  "one case of each setting at least", kResume});

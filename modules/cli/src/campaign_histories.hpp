@@ -23,7 +23,7 @@ bool is_campaign(const std::string& folder);
 /// @throws InputError when the file says nothing.
 double statistics_from(const std::string& summary);
 
-/// Reads one column of all replicates of a campaign that is done, from the start of their statistics on.
+/// Reads one column of the replicates that campaign.csv counts as done, from the start of their statistics on.
 ///
 /// @param choice  its `from`, where given, takes the place of `statistics_from` in the summary of each run.
 /// @param where   only settings whose name matches, such as "angle-50deg_*"; empty: all.

@@ -8,6 +8,7 @@
 #include "brash/core/text.hpp"
 #include "brash/io/results.hpp"
 #include "design.hpp"
+#include "file_name.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "stats_commands.hpp"
@@ -30,19 +31,23 @@ void add_questions(CLI::App& command, DesignOptions& o) {
       ->allow_extra_args(false)
       ->check(CLI::Range(1e-3, 1e9))
       ->capture_default_str();
-  command.add_option("--scatter", o.asked.scatter, "CSV of varied keys in SI and `hours` a year, one line a state");
+  CLI::Option* scatter =
+      command.add_option("--scatter", o.asked.scatter, "CSV of varied keys in SI and `hours` a year, one line a state");
   command.add_option("--annual", o.asked.annual, "annual probabilities of exceedance, with --scatter")
       ->take_all()
       ->allow_extra_args(false)
       ->check(CLI::Range(1e-9, 0.5))
-      ->capture_default_str();
-  command.add_option("--exponent", o.asked.exponents, "of S-N curves, for damage-equivalent loads by rainflow")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->check(CLI::Range(1.0, 20.0));
+      ->capture_default_str()
+      ->needs(scatter);
+  CLI::Option* exponent =
+      command.add_option("--exponent", o.asked.exponents, "of S-N curves, for damage-equivalent loads by rainflow")
+          ->take_all()
+          ->allow_extra_args(false)
+          ->check(CLI::Range(1.0, 20.0));
   command.add_option("--frequency", o.asked.frequency, "of the equivalent sinusoid [Hz]")
       ->check(CLI::Range(1e-9, 1e9))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(exponent);
 }
 
 void add_ways(CLI::App& command, DesignOptions& o) {
@@ -76,6 +81,7 @@ void add_design_command(CLI::App& app) {
     DesignOptions& o = *options;
     o.choice.has_from = command->count("--from") > 0;
     if (command->count("--dead-band") > 0) o.asked.extremes.dead_band = o.dead_band;
+    refuse_replacing_results(o.picture);
     if (!o.asked.scatter.empty()) refuse_overwriting(o.picture, {o.asked.scatter});
     check_picture_name(o.picture);
     const auto settings = read_campaign_histories(o.campaign, o.choice, o.where);

@@ -41,21 +41,78 @@ class Folders(unittest.TestCase):
         self.assertAlmostEqual(found["measured"]["mean"], 20.0, delta=0.2)
         self.assertAlmostEqual(found["measured"]["duration"], 70.0, delta=0.2)
 
-    def campaign(self, means, **counts):
-        """A campaign of two settings with four replicates each, whose loads have these means."""
+    def campaign(self, means, missing=(), late=()):
+        """A campaign of two settings with four replicates each, whose loads have these means.
+
+        Replicates that are `late` ended after the tables were written.
+        """
         (self.folder / "cases").mkdir()
         for setting, mean in means.items():
-            for replicate in range(4):
+            for replicate in set(range(4)) - set(missing):
                 self.run_of(f"cases/{setting}-r{replicate:04d}", mean + 0.3 * replicate, 5.0)
-        settings = [{"setting": setting, "values": {"ice.thickness": i}, **counts} for i, setting in enumerate(means)]
+        counted = sorted(set(range(4)) - set(missing) - set(late))
+        settings = [{"setting": setting, "values": {"ice.thickness": i}, "n_done": len(counted), "n_failed": 0}
+                    for i, setting in enumerate(means)]
         (self.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+        rows = [f"{setting}-r{replicate:04d},{setting},{replicate},done" for setting in means for replicate in counted]
+        (self.folder / "campaign.csv").write_text("\n".join(["case,setting,replicate,status", *rows]) + "\n")
 
-    def test_replicates_beyond_those_that_the_summary_counts_are_left_out(self):
-        self.campaign({"thin": 20.0, "thick": 40.0}, n_done=2, n_failed=1)
+    def test_replicates_are_those_that_the_table_counts_as_done(self):
+        self.campaign({"thin": 20.0, "thick": 40.0}, missing=[0])
         measured = self.run_of("measured", 20.2, 0.0)
         done = self.compare(self.folder, measured, "--where", "thin", "--column", "Fy", "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(json.loads(done.stdout)["run"]["histories"], 3)
+        run = json.loads(done.stdout)["run"]
+        self.assertEqual(run["histories"], 3)
+        self.assertAlmostEqual(run["mean"], 20.6, delta=0.1)  # of 20.3, 20.6 and 20.9
+
+    def test_a_replicate_that_ended_after_the_tables_does_not_enter(self):
+        self.campaign({"thin": 20.0, "thick": 40.0}, late=[0])
+        measured = self.run_of("measured", 20.2, 0.0)
+        done = self.compare(self.folder, measured, "--where", "thin", "--column", "Fy", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = json.loads(done.stdout)["run"]
+        self.assertEqual(run["histories"], 3)
+        self.assertAlmostEqual(run["mean"], 20.6, delta=0.1)  # of 20.3, 20.6 and 20.9, without 20.0
+
+    def test_two_settings_of_one_campaign_are_compared(self):
+        self.campaign({"thin": 20.0, "thick": 40.0})
+        done = self.compare(self.folder, self.folder, "--where", "thin", "--measured-where", "thick", "--column", "Fy", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = json.loads(done.stdout)
+        self.assertAlmostEqual(found["run"]["mean"], 20.45, delta=0.1)
+        self.assertAlmostEqual(found["measured"]["mean"], 40.45, delta=0.1)
+
+    def test_a_pattern_without_a_campaign_is_refused(self):
+        runs = self.run_of("first", 40.0, 0.0), self.run_of("second", 20.0, 0.0)
+        for option, side in (("--where", runs[0]), ("--measured-where", runs[1])):
+            done = self.compare(*runs, option, "thin")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"{side}: is no campaign of which {option} could choose a setting", done.stderr)
+        self.campaign({"thin": 20.0, "thick": 40.0})
+        done = self.compare(self.folder, runs[0], "--where", "thin", "--measured-where", "thin")
+        self.assertIn("is no campaign of which --measured-where could choose a setting", done.stderr)
+
+    def test_a_picture_replaces_no_result_of_a_run(self):
+        runs = self.run_of("first", 40.0, 0.0), self.run_of("second", 20.0, 0.0)
+        picture = runs[0] / "case.svg"
+        picture.write_text("<svg/>")
+        (runs[0] / "manifest.json").write_text('{"outputs": [{"path": "case.svg"}]}')
+        for command in (["compare", *runs], ["pieces", runs[0] / "run.nc"], ["design", self.folder]):
+            done = subprocess.run([BRASH, *map(str, command), "-o", str(picture)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("case.svg: would be written over a result that manifest.json beside it lists", done.stderr)
+        self.assertEqual(picture.read_text(), "<svg/>")
+
+    def test_a_time_step_is_for_files_without_times(self):
+        run = self.run_of("first", 40.0, 0.0)
+        (self.folder / "single.csv").write_text("Fy\n" + "".join(f"{40 + i % 7}\n" for i in range(1000)))
+        done = self.compare(run, self.folder / "single.csv", run, "--column", "Fy", "--measured-dt", "0.1", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["measured"]["histories"], 2)
+        done = self.compare(run, run / "history.csv", "--column", "Fy", "--measured-dt", "0.1")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("history.csv: has times in column 'time', and a time step is given", done.stderr)
 
     def test_the_replicates_of_a_setting_are_compared_with_several_measurements(self):
         self.campaign({"thin": 20.0, "thick": 40.0})

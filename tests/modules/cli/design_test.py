@@ -41,6 +41,8 @@ class Design(unittest.TestCase):
                 (run / "summary.json").write_text('{"statistics_from": 0.0}')
         settings = [{"setting": name, "values": {"ice.thickness": thickness}} for name, (thickness, _) in SETTINGS.items()]
         (cls.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+        rows = [f"{name}-r{i:04d},{name},{i},done" for name in SETTINGS for i in range(3)]
+        (cls.folder / "campaign.csv").write_text("\n".join(["case,setting,replicate,status", *rows]) + "\n")
 
     @classmethod
     def tearDownClass(cls):
@@ -95,6 +97,12 @@ class Design(unittest.TestCase):
         pooled = ((100 * loads[0]**4 + 2 * loads[1]**4) / 102)**0.25
         self.assertAlmostEqual(found["fatigue"][0]["equivalent_load"], pooled, places=6)
 
+    def test_a_scatter_table_of_a_spreadsheet_begins_with_a_byte_order_mark(self):
+        text = "ice.thickness,hours\r\n0.3,100\r\n0.6,2\r\n"
+        plain, marked = (self.design("--scatter", self.scatter(mark + text), "--extrapolate") for mark in ("", "\ufeff"))
+        self.assertIn("all states", plain)
+        self.assertEqual(marked, plain)
+
     def test_one_state_alone_has_the_level_of_its_hours(self):
         table = self.scatter("ice.thickness,hours\n0.6,1\n")
         probability = 1.0 - math.exp(-0.25)  # once in four hours of the state
@@ -114,6 +122,22 @@ class Design(unittest.TestCase):
         self.assertIn("warning: 1.5e+05 times the record", marked)
         marked = self.design("--hours", 100, "--extrapolate")
         self.assertIn("warning: 300 times the record: the level rests on the law more than on data", marked)
+
+    def test_cases_are_those_that_the_table_counts_as_done(self):
+        table = self.folder / "campaign.csv"
+        kept = table.read_text()
+        self.addCleanup(table.write_text, kept)
+        # The first replicate was done after the tables were written.
+        table.write_text(kept.replace("thin-r0000,thin,0,done\n", "").replace("thick-r0001,thick,1,done",
+                                                                             "thick-r0001,thick,1,failed"))
+        found = json.loads(self.design("--json"))["settings"]
+        self.assertEqual([state["replicates"] for state in found], [2, 2])
+        table.write_text(kept.replace("thin-r0000", "thin-r0007"))
+        shutil.copytree(self.folder / "cases/thin-r0000", self.folder / "cases/thin-r0007")
+        self.addCleanup(shutil.rmtree, self.folder / "cases/thin-r0007")
+        self.assertEqual(json.loads(self.design("--json"))["settings"][0]["replicates"], 3)
+        table.unlink()
+        self.assertIn("campaign.csv: cannot be opened", self.design(code=2))
 
     def test_a_picture_is_drawn(self):
         picture = self.folder / "design.svg"
@@ -144,6 +168,11 @@ class Design(unittest.TestCase):
         self.assertIn("column 'ice.strength' is no varied key\n  allowed: `hours` and: ice.thickness", refused)
         refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,9000\n"), code=2)
         self.assertIn("hours '9000'\n  allowed: hours of a year, 0 to 8784", refused)
+        refused = self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,8000\n0.6,800\n"), code=2)
+        self.assertIn("states.csv: all states together last 8800 hours a year\n  allowed: hours of a year, 8784 together "
+                      "at most", refused)
+        for option, value, needed in (("--annual", 0.01, "--scatter"), ("--frequency", 2, "--exponent")):
+            self.assertIn(f"{option} requires {needed}", self.design(option, value, code=2))
         self.assertIn("no setting matches 'x*'\n  allowed: one of: thin, thick", self.design("--where", "x*", code=2))
         done = subprocess.run([BRASH, "design", str(self.folder / "cases")], capture_output=True, text=True)
         self.assertIn("is no campaign: it has no folder cases/", done.stderr)

@@ -158,6 +158,8 @@ class Histories(unittest.TestCase):
             (run / "history.csv").write_text(f"time,Fx\n{rows}\n")
         settings = [{"setting": "thin", "values": {"ice.thickness": 0.3}}]
         (self.folder / "summary.json").write_text(json.dumps({"settings": settings}))
+        rows = "".join(f"thin-r{replicate:04d},thin,{replicate},done\n" for replicate in range(3))
+        (self.folder / "campaign.csv").write_text("case,setting,replicate,status\n" + rows)
         state = brash.design(self.folder, hours=[0.5, 1.0])["settings"][0]
         self.assertEqual([level["hours"] for level in state["levels"]], [0.5, 1.0])
         self.assertLess(state["levels"][0]["level"], state["levels"][1]["level"])
