@@ -20,7 +20,7 @@ struct TextTable {
 };
 
 /// Reads a table. @throws InputError naming file, line and fault.
-/// @param allowed  what the file should be, for messages.
+/// @param allowed  the expected file, for messages.
 /// @param remedy   how to get such a file.
 TextTable read_text_table(const std::string& path, const std::string& allowed, const std::string& remedy);
 
