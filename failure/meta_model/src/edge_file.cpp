@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of an EdgeResponseModel.
+#include "brash/core/constants.hpp"
 #include "edge_impl.hpp"
 #include "json_file.hpp"
 
@@ -98,6 +99,7 @@ EdgeResponseModel EdgeResponseModel::read(const std::string& path) {
     inputs[i]["name"].expect_text(kNames[i]);
     m->grid[i] = read_rising(inputs[i]["points"], i < 2 ? 0.0 : kLeastLength);
   }
+  if (m->grid[1].back() >= kPi) inputs[std::size_t{1}]["points"].refuse("must stay below pi");
   if (const Place split = place["split"]; !model.at("split").is_boolean()) split.refuse("must be true or false");
   m->has_split = model.at("split").get<bool>();
   m->data_sha256 = place["data_sha256"].text();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of a ProfileModel.
+#include "brash/core/constants.hpp"
 #include "json_file.hpp"
 #include "profile_impl.hpp"
 
@@ -78,6 +79,7 @@ void read_range(const Place& place, std::array<Geometry, 2>& range) {
     if (ends[0][i] < 0.0) place[i]["lower"].refuse("must be >= 0");
   }
   for (const std::size_t i : {1, 3}) place[i]["lower"].positive();
+  if (ends[1][2] >= kPi) place[std::size_t{2}]["upper"].refuse("must be below pi");
   for (std::size_t k = 0; k < 2; ++k) range[k] = {ends[k][0], ends[k][1], ends[k][2], ends[k][3]};
 }
 

@@ -9,7 +9,9 @@
 
 #include "brash/core/error.hpp"
 #include "brash/meta_model/edge_responses.hpp"
+#include "brash/meta_model/network.hpp"
 #include "grid_axis.hpp"
+#include "json_file.hpp"
 
 namespace meta_model = brash::meta_model;
 using meta_model::EdgeGeometry;
@@ -134,6 +136,19 @@ BOOST_AUTO_TEST_CASE(a_grid_with_a_hole_is_refused) {
   BOOST_CHECK_EXCEPTION(meta_model::EdgeResponseModel::fit(holed, "data"), brash::InputError,
                         [](const brash::InputError& error) {
                           return std::string(error.what()).find("has no solution at b/l_c = 1.4") != std::string::npos;
+                        });
+}
+
+BOOST_AUTO_TEST_CASE(a_file_whose_sides_turn_back_is_refused) {
+  const Folder folder;
+  const std::string file = (folder.path / "edge.json").string();
+  meta_model::EdgeResponseModel::fit(samples(false), "data").write(file);
+  meta_model::Json model = meta_model::read_model(file, meta_model::kEdgeFormat, 1);
+  model["inputs"][1]["points"].back() = 3.2;
+  meta_model::write_model(file, meta_model::kEdgeFormat, 1, model, -1);
+  BOOST_CHECK_EXCEPTION(meta_model::EdgeResponseModel::read(file), brash::InputError,
+                        [](const brash::InputError& error) {
+                          return std::string(error.what()).find("must stay below pi") != std::string::npos;
                         });
 }
 
