@@ -21,6 +21,11 @@ constexpr double kNoSpread = 1e-12;
 /// more.
 constexpr double kRidge = 1e-10;
 
+/// Root mean squares of the deviations from `middle`.
+VectorXd spread_of(const MatrixXd& features, const VectorXd& middle) {
+  return (features.colwise() - middle).rowwise().norm() / std::sqrt(double(features.cols()));
+}
+
 MatrixXd normalised(const MatrixXd& features, const VectorXd& offset, const VectorXd& factor) {
   return factor.cwiseInverse().asDiagonal() * (features.colwise() - offset);
 }
@@ -49,9 +54,13 @@ VectorXd Interpolant::operator()(const VectorXd& features) const {
   return weights * kernels(centres, at) + polynomial * polynomial_terms(at);
 }
 
+Index n_varying(const MatrixXd& features) {
+  return (spread_of(features, features.rowwise().mean()).array() >= kNoSpread).count();
+}
+
 std::vector<Index> distinct_points(const MatrixXd& features) {
   const VectorXd middle = features.rowwise().mean();
-  const VectorXd spread = (features.colwise() - middle).rowwise().norm() / std::sqrt(double(features.cols()));
+  const VectorXd spread = spread_of(features, middle);
   const MatrixXd points = normalised(features, middle, spread.cwiseMax(kNoSpread));
   std::vector<Index> kept;
   for (Index i = 0; i < points.cols(); ++i) {
@@ -65,9 +74,10 @@ std::vector<Index> distinct_points(const MatrixXd& features) {
 Interpolant interpolate(const MatrixXd& features, const MatrixXd& values, const VectorXd& lengths) {
   const Index n = features.cols(), p = n_polynomial_terms(features.rows());
   BRASH_EXPECTS(n == values.cols() && lengths.size() == features.rows(), n, values.cols(), lengths.size());
+  BRASH_EXPECTS(n > n_polynomial_terms(n_varying(features)), n, features.rows());
   Interpolant result;
   result.offset = features.rowwise().mean();
-  const VectorXd spread = (features.colwise() - result.offset).rowwise().norm() / std::sqrt(double(n));
+  const VectorXd spread = spread_of(features, result.offset);
   result.factor = (spread.array() < kNoSpread).select(1.0, spread).cwiseProduct(lengths);
   result.centres = normalised(features, result.offset, result.factor);
 

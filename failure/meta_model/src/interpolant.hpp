@@ -22,12 +22,18 @@ struct Interpolant {
 /// Number of terms of a polynomial of degree 2.
 constexpr Eigen::Index n_polynomial_terms(Eigen::Index n_features) { return (n_features + 1) * (n_features + 2) / 2; }
 
+/// Number of features that take several values.
+///
+/// @param features  shape=(n_features, n_points).
+Eigen::Index n_varying(const Eigen::MatrixXd& features);
+
 /// Numbers of the points that differ from all before them.
 ///
 /// @param features  shape=(n_features, n_points).
 std::vector<Eigen::Index> distinct_points(const Eigen::MatrixXd& features);
 
-/// @param features  of distinct points, shape=(n_features, n_points); more points than terms of the polynomial.
+/// @param features  of distinct points, shape=(n_features, n_points); more points than the polynomial of the features that
+///                  vary has terms. With fewer, the distances have no weight.
 /// @param values    shape=(n_values, n_points).
 /// @param lengths   how far each feature's deviation reaches compared with the others', shape=(n_features,).
 Interpolant interpolate(const Eigen::MatrixXd& features, const Eigen::MatrixXd& values, const Eigen::VectorXd& lengths);

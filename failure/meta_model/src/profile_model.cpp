@@ -26,6 +26,8 @@ constexpr double kSameStation = 1e-9;
 constexpr double kTangentialShare = 0.3;
 /// How far the deviation of ln(h) reaches compared with the other features': bending depends little on it.
 constexpr double kThicknessLength = 4.0;
+/// Solved geometries for each term of the quadratic part. With one, the model is a quadratic that passes through all.
+constexpr Index kPointsPerTerm = 2;
 
 double interpolate_at(const std::vector<double>& x, const std::vector<double>& y, double at) {
   const auto above = std::lower_bound(x.begin(), x.end(), at);
@@ -90,9 +92,24 @@ MatrixXd principal_modes(const MatrixXd& values) {
   return solver.eigenvectors().rightCols(n).rowwise().reverse().unaryExpr(&to_five_digits);
 }
 
-/// @param features  shape=(n_features, n_samples); samples where they are the same are the same problem.
-FieldModel fit_field(const MatrixXd& features, const MatrixXd& values, const VectorXd& lengths) {
+/// Samples where the features are the same are the same problem: the first of each.
+///
+/// @param features  shape=(n_features, n_samples)
+/// @throws InputError if the quadratic part would leave nothing, or little, to the distances.
+std::vector<Index> enough_points(const MatrixXd& features) {
   const std::vector<Index> kept = distinct_points(features);
+  const Index fewest = kPointsPerTerm * n_polynomial_terms(n_varying(features));
+  if (static_cast<Index>(kept.size()) < fewest) {
+    throw InputError(Complaint{
+        "the database", fmt::format("has {} solved geometries that differ", kept.size()),
+        fmt::format("at least {}, {} for each term of the quadratic part of the interpolation", fewest, kPointsPerTerm),
+        "raise `geometries` in the plan"});
+  }
+  return kept;
+}
+
+FieldModel fit_field(const MatrixXd& features, const MatrixXd& values, const VectorXd& lengths) {
+  const std::vector<Index> kept = enough_points(features);
   MatrixXd centred = values(Eigen::all, kept);
   FieldModel field;
   field.mean = centred.rowwise().mean().unaryExpr(&to_five_digits);
@@ -105,7 +122,7 @@ FieldModel fit_field(const MatrixXd& features, const MatrixXd& values, const Vec
 
 /// The same for values that need no modes.
 Interpolant fit_values(const MatrixXd& features, const MatrixXd& values, const VectorXd& lengths) {
-  const std::vector<Index> kept = distinct_points(features);
+  const std::vector<Index> kept = enough_points(features);
   Interpolant interpolant = interpolate(features(Eigen::all, kept), values(Eigen::all, kept), lengths);
   interpolant.weights = interpolant.weights.unaryExpr(&to_ten_digits).eval();
   return interpolant;
@@ -145,10 +162,9 @@ ProfileModel& ProfileModel::operator=(ProfileModel&&) noexcept = default;
 ProfileModel::~ProfileModel() = default;
 
 ProfileModel ProfileModel::fit(std::span<const ProfileSample> samples, const std::string& data_sha256) {
-  constexpr std::size_t kFewest = 10;
-  if (samples.size() < kFewest) {
-    throw InputError(Complaint{"the database", fmt::format("has {} solved geometries", samples.size()),
-                               fmt::format("at least {}", kFewest), "raise `geometries` in the plan"});
+  if (samples.empty()) {
+    throw InputError(Complaint{"the database", "has no solved geometry", "geometries that were solved",
+                               "the database's `error` says why they were not"});
   }
   if (std::ranges::any_of(samples, [](const ProfileSample& s) { return s.geometry.b_lc < 0.0; })) {
     throw InputError(Complaint{"the database", "has bays (b < 0)", "b >= 0, where profiles interpolate",
@@ -214,6 +230,7 @@ Geometry ProfileModel::clamp(const Geometry& g) const {
 }
 
 const std::array<Geometry, 2>& ProfileModel::range() const { return impl_->range; }
+const std::string& ProfileModel::data_sha256() const { return impl_->data_sha256; }
 int ProfileModel::n_modes() const {
   return static_cast<int>(impl_->bending.modes.cols() + impl_->in_plane.modes.cols() + impl_->membrane.modes.cols());
 }

@@ -122,6 +122,43 @@ BOOST_AUTO_TEST_CASE(a_written_model_reads_back_and_a_changed_one_is_refused) {
   fs::remove_all(folder);
 }
 
+BOOST_AUTO_TEST_CASE(a_written_model_whose_sides_turn_back_is_refused) {
+  const fs::path folder = fs::temp_directory_path() / ("brash_profiles_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const std::string file = folder / "profiles.json";
+  std::vector<ProfileSample> all = samples(50);
+  all.push_back(sample({0.0, 0.02, 3.2, 0.1}));  // a straight edge fits, whatever its theta
+  ProfileModel::fit(all, "none").write(file);
+  BOOST_CHECK_EXCEPTION(ProfileModel::read(file), InputError, [](const InputError& error) {
+    return std::string(error.what()).find("must be below pi") != std::string::npos;
+  });
+  fs::remove_all(folder);
+}
+
+std::string refusal_of(std::span<const ProfileSample> few) {
+  try {
+    ProfileModel::fit(few, "none");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+BOOST_AUTO_TEST_CASE(fewer_geometries_than_two_a_term_are_refused_and_h_counts_if_it_varies) {
+  std::vector<ProfileSample> all;
+  for (int i = 0; i < 42; ++i) all.push_back(sample(geometry(i)));
+  // Five features have 21 terms, four 15.
+  BOOST_TEST(refusal_of(all) == "");
+  all.pop_back();
+  BOOST_TEST(refusal_of(all).find("has 41 solved geometries that differ\n  allowed: at least 42, 2 for each term") !=
+             std::string::npos);
+  for (ProfileSample& s : all) s = sample({s.geometry.b_lc, s.geometry.c_lc, s.geometry.theta, 0.1});
+  all.resize(30);
+  BOOST_TEST(refusal_of(all) == "");
+  all.back() = all.front();  // solved twice: one point
+  BOOST_TEST(refusal_of(all).find("has 29 solved geometries that differ\n  allowed: at least 30") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(geometries_outside_the_range_are_told_and_clamped) {
   const ProfileModel model = ProfileModel::fit(samples(50), "none");
   const Geometry outside{3.0, 0.001, 1.0, 0.1};

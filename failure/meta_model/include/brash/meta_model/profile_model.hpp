@@ -46,7 +46,8 @@ struct ProfileSample {
 /// @see docs/theory/meta-model.md
 class ProfileModel {
  public:
-  /// Builds the model from solved geometries; at least 10.
+  /// Builds the model from solved geometries: at least two for each term of the quadratic part over the inputs that
+  /// vary, so 42, or 30 of one h / l_c.
   /// @throws InputError when there are too few.
   static ProfileModel fit(std::span<const ProfileSample> samples, const std::string& data_sha256);
   /// @throws InputError naming file, place and error.
@@ -66,6 +67,8 @@ class ProfileModel {
   Geometry clamp(const Geometry& geometry) const;
   /// `{lower, upper}`.
   const std::array<Geometry, 2>& range() const;
+  /// Hash of the database that it was fitted to.
+  const std::string& data_sha256() const;
   /// Of bending and membrane together.
   int n_modes() const;
 
