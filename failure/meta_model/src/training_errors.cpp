@@ -6,17 +6,10 @@
 #include <set>
 
 #include "brash/core/constants.hpp"
+#include "brash/core/contract.hpp"
 
 namespace brash::meta_model {
 namespace {
-
-/// Quantile of sorted values, linear between order statistics.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 double root_mean_square(const std::vector<double>& values) {
   double sum = 0.0;
@@ -25,6 +18,14 @@ double root_mean_square(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+double quantile(std::span<const double> sorted, double share) {
+  BRASH_EXPECTS(!sorted.empty() && share >= 0.0 && share <= 1.0, sorted.size(), share);
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
 
 Errors errors(const Network& network, std::span<const Sample> samples) {
   Errors result;

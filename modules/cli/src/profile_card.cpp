@@ -11,15 +11,12 @@
 
 #include "brash/core/constants.hpp"
 #include "brash/failure/unit_profiles.hpp"
+#include "brash/meta_model/training.hpp"
 
 namespace brash::cli {
 namespace {
 
-double quantile(std::vector<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
+using meta_model::quantile;
 
 std::string line(const char* name, const std::vector<JudgedRow>& rows) {
   if (rows.empty()) return "";
@@ -32,6 +29,8 @@ std::string line(const char* name, const std::vector<JudgedRow>& rows) {
     geometries.insert(row.plate);
     if (row.on_plateau) ++on_plateau;
   }
+  std::ranges::sort(stress);
+  std::ranges::sort(length);
   return fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.4f} | {:.3f} | {:.3f} | {:.1f} |\n", name,
                      rows.size(), geometries.size(), quantile(stress, 0.5), quantile(stress, 0.95),
                      quantile(stress, 0.99), quantile(stress, 1.0), quantile(length, 0.5), quantile(length, 0.95),
@@ -129,17 +128,20 @@ std::string summary(const std::vector<JudgedRow>& rows) {
   std::string text;
   for (const auto& [name, holds] : {kParts[0], kParts[1]}) {
     std::vector<double> stress;
+    std::set<const plate::WedgePlate*> geometries;
     double on_plateau = 0.0;
     for (const JudgedRow& row : rows) {
       if (!holds(row)) continue;
       stress.push_back(100 * row.stress_error);
+      geometries.insert(row.plate);
       on_plateau += row.on_plateau ? 1.0 : 0.0;
     }
     if (stress.empty()) continue;
+    std::ranges::sort(stress);
     text += fmt::format(
-        "{:<18} {:>6} rows  stress error median {:.2f} %, 95 % {:.2f} %, 99 % {:.2f} %, max {:.1f} %; "
+        "{:<18} {:>6} rows of {} geometries  stress error median {:.2f} %, 95 % {:.2f} %, 99 % {:.2f} %, max {:.1f} %; "
         "place on the plateau {:.1f} %\n",
-        name, stress.size(), quantile(stress, 0.5), quantile(stress, 0.95), quantile(stress, 0.99),
+        name, stress.size(), geometries.size(), quantile(stress, 0.5), quantile(stress, 0.95), quantile(stress, 0.99),
         quantile(stress, 1.0), 100.0 * on_plateau / static_cast<double>(stress.size()));
   }
   return text;

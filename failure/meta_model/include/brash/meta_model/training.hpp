@@ -90,6 +90,11 @@ struct Trained {
 /// @see docs/theory/meta-model.md
 Trained train(std::span<const Sample> samples, const TrainingOptions& options);
 
+/// Quantile of sorted values, linear between order statistics; those of all model cards.
+/// @param sorted  rising, at least one.
+/// @param share   in [0, 1].
+double quantile(std::span<const double> sorted, double share);
+
 /// Errors of `network` on `samples`.
 Errors errors(const Network& network, std::span<const Sample> samples);
 
