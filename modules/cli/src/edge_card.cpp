@@ -8,14 +8,18 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "brash/core/constants.hpp"
+#include "brash/core/error.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/database/edge_database.hpp"
 #include "brash/failure/edge_break.hpp"
 #include "brash/failure/edge_responses.hpp"
+#include "brash/meta_model/training.hpp"
 #include "messages.hpp"
 
 namespace brash::cli {
@@ -97,10 +101,17 @@ Judged judge(const failure::EdgeResponseModel& model, const database::EdgeRecord
   return row;
 }
 
-Test tested(const failure::EdgeResponseModel& model, const std::string& path) {
-  Test test;
-  if (path.empty()) return test;
-  test.records = database::read_edge_database(path).records;
+/// The records of a test database, which must not be of a plan that the model has learned.
+std::vector<database::EdgeRecord> unseen(const std::string& path, const std::set<std::string>& learned_plans) {
+  if (path.empty()) return {};
+  database::EdgeDatabase test = database::read_edge_database(path);
+  if (!learned_plans.contains(test.plan_sha256)) return std::move(test.records);
+  throw InputError(Complaint{path, "is of a plan that the model learns", "geometries that the model has not seen",
+                             "solve a plan with points between those of the grid for the test"});
+}
+
+Test tested(const failure::EdgeResponseModel& model, std::vector<database::EdgeRecord> records) {
+  Test test{.records = std::move(records), .rows = {}};
   for (const database::EdgeRecord& record : test.records)
     if (record.solved && model.check(record.geometry).inside()) test.rows.push_back(judge(model, record));
   return test;
@@ -111,10 +122,8 @@ std::array<double, 3> quantiles(const std::vector<Judged>& rows, Value value) {
   std::vector<double> values;
   for (const Judged& row : rows) values.push_back(value(row));
   std::ranges::sort(values);
-  const auto at = [&](double share) {
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-  };
-  return {at(0.5), at(0.95), at(1.0)};
+  using meta_model::quantile;
+  return {quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1.0)};
 }
 
 std::string percent(const std::array<double, 3>& q) {
@@ -180,20 +189,24 @@ The ice is the validation case's, pressed by its cone, with E scaled to the geom
 
 void fit_edges(const EdgeFiles& files) {
   std::vector<meta_model::EdgeSample> samples;
+  std::set<std::string> plans;
   std::string hashes, data;
   for (const std::string& path : {files.database, files.split}) {
     if (path.empty()) continue;
-    for (const database::EdgeRecord& record : database::read_edge_database(path).records)
+    const database::EdgeDatabase learned = database::read_edge_database(path);
+    plans.insert(learned.plan_sha256);
+    for (const database::EdgeRecord& record : learned.records)
       if (record.solved) samples.push_back({record.geometry, record.responses});
     const std::string hash = sha256_of_file(path);
     hashes += (hashes.empty() ? "" : " ") + hash;
     data += fmt::format("- data: `{}`, SHA-256 `{}`\n", fs::path(path).filename().string(), hash);
   }
+  auto of_test_whole = unseen(files.test, plans), of_test_split = unseen(files.test_split, plans);
   const auto model = failure::EdgeResponseModel::fit(samples, hashes);
   const std::string content = model.write(files.output);
   // The model is judged as it will be read.
   const auto written = failure::EdgeResponseModel::read(files.output);
-  const Test whole = tested(written, files.test), split = tested(written, files.test_split);
+  const Test whole = tested(written, std::move(of_test_whole)), split = tested(written, std::move(of_test_split));
 
   const auto& [low, high] = model.range();
   const std::string name = fs::path(files.output).filename().string();

@@ -2,10 +2,15 @@
 #include "failure_commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
+#include <set>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -79,9 +84,9 @@ std::string write_card(const std::string& output, const std::string& text) {
 }
 
 /// Refuses a model that has no folder, that has the name of its card, or by which an input would be lost.
-void check_output(const std::string& output, const std::string& database, const std::string& test) {
+void check_output(const std::string& output, std::initializer_list<std::string> inputs) {
   refuse_missing_folder(output);
-  for (const std::string& file : {output, card_of(output)}) refuse_overwriting(file, {database, test});
+  for (const std::string& file : {output, card_of(output)}) refuse_overwriting(file, inputs);
   if (card_of(output) == output)
     throw InputError(Complaint{output, "is the name of the model's card, which is written beside it",
                                "a name that does not end in .md", "give the model another name, such as model.json"});
@@ -120,20 +125,43 @@ std::vector<const database::Record*> solved_records(const database::Database& da
   return records;
 }
 
+/// Refuses a test database that would judge a model on plates that it has learned.
+void refuse_learned(const std::string& file, const database::Database& test,
+                    const std::vector<plate::WedgePlate>& learned) {
+  using Point = std::array<double, 4>;
+  const auto point = [](const plate::WedgePlate& p) -> Point {
+    return {p.depth, p.contact_length, p.angle, p.thickness};
+  };
+  std::set<Point> points;
+  for (const plate::WedgePlate& plate : learned) points.insert(point(plate));
+  const auto n = std::ranges::count_if(test.records, [&](const auto& r) { return points.contains(point(r.plate)); });
+  if (n == 0) return;
+  throw InputError(Complaint{
+      file, fmt::format("{} of its {} geometries are among the plates that the model learns", n, test.records.size()),
+      "geometries that the model has not seen",
+      "solve a plan for the test whose `first` lies behind the points of the other plan"});
+}
+
 /// Judged on the test database; without one, a fit without every eleventh geometry is judged on these instead.
 std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::ProfileModel& model,
                                                               const std::vector<const database::Record*>& records,
-                                                              const database::Database& test, const std::string& name) {
-  if (!name.empty()) {
+                                                              const std::string& database_file,
+                                                              const database::Database& test,
+                                                              const std::string& test_file) {
+  if (!test_file.empty()) {
+    std::vector<plate::WedgePlate> learned;
+    for (const database::Record* record : records) learned.push_back(record->plate);
+    refuse_learned(test_file, test, learned);
     return {judge(answers_of(model), solved_records(test)),
-            fmt::format("geometries that it has not seen (`{}`)", fs::path(name).filename().string())};
+            fmt::format("geometries that it has not seen (`{}`)", fs::path(test_file).filename().string())};
   }
   constexpr int kTestEvery = 11;  // odd: an even share of a Sobol sequence lies in one half of the box
   std::vector<const database::Record*> kept, left_out;
   for (const database::Record* record : records) {
     (record->geometry % kTestEvery == kTestEvery - 1 ? left_out : kept).push_back(record);
   }
-  const auto judged = meta_model::ProfileModel::fit(to_profile_samples(kept), "");
+  const auto judged = of_file(database_file + ", without the geometries that judge",
+                              [&] { return meta_model::ProfileModel::fit(to_profile_samples(kept), ""); });
   return {judge(answers_of(judged), left_out),
           "every eleventh geometry, left out of a fit for this purpose; the model holds them all"};
 }
@@ -145,8 +173,8 @@ void fit_profiles(const std::string& database_file, const std::string& test_file
   const std::string hash = sha256_of_file(database_file);
   const auto model =
       of_file(database_file, [&] { return meta_model::ProfileModel::fit(to_profile_samples(records), hash); });
+  const auto [rows, name] = judge_profiles(model, records, database_file, test, test_file);
   const std::string content = model.write(output);
-  const auto [rows, name] = judge_profiles(model, records, test, test_file);
   const std::string card =
       write_card(output, profile_card(model, rows,
                                       {.model_file = fs::path(output).filename().string(),
@@ -183,9 +211,17 @@ void train_deep_network(const std::string& plan_file, const std::string& test_fi
   }
   const database::Database test = database::read_database(test_file);
   const std::string teacher = failure::model_path(model::FailureModel::kSuperposition, "");
+  const auto superposition = meta_model::ProfileModel::read(teacher);
+  if (superposition.data_sha256() == sha256_of_file(test_file)) {
+    throw InputError(Complaint{test_file, fmt::format("is the database of {}, which teaches the network", teacher),
+                               "geometries that neither model has seen", "solve another plan for the test"});
+  }
+  std::vector<plate::WedgePlate> learned;
+  for (const database::DesignPoint& point : database::design(plan)) learned.push_back(point.plate);
+  refuse_learned(test_file, test, learned);
   options.thickness_over_lc = plan.thickness_over_lc.from;
   options.data_sha256 = sha256_of_file(teacher);
-  const auto samples = hump_samples(plan, meta_model::ProfileModel::read(teacher));
+  const auto samples = hump_samples(plan, superposition);
   const meta_model::TrainedHumps trained = meta_model::train_humps(samples, options);
   const std::string content = trained.network.write(output);
   const auto rows = judge(answers_of(trained.network), solved_records(test));
@@ -205,6 +241,41 @@ void train_deep_network(const std::string& plan_file, const std::string& test_fi
   print("{}model       {}\nsha256      {}\ncard        {}\n", summary(rows), output, content, card);
 }
 
+/// The products of `failure train`, each a bit.
+enum Kind : unsigned { kNetwork = 1, kSuperposition = 2, kDeep = 4, kMovingEdge = 8 };
+
+constexpr std::array<std::pair<Kind, const char*>, 4> kKinds{{{kNetwork, "the network"},
+                                                              {kSuperposition, "a superposition (--superposition)"},
+                                                              {kDeep, "a deep network (--deep)"},
+                                                              {kMovingEdge, "the model of a moving edge"}}};
+
+/// The options that not every kind heeds, and the kinds that do.
+constexpr std::array<std::pair<const char*, unsigned>, 9> kHeeded{{{"--superposition", kSuperposition},
+                                                                   {"--test", kSuperposition | kDeep | kMovingEdge},
+                                                                   {"--split", kMovingEdge},
+                                                                   {"--test-split", kMovingEdge},
+                                                                   {"--hidden", kNetwork | kDeep},
+                                                                   {"--one-network", kNetwork},
+                                                                   {"--starts", kNetwork},
+                                                                   {"--iterations", kNetwork | kDeep},
+                                                                   {"--seed", kNetwork | kDeep}}};
+
+/// The names of the kinds in `kinds`, joined by `or`.
+std::string names_of(unsigned kinds) {
+  std::vector<std::string> names;
+  for (const auto& [kind, name] : kKinds)
+    if ((kinds & kind) != 0) names.emplace_back(name);
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
+void refuse_unheeded(const CLI::App& command, Kind kind) {
+  for (const auto& [option, kinds] : kHeeded) {
+    if (command.count(option) == 0 || (kinds & kind) != 0) continue;
+    throw InputError(Complaint{option, fmt::format("has no effect on {}", names_of(kind)),
+                               fmt::format("{} with {}", option, names_of(kinds)), "leave the option out"});
+  }
+}
+
 void add_train_command(CLI::App& failure) {
   struct Options {
     std::string database, output, test;
@@ -218,15 +289,18 @@ void add_train_command(CLI::App& failure) {
   command->add_option("database", options->database, "database (netCDF); with --deep a plan (TOML)")->required();
   command->add_option("-o,--output", options->output, "model to write (JSON); the model card is written beside it")
       ->required();
-  command->add_flag("--superposition", options->superposition,
-                    "interpolate the unit profiles instead of training the network");
-  command->add_flag("--deep", options->deep,
-                    "train the deep network on the points of a plan, answered by the superposition");
+  auto* const superposition = command->add_flag("--superposition", options->superposition,
+                                                "interpolate the unit profiles instead of training the network");
+  command
+      ->add_flag("--deep", options->deep,
+                 "train the deep network on the points of a plan, answered by the superposition")
+      ->excludes(superposition);
   command->add_option("--test", options->test,
                       "database (netCDF) that judges a superposition, without it every eleventh geometry does, or a "
                       "deep network");
-  command->add_option("--split", options->split, "database (netCDF) of the split sheets, for a moving edge");
-  command->add_option("--test-split", options->test_split, "database (netCDF) that judges them");
+  auto* const split =
+      command->add_option("--split", options->split, "database (netCDF) of the split sheets, for a moving edge");
+  command->add_option("--test-split", options->test_split, "database (netCDF) that judges them")->needs(split);
   command->add_option("--hidden", training.hidden, "hidden units of a network; of each hidden layer with --deep [12]")
       ->capture_default_str()
       ->check(CLI::Range(1, 200));
@@ -240,16 +314,21 @@ void add_train_command(CLI::App& failure) {
   command->add_option("--seed", training.seed, "of split and starts")->capture_default_str();
   command->footer("Example: brash failure train cone.nc -o cone_network.json");
   command->callback([options, command] {
-    check_output(options->output, options->database, options->test);
-    if (options->deep) {
+    check_output(options->output, {options->database, options->test, options->split, options->test_split});
+    const Kind kind = options->deep                                   ? kDeep
+                      : database::is_edge_database(options->database) ? kMovingEdge
+                      : options->superposition                        ? kSuperposition
+                                                                      : kNetwork;
+    refuse_unheeded(*command, kind);
+    if (kind == kDeep) {
       meta_model::HumpTrainingOptions deep;
       if (command->count("--hidden") > 0) deep.hidden.assign(2, options->training.hidden);
       if (command->count("--iterations") > 0) deep.max_iterations = options->training.max_iterations;
       deep.seed = options->training.seed;
       train_deep_network(options->database, options->test, options->output, deep);
-    } else if (database::is_edge_database(options->database)) {
+    } else if (kind == kMovingEdge) {
       fit_edges({options->database, options->split, options->test, options->test_split, options->output});
-    } else if (options->superposition) {
+    } else if (kind == kSuperposition) {
       fit_profiles(options->database, options->test, options->output);
     } else {
       train_network(options->database, options->output, options->training);

@@ -15,6 +15,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/failure/edge_responses.hpp"
+#include "profile_card.hpp"
 
 namespace brash::cli {
 namespace {
@@ -25,7 +26,7 @@ const std::string kNetwork = BRASH_SOURCE_DIR "/experiments/failure_database/con
 const std::string kSuperposition = BRASH_SOURCE_DIR "/experiments/failure_database/cone_superposition.json";
 
 constexpr const char* kPlan = R"([design]
-geometries = 24
+geometries = 33
 rows_per_geometry = 2
 edge_share = 0.06
 [range]
@@ -112,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_row_that_cannot_be_used_is_refused_with_its_line) {
   });
 }
 
-/// A database of 24 geometries, solved once.
+/// A database of 33 geometries, solved once: as few as a superposition and its judge take.
 const std::string& small_database() {
   static const Folder folder("database");
   static const std::string database = [] {
@@ -123,20 +124,43 @@ const std::string& small_database() {
   return database;
 }
 
+/// kPlan with other geometries.
+std::string plan_of(const std::string& geometries) {
+  std::string plan = kPlan;
+  return plan.replace(plan.find("geometries = 33"), 15, geometries);
+}
+
+/// Three geometries that small_database() does not have, solved once.
+const std::string& unseen_database() {
+  static const Folder folder("unseen");
+  static const std::string database = [] {
+    const std::string path = (folder.path / "unseen.nc").string();
+    output_of(folder, {"database", folder.write("plan.toml", plan_of("geometries = 3\nfirst = 100")), "-o", path});
+    return path;
+  }();
+  return database;
+}
+
+/// Runs `brash failure ARGUMENTS`, which must refuse them with all of `parts` in the message.
+void refuses(const std::vector<std::string>& arguments, const std::vector<std::string>& parts) {
+  BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& error) {
+    const std::string message = error.what();
+    return std::ranges::all_of(parts, [&](const auto& part) { return message.find(part) != std::string::npos; });
+  });
+}
+
 BOOST_AUTO_TEST_CASE(a_deep_network_is_trained_on_a_plan_and_judged_on_plates) {
   const Folder folder;
   const std::string model = (folder.path / "deep.json").string();
-  const std::string small = small_database();
-  const std::string plan =
-      folder.write("deep.toml", std::string(kPlan).replace(std::string(kPlan).find("= 24"), 4, "= 60"));
+  const std::string plan = folder.write("deep.toml", plan_of("geometries = 60"));
   const std::vector<std::string> command{"train", plan, "--deep", "-o", model, "--hidden", "4", "--iterations", "3"};
   BOOST_CHECK_THROW(run(command), InputError);  // nothing to judge it with
   std::vector<std::string> whole = command;
-  whole.insert(whole.end(), {"--test", small});
+  whole.insert(whole.end(), {"--test", unseen_database()});
   BOOST_TEST(output_of(folder, whole).find("far hump, ln(sigma_over_p)") != std::string::npos);
   const std::string card = folder.read("deep.md");
   BOOST_TEST(card.find("trained on 120 rows answered by `cone_superposition.json`") != std::string::npos);
-  BOOST_TEST(card.find("| all | 48 | 24 |") != std::string::npos);
+  BOOST_TEST(card.find("| all | 6 | 3 |") != std::string::npos);
   const std::string rows = folder.write("rows.csv", kRow);
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
 }
@@ -162,10 +186,17 @@ BOOST_AUTO_TEST_CASE(a_moving_edge_goes_from_a_plan_to_a_model_that_breaks_it) {
   const std::string data = (folder.path / "edge.nc").string(), model = (folder.path / "edge.json").string();
   const std::string printed = output_of(folder, {"database", plan, "-o", data});
   BOOST_TEST(printed.find("geometries  4") != std::string::npos);
-  output_of(folder, {"train", data, "-o", model, "--test", data});
+  const std::string other =
+      folder.write("test.toml",
+                   "[edge]\nb_lc = [0.0, 0.2]\nc_lc = [0.4]\ntheta_deg = [40]\nthickness_over_lc = [0.1]\n"
+                   "[solver]\nscale = 1.5\nvectors = 60\n");
+  const std::string test = (folder.path / "test.nc").string();
+  output_of(folder, {"database", other, "-o", test});
+  refuses({"train", data, "-o", model, "--test", data}, {"edge.nc", "is of a plan that the model learns", "remedy:"});
+  output_of(folder, {"train", data, "-o", model, "--test", test});
   const std::string card = folder.read("edge.md");
   BOOST_TEST(card.find("# Model card: edge.json") == 0u);
-  BOOST_TEST(card.find("| deflection of B | 4 |") != std::string::npos);
+  BOOST_TEST(card.find("| deflection of B | 2 |") != std::string::npos);
   const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.3,0.3,40,0.511,0\n");
   const auto of = [&](const std::string& of_model) {
     return rows_of(output_of(folder, {"predict", "--case", BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
@@ -213,22 +244,61 @@ BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {
   const std::string model = (folder.path / "small.json").string();
   const std::string printed = output_of(folder, {"train", small_database(), "-o", model, "--superposition"});
   BOOST_TEST(printed.find("small.md") != std::string::npos);
+  BOOST_TEST(printed.find("6 rows of 3 geometries") != std::string::npos);
   const std::string card = folder.read("small.md");
   BOOST_TEST(card.find("# Model card: small.json") == 0u);
-  BOOST_TEST(card.find("24 geometries") != std::string::npos);
-  BOOST_TEST(card.find("| all | 4 | 2 |") != std::string::npos);  // geometries 10 and 21, two rows each
+  BOOST_TEST(card.find("33 geometries") != std::string::npos);
+  BOOST_TEST(card.find("| all | 6 | 3 |") != std::string::npos);  // geometries 10, 21 and 32, two rows each
   const std::string rows = folder.write("rows.csv", kRow);
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(quantiles_of_errors_lie_between_the_rows) {
+  const plate::WedgePlate plate;
+  const std::vector<JudgedRow> rows{{.plate = &plate, .sigma_over_p = 1.0, .stress_error = 0.02},
+                                    {.plate = &plate, .sigma_over_p = 1.0, .stress_error = 0.01}};
+  BOOST_TEST(summary(rows).find("stress error median 1.50 %, 95 % 1.95 %") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_superposition_can_be_judged_on_another_database) {
   const Folder folder;
   const std::string model = (folder.path / "small.json").string();
-  output_of(folder, {"train", small_database(), "-o", model, "--superposition", "--test", small_database()});
-  // On its own geometries only resampling and left-out modes cause errors: 48 rows, far below 1 % in the median.
+  output_of(folder, {"train", small_database(), "-o", model, "--superposition", "--test", unseen_database()});
   const std::string card = folder.read("small.md");
-  BOOST_TEST(card.find("(`small.nc`)") != std::string::npos);
-  BOOST_TEST(card.find("| all | 48 | 24 | 0.") != std::string::npos);
+  BOOST_TEST(card.find("(`unseen.nc`)") != std::string::npos);
+  BOOST_TEST(card.find("| all | 6 | 3 |") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(plates_that_a_model_learns_do_not_judge_it) {
+  const Folder folder;
+  const std::string model = (folder.path / "small.json").string(), plan = folder.write("plan.toml", kPlan);
+  refuses({"train", small_database(), "-o", model, "--superposition", "--test", small_database()},
+          {"small.nc", "33 of its 33 geometries are among the plates that the model learns", "allowed:", "remedy:"});
+  refuses({"train", plan, "-o", model, "--deep", "--test", small_database()},
+          {"small.nc", "33 of its 33 geometries are among the plates that the model learns", "allowed:", "remedy:"});
+  BOOST_TEST(!fs::exists(model));
+}
+
+BOOST_AUTO_TEST_CASE(an_option_that_would_have_no_effect_is_refused) {
+  const Folder folder;
+  const std::string model = (folder.path / "small.json").string(), small = small_database();
+  const std::string plan = folder.write("plan.toml", plan_of("geometries = 60"));
+  const auto train = [&](const std::string& data, const std::vector<std::string>& options, const std::string& what) {
+    std::vector<std::string> command{"train", data, "-o", model};
+    command.insert(command.end(), options.begin(), options.end());
+    refuses(command, {options.back().starts_with("--") ? options.back() : options[options.size() - 2],
+                      "has no effect on " + what, "allowed:", "leave the option out"});
+  };
+  train(small, {"--test", small}, "the network");
+  train(small, {"--split", small}, "the network");
+  train(small, {"--superposition", "--hidden", "3"}, "a superposition");
+  train(small, {"--superposition", "--starts", "3"}, "a superposition");
+  train(small, {"--superposition", "--seed", "3"}, "a superposition");
+  train(plan, {"--deep", "--starts", "3"}, "a deep network");
+  train(plan, {"--deep", "--one-network"}, "a deep network");
+  BOOST_CHECK_THROW(run({"train", plan, "-o", model, "--deep", "--superposition"}), CLI::ExcludesError);
+  BOOST_CHECK_THROW(run({"train", small, "-o", model, "--test-split", small}), CLI::RequiresError);
+  BOOST_TEST(!fs::exists(model));
 }
 
 BOOST_AUTO_TEST_CASE(a_network_is_trained_written_with_its_model_card_and_the_same_each_time) {
@@ -252,10 +322,8 @@ BOOST_AUTO_TEST_CASE(a_network_is_trained_written_with_its_model_card_and_the_sa
 
 BOOST_AUTO_TEST_CASE(an_output_that_would_replace_an_input_or_its_own_card_is_refused) {
   const Folder folder;
-  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& message) {
-    BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& error) {
-      return std::string(error.what()).find(message) != std::string::npos;
-    });
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& part) {
+    refuses(arguments, {part, "would be written over"});
   };
   const std::string data = (folder.path / "data.nc").string();
   const std::string test = (folder.path / "test.md").string();
@@ -264,7 +332,9 @@ BOOST_AUTO_TEST_CASE(an_output_that_would_replace_an_input_or_its_own_card_is_re
   const std::string before = folder.read("data.nc");
   refused({"train", data, "-o", data, "--superposition"}, "data.nc");
   refused({"train", data, "-o", (folder.path / "test.json").string(), "--superposition", "--test", test}, "test.md");
-  refused({"train", data, "-o", (folder.path / "model.md").string(), "--superposition"}, "the model's card");
+  refused({"train", small_database(), "-o", data, "--split", data}, "data.nc");
+  refused({"train", small_database(), "-o", data, "--split", test, "--test-split", data}, "data.nc");
+  refuses({"train", data, "-o", (folder.path / "model.md").string(), "--superposition"}, {"the model's card"});
   const std::string plan = folder.write("plan.toml", kPlan);
   refused({"database", plan, "-o", plan}, "plan.toml");
   BOOST_TEST(folder.read("data.nc") == before);
