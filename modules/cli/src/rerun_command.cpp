@@ -109,7 +109,7 @@ fs::path base_of(const Manifest& manifest, const std::string& copy) {
   return fs::exists(folder / copy) || !fs::exists(campaign / copy) ? folder : campaign;
 }
 
-/// What is not as it was, one text each.
+/// The changes since a run or a campaign was recorded.
 class Changes {
  public:
   void expect(const std::string& what, const std::string& was, const std::string& is) {
@@ -246,7 +246,7 @@ Changes changes_in_campaign(const std::string& path, const json& manifest) {
     for (const Recorded& input : inputs_of(manifest.value("inputs", json::array()), path))
       if (const fs::path file = folder / input.copy; !input.copy.empty())
         changes.expect("input " + file.string(), input.sha256, hash_of(file));
-    for (const Recorded& output : files_of(manifest.at("outputs"))) {
+    for (const Recorded& output : files_of(manifest.value("outputs", json::array()))) {
       const fs::path file = folder / name_in(output.path, path, "outputs.path");
       if (file == table || fs::exists(file)) changes.expect("output " + file.string(), output.sha256, hash_of(file));
       has_table = has_table || (file == table && hash_of(file) == output.sha256);
