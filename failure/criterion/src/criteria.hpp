@@ -22,8 +22,8 @@ std::unique_ptr<BendingCriterion> make_outline_criterion(std::unique_ptr<Bending
                                                          const IceProperties& ice, const BendingOptions& options);
 std::unique_ptr<BendingCriterion> make_wedge_criterion(const IceProperties& ice);
 
-/// `exact`, asked only where `fast` exceeds the strength of `ice` over `margin`, buckles, is out of its range above, has
-/// no load, or does not know the h / l_c of `ice`; elsewhere `fast` gives the answer.
+/// `exact`, asked only where `fast` exceeds the strength of `ice` over `margin`, buckles, is out of its range above,
+/// has no load, or does not know the h / l_c of `ice`; elsewhere `fast` gives the answer.
 std::unique_ptr<BendingCriterion> make_screened_criterion(std::unique_ptr<BendingCriterion> fast,
                                                           std::unique_ptr<BendingCriterion> exact,
                                                           const IceProperties& ice, double margin);

@@ -32,8 +32,8 @@ Eigen::Index n_varying(const Eigen::MatrixXd& features);
 /// @param features  shape=(n_features, n_points).
 std::vector<Eigen::Index> distinct_points(const Eigen::MatrixXd& features);
 
-/// @param features  of distinct points, shape=(n_features, n_points); more points than the polynomial of the features that
-///                  vary has terms. With fewer, the distances have no weight.
+/// @param features  of distinct points, shape=(n_features, n_points); more points than the polynomial of the varying
+///                  features has terms. With fewer, the distances have no weight.
 /// @param values    shape=(n_values, n_points).
 /// @param lengths   how far each feature's deviation reaches compared with the others', shape=(n_features,).
 Interpolant interpolate(const Eigen::MatrixXd& features, const Eigen::MatrixXd& values, const Eigen::VectorXd& lengths);
