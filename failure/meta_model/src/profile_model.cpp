@@ -97,7 +97,7 @@ MatrixXd principal_modes(const MatrixXd& values) {
 /// @param features  shape=(n_features, n_samples)
 /// @throws InputError if the quadratic part would leave nothing, or little, to the distances.
 std::vector<Index> enough_points(const MatrixXd& features) {
-  const std::vector<Index> kept = distinct_points(features);
+  std::vector<Index> kept = distinct_points(features);
   const Index fewest = kPointsPerTerm * n_polynomial_terms(n_varying(features));
   if (static_cast<Index>(kept.size()) < fewest) {
     throw InputError(Complaint{

@@ -150,6 +150,7 @@ std::pair<std::vector<JudgedRow>, std::string> judge_profiles(const meta_model::
                                                               const std::string& test_file) {
   if (!test_file.empty()) {
     std::vector<plate::WedgePlate> learned;
+    learned.reserve(records.size());
     for (const database::Record* record : records) learned.push_back(record->plate);
     refuse_learned(test_file, test, learned);
     return {judge(answers_of(model), solved_records(test)),

@@ -40,7 +40,7 @@ void refuse_replacing_results(const std::string& output) {
   const fs::path folder = fs::path(output).parent_path(), manifest = folder / "manifest.json";
   if (output.empty() || !fs::is_regular_file(manifest, ignored)) return;
   std::vector<std::string> results = outputs_in(manifest.string());
-  results.push_back("manifest.json");
+  results.emplace_back("manifest.json");
   for (const std::string& result : results)
     if (fs::equivalent(output, folder / result, ignored))
       throw InputError(Complaint{output, "would be written over a result that manifest.json beside it lists",
