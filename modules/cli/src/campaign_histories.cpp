@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include "brash/core/error.hpp"
@@ -38,17 +37,6 @@ ordered_json read_settings(const std::string& folder) {
   return json["settings"];
 }
 
-/// The folders of the cases that campaign.csv counts as done, by setting. The folder cases/ may hold others: cases of
-/// an earlier plan, and cases that ended after the tables were written.
-std::map<std::string, std::vector<fs::path>> replicates_of(const std::string& folder) {
-  const TextTable table = read_text_table(folder + "/campaign.csv", kTable, kResume);
-  const std::size_t name = table.column("case"), setting = table.column("setting"), status = table.column("status");
-  std::map<std::string, std::vector<fs::path>> found;
-  for (const TextTable::Row& row : table.rows)
-    if (row[status] == "done") found[row[setting]].push_back(fs::path(folder) / "cases" / row[name]);
-  return found;
-}
-
 LoadHistory replicate(const fs::path& run, HistoryChoice choice) {
   if (!choice.has_from) {
     choice.from = statistics_from((run / "summary.json").string());
@@ -75,6 +63,15 @@ double statistics_from(const std::string& summary) {
   throw InputError(Complaint{summary, "holds no number `statistics_from`", kAllowed, "copy it again, or give --from"});
 }
 
+std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder) {
+  const TextTable table = read_text_table((fs::path(folder) / "campaign.csv").string(), kTable, kResume);
+  const std::size_t name = table.column("case"), setting = table.column("setting"), status = table.column("status");
+  std::map<std::string, std::vector<std::string>> found;
+  for (const TextTable::Row& row : table.rows)
+    if (row[status] == "done") found[row[setting]].push_back(row[name]);
+  return found;
+}
+
 std::vector<SettingHistories> read_campaign_histories(const std::string& folder, const HistoryChoice& choice,
                                                       const std::string& where) {
   if (!is_campaign(folder))
@@ -82,12 +79,13 @@ std::vector<SettingHistories> read_campaign_histories(const std::string& folder,
                                "give the folder that `brash campaign` wrote"});
   std::vector<SettingHistories> settings;
   std::vector<std::string> names;
-  std::map<std::string, std::vector<fs::path>> replicates = replicates_of(folder);
+  std::map<std::string, std::vector<std::string>> done = done_cases(folder);
   for (const ordered_json& given : read_settings(folder)) {
     SettingHistories setting{given["setting"].get<std::string>(), given["values"], {}};
     names.push_back(setting.name);
     if (!where.empty() && fnmatch(where.c_str(), setting.name.c_str(), 0) != 0) continue;
-    for (const fs::path& run : replicates[setting.name]) setting.replicates.push_back(replicate(run, choice));
+    for (const std::string& name : done[setting.name])
+      setting.replicates.push_back(replicate(fs::path(folder) / "cases" / name, choice));
     if (setting.replicates.empty())
       throw InputError(Complaint{folder, fmt::format("setting '{}' has no case that is done", printable(setting.name)),
                                  "one case of each setting at least", kResume});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ bool is_campaign(const std::string& folder);
 /// Where the statistics of a run begin [s], as its summary.json says.
 /// @throws InputError when the file says nothing.
 double statistics_from(const std::string& summary);
+
+/// The cases that campaign.csv counts as done, by setting. The folder cases/ may hold others: cases of an earlier plan,
+/// and cases that ended after the tables were written.
+/// @throws InputError when `folder` has no such table.
+std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder);
 
 /// Reads one column of the replicates that campaign.csv counts as done, from the start of their statistics on.
 ///

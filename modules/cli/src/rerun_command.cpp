@@ -17,11 +17,11 @@
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "brash/recording/inputs.hpp"
+#include "campaign_histories.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
-#include "text_table.hpp"
 
 namespace brash::cli {
 namespace {
@@ -225,18 +225,6 @@ bool rerun_run(const RerunOptions& options) {
   return different.empty();
 }
 
-/// The cases that a campaign.csv counts as done.
-std::vector<std::string> done_cases(const std::string& path) {
-  const TextTable table = read_text_table(path, "the campaign.csv of a campaign", "copy it again");
-  const std::size_t name = table.column("case"), status = table.column("status");
-  std::vector<std::string> done;
-  for (const TextTable::Row& row : table.rows) {
-    const bool is_marked = row[name].starts_with('\'');  // because a spreadsheet would compute it
-    if (row[status] == "done") done.push_back(is_marked ? row[name].substr(1) : row[name]);
-  }
-  return done;
-}
-
 /// Inputs and tables of a campaign that are not as they were, and cases that have gone.
 Changes changes_in_campaign(const std::string& path, const json& manifest) {
   const fs::path folder = fs::path(path).parent_path(), table = folder / "campaign.csv";
@@ -256,8 +244,9 @@ Changes changes_in_campaign(const std::string& path, const json& manifest) {
                                "the manifest.json in the folder of a campaign", "copy it again"});
   }
   if (!has_table) return changes;
-  for (const std::string& id : done_cases(table.string()))
-    changes.expect("case " + id, "done", fs::exists(folder / "cases" / id / "manifest.json") ? "done" : "gone");
+  for (const auto& [setting, cases] : done_cases(folder.string()))
+    for (const std::string& id : cases)
+      changes.expect("case " + id, "done", fs::exists(folder / "cases" / id / "manifest.json") ? "done" : "gone");
   return changes;
 }
 

@@ -37,6 +37,12 @@ TextTable::Row take_cells(std::string_view& text) {
   return cells;
 }
 
+/// Takes off the apostrophe that a campaign's table has before a text that a spreadsheet would compute.
+void unmark(std::string& cell) {
+  if (cell.size() > 1 && cell[0] == '\'' && std::string_view("=+-@\t\r").find(cell[1]) != std::string_view::npos)
+    cell.erase(0, 1);
+}
+
 }  // namespace
 
 std::size_t TextTable::column(const std::string& name) const {
@@ -59,6 +65,7 @@ TextTable read_text_table(const std::string& path, const std::string& allowed, c
     if (table.names.empty()) {
       table.names = std::move(cells);
     } else if (cells.size() == table.names.size()) {
+      std::ranges::for_each(cells, unmark);
       table.rows.push_back(std::move(cells));
     } else {
       throw InputError(Complaint{fmt::format("{}:{}", path, table.rows.size() + 2),

@@ -139,6 +139,15 @@ class Design(unittest.TestCase):
         table.unlink()
         self.assertIn("campaign.csv: cannot be opened", self.design(code=2))
 
+    def test_a_name_that_a_spreadsheet_would_compute_keeps_its_case(self):
+        table = self.folder / "campaign.csv"
+        kept = table.read_text()
+        self.addCleanup(table.write_text, kept)
+        table.write_text(kept.replace("thin-r0000,", "\"'-thin-r0000\","))
+        (self.folder / "cases/thin-r0000").rename(self.folder / "cases/-thin-r0000")
+        self.addCleanup((self.folder / "cases/-thin-r0000").rename, self.folder / "cases/thin-r0000")
+        self.assertEqual(json.loads(self.design("--json"))["settings"][0]["replicates"], 3)
+
     def test_a_picture_is_drawn(self):
         picture = self.folder / "design.svg"
         self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "--extrapolate", "-o", picture)
