@@ -45,6 +45,7 @@ struct Body {
   BodyId id;
   BodyKind kind = BodyKind::kFloe;
   Pose pose;
+  Pose start_pose;  ///< at the start of the last step
   Twist twist;
   Twist start_twist;               ///< at the start of the last step
   Twist mean_twist;                ///< over the last step

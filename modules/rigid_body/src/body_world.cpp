@@ -221,6 +221,7 @@ void BodyWorld::follow_sheets(Twist Body::*twist) {
 
 void BodyWorld::average_velocities() {
   each_body([](Body& body) {
+    body.start_pose = body.pose;
     body.start_twist = body.twist;
     body.mean_twist = body.twist;
     if (!body.is_free()) return;

@@ -208,6 +208,7 @@ std::vector<BodyId> World::floes() const {
 }
 
 Pose World::pose(BodyId id) const { return world_->get(id).pose; }
+Pose World::start_pose(BodyId id) const { return world_->get(id).start_pose; }
 
 std::pair<Vec3, Vec3> World::bounds(BodyId id) const {
   const auto& [lower, upper] = world_->get(id).box;

@@ -92,11 +92,12 @@ class DriftingSheets {
   /// The structure in the frame of the sheet, `later` [s] from now.
   structure::State seen_from(int number, const structure::State& structure, double later = 0.0) const;
 
-  /// Turns and places of the frame, and back.
+  /// Out of the frame, where it is now.
   Vec3 to_world(int number, Vec3 point) const { return any() ? brash::to_world(pose(number), point) : point; }
   Vec3 turned(int number, Vec3 v) const { return any() ? rotate(pose(number).rotation, v) : v; }
-  Vec3 to_sheet(int number, Vec3 point) const { return any() ? to_body(pose(number), point) : point; }
-  Vec3 turned_back(int number, Vec3 v) const { return any() ? rotate(conjugate(pose(number).rotation), v) : v; }
+  /// Into the frame, where it was at the start of the step: contacts of bodies are found there.
+  Vec3 to_sheet(int number, Vec3 point) const { return any() ? to_body(start_pose(number), point) : point; }
+  Vec3 turned_back(int number, Vec3 v) const { return any() ? rotate(conjugate(start_pose(number).rotation), v) : v; }
 
   void begin_step();
   /// All sheets move on evenly for a time [s].

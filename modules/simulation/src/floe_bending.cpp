@@ -33,7 +33,7 @@ std::map<BodyId, std::vector<PointForce>> forces_on_floes(const rigid_body::Worl
   std::map<BodyId, std::vector<PointForce>> forces;
   const auto add = [&](BodyId body, Vec3 point, Vec3 force) {
     if (world.is_settled(body)) return;
-    const Pose pose = world.pose(body);
+    const Pose pose = world.start_pose(body);
     forces[body].push_back({to_body(pose, point), rotate(conjugate(pose.rotation), force)});
   };
   for (const rigid_body::ContactLoad* const contact : contacts) {

@@ -55,9 +55,9 @@ void average_stress(const rigid_body::World& world, const std::vector<const rigi
   for (const BodyId body : world.moving()) floes.at(body).dipole = {};
   for (const rigid_body::ContactLoad* const contact : contacts) {
     const Vec3 force = contact->normal_force * contact->normal + contact->friction_force;
-    add_dipole(floes.at(contact->body).dipole, contact->point - world.pose(contact->body).position, force);
+    add_dipole(floes.at(contact->body).dipole, contact->point - world.start_pose(contact->body).position, force);
     if (contact->other_kind == rigid_body::BodyKind::kFloe)
-      add_dipole(floes.at(contact->other).dipole, contact->point - world.pose(contact->other).position, -force);
+      add_dipole(floes.at(contact->other).dipole, contact->point - world.start_pose(contact->other).position, -force);
   }
   const std::vector<BodyId>& moving = world.moving();
   world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) { add_to_mean(floes.at(moving[i]), dt); });

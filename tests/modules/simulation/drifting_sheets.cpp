@@ -54,6 +54,17 @@ struct Lone {
 
 const std::vector<std::string> kNoDrag{"hydrodynamics.form_drag=0", "hydrodynamics.skin_friction=0"};
 
+BOOST_AUTO_TEST_CASE(a_contact_of_a_step_lies_in_the_frame_where_the_step_began) {
+  const model::Case c = free_case(kNoDrag);
+  Lone lone(c);
+  lone.sheets.add(plate(c, 40.0, 20.0), {.velocity = {2.0, 1.0}, .spin = 0.1});
+  const Vec3 corner = lone.sheets.to_world(0, {40.0, 20.0, 0.0});
+  const Vec3 side = lone.sheets.turned(0, {1.0, 0.0, 0.0});
+  (void)lone.step(0.5);
+  BOOST_TEST(norm(lone.sheets.to_sheet(0, corner) - Vec3{40.0, 20.0, 0.0}) < 1e-12);
+  BOOST_TEST(norm(lone.sheets.turned_back(0, side) - Vec3{1.0, 0.0, 0.0}) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(a_sheet_under_a_constant_force_accelerates_by_force_over_mass_and_turns_by_moment_over_inertia) {
   const model::Case c = free_case(kNoDrag);
   Lone lone(c);

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <vector>
 
 #include "brash/core/constants.hpp"
 #include "pool.hpp"
@@ -17,18 +18,22 @@ using boost::test_tools::tolerance;
 constexpr double kDt = 0.01;
 constexpr double kSupport = 0.1;  // length under an end of the floe [m]
 
-/// A dry floe, 1 m broad, with its ends on two supports.
+/// A dry floe, 1 m broad, on two supports: its rear end, and a place `overhang` behind its front end. All move along x
+/// with the same speed.
 struct Bridge {
-  explicit Bridge(double l) : length(l) {
+  explicit Bridge(double l, double overhang = 0.0, double along_x = 0.0) : length(l), speed(along_x) {
     body = pool.add({-0.5 * l, -0.5}, {0.5 * l, 0.5}, {});
-    pool.world.set_state(body, {{0.0, 0.0, 3.0 + 0.5 * pool.resolved.ice.thickness}, {}}, {});
-    for (const double x : {-0.5 * l, 0.5 * l - kSupport}) {
+    pool.world.set_state(body, {{0.0, 0.0, 3.0 + 0.5 * pool.resolved.ice.thickness}, {}}, {{speed, 0.0, 0.0}, {}});
+    for (const double x : {-0.5 * l, 0.5 * l - kSupport - overhang}) {
       const std::vector<Vec2> ring{{x, -0.5}, {x + kSupport, -0.5}, {x + kSupport, 0.5}, {x, 0.5}};
-      pool.world.add_sheet_part(ring, 2.0, 3.0);
+      supports.push_back(pool.world.add_sheet_part(ring, 2.0, 3.0));
     }
   }
 
   void step() {
+    way += speed * kDt;
+    for (const BodyId support : supports)
+      pool.world.move_sheet_part(support, {{way, 0.0, 0.0}, {}}, {{speed, 0.0, 0.0}, {}});
     (void)pool.step(kDt);
     bending.average(pool.world, pool.floes, contacts_by_place(pool.world), kDt);
   }
@@ -38,10 +43,12 @@ struct Bridge {
     return 6.0 * (0.25 * weight * (length - kSupport) - 0.125 * weight * length) / (h * h);
   }
 
-  double length;
+  double length, speed;
+  double way = 0.0;
   Pool pool;
   FloeBending bending;
   BodyId body;
+  std::vector<BodyId> supports;
 };
 
 BOOST_AUTO_TEST_SUITE(floe_bending)
@@ -61,6 +68,19 @@ BOOST_AUTO_TEST_CASE(a_dry_floe_on_two_supports_breaks_in_its_middle_under_its_o
   BOOST_TEST(shorter.tension() < 539e3);
   for (int i = 0; i < 200; ++i) shorter.step();
   BOOST_TEST(shorter.bending.fractures(shorter.pool.floes).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_breaks_alike_on_supports_at_rest_and_on_supports_that_carry_it_along) {
+  std::vector<Fracture> breaks;
+  for (const double speed : {0.0, 10.0}) {  // 0.1 m a step
+    Bridge bridge(8.0, 1.0, speed);
+    for (int i = 0; i < 200; ++i) bridge.step();
+    const std::vector<Fracture> fractures = bridge.bending.fractures(bridge.pool.floes);
+    BOOST_REQUIRE(fractures.size() == 1u);
+    breaks.push_back(fractures[0]);
+  }
+  BOOST_TEST(breaks[1].tension == breaks[0].tension, tolerance(1e-6));
+  BOOST_TEST(breaks[1].section.offset == breaks[0].section.offset, tolerance(1e-12));
 }
 
 /// The impact of the fall lasts a step. The floe needs its collision time to feel the load.

@@ -42,4 +42,30 @@ BOOST_AUTO_TEST_CASE(a_floe_squeezed_at_the_bound_has_the_stress_sigma_c_R_and_i
   BOOST_TEST(overstressed(pool.world, pool.floes, 0.98 * bound).size() == 1u);
 }
 
+/// Mean compression [Pa] of a floe of 2 m by 1 m that a load of 10 kN presses against a wall, both in uniform motion.
+double compression_against_a_wall(double speed) {
+  Pool pool({"hydrodynamics.form_drag=0", "hydrodynamics.skin_friction=0"});
+  const double dt = 0.01;
+  const BodyId floe = pool.add({0, -0.5}, {2, 0.5}, {{speed, 0, 0}, {}});
+  const std::vector<Vec3> block{{-1, -2, -1}, {0, -2, -1}, {0, 2, -1}, {-1, 2, -1},
+                                {-1, -2, 1},  {0, -2, 1},  {0, 2, 1},  {-1, 2, 1}};
+  Pose wall{{0.001, 0.0, 0.0}, {}};
+  const BodyId body = pool.world.add_structure(std::span(&block, 1), wall);
+  for (int i = 0; i < 100; ++i) {
+    wall.position.x += speed * dt;
+    pool.world.move_structure(body, wall, {{speed, 0, 0}, {}});
+    pool.world.apply(floe, {{-1e4, 0, 0}, {}});
+    (void)pool.step(dt);
+    average_stress(pool.world, contacts_by_place(pool.world), dt, pool.floes);
+  }
+  return pool.floes.at(floe).stress.peak_compression;
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_held_at_one_end_has_the_same_stress_at_rest_and_on_its_way) {
+  // The wall bears 10 kN at 1 m from the middle, so the mean stress is 10 kN m over the volume.
+  const double expected = 1e4 / (2.0 * 0.33);
+  BOOST_TEST(compression_against_a_wall(0.0) == expected, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(compression_against_a_wall(10.0) == expected, boost::test_tools::tolerance(0.01));
+}
+
 }  // namespace

@@ -96,7 +96,7 @@ struct ContactLoad {
   BodyId body;                            ///< the floe, or as it was given
   BodyId other;                           ///< structure, sheet or another floe, or as it was given
   BodyKind other_kind = BodyKind::kFloe;  ///< kind of `other`
-  Vec3 point{};                           ///< [m], world
+  Vec3 point{};                           ///< where it was found, at the start of the step [m], world
   Vec3 normal{};                          ///< unit, from `other` into `body`
   double normal_force = 0.0;              ///< impulse / dt [N], >= 0
   Vec3 friction_force{};                  ///< on `body` [N]
@@ -284,6 +284,8 @@ class World {
   bool contains(BodyId id) const;
   std::vector<BodyId> floes() const;  ///< sorted
   Pose pose(BodyId id) const;
+  /// Where it was at the start of the last step, when its contacts were found.
+  Pose start_pose(BodyId id) const;
   /// Least and largest coordinates of the body's parts where it is now [m].
   std::pair<Vec3, Vec3> bounds(BodyId id) const;
   Twist twist(BodyId id) const;
