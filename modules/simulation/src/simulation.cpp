@@ -100,10 +100,10 @@ void Simulation::Impl::begin_watch() {
 }
 
 /// The load on the structure: impulse / dt of each floe contact, and the crushing of the edge; and the energies.
-/// @param origin    where the structure was when the contacts were found, about which they have their moments [m].
+/// @param start     where the structure was when the contacts were found, about which they have their moments.
 /// @param crushing  of the edge, sheet axes.
 /// @return the whole load, sheet axes.
-Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, const Wrench& crushing,
+Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, const Pose& start, const Wrench& crushing,
                                        StepReport& report) {
   const StageTimer::Scope clock(timer, times.loads);
   model::LoadRow& row = report.loads;
@@ -111,12 +111,12 @@ Wrench Simulation::Impl::collect_loads(std::int64_t first_newborn, Vec3 origin, 
   Wrench floe_normal, floe_friction;
   for (const rigid_body::ContactLoad& contact : world.contacts()) {
     if (contact.other != structure_body) continue;
-    const Vec3 arm = contact.point - origin;
+    const Vec3 arm = contact.point - start.position;
     const Vec3 normal = -contact.normal_force * contact.normal;
     const Vec3 friction = -contact.friction_force;
     floe_normal += {normal, cross(arm, normal)};
     floe_friction += {friction, cross(arm, friction)};
-    region_loads.add_floe(motion->now().pose, contact.point, contact.normal, normal + friction);
+    region_loads.add_floe(start, contact.point, contact.normal, normal + friction);
     ++row.n_contacts;
   }
   Wrench total = crushing;
@@ -262,12 +262,12 @@ void Simulation::Impl::watch(const StepReport& report) {
 StepReport Simulation::Impl::step() {
   StepReport report;
   const std::int64_t first_newborn = n_steps == 0 ? 0 : floes.next_id();
-  const Vec3 origin = motion->now().pose.position;
+  const Pose start = motion->now().pose;
   ++n_steps;
   const Wrench crushing = advance_through_ice(report);
   load_by_water();
   step_bodies(report);
-  const Wrench load = collect_loads(first_newborn, origin, crushing, report);
+  const Wrench load = collect_loads(first_newborn, start, crushing, report);
   watch(report);
   fall_asleep_or_wake();
   average_contacts();

@@ -93,7 +93,7 @@ struct Simulation::Impl {
   Wrench advance_through_ice(StepReport& report);
   void load_by_water();
   void step_bodies(StepReport& report);
-  Wrench collect_loads(std::int64_t first_newborn, Vec3 origin, const Wrench& crushing, StepReport& report);
+  Wrench collect_loads(std::int64_t first_newborn, const Pose& start, const Wrench& crushing, StepReport& report);
   void report_motion(model::LoadRow& row) const;
   void watch(const StepReport& report);
   void fall_asleep_or_wake();
