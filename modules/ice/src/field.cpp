@@ -165,14 +165,15 @@ geometry::Extent Field::crush(Plate& plate, std::span<const geometry::Point> sec
 }
 
 /// Takes parts that have lost their connection out of a plate; where they go is still to be booked.
-std::vector<geometry::Polygon> Field::take_severed(Plate& plate, geometry::Extent& changed) {
+std::vector<geometry::Polygon> Field::take_severed(Plate& plate, Broken& result) {
   const auto is_loose = [this](const geometry::Polygon& part) { return !is_held(part, section_, land_); };
   std::vector<geometry::Polygon> severed =
       plate.hold() == Hold::kFast ? plate.sheet().release_if(is_loose) : plate.sheet().release_detached();
   for (const geometry::Polygon& part : severed) {
     account_of(plate) -= geometry::area(part);
-    changed.add(geometry::extent(part));
+    result.severed.add(geometry::extent(part));
   }
+  result.changed.add(result.severed);
   return severed;
 }
 
@@ -213,7 +214,7 @@ std::vector<Plate> Field::book_pieces(const Plate& plate, std::span<const geomet
 
 Broken Field::release_severed(Plate& plate, std::span<const geometry::Ring> structure, double smallest_floe) {
   Broken result;
-  const std::vector<geometry::Polygon> severed = take_severed(plate, result.changed);
+  const std::vector<geometry::Polygon> severed = take_severed(plate, result);
   result.pieces = book_pieces(plate, severed, structure, smallest_floe);
   return result;
 }
@@ -221,8 +222,8 @@ Broken Field::release_severed(Plate& plate, std::span<const geometry::Ring> stru
 Broken Field::break_off(Plate& plate, const CrackPlan& plan, std::span<const geometry::Ring> structure,
                         double smallest_floe) {
   geometry::Cut broken = cut(plate, plan.cracked.region, plan.cracked.cracks);
-  Broken result{.pieces = {}, .changed = broken.changed};
-  std::ranges::move(take_severed(plate, result.changed), std::back_inserter(broken.pieces));
+  Broken result{.pieces = {}, .changed = broken.changed, .severed = {}};
+  std::ranges::move(take_severed(plate, result), std::back_inserter(broken.pieces));
   result.pieces = book_pieces(plate, broken.pieces, structure, smallest_floe);
   return result;
 }

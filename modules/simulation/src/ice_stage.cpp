@@ -59,6 +59,20 @@ void Simulation::Impl::initial_crack() {
   }
 }
 
+/// Level ice has come loose within `radius` of `at`: what presses there presses no more, the edge starts from rest, and
+/// floes wake.
+void Simulation::Impl::disturb(int level_ice, Vec2 at, double radius) {
+  bearings.forget_within(level_ice, at, radius);
+  edges.forget_within(level_ice, at, radius);
+  sleep.wake_within(world, floes, at, radius);
+}
+
+void Simulation::Impl::disturb(int level_ice, const geometry::Extent& box) {
+  if (box.is_empty()) return;
+  const Vec2 to_corner = 0.5 * (box.upper - box.lower);
+  disturb(level_ice, box.lower + to_corner, norm(to_corner));
+}
+
 /// The ice cracks at a contact: level ice, floes and collision shapes follow. One random stream a break, so that a
 /// resumed run draws the same.
 Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report) {
@@ -67,12 +81,11 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   statistics::RandomStream random(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
   const EdgeContact placed = before_the_notch(contact);
   const ice::CrackPlan plan = pattern->plan(plate, placed.region, placed.assessment, random);
-  bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
-  edges.forget_within(plate.level_ice(), plan.centre, plan.reach);
-  sleep.wake_within(world, floes, plan.centre, plan.reach);
+  disturb(plate.level_ice(), plan.centre, plan.reach);
   const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
   ice::Broken broken =
       field.break_off(plate, plan, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
+  disturb(plate.level_ice(), broken.severed);
   Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
   broken_in_step.push_back({plate.level_ice(), plan.centre, plan.reach});
   const int level_ice = plate.level_ice();
@@ -224,9 +237,7 @@ geometry::Extent Simulation::Impl::release_severed(int level_ice, const Pose& st
   if (plate.sheet().n_parts() < 2) return {};
   ice::Broken severed =
       field.release_severed(plate, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
-  if (severed.changed.is_empty()) return {};
-  const Vec2 to_corner = 0.5 * (severed.changed.upper - severed.changed.lower);
-  sleep.wake_within(world, floes, severed.changed.lower + to_corner, norm(to_corner));
+  disturb(level_ice, severed.severed);
   for (ice::Plate& piece : severed.pieces) let_float(std::move(piece), level_ice, report.births, report);
   return severed.changed;
 }

@@ -110,6 +110,8 @@ struct Simulation::Impl {
   geometry::Extent release_severed(int level_ice, const Pose& structure, StepReport& report);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
   Break break_off(const EdgeContact& contact, StepReport& report);
+  void disturb(int level_ice, Vec2 at, double radius);
+  void disturb(int level_ice, const geometry::Extent& box);
   void let_float(ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births, StepReport& report);
   void add_judge(const ice::Plate& plate);
   void follow_outline(const ice::Plate& plate, const geometry::Extent& changed);

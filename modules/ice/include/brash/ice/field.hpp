@@ -17,6 +17,7 @@ namespace brash::ice {
 struct Broken {
   std::vector<Plate> pieces;
   geometry::Extent changed;  ///< around all of the plate that is not as before
+  geometry::Extent severed;  ///< around the parts of it that lost their hold beyond the cut; empty if none did
 };
 
 /// The level ice, and the ledger of all ice: every operation moves area from one account to another, exactly.
@@ -92,7 +93,7 @@ class Field {
 
  private:
   geometry::Cut cut(Plate& plate, std::span<const geometry::Point> region, std::span<const geometry::Crack> cracks);
-  std::vector<geometry::Polygon> take_severed(Plate& plate, geometry::Extent& changed);
+  std::vector<geometry::Polygon> take_severed(Plate& plate, Broken& result);
   std::vector<geometry::Polygon> carve(Plate piece, std::span<const geometry::Ring> structure);
   std::vector<Plate> book_pieces(const Plate& plate, std::span<const geometry::Polygon> whole,
                                  std::span<const geometry::Ring> structure, double smallest_floe);
