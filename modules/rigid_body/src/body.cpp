@@ -57,6 +57,7 @@ void Body::set_mass(const MassProperties& value) {
 
 void Body::set_settled(bool value) {
   settled = value;
+  start_pose = pose;
   twist = {};
   start_twist = {};
   mean_twist = {};

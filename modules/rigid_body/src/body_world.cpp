@@ -91,7 +91,7 @@ BodyId BodyWorld::insert(std::unique_ptr<Body> body) {
   }
   const BodyId id{static_cast<std::uint32_t>(by_index_.size()), 0};
   body->id = id;
-  body->next_pose = body->pose;
+  body->start_pose = body->next_pose = body->pose;
   body->make_bullet_body(hull_margin());
   body->place();
   add_to_bullet(*body);

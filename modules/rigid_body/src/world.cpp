@@ -224,6 +224,7 @@ void World::set_state(BodyId id, const Pose& pose, const Twist& twist) {
   Body& body = world_->get(id);
   BRASH_EXPECTS(body.kind != BodyKind::kSheet && !body.settled && is_finite(pose, twist), id.index);
   body.pose = pose;
+  body.start_pose = pose;
   body.next_pose = pose;
   body.twist = twist;
   body.place();

@@ -69,6 +69,23 @@ BOOST_AUTO_TEST_CASE(A_settled_floe_is_to_the_others_what_the_sheet_is_until_it_
   BOOST_TEST(settled.twist(rests).linear.x == 0.01, boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(A_step_starts_where_the_one_before_it_ended_and_a_settled_floe_where_it_lies) {
+  World world({.iterations = 100, .release_speed = 0.1});
+  const BodyId moves = add_floe(world, rectangle({-1, -1}, {1, 1}), 0.5, {{0.5, 0, 0}, {}});
+  const BodyId rests = add_floe(world, rectangle({59, -1}, {61, 1}), 0.5);
+  world.set_settled(rests, true);
+  for (int i = 0; i < 3; ++i) {
+    const Pose before = world.pose(moves);
+    world.step(0.01);
+    BOOST_TEST((world.start_pose(moves) == before));
+    BOOST_TEST((world.start_pose(rests) == world.pose(rests)));
+  }
+  world.set_settled(rests, false);
+  BOOST_TEST((world.start_pose(rests) == world.pose(rests)));
+  world.set_settled(moves, true);
+  BOOST_TEST((world.start_pose(moves) == world.pose(moves)));
+}
+
 BOOST_AUTO_TEST_CASE(A_blow_goes_on_through_settled_floes_that_touch_as_far_as_it_is_fast) {
   // Equal floes in a row, each 0.4 mm into the next. The first moves, the others sleep. Without restitution n floes
   // take v / n each.

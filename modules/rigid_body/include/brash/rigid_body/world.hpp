@@ -284,7 +284,7 @@ class World {
   bool contains(BodyId id) const;
   std::vector<BodyId> floes() const;  ///< sorted
   Pose pose(BodyId id) const;
-  /// Where it was at the start of the last step, when its contacts were found.
+  /// Where it was at the start of the last step, when its contacts were found; of a settled floe, where it lies.
   Pose start_pose(BodyId id) const;
   /// Least and largest coordinates of the body's parts where it is now [m].
   std::pair<Vec3, Vec3> bounds(BodyId id) const;
