@@ -159,10 +159,11 @@ void Simulation::Impl::report_motion(model::LoadRow& row) const {
   row.spin = twist.angular;
 }
 
-void Simulation::Impl::load_by_water() {
+/// @param start  where the structure was at the start of the step, as the floes are.
+void Simulation::Impl::load_by_water(const Pose& start) {
   const StageTimer::Scope clock(timer, times.water);
   for (const BodyId body : world.moving()) lay_sheet_near(body);
-  water.apply(world, floes, resolved.time.step, motion->now());
+  water.apply(world, floes, resolved.time.step, {start, motion->now().twist});
 }
 
 void Simulation::Impl::step_bodies(StepReport& report) {
@@ -265,7 +266,7 @@ StepReport Simulation::Impl::step() {
   const Pose start = motion->now().pose;
   ++n_steps;
   const Wrench crushing = advance_through_ice(report);
-  load_by_water();
+  load_by_water(start);
   step_bodies(report);
   const Wrench load = collect_loads(first_newborn, start, crushing, report);
   watch(report);

@@ -91,7 +91,7 @@ struct Simulation::Impl {
 
   StepReport step();
   Wrench advance_through_ice(StepReport& report);
-  void load_by_water();
+  void load_by_water(const Pose& start);
   void step_bodies(StepReport& report);
   Wrench collect_loads(std::int64_t first_newborn, const Pose& start, const Wrench& crushing, StepReport& report);
   void report_motion(model::LoadRow& row) const;

@@ -208,6 +208,30 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_ends_with_the_same_bytes) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_floe_meets_the_water_of_a_structure_where_both_are_at_the_start_of_a_step) {
+  const auto folder = std::filesystem::temp_directory_path() / "brash_field_of_one";
+  std::filesystem::create_directories(folder);
+  const std::string file = (folder / "floe.geojson").string();
+  std::ofstream(file) << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
+    "geometry":{"type":"Polygon","coordinates":[[[5,-1],[7,-1],[7,1],[5,1],[5,-1]]]}}]})";
+  const model::Case resolved =
+      io::read_case(BRASH_SOURCE_DIR "/tests/experiments/field-of-file.toml",
+                    std::vector<std::string>{"field.file=" + file, "time.step=0.1", "time.duration=1"});
+  simulation::Simulation run(resolved);
+  FloatingFloe alone(2.0, 2.0, resolved);
+  structure::State cone = run.structure();
+  cone.pose.position.x -= 6.0;
+  for (int i = 0; i < 5; ++i) {
+    alone.water.apply(alone.world, alone.floes, resolved.time.step, cone);
+    alone.world.step(resolved.time.step);
+    (void)run.step();
+    cone.pose.position = run.structure().pose.position - Vec3{6.0, 0.0, 0.0};
+  }
+  const double way = alone.world.pose(alone.body).position.x;
+  BOOST_TEST(way > 0.005);
+  BOOST_TEST(run.frame().floes[0].pose.position.x - 6.0 == way, tt::tolerance(1e-6));
+}
+
 BOOST_AUTO_TEST_CASE(floes_of_a_file_have_their_own_ice_and_may_not_lie_under_the_structure) {
   const auto folder = std::filesystem::temp_directory_path() / "brash_field_of_file";
   std::filesystem::create_directories(folder);
