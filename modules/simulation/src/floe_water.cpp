@@ -23,10 +23,13 @@ double shading_gap(const model::Case& resolved) {
   return h.shading && h.drag == DragLaw::kSurface ? h.shading_gap * resolved.ice.thickness : 0.0;
 }
 
-/// Force of accelerated water on a floe [N]: on the water that it displaces, and on its added mass (H22).
-Vec3 force_of(Vec3 acceleration, const Floe& floe, const Pose& pose, double displaced_mass) {
+/// Load of accelerated water on a floe: on the water that it displaces, and on its added mass (H22).
+/// @param displaced_mass  of water [kg], about `centre` in the body frame [m].
+Wrench load_of(Vec3 acceleration, const Floe& floe, const Pose& pose, double displaced_mass, Vec3 centre) {
   const double ice = floe.weight / kGravity;
-  return displaced_mass * acceleration + (rigid_body::momentum(floe.inertia, pose, acceleration) - ice * acceleration);
+  const Vec3 on_displaced = displaced_mass * acceleration;
+  const Vec3 on_added = rigid_body::momentum(floe.inertia, pose, acceleration) - ice * acceleration;
+  return {on_displaced + on_added, cross(rotate(pose.rotation, centre), on_displaced)};
 }
 
 }  // namespace
@@ -91,8 +94,9 @@ void FloeWater::meet(rigid_body::World& world, BodyId body, Floe& floe, double d
   if (wind_.velocity != Vec3{}) floe.pressure += hydrodynamics::wind_load(floe.prism, pose, world.twist(body), wind_);
   take_added_mass(world, body, floe, *case_, floe.stream);
   world.set_stream(body, floe.stream);
-  if (flow_)
-    floe.pressure.force += force_of(flow.acceleration, floe, pose, water_.density * displaced(floe, pose).volume);
+  if (!flow_) return;
+  const hydrodynamics::Displacement wet = displaced(floe, pose);
+  floe.pressure += load_of(flow.acceleration, floe, pose, water_.density * wet.volume, wet.centre_in_body);
 }
 
 hydrodynamics::Water FloeWater::around(const Floe& floe) const {

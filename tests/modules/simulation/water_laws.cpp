@@ -143,6 +143,25 @@ BOOST_AUTO_TEST_CASE(a_floe_as_heavy_as_the_water_goes_with_the_water_that_gives
   BOOST_TEST(norm(floe.world.pose(floe.body).position - particle) < 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(accelerated_water_pushes_a_tilted_floe_at_the_centre_of_the_water_that_it_displaces) {
+  FloatingFloe floe(
+      3.0, 2.0,
+      ice_and_water(laws_of_the_water({"hydrodynamics.structure_flow=true", "hydrodynamics.ventilation=false"})));
+  floe.place(0.0, 0.3);
+  const Pose pose = floe.world.pose(floe.body);
+  const structure::State cone{{{-9.0, 1.0, 0.0}, {}}, {{1.202, 0.0, 0.0}, {}}};
+  floe.water.apply(floe.world, floe.floes, 0.01, cone);
+  const Floe& state = floe.floes.floes().at(floe.body);
+  const auto wet = hydrodynamics::displacement(state.prism, pose);
+  const hydrodynamics::StructureFlow flow(
+      structure::fitted_ellipsoid(*structure::make_hull(floe.ice.structure.shape)).semi_axes);
+  const Vec3 a = flow.acceleration(pose.position - cone.pose.position, {1.202, 0.0});
+  const Vec3 arm = wet.centre - pose.position;
+  const Vec3 expected = cross(arm, 1025.0 * wet.volume * a);
+  BOOST_TEST(norm(arm) > 0.05);
+  BOOST_TEST(norm(state.pressure.moment - expected) < 1e-9 * norm(expected));
+}
+
 /// The validation case by the preset brash, cut short, with a failure model that is quick.
 model::Case short_case(std::vector<std::string> overrides, double duration) {
   overrides.insert(overrides.end(), {"algorithm.preset=brash", "failure.model=superposition",
