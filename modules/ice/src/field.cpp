@@ -171,9 +171,9 @@ std::vector<geometry::Polygon> Field::take_severed(Plate& plate, Broken& result)
       plate.hold() == Hold::kFast ? plate.sheet().release_if(is_loose) : plate.sheet().release_detached();
   for (const geometry::Polygon& part : severed) {
     account_of(plate) -= geometry::area(part);
-    result.severed.add(geometry::extent(part));
+    result.severed.push_back(geometry::extent(part));
+    result.changed.add(result.severed.back());
   }
-  result.changed.add(result.severed);
   return severed;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "plan.hpp"
+
 namespace brash::simulation {
 namespace {
 
@@ -52,6 +54,13 @@ void Bearings::forget_within(int level_ice, Vec2 at, double radius) {
   std::erase_if(mean_, [&](const auto& entry) {
     const auto& [pair, mean] = entry;
     return pair.second == level_ice && mean.weight > 0.0 && norm(plan(mean.first / mean.weight) - at) < radius;
+  });
+}
+
+void Bearings::forget_within(int level_ice, const geometry::Extent& box) {
+  std::erase_if(mean_, [&](const auto& entry) {
+    const auto& [pair, mean] = entry;
+    return pair.second == level_ice && mean.weight > 0.0 && is_on(box, plan(mean.first / mean.weight));
   });
 }
 

@@ -32,6 +32,8 @@ class Bearings {
   void forget(BodyId floe);
   /// Level ice number `level_ice` has broken within `radius` of `at`.
   void forget_within(int level_ice, Vec2 at, double radius);
+  /// Its ice in a box has come loose.
+  void forget_within(int level_ice, const geometry::Extent& box);
 
   /// Sorted by floe, then by level ice.
   const std::map<Pair, Bearing>& all() const { return mean_; }

@@ -13,6 +13,7 @@
 #include "brash/simulation/scales.hpp"
 #include "initial_crack.hpp"
 #include "local_ice.hpp"
+#include "plan.hpp"
 #include "simulation_impl.hpp"
 
 namespace brash::simulation {
@@ -59,18 +60,12 @@ void Simulation::Impl::initial_crack() {
   }
 }
 
-/// Level ice has come loose within `radius` of `at`: what presses there presses no more, the edge starts from rest, and
-/// floes wake.
-void Simulation::Impl::disturb(int level_ice, Vec2 at, double radius) {
-  bearings.forget_within(level_ice, at, radius);
-  edges.forget_within(level_ice, at, radius);
-  sleep.wake_within(world, floes, at, radius);
-}
-
-void Simulation::Impl::disturb(int level_ice, const geometry::Extent& box) {
-  if (box.is_empty()) return;
+/// Level ice in a box has come loose: what presses there presses no more, and floes around it wake.
+void Simulation::Impl::let_go(int level_ice, const geometry::Extent& box) {
+  bearings.forget_within(level_ice, box);
+  edges.forget_within(level_ice, box);
   const Vec2 to_corner = 0.5 * (box.upper - box.lower);
-  disturb(level_ice, box.lower + to_corner, norm(to_corner));
+  sleep.wake_within(world, floes, box.lower + to_corner, norm(to_corner));
 }
 
 /// The ice cracks at a contact: level ice, floes and collision shapes follow. One random stream a break, so that a
@@ -81,13 +76,16 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   statistics::RandomStream random(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
   const EdgeContact placed = before_the_notch(contact);
   const ice::CrackPlan plan = pattern->plan(plate, placed.region, placed.assessment, random);
-  disturb(plate.level_ice(), plan.centre, plan.reach);
+  bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
+  edges.forget(contact);
+  edges.forget_within(plate.level_ice(), plan.centre, plan.reach);
+  sleep.wake_within(world, floes, plan.centre, plan.reach);
   const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
   ice::Broken broken =
       field.break_off(plate, plan, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
-  disturb(plate.level_ice(), broken.severed);
+  for (const geometry::Extent& part : broken.severed) let_go(plate.level_ice(), part);
   Break made{.n_wedges = plan.n_wedges, .along_stress = plan.along_stress, .births = {}};
-  broken_in_step.push_back({plate.level_ice(), plan.centre, plan.reach});
+  broken_in_step.push_back({plate.level_ice(), plan.centre, plan.reach, broken.severed});
   const int level_ice = plate.level_ice();
   for (ice::Plate& piece : broken.pieces) let_float(std::move(piece), level_ice, made.births, report);
   follow_outline(field.level_ice(level_ice), broken.changed);
@@ -237,9 +235,22 @@ geometry::Extent Simulation::Impl::release_severed(int level_ice, const Pose& st
   if (plate.sheet().n_parts() < 2) return {};
   ice::Broken severed =
       field.release_severed(plate, middle_outlines(edge_model(plate), structure), resolved.failure.smallest_floe);
-  disturb(level_ice, severed.severed);
+  for (const geometry::Extent& part : severed.severed) let_go(level_ice, part);
   for (ice::Plate& piece : severed.pieces) let_float(std::move(piece), level_ice, report.births, report);
   return severed.changed;
+}
+
+/// Whether the ice of a contact has broken in this step, or come loose.
+bool Simulation::Impl::has_broken(const EdgeContact& contact) const {
+  const geometry::ContactRegion cut = before_the_notch(contact).region;
+  const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
+  const Vec2 middle = 0.5 * (cut.chord_from + cut.chord_to);
+  return std::ranges::any_of(broken_in_step, [&](const BrokenIce& ice) {
+    const auto is_loose = [&](const geometry::Extent& part) { return is_on(part, tip); };
+    return ice.level_ice == contact.level_ice &&
+           (norm(ice.centre - middle) < ice.reach || norm(ice.centre - tip) < ice.reach ||
+            std::ranges::any_of(ice.severed, is_loose));
+  });
 }
 
 /// Breaks the ice at every contact whose stress exceeds the flexural strength, in the contacts' order; a contact as
@@ -247,10 +258,7 @@ geometry::Extent Simulation::Impl::release_severed(int level_ice, const Pose& st
 void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepReport& report) {
   for (const EdgeContact& contact : contacts) {
     const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
-    const bool waits = std::ranges::any_of(broken_in_step, [&](const BrokenIce& ice) {
-      return ice.level_ice == contact.level_ice && norm(ice.centre - tip) < ice.reach;
-    });
-    if (!contact.assessment.fails || waits) continue;
+    if (!contact.assessment.fails || has_broken(contact)) continue;
     const MovingEdges::Life life = edges.life(contact);
     model::CrackEvent event{.time = time(),
                             .at = contact.region.midpoint,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan.hpp"
+
 namespace brash::simulation {
 namespace {
 
@@ -120,9 +122,19 @@ failure::EdgeMotion MovingEdges::motion(const EdgeContact& contact) const {
   return edge->dynamics.motion(contact.load, edge->history);
 }
 
+void MovingEdges::forget(const EdgeContact& contact) {
+  if (contact.floe != model::kNoFloe) return;
+  const Edge* const edge = edge_at(contact.level_ice, contact.touched);
+  if (edge != nullptr) edges_.erase(edges_.begin() + (edge - edges_.data()));
+}
+
 void MovingEdges::forget_within(int level_ice, Vec2 at, double radius) {
   std::erase_if(edges_,
                 [&](const Edge& edge) { return edge.level_ice == level_ice && norm(edge.touched.tip - at) < radius; });
+}
+
+void MovingEdges::forget_within(int level_ice, const geometry::Extent& box) {
+  std::erase_if(edges_, [&](const Edge& edge) { return edge.level_ice == level_ice && is_on(box, edge.touched.tip); });
 }
 
 void MovingEdges::save(model::Checkpoint& checkpoint) const {

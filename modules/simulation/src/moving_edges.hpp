@@ -44,8 +44,12 @@ class MovingEdges {
     if (!dynamics_.empty()) dynamics_.push_back(failure::EdgeDynamics(dynamics_[static_cast<std::size_t>(like)]));
   }
 
+  /// The ice of a contact has broken.
+  void forget(const EdgeContact& contact);
   /// The level ice has broken within `radius` of `at`.
   void forget_within(int level_ice, Vec2 at, double radius);
+  /// Its ice in a box has come loose.
+  void forget_within(int level_ice, const geometry::Extent& box);
 
   void save(model::Checkpoint& checkpoint) const;
   void restore(const model::Checkpoint& checkpoint);

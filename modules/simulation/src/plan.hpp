@@ -23,4 +23,11 @@ inline std::vector<std::vector<Vec2>> rings_in_metres(const geometry::Polygon& p
   return rings;
 }
 
+/// Whether a place where something presses on ice belongs to the ice in a box. Overlaps reach beyond it by millimetres.
+inline bool is_on(const geometry::Extent& box, Vec2 place) {
+  constexpr double kOverlap = 0.01;  // m
+  return place.x > box.lower.x - kOverlap && place.x < box.upper.x + kOverlap && place.y > box.lower.y - kOverlap &&
+         place.y < box.upper.y + kOverlap;
+}
+
 }  // namespace brash::simulation

@@ -37,6 +37,7 @@ struct BrokenIce {
   int level_ice = 0;
   Vec2 centre{};  ///< in the frame of its sheet [m]
   double reach = 0.0;
+  std::vector<geometry::Extent> severed;  ///< ice that lost its hold beyond the crack, in the same frame
 };
 
 struct Simulation::Impl {
@@ -109,9 +110,9 @@ struct Simulation::Impl {
   bool crush_passed_ice(double time, StepReport& report);
   geometry::Extent release_severed(int level_ice, const Pose& structure, StepReport& report);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);
+  bool has_broken(const EdgeContact& contact) const;
   Break break_off(const EdgeContact& contact, StepReport& report);
-  void disturb(int level_ice, Vec2 at, double radius);
-  void disturb(int level_ice, const geometry::Extent& box);
+  void let_go(int level_ice, const geometry::Extent& box);
   void let_float(ice::Plate&& piece, int level_ice, std::vector<model::FloeRecord>& births, StepReport& report);
   void add_judge(const ice::Plate& plate);
   void follow_outline(const ice::Plate& plate, const geometry::Extent& changed);

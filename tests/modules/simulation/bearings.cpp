@@ -56,6 +56,15 @@ BOOST_AUTO_TEST_CASE(ice_that_breaks_takes_with_it_what_pressed_on_it) {
   gap.bearings.forget_within(0, {-1.0, 0.0}, 1.5);
   BOOST_REQUIRE(gap.bearings.all().size() == 1u);
   BOOST_TEST(gap.bearings.all().begin()->first.second == 1);
+  gap.bearings.forget_within(1, geometry::Extent{{1.5, -5.0}, {3.0, 5.0}});  // ice behind the edge
+  BOOST_TEST(gap.bearings.all().size() == 1u);
+  gap.bearings.forget_within(1, geometry::Extent{{0.999, -5.0}, {3.0, 5.0}});
+  BOOST_TEST(gap.bearings.all().empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_floe_that_is_no_more_presses_on_nothing) {
+  Gap gap;
+  for (int i = 0; i < 10; ++i) gap.step();
   gap.bearings.forget(gap.floe);
   BOOST_TEST(gap.bearings.all().empty());
 }

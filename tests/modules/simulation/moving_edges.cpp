@@ -77,6 +77,10 @@ BOOST_AUTO_TEST_CASE(a_contact_keeps_its_edge_and_another_one_has_its_own) {
   BOOST_TEST(other == 2.0 * one, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(moving.shift(0, {{0.0, 1.5}, 1.0}, 0.5) == 0.0);  // beside both chords
   BOOST_TEST(moving.shift(1, {{0.0, 0.0}, 1.0}, 0.5) == 0.0);  // of other ice
+  MovingEdges broken = moving;
+  broken.forget(contact(3.0, 2e4));
+  BOOST_TEST(broken.shift(0, {{0.0, 3.0}, 1.0}, 0.5) == 0.0);
+  BOOST_TEST(broken.shift(0, {{0.0, 0.0}, 1.0}, 0.5) != 0.0);
   moving.forget_within(0, {0.0, 3.0}, 1.0);
   BOOST_TEST(moving.shift(0, {{0.0, 3.0}, 1.0}, 0.5) == 0.0);
   BOOST_TEST(moving.shift(0, {{0.0, 0.0}, 1.0}, 0.5) != 0.0);

@@ -16,8 +16,8 @@ namespace brash::ice {
 /// The result of a break.
 struct Broken {
   std::vector<Plate> pieces;
-  geometry::Extent changed;  ///< around all of the plate that is not as before
-  geometry::Extent severed;  ///< around the parts of it that lost their hold beyond the cut; empty if none did
+  geometry::Extent changed;               ///< around all of the plate that is not as before
+  std::vector<geometry::Extent> severed;  ///< around each part of it that lost its hold beyond the cut
 };
 
 /// The level ice, and the ledger of all ice: every operation moves area from one account to another, exactly.
