@@ -14,8 +14,9 @@
 namespace brash::failure {
 namespace {
 
-/// The lengths of a moving sheet over those of one at rest are sought in this range.
-constexpr double kShortest = 0.15, kLongest = 1.25;
+/// The lengths of a moving sheet over those of one at rest are sought in this range. They are not longer: on a
+/// protrusion the static hump stays where it is at any length, and none may be as far in as the moving one.
+constexpr double kShortest = 0.15, kLongest = 1.0;
 constexpr int kHalvings = 8;
 /// A moment along the edge less than this share of the largest one across the axis passes through zero: its ratio means
 /// nothing.

@@ -51,7 +51,9 @@ BOOST_AUTO_TEST_CASE(a_sheet_that_stands_for_the_moving_one_breaks_as_the_moving
   for (const auto& [b, c, theta, speed] :
        {Case{0.0, 0.3, 0.0, 1.202}, Case{0.0, 0.3, 0.0, 0.3}, Case{0.0, 1.5, 0.0, 1.202}, Case{0.0, 1.5, 0.0, 3.0},
         Case{0.4, 0.3, 60.0, 1.202}, Case{0.2, 0.3, 120.0, 1.202}, Case{0.2, 0.3, 120.0, 3.0},
-        Case{0.1, 0.8, 90.0, 1.202}, Case{0.0, 6.0, 0.0, 1.202}, Case{0.0, 0.03, 0.0, 1.202}}) {
+        Case{0.1, 0.8, 90.0, 1.202}, Case{0.0, 6.0, 0.0, 1.202}, Case{0.0, 0.03, 0.0, 1.202},
+        Case{0.1, 0.06, 60.0, 1.202}, Case{0.1, 0.06, 80.0, 1.202}, Case{0.2, 0.15, 80.0, 1.202},
+        Case{0.4, 0.06, 80.0, 1.202}}) {
     const plate::EdgeGeometry geometry{.depth = b,
                                        .contact_length = c,
                                        .angle = radians(theta),
@@ -145,6 +147,24 @@ BOOST_AUTO_TEST_CASE(the_factor_of_the_edge_s_own_moment_is_bounded_where_that_m
         BOOST_TEST(std::abs(sheet.radial) < 5.0);
       }
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_sheet_that_stands_for_a_moving_protrusion_is_no_longer_than_the_ice_s) {
+  // Its outline holds the static hump where it is, and no length brings it as far in as the moving one.
+  const double l_c = failure::characteristic_length(kIce), period = std::sqrt(l_c / kGravity);
+  const failure::EdgeDynamics edge = failure::make_edge_dynamics(kIce, kDensity);
+  for (const double b : {0.1, 0.2, 0.4})
+    for (const double c : {0.06, 0.15})
+      for (const double age : {0.2, 0.4, 0.8}) {
+        const failure::LoadCase load{.depth = b * l_c, .contact_length = c * l_c, .angle = radians(70.0), .mu1 = kMu1};
+        failure::EdgeHistory history(0.0);
+        for (int i = 1; i <= 40; ++i) history.extend(age * period * i / 40.0, 1e3 * i, edge.memory());
+        const failure::EdgeMotion motion = edge.motion(load, history);
+        for (const failure::SheetMotion& sheet : {motion.whole, motion.split}) {
+          BOOST_TEST(sheet.length <= 1.0);
+          BOOST_TEST(sheet.length > 0.15);
+        }
+      }
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_shorter_than_the_model_knows_keeps_its_force) {
