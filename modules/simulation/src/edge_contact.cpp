@@ -185,7 +185,8 @@ void move_to(const Frame& frame, EdgeContact& contact) {
   for (Vec2& point : contact.assessment.crack) point = frame.on_sheet(point);
   if (contact.floe == model::kNoFloe) return;
   geometry::ContactRegion& region = contact.region;
-  const Vec2 half = 0.5 * region.contact_length * perpendicular(region.normal);
+  const Vec2 half = 0.5 * region.contact_length * perpendicular(frame.x);
+  region.normal = frame.x;
   region.midpoint = frame.origin;
   region.chord_from = frame.origin - half;
   region.chord_to = frame.origin + half;

@@ -12,7 +12,7 @@ namespace {
 
 using Polyline = std::vector<Vec2>;
 
-/// Loads so far from B along the edge bend the ice ahead of B by 1 % of the same load at B, in characteristic lengths.
+/// Loads so far from B along the edge bend the ice ahead of B by 2.5 % of the same load at B, in characteristic lengths.
 constexpr double kReach = 5.0;
 /// Share of all loads that may be left out.
 constexpr double kWeak = 0.02;
@@ -209,6 +209,16 @@ void drop_weak(double reach, double l_c, double own, std::vector<failure::SheetL
   std::erase_if(loads, [&](const failure::SheetLoad& load) { return weight(load) < least; });
 }
 
+/// The frame of a floe's load: from the nearest edge along its thrust, or below it where it presses inside the ice, as
+/// a disc has no thrust.
+Frame under_floe(const EdgeContact& own, const geometry::IceSheet& sheet, const Polyline& edge,
+                 const failure::IceProperties& ice) {
+  const Vec2 at = 0.5 * (own.region.chord_from + own.region.chord_to);
+  const Foot foot = nearest(edge, at);
+  const bool inside = foot.distance > 0.5 * ice.thickness && sheet.contains(at);
+  return {foot.place, inside ? normalized(at - foot.place) : own.region.normal};
+}
+
 }  // namespace
 
 std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceSheet& sheet,
@@ -221,7 +231,7 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
     const Edge edge = with_chords(chain, all);
     const bool has_chord = std::ranges::find(edge.chords, contact) != edge.chords.end();
     if (edge.line.size() < 2 || (of_structure(own) && !has_chord)) continue;
-    const Frame frame{of_structure(own) ? at : nearest(edge.line, at).place, own.region.normal};
+    const Frame frame = of_structure(own) ? Frame{at, own.region.normal} : under_floe(own, sheet, edge.line, model.ice);
     const auto outline = outline_in(frame, edge.line);
     if (!outline) return std::nullopt;
 

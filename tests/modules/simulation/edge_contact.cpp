@@ -223,6 +223,17 @@ BOOST_AUTO_TEST_CASE(a_floe_flat_under_the_sheet_loads_it_where_it_lies) {
   BOOST_TEST(inside.loads[0].radius > 0.4);
   BOOST_TEST(inside.loads[0].from.x == 2.0, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(inside.loads[0].out_of_plane == 9e4, boost::test_tools::tolerance(1e-9));
+  // A thrust past the disc is not judged: the line of the judgement still passes under it.
+  simulation::Bearing askew = flat_bearing(2.0, 9e4);
+  askew.thrust = {0.2 * askew.weight, 0.2 * askew.weight};
+  std::vector contacts{simulation::bearing_contact(model, scene.sheet(), 7, askew).value()};
+  failure::LoadCase load = contacts[0].load;
+  const auto frame = simulation::place_loads(model, scene.sheet(), contacts, 0, true, load);
+  BOOST_REQUIRE(frame.has_value());
+  BOOST_TEST(std::abs(frame->x.y) < 1e-9);
+  BOOST_TEST(std::abs(load.loads[0].from.y) < 1e-9);
+  BOOST_TEST(criterion->assess(load).sigma_max == criterion->assess(inside).sigma_max,
+             boost::test_tools::tolerance(1e-3));
   // The farther inside it pushes, the less it bends the edge, and the farther off the ice breaks.
   const failure::Assessment near = criterion->assess(load_of(1.0)), far = criterion->assess(load_of(3.0));
   BOOST_TEST(near.sigma_max > 0.0);
