@@ -208,7 +208,9 @@ std::unique_ptr<failure::BendingCriterion> criterion_of(const Case& c, const py:
   return failure::make_criterion(
       model, file, ice_of(c),
       {.second_order = section.second_order && takes.second_order,
-       .radial_first = section.order == model::CrackOrder::kRadialFirst && takes.radial_first});
+       .radial_first = section.order == model::CrackOrder::kRadialFirst && takes.radial_first,
+       .anywhere = section.judged == model::JudgedAt::kAnywhere && takes.knows_field,
+       .trace_crack = section.pattern == model::CrackPattern::kStress && takes.knows_field});
 }
 
 void add_criterion(py::module_& m) {

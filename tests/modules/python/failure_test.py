@@ -71,6 +71,15 @@ class Models(unittest.TestCase):
         np.testing.assert_array_equal(own.sigma_max, named.sigma_max)
         self.assertTrue((plain.sigma_max != named.sigma_max).all())
 
+    def test_a_criterion_judges_where_its_case_says(self):
+        load = dict(depth=0.0, contact_length=0.5 * 3.27, angle=0.0, mu1=0.511, mu2=0.0, pressure=3e5)
+        def stress(judged):
+            changes = {"algorithm.preset": "brash", "failure.order": "circumferential-first", "failure.second_order": False,
+                       "failure.pattern": "disc", "failure.judged": judged}
+            return brash.Criterion(brash.Case.from_file(CONE, changes))(**load).sigma_max
+        # docs/theory/failure.md, beside the centre line: 1.23 with the fine mesh, 1.19 with the fast one
+        self.assertAlmostEqual(float(stress("anywhere") / stress("centre-line")), 1.21, delta=0.03)
+
     def test_load_ratios_of_a_frictionless_slope(self):
         ratios = brash.load_ratios(np.radians([30, 45]), 0)
         np.testing.assert_allclose(ratios.mu1, 1 / np.tan(np.radians([30, 45])))
