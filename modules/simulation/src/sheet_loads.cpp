@@ -12,7 +12,8 @@ namespace {
 
 using Polyline = std::vector<Vec2>;
 
-/// Loads so far from B along the edge bend the ice ahead of B by 2.5 % of the same load at B, in characteristic lengths.
+/// Loads so far from B along the edge bend the ice ahead of B by 2.5 % of the same load at B, in characteristic
+/// lengths.
 constexpr double kReach = 5.0;
 /// Share of all loads that may be left out.
 constexpr double kWeak = 0.02;
@@ -209,8 +210,8 @@ void drop_weak(double reach, double l_c, double own, std::vector<failure::SheetL
   std::erase_if(loads, [&](const failure::SheetLoad& load) { return weight(load) < least; });
 }
 
-/// The frame of a floe's load: from the nearest edge along its thrust, or below it where it presses inside the ice, as
-/// a disc has no thrust.
+/// The frame of a floe's load: from the nearest edge, along its thrust. A load inside the ice has none; there the axis
+/// goes through its middle.
 Frame under_floe(const EdgeContact& own, const geometry::IceSheet& sheet, const Polyline& edge,
                  const failure::IceProperties& ice) {
   const Vec2 at = 0.5 * (own.region.chord_from + own.region.chord_to);
