@@ -134,6 +134,12 @@ class Reader {
       if (!id->integer) return fail(properties, "\"id\" is no whole number of 64 bits");
       feature.id = *id->integer;
     }
+    const auto number = [&](const char* name) {
+      const JsonNode* node = find(properties, name);
+      return node != nullptr && node->kind == Kind::kNumber ? std::optional(node->number) : std::nullopt;
+    };
+    feature.thickness = number("thickness");
+    feature.flexural_strength = number("flexural_strength");
   }
 
   /// Recurs at a GeometryCollection only, and the parser has bounded the depth of those.
@@ -279,10 +285,13 @@ std::string map_to_geojson(const Map& map) {
     std::string rings = ring_to_text(feature.polygon.outline, map.origin);
     for (const Ring& hole : feature.polygon.holes) rings += ',' + ring_to_text(hole, map.origin);
     const ExactArea size = area(feature.polygon);
+    std::string own;
+    if (feature.thickness) own += fmt::format(",\"thickness\":{}", *feature.thickness);
+    if (feature.flexural_strength) own += fmt::format(",\"flexural_strength\":{}", *feature.flexural_strength);
     text += fmt::format(
-        "{{\"type\":\"Feature\",\"properties\":{{\"kind\":{},\"id\":{},\"area\":{},\"area_exact\":\"{}\"}},"
+        "{{\"type\":\"Feature\",\"properties\":{{\"kind\":{},\"id\":{},\"area\":{},\"area_exact\":\"{}\"{}}},"
         "\"geometry\":{{\"type\":\"Polygon\",\"coordinates\":[{}]}}}}{}\n",
-        nlohmann::json(feature.kind).dump(), feature.id, size.square_metres(), size.to_string(), rings,
+        nlohmann::json(feature.kind).dump(), feature.id, size.square_metres(), size.to_string(), own, rings,
         &feature == &map.features.back() ? "" : ",");
   }
   return text + "]}\n";

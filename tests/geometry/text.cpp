@@ -162,13 +162,19 @@ BOOST_AUTO_TEST_CASE(features_come_back_bit_by_bit) {
 }
 
 BOOST_AUTO_TEST_CASE(the_text_is_json_with_the_exact_area) {
-  const std::vector<Feature> features{{{box(0, 0, 4, 2), {reversed(box(1, 0.5, 2, 1.5))}}, "floe", 7}};
+  std::vector<Feature> features{{{box(0, 0, 4, 2), {reversed(box(1, 0.5, 2, 1.5))}}, "floe", 7}};
   const auto json = nlohmann::json::parse(to_geojson(features));
   BOOST_TEST(json["type"] == "FeatureCollection");
   const auto& feature = json["features"].at(0);
   BOOST_TEST(feature["properties"].dump() == R"({"area":7,"area_exact":"7","id":7,"kind":"floe"})");
   BOOST_TEST(feature["geometry"]["type"] == "Polygon");
   BOOST_TEST(feature["geometry"]["coordinates"].at(1).dump() == "[[1,0.5],[1,1.5],[2,1.5],[2,0.5],[1,0.5]]");
+  features[0].thickness = 1.2;
+  features[0].flexural_strength = 3e5;
+  const auto own = nlohmann::json::parse(to_geojson(features))["features"].at(0)["properties"];
+  BOOST_TEST(own["thickness"] == 1.2);
+  BOOST_TEST(own["flexural_strength"] == 3e5);
+  BOOST_TEST((from_geojson(to_geojson(features)).value() == features));
 }
 
 BOOST_AUTO_TEST_CASE(bare_geometries_collections_and_foreign_members_are_read) {

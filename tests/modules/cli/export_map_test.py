@@ -90,6 +90,7 @@ frames_per_second = 2
         with netCDF4.Dataset(run / "run.nc") as data:
             known = set(data["floe_id"][:].tolist())
         self.assertLessEqual({f["properties"]["id"] for f in features if f["properties"]["kind"] == "floe"}, known)
+        self.assertEqual({f["properties"].get("thickness") for f in features if f["properties"]["kind"] == "floe"}, {0.33})
 
     def test_a_time_before_the_first_frame_and_an_unknown_format_are_refused(self):
         run = self.run_case("experiments/validation/cone.toml", "output.frames_per_second=0", "time.duration=0.5")

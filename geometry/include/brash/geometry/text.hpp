@@ -50,6 +50,8 @@ struct Feature {
   /// `sheet` or `floe`.
   std::string kind;
   std::int64_t id = 0;
+  /// Properties of a floe with ice of its own, [m] and [Pa].
+  std::optional<double> thickness{}, flexural_strength{};
 
   friend bool operator==(const Feature&, const Feature&) = default;
 };
