@@ -19,7 +19,8 @@ using nlohmann::ordered_json;
 namespace {
 constexpr double kKilo = 1e3;
 
-/// The structure as closed forms see it, or one of its legs: one slope at the waterline.
+/// The structure as closed forms see it, or one of its legs, as it starts: one slope at the waterline, and the width
+/// across its way.
 struct Slope {
   double angle = 0.0;  ///< from the horizontal [rad]
   double width = 0.0;  ///< across its way [m]
@@ -29,8 +30,12 @@ Slope slope_of(const model::Case& c) {
   if (const auto* const cone = std::get_if<model::Cone>(&c.structure.shape))
     return {cone->angle, cone->waterline_width};
   const auto hull = structure::make_hull(c.structure.shape);
-  const auto at_waterline = [&](Vec2 course) { return structure::foremost(*hull, {}, 0.0, 0.0, course); };
-  return {at_waterline({1.0, 0.0}).surface.slope, at_waterline({0.0, 1.0}).reach + at_waterline({0.0, -1.0}).reach};
+  const auto whole = structure::make_hull(c.structure);
+  const auto motion = structure::make_motion(c, *whole);
+  const Pose turned{{}, motion->now().pose.rotation};
+  const Vec2 ahead = motion->course(), left = perpendicular(ahead);
+  const auto at_waterline = [&](Vec2 course) { return structure::foremost(*hull, turned, 0.0, 0.0, course); };
+  return {at_waterline(ahead).surface.slope, at_waterline(left).reach + at_waterline(-1.0 * left).reach};
 }
 
 bool is_vertical(double slope) { return slope >= structure::kSteepestSlope; }

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
+#include <vector>
 
 #include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
 
 namespace brash::report {
 namespace {
@@ -53,9 +56,13 @@ class Panel {
   void box(Vec2 lower, Vec2 upper, const char* style) {
     rings({{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}}, style);
   }
-  void line(Vec2 from, Vec2 to, const char* style) {
-    const Vec2 a = on_page(from), b = on_page(to);
-    svg_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" class=\"{}\"/>\n", a.x, a.y, b.x, b.y, style);
+  void line(const std::vector<Vec2>& places, const char* style) {
+    std::string data;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Vec2 p = on_page(places[i]);
+      data += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", p.x, p.y);
+    }
+    svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, style);
   }
   /// A length of one, two or five times a power of ten, a fifth of the panel at most.
   void scale_bar() {
@@ -95,7 +102,7 @@ Panel side_view(const model::Case& c, const structure::Hull& hull, double top) {
     const double y = least.y + (most.y - least.y) * (0.5 + 0.5 * i / (kSections + 0.5));
     panel.rings(section_along(hull, y), i == 0 ? "hull" : "thin");
   }
-  panel.line({least.x - border, 0.0}, {most.x + border, 0.0}, "surface");
+  panel.line({{least.x - border, 0.0}, {most.x + border, 0.0}}, "surface");
   panel.scale_bar();
   return panel;
 }
@@ -115,19 +122,33 @@ Panel plan(const structure::Hull& hull, double top) {
 }
 
 Panel field(const model::Case& c, const structure::Hull& hull, const PicturedIce& ice, double top) {
-  const double start = -c.structure.start_distance, half = 0.5 * c.field.width;
-  const double way = model::speed(c.structure.motion) * c.time.duration;
+  const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
+  const int n_parts = towed != nullptr && !towed->path.empty() ? 100 : 1;
+  const double half = 0.5 * c.field.width;
   const auto [least, most] = hull.bounds();
-  const Vec2 lower{std::min(0.0, start + least.x) - 2.0, std::min(-half, least.y) - 2.0};
-  const Vec2 upper{std::max(c.field.length, start + way + most.x) + 2.0, std::max(half, most.y) + 2.0};
+  Vec2 lower{0.0, -half}, upper{c.field.length, half};
+  std::vector<Pose> poses;
+  std::vector<Vec2> way;
+  for (int i = 0; i <= n_parts; ++i) {
+    const Pose pose = structure::unresisted(c.structure, c.time.duration * i / n_parts);
+    poses.push_back(pose);
+    way.push_back(plan(pose.position));
+    for (const Vec2 corner : {plan(least), Vec2{most.x, least.y}, plan(most), Vec2{least.x, most.y}}) {
+      const Vec2 at = plan(to_world(pose, {corner.x, corner.y, 0.0}));
+      lower = {std::min(lower.x, at.x), std::min(lower.y, at.y)};
+      upper = {std::max(upper.x, at.x), std::max(upper.y, at.y)};
+    }
+  }
+  lower = lower - Vec2{2.0, 2.0};
+  upper = upper + Vec2{2.0, 2.0};
   Panel panel(top, lower, upper, "The field; the structure at the start, and without resistance at the end");
   panel.box(lower, upper, "water");
   for (const std::vector<Outline>& land : ice.land) panel.rings_within(land, "land");
   for (const std::vector<Outline>& sheet : ice.sheets) panel.rings(sheet, "ice sheet");
   for (const std::vector<Outline>& floe : ice.floes) panel.rings(floe, "ice floe");
-  panel.rings(hull.footprint({{start, 0.0, 0.0}, {}}, 0.0, 0.0).leading, "hull");
-  panel.line({start, 0.0}, {start + way, 0.0}, "way");
-  panel.rings(hull.footprint({{start + way, 0.0, 0.0}, {}}, 0.0, 0.0).leading, "end");
+  panel.rings(hull.footprint(poses.front(), 0.0, 0.0).leading, "hull");
+  panel.line(way, "way");
+  panel.rings(hull.footprint(poses.back(), 0.0, 0.0).leading, "end");
   panel.scale_bar();
   return panel;
 }
@@ -140,7 +161,7 @@ constexpr const char* kStyle =
     "8a7f6a;fill-rule:evenodd}.water{fill:#"
     "2c5f7c}.surface{stroke:#"
     "1d6fa5;stroke-width:1.2}"
-    ".way{stroke:#7a3f0c;stroke-dasharray:6 4}.end{fill:none;stroke:#7a3f0c;stroke-dasharray:4 3}"
+    ".way{fill:none;stroke:#7a3f0c;stroke-dasharray:6 4}.end{fill:none;stroke:#7a3f0c;stroke-dasharray:4 3}"
     ".bar{stroke:#222;stroke-width:3}</style>\n";
 
 }  // namespace

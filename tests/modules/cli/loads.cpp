@@ -47,6 +47,22 @@ BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
   BOOST_CHECK_THROW(io::read_case(cone, {"hull.length=75.2"}), InputError);
 }
 
+BOOST_AUTO_TEST_CASE(a_bow_that_goes_flank_first_meets_the_ice_with_its_vertical_side) {
+  const auto loads = [](const std::string& heading) {
+    return closed_form_loads(
+        io::parse_case("[ice]\nthickness = 0.33\nyoungs_modulus = 0.35e9\nflexural_strength = 539e3\n"
+                       "[structure]\nkind = \"wedge-bow\"\nlength = 30\nentrance = \"45 deg\"\nangle = \"60 deg\"\n"
+                       "waterline_width = 10\nheight = 6\nheight_under_water = 4\n"
+                       "[structure.motion]\npath = [[0, -40, 0, " +
+                           heading + "], [40, 0, 0, " + heading +
+                           "]]\n"
+                           "[field]\nlength = 60\nwidth = 60\ninitial_crack = false\n[time]\nduration = 40\n",
+                       "bow.toml", {}))["loads"];
+  };
+  BOOST_TEST(loads("0")[0].contains("horizontal"));
+  BOOST_TEST(loads("1.5707963267948966")[0].contains("not_applicable"));
+}
+
 BOOST_AUTO_TEST_CASE(a_case_outside_a_method_says_so_instead_of_a_number) {
   model::Case c = validation_cone();
   c.ice.friction_structure = 0.6;
