@@ -309,7 +309,9 @@ void add_fit_command(CLI::App& app) {
   command->add_option("--towards", options->towards, "X,Y: direction from B into the ice, of any length")->required();
   command->add_option("--contact-length", options->contact_length, "contact length c [m]; 0: find it")
       ->capture_default_str();
-  command->add_option("--reach", options->reach, "half the width of the window [m], about a characteristic length")
+  command
+      ->add_option("--reach", options->reach,
+                   "half the width of the window [m], about a characteristic length; a run takes two")
       ->capture_default_str();
   command->footer(
       "Prints b and c in m, theta in rad and deg, and the error, as JSON.\n"

@@ -305,7 +305,8 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
         py::arg("contact_length") = 0.0,
         "Fits the trapezoid (b, c, theta) to the free edge of a sheet, or to polylines with the ice on their left.\n\n"
         "at: collision point B on the edge, shape (2,) [m]; towards: direction into the ice, of any length; reach: "
-        "half width of the window, about a characteristic length [m]; contact_length: c where it is known [m].");
+        "half width of the window, about a characteristic length [m] (a run takes two); contact_length: c where it is "
+        "known [m].");
 }
 
 }  // namespace brash::python

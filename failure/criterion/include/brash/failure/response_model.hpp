@@ -20,7 +20,7 @@ class ResponseModel {
  public:
   virtual ~ResponseModel() = default;
 
-  /// @param input              b_lc >= 0, c_lc > 0, theta in [0, pi), mu1 > 0, all finite.
+  /// @param input              b_lc (negative: a bay), c_lc > 0, theta in [0, pi), mu1 > 0, all finite.
   /// @param thickness_over_lc  h / l_c [-], > 0; 0: the ratio of the training rows, 0.1 for plate and superposition.
   /// @throws RunError when the plate cannot be solved.
   virtual ModelResponse respond(const meta_model::Input& input, double thickness_over_lc = 0.0) const = 0;
