@@ -175,13 +175,15 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
   const recording::Inputs inputs = inputs_of(c);
+  const std::string checkpoint = directory + "/checkpoint.nc";
+  bool goes_on = false;
   simulation::RunOptions options;
-  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(directory + "/checkpoint.nc", resume, inputs);
+  if (!directory.empty()) options.checkpoint = recording::checkpoint_file(checkpoint, resume, inputs);
   options.begun = [&] {
-    if (!directory.empty()) {
-      recording::expect_unchanged(inputs);
-      cli::remove_run(directory);
-    }
+    if (directory.empty()) return;
+    recording::expect_unchanged(inputs);
+    cli::remove_run(directory);
+    if (!goes_on) std::filesystem::remove(checkpoint);
   };
   options.threads = checked(threads);
   SignalPoll poll;
@@ -193,7 +195,8 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
     std::optional<FolderLock> lock;
     if (!directory.empty()) {
       lock.emplace(cli::open_run_folder(directory));
-      if (!resume && !replace) cli::refuse_replacing(directory);
+      goes_on = resume && std::filesystem::exists(checkpoint);
+      if (!goes_on && !replace) cli::refuse_replacing(directory, ", or take replace=True");
     }
     finished = simulation::run(c.resolved, options);
     if (finished.complete && !directory.empty()) cli::write_run_folder(directory, inputs, finished);
@@ -220,9 +223,11 @@ void add_run(py::module_& m) {
       &run, py::name("run"), py::is_method(m.attr("Case")), py::arg("output") = py::none(), py::arg("resume") = false,
       py::arg("replace") = false, py::arg("threads") = 1,
       "Runs the case to its end and returns a Run; with `output` it leaves there what `brash run` leaves.\n\n"
+      "It prints nothing: the warnings that `brash run` prints are in Run.summary[\"warnings\"]. "
       "A folder that holds a run already is refused without replace=True. "
       "threads share out the work of a step; results do not depend on their number. "
-      "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there.");
+      "Ctrl-C stops it; with `output` it keeps a checkpoint, and resume=True goes on from there. Without a checkpoint "
+      "it begins at 0 s.");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 """A simulation is stepped, looked at, run, written and read back."""
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -181,8 +182,23 @@ class Runs(unittest.TestCase):
         self.assertEqual([p.name for p in (self.path / "stop").iterdir()], ["checkpoint.nc"])
         with self.assertRaisesRegex(brash.InputError, "with other values"):
             brash.Case.from_file(CONE, SHORT).run(self.path / "stop", resume=True)
+        shutil.copytree(self.path / "stop", self.path / "begun anew")
+        brash.Case.from_file(CONE, SHORT).run(self.path / "begun anew", replace=True)
+        self.assertFalse((self.path / "begun anew/checkpoint.nc").exists())
         resumed = case.run(self.path / "stop", resume=True)
         np.testing.assert_array_equal(resumed.loads, case.run().loads)
+
+    def test_a_finished_run_is_not_begun_anew_without_replace(self):
+        case = brash.Case.from_file(CONE, {"time.duration": 0.1})
+        case.run(self.path / "done")
+        before = (self.path / "done/manifest.json").read_bytes()
+        other = brash.Case.from_file(CONE, {"time.duration": 0.1, "ice.thickness": 0.4})
+        for resume in (False, True):
+            with self.assertRaisesRegex(brash.InputError, "holds a finished run"):
+                other.run(self.path / "done", resume=resume)
+        self.assertEqual((self.path / "done/manifest.json").read_bytes(), before)
+        other.run(self.path / "done", replace=True)
+        self.assertNotEqual((self.path / "done/manifest.json").read_bytes(), before)
 
     def test_a_campaign_leaves_a_row_for_each_case(self):
         plan = self.path / "plan.toml"
