@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "../../cli/src/run_folder.hpp"
 #include "brash/core/error.hpp"
@@ -76,11 +80,17 @@ class Frozen {
 class LiveSimulation {
  public:
   LiveSimulation(const Case& c, int threads)
-      : simulation_(c.resolved, checked(threads)), records_(by_id(simulation_.initial_births())) {}
+      : simulation_(c.resolved, checked(threads)),
+        records_(by_id(simulation_.initial_births())),
+        dt_(c.resolved.time.step) {
+    const auto* const towed = std::get_if<model::Towed>(&c.resolved.structure.motion);
+    if (towed != nullptr && !towed->path.empty()) end_of_path_ = towed->path.back().time;
+  }
 
   Steps step(py::ssize_t n, const py::object& pose, const py::object& twist) {
     if (n < 0) throw InputError(fmt::format("n = {}: a number of steps is expected", n));
     const Busy busy(busy_, "this simulation");
+    expect_on_path(n);
     drive(n, pose, twist);
     without_gil(static_cast<std::size_t>(n), [&](std::size_t) {
       simulation::StepReport report = simulation_.step();
@@ -98,6 +108,18 @@ class LiveSimulation {
   FrameView frame() const { return view_of(look().frame(), records_); }
 
  private:
+  /// Beyond its path the structure would stand still. A run of the whole path takes the nearest number of steps.
+  void expect_on_path(py::ssize_t n) const {
+    if (!end_of_path_) return;
+    const std::int64_t done = std::llround(simulation_.time() / dt_), left = std::llround(*end_of_path_ / dt_) - done;
+    if (n <= left) return;
+    const double to = simulation_.time() + static_cast<double>(n) * dt_;
+    throw InputError(Complaint{
+        fmt::format("n = {}", n),
+        fmt::format("leads to {:.10g} s, beyond the last row of structure.motion.path at {:.10g} s", to, *end_of_path_),
+        fmt::format("at most {} steps more", left), "take fewer steps, or add rows to the path"});
+  }
+
   /// Takes the pose and the twist of the next step, of which either may be None.
   void drive(py::ssize_t n, const py::object& pose, const py::object& twist) {
     if (!pose.is_none() && n != 1) throw InputError(fmt::format("n = {}: a pose is reached in one step", n));
@@ -127,7 +149,9 @@ class LiveSimulation {
 
   simulation::Simulation simulation_;
   std::map<std::int64_t, model::FloeRecord> records_;
-  Steps steps_;  ///< done, and not handed over: Ctrl-C came
+  double dt_;                          ///< [s]
+  std::optional<double> end_of_path_;  ///< time of its last row [s]
+  Steps steps_;                        ///< done, and not handed over: Ctrl-C came
   bool busy_ = false;
 };
 
@@ -264,7 +288,7 @@ void add_simulation(py::module_& m) {
           "step", &LiveSimulation::step, py::arg("n") = 1, py::kw_only(), py::arg("pose") = py::none(),
           py::arg("twist") = py::none(),
           "Advances by n time steps; Ctrl-C stops between two steps. The next call gives the steps done before it, "
-          "too.\n\n"
+          "too. Steps beyond the last row of structure.motion.path are refused, and none is done.\n\n"
           "With structure.motion.kind = \"driven\", pose = (position, rotation) is reached at the end of one step [m], "
           "and twist = (velocity, angular velocity) is the motion on the way [m/s], [rad/s], each in the sheet frame. "
           "One of them gives the other. Without both, the structure goes on at its last twist.")

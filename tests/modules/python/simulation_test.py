@@ -2,6 +2,7 @@
 """A simulation is stepped, looked at, run, written and read back."""
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -116,6 +117,21 @@ class Steps(unittest.TestCase):
             thread.join()
         self.assertTrue(all("another thread" in text for text in refused), refused)
         simulation.step()
+
+    def test_no_step_goes_beyond_the_last_row_of_a_path(self):
+        path = [[0, -7, 0, 0], [0.105, -6.9, 0, 0]]
+        text = re.sub(r"(?m)^(speed|start_distance) .*$", "", CONE.read_text())
+        case = brash.Case.from_text(text, changes={"structure.motion.path": path, "time.duration": 0.105})
+        simulation = brash.Simulation(case)
+        with self.assertRaisesRegex(brash.InputError, r"0\.12 s, beyond the last row .* 0\.105 s"):
+            simulation.step(12)
+        self.assertEqual(simulation.time, 0)
+        taken = len(case.run().loads)
+        self.assertEqual(simulation.step(taken).loads.shape, (taken,))
+        for n in (1, 2**63 - 1):
+            with self.assertRaises(brash.InputError):
+                simulation.step(n)
+        self.assertEqual(simulation.step(0).loads.shape, (0,))
 
     def test_bad_counts_and_cases_are_refused(self):
         simulation = brash.Simulation(brash.Case.from_file(CONE))
