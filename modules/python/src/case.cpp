@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
@@ -39,9 +42,21 @@ std::string toml_value(py::handle value, int depth = 0) {
                        std::string(py::str(py::type::handle_of(value).attr("__name__"))));
 }
 
+/// Whether a key names a file.
+bool names_file(std::string_view key) {
+  constexpr std::array<std::string_view, 7> kFiles{"failure.file", "structure.file", "structure.motion.path",
+                                                   "field.file",   "field.openings", "field.cracks",
+                                                   "field.shore"};
+  return std::ranges::find(kFiles, key) != kFiles.end();
+}
+
+/// The name of a file as it is found from any folder.
+std::string absolute(const std::string& name) { return std::filesystem::absolute(name).string(); }
+
 std::string key_of(const std::string& text) { return text.substr(0, text.find('=')); }
 
-/// `overrides` with the entries of `changes`, a dict, in place of older overrides of the same key.
+/// `overrides` with the entries of `changes`, a dict, in place of older overrides of the same key. Names of files are
+/// of the current folder, and stay so.
 std::vector<std::string> changed(std::vector<std::string> overrides, const py::dict& changes) {
   for (const auto& [key, value] : changes) {
     if (!py::isinstance<py::str>(key))
@@ -49,7 +64,10 @@ std::vector<std::string> changed(std::vector<std::string> overrides, const py::d
                                        py::repr(key).cast<std::string>()));
     const auto name = key.attr("encode")().cast<std::string>();
     std::erase_if(overrides, [&](const std::string& old) { return key_of(old) == name; });
-    overrides.push_back(name + "=" + toml_value(value));
+    py::object given = py::reinterpret_borrow<py::object>(value);
+    if (names_file(name) && py::isinstance<py::str>(value) && py::len(value) > 0)
+      given = py::str(absolute(value.cast<std::string>()));
+    overrides.push_back(name + "=" + toml_value(given));
   }
   return overrides;
 }
@@ -105,10 +123,14 @@ py::tuple mesh(const Case& c) {
 
 void update(Case& c, const py::dict& changes) {
   if (c.runs.n > 0) throw std::runtime_error("this case is running: change a copy of it, case.copy()");
-  c = read(c.text, c.path, c.has_file, changed(c.overrides, changes));
+  c = with_changes(c, changes);
 }
 
 }  // namespace
+
+Case with_changes(const Case& c, const py::dict& changes) {
+  return read(c.text, c.path, c.has_file, changed(c.overrides, changes));
+}
 
 void add_case(py::module_& m) {
   py::class_<Case>(m, "Case", R"(A case: what is simulated. Keys are those of a case file, values are SI and radians.
@@ -121,10 +143,13 @@ void add_case(py::module_& m) {
           "from_file",
           [](const py::object& path, const py::dict& changes) {
             const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
-            return read(io::read_case_text(name), name, true, changed({}, changes));
+            Case c = read(io::read_case_text(name), name, true, changed({}, changes));
+            c.path = absolute(name);  // a later change may come from another folder
+            return c;
           },
           py::arg("path"), py::arg("changes") = py::dict(),
-          "Reads a case file. `changes` maps \"section.key\" to values, as --set does.\n\n"
+          "Reads a case file. `changes` maps \"section.key\" to values, as --set does. Names of files in it, and in "
+          "later changes, are relative to the current folder.\n\n"
           "Raises InputError with file, line, key, value, what is allowed and the remedy.")
       .def_static(
           "from_text",
@@ -132,7 +157,9 @@ void add_case(py::module_& m) {
             return read(text, name, false, changed({}, changes));
           },
           py::arg("text"), py::arg("name") = "case", py::arg("changes") = py::dict(),
-          "Reads the text of a case file (TOML); `name` stands for the file in messages.")
+          "Reads the text of a case file (TOML); `name` stands for the file in messages. Names of files in the text "
+          "are "
+          "relative to the current folder, also when the case is changed.")
       .def("update", &update, py::arg("changes"), "Changes several keys at once; on InputError nothing is changed.")
       .def("__setitem__",
            [](Case& c, const std::string& key, const py::object& value) {

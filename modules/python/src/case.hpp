@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <pybind11/pybind11.h>
+
 #include <string>
 #include <vector>
 
@@ -26,5 +28,8 @@ struct Case {
   model::Case resolved;
   mutable RunsNow runs{};  ///< the GIL guards it
 };
+
+/// The case read again with `changes`, a dict of "section.key" and values. @throws InputError as the command line does.
+Case with_changes(const Case& c, const pybind11::dict& changes);
 
 }  // namespace brash::python

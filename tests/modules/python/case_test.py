@@ -3,6 +3,7 @@
 import copy
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -106,6 +107,25 @@ class Cases(unittest.TestCase):
                 brash.Case.from_file(folder)
         with self.assertRaisesRegex(brash.InputError, "mine"):
             brash.Case.from_text("[ice", name="mine")
+
+    def test_names_of_files_stay_with_the_folders_in_which_they_were_given(self):
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        with tempfile.TemporaryDirectory() as folder:
+            text = re.sub(r"(?m)^(speed|start_distance|initial_crack) .*$", "", CONE.read_text())
+            pathlib.Path(folder, "cone.toml").write_text(text)
+            pathlib.Path(folder, "lead.wkt").write_text("POLYGON ((10 -9, 12 -9, 12 -5, 10 -5, 10 -9))")
+            pathlib.Path(folder, "path.csv").write_text("time,x,y,heading\n0,-7,0,0\n30,20,0,0\n")
+            os.chdir(folder)
+            case = brash.Case.from_file("cone.toml", {"field.openings": "lead.wkt", "structure.motion.path": "path.csv"})
+            text = CONE.read_text().replace("initial_crack = true", 'openings = "lead.wkt"')
+            pathlib.Path("named.toml").write_text(text)
+            named = brash.Case.from_file("named.toml")
+            os.chdir(before)
+            for one in (case, named):
+                one["ice.thickness"] = 0.4
+                self.assertEqual(one["field.openings"], os.path.join(os.path.realpath(folder), "lead.wkt"))
+            self.assertEqual(case["structure.motion.path"], [[0, -7, 0, 0], [30, 20, 0, 0]])
 
     def test_derived_scales_are_those_of_the_command(self):
         derived = self.case.derived()
