@@ -198,19 +198,34 @@ model::FailureModel model_named(const std::string& name) {
                              "network, deep-network, superposition, plate, plate-outline, wedge", "take one of these"});
 }
 
-/// The criterion of a case, or another model with those of the case's options that it takes.
-std::unique_ptr<failure::BendingCriterion> criterion_of(const Case& c, const py::object& name) {
+/// The case read again with another model, because `c` has lost the options that its own model does not take. Options
+/// that the other one does not take are left out, and so is the file of the own model.
+Case with_model(const Case& c, model::FailureModel model) {
+  const model::FailureOptions takes = model::options_of(model, false);
+  py::dict changes;
+  changes["failure.model"] = std::string(model::name_of(model));
+  changes["failure.file"] = "";
+  if (!takes.second_order) changes["failure.second_order"] = false;
+  if (!takes.radial_first) changes["failure.order"] = "circumferential-first";
+  if (!takes.knows_field) changes["failure.judged"] = "centre-line", changes["failure.pattern"] = "disc";
+  if (!takes.moving_edge) changes["failure.edge"] = "static";
+  if (!takes.joint_loads) changes["failure.joint_loads"] = false;
+  return with_changes(c, changes);
+}
+
+std::unique_ptr<failure::BendingCriterion> own_criterion(const Case& c) {
   const model::FailureSection& section = c.resolved.failure;
-  const bool is_own = name.is_none();
-  const model::FailureModel model = is_own ? section.model : model_named(name.cast<std::string>());
-  const std::string file = is_own ? section.file : "";
-  const model::FailureOptions takes = model::options_of(model, !file.empty());
-  return failure::make_criterion(
-      model, file, ice_of(c),
-      {.second_order = section.second_order && takes.second_order,
-       .radial_first = section.order == model::CrackOrder::kRadialFirst && takes.radial_first,
-       .anywhere = section.judged == model::JudgedAt::kAnywhere && takes.knows_field,
-       .trace_crack = section.pattern == model::CrackPattern::kStress && takes.knows_field});
+  return failure::make_criterion(section.model, section.file, ice_of(c),
+                                 {.second_order = section.second_order,
+                                  .radial_first = section.order == model::CrackOrder::kRadialFirst,
+                                  .anywhere = section.judged == model::JudgedAt::kAnywhere,
+                                  .trace_crack = section.pattern == model::CrackPattern::kStress});
+}
+
+/// The criterion of a case, or of the same case with another model.
+std::unique_ptr<failure::BendingCriterion> criterion_of(const Case& c, const py::object& name) {
+  const model::FailureModel model = name.is_none() ? c.resolved.failure.model : model_named(name.cast<std::string>());
+  return own_criterion(model == c.resolved.failure.model ? c : with_model(c, model));
 }
 
 void add_criterion(py::module_& m) {
@@ -220,7 +235,8 @@ void add_criterion(py::module_& m) {
                   "input was moved into the model's range.");
   py::class_<failure::BendingCriterion>(m, "Criterion", R"(Whether the ice of a case fails in bending, and how far in.
 
-model: network, deep-network, superposition, plate, plate-outline or wedge; left out, that of the case.)")
+model: network, deep-network, superposition, plate, plate-outline or wedge, with those options of the case that it takes;
+left out, that of the case.)")
       .def(py::init(&criterion_of), py::arg("case"), py::arg("model") = py::none())
       .def(
           "__call__",

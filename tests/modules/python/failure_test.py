@@ -71,6 +71,25 @@ class Models(unittest.TestCase):
         np.testing.assert_array_equal(own.sigma_max, named.sigma_max)
         self.assertTrue((plain.sigma_max != named.sigma_max).all())
 
+    def test_a_criterion_by_name_is_that_of_the_case_with_this_model(self):
+        load = dict(depth=0.0, contact_length=0.5, angle=1.0, mu1=0.511, mu2=0.01, pressure=[4e5, 9e5])
+        # The network knows none of the options of the preset.
+        case = brash.Case.from_file(CONE, {"algorithm.preset": "brash", "failure.model": "network"})
+        for model in ("plate", "plate-outline", "superposition"):
+            changed = case.copy()
+            changed.update({"failure.model": model})
+            named, own = brash.Criterion(case, model)(**load), brash.Criterion(changed)(**load)
+            np.testing.assert_array_equal(named.sigma_max, own.sigma_max, model)
+            np.testing.assert_array_equal(named.breaking_length, own.breaking_length, model)
+        self.assertEqual(case["failure.model"], "network")
+
+    def test_a_criterion_by_name_leaves_out_the_options_that_its_model_does_not_take(self):
+        load = dict(depth=0.0, contact_length=0.5, angle=1.0, mu1=0.511, mu2=0.01, pressure=4e5)
+        case = brash.Case.from_file(CONE, {"algorithm.preset": "brash"})
+        written = brash.Case.from_text(case.to_toml())  # with every key
+        for model in ("network", "wedge", "superposition"):
+            np.testing.assert_array_equal(brash.Criterion(written, model)(**load), brash.Criterion(case, model)(**load))
+
     def test_a_criterion_judges_where_its_case_says(self):
         load = dict(depth=0.0, contact_length=0.5 * 3.27, angle=0.0, mu1=0.511, mu2=0.0, pressure=3e5)
         def stress(judged):
