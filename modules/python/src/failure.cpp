@@ -235,6 +235,9 @@ void add_criterion(py::module_& m) {
                   "input was moved into the model's range.");
   py::class_<failure::BendingCriterion>(m, "Criterion", R"(Whether the ice of a case fails in bending, and how far in.
 
+The ice is at rest, whatever failure.edge of the case says; MovingEdge has the moving edge. It is even: ice.variation is
+left out. The edge is a trapezoid with one load, without neighbours, for plate-outline too.
+
 model: network, deep-network, superposition, plate, plate-outline or wedge, with those options of the case that it takes;
 left out, that of the case.)")
       .def(py::init(&criterion_of), py::arg("case"), py::arg("model") = py::none())
@@ -323,6 +326,9 @@ void add_moving_edge(py::module_& m) {
       "the model's range.");
   py::class_<MovingEdge>(m, "MovingEdge",
                          R"(How the structure of a case breaks the ice edge at some speed, with inertia and water.
+
+The sheet stays whole after a radial crack, whatever failure.order of the case says. Its stress in the plane is static
+and does not bend it further, whatever failure.second_order says.
 
 model: path of a model file, or "fem" (plate and water are solved for each row, some seconds); left out, the model that
 comes with the program.
