@@ -2,9 +2,11 @@
 // Load histories as the command has them: `brash stats`, `compare` and `design` on arrays, pandas and xarray.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "brash/core/text.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/rainflow.hpp"
 #include "convert.hpp"
@@ -63,6 +65,22 @@ std::pair<py::object, py::object> times_and_values(const py::object& history) {
       "expected");
 }
 
+/// The unit that a history states, as attrs["units"]; empty: none.
+std::string unit_of(const py::object& history) {
+  if (!py::hasattr(history, "attrs") || !py::isinstance<py::dict>(history.attr("attrs"))) return "";
+  const py::object units = history.attr("attrs").attr("get")("units");
+  return py::isinstance<py::str>(units) ? units.cast<std::string>() : "";
+}
+
+/// Numbers in different units are not put together.
+void expect_same_unit(const LoadHistory& one, const LoadHistory& other) {
+  if (one.unit.empty() || other.unit.empty() || one.unit == other.unit) return;
+  throw InputError(Complaint{"histories",
+                             fmt::format("'{}' is in '{}', and '{}' in '{}'", printable(one.column),
+                                         printable(one.unit), printable(other.column), printable(other.unit)),
+                             "one unit in all of them", "convert the values, and set attrs[\"units\"]"});
+}
+
 LoadHistory load_of(const py::object& history) {
   const auto [times, values] = times_and_values(history);
   const Array t = samples(times, "times"), x = samples(values, "values");
@@ -71,6 +89,7 @@ LoadHistory load_of(const py::object& history) {
   load.column = py::hasattr(history, "name") && !history.attr("name").is_none()
                     ? py::str(history.attr("name")).cast<std::string>()
                     : "load";
+  load.unit = unit_of(history);
   for (py::ssize_t i = 0; i < t.size(); ++i) {
     if (std::isnan(x.data()[i])) {
       ++load.n_missing;
@@ -83,12 +102,19 @@ LoadHistory load_of(const py::object& history) {
   return load;
 }
 
-/// One history, or a list of them.
+/// One history, or a list of them. Those of a list that state no unit are taken to be in that of the others.
 std::vector<LoadHistory> loads_of(const py::object& histories) {
   std::vector<LoadHistory> loads;
   if (!py::isinstance<py::list>(histories)) return {load_of(histories)};
   for (const py::handle one : histories) loads.push_back(load_of(py::reinterpret_borrow<py::object>(one)));
   if (loads.empty()) throw InputError("histories: the list is empty");
+  const auto states_unit = [](const LoadHistory& load) { return !load.unit.empty(); };
+  const auto first = std::ranges::find_if(loads, states_unit);
+  if (first == loads.end()) return loads;
+  for (LoadHistory& load : loads) {
+    expect_same_unit(*first, load);
+    load.unit = first->unit;
+  }
   return loads;
 }
 
@@ -208,6 +234,7 @@ py::tuple cycles(const py::object& values) {
 py::object compare(const py::object& run, const py::object& measured) {
   return with_arguments_of("compare", [&] {
     const std::vector<LoadHistory> first = loads_of(run), second = loads_of(measured);
+    expect_same_unit(first.front(), second.front());
     return from_json(unlocked([&] { return cli::compare_histories(first, second).dump(); }));
   });
 }
@@ -257,7 +284,8 @@ void add_load_histories(py::module_& m) {
   m.def("rainflow", &cycles, "samples"_a,
         "(ranges, means, counts) of the cycles by ASTM E1049, shape (n,) each; counts are 1 and 0.5.");
   m.def("compare", &compare, "run"_a, "measured"_a,
-        "All that `brash compare --json` tells; a list of histories on a side are replicates.");
+        "All that `brash compare --json` tells; a list of histories on a side are replicates. Different units, the "
+        "attrs[\"units\"] of an xarray.DataArray, are refused.");
   m.def("design", &design, "campaign"_a, "column"_a = "Fx", "hours"_a = std::vector<double>{1.0},
         "scatter"_a = py::none(), "annual"_a = std::vector<double>{1e-2, 1e-4}, "exponents"_a = std::vector<double>(),
         "frequency"_a = 1.0, "where"_a = "", "extrapolate"_a = false,

@@ -149,6 +149,21 @@ class Histories(unittest.TestCase):
         self.assertEqual(found["run"]["histories"], 4)
         self.assertIn("mean", found["differs"])
 
+    @unittest.skipIf(pd is None, "pandas and xarray are not installed")
+    def test_units_are_told_and_different_ones_refused(self):
+        times, load = sawtooth(100)
+        array = lambda values, **attrs: xr.DataArray(values, coords={"time": times}, dims=("time",), attrs=attrs)
+        newtons, kilonewtons = array(load, units="N"), array(load / 1000, units="kN")
+        self.assertEqual(brash.stats(kilonewtons)["unit"], "kN")
+        self.assertIsNone(brash.stats(array(load))["unit"])
+        found = brash.compare(newtons, [newtons, (times, load)])
+        self.assertEqual((found["run"]["unit"], found["measured"]["unit"]), ("N", "N"))
+        self.assertAlmostEqual(found["mean"]["ratio"], 1.0)
+        for refused in (lambda: brash.compare(newtons, kilonewtons), lambda: brash.compare([newtons, kilonewtons], newtons),
+                        lambda: brash.extremes([newtons, kilonewtons], 600.0)):
+            with self.assertRaisesRegex(brash.InputError, "'kN'.*'N'|'N'.*'kN'"):
+                refused()
+
     def test_a_campaign_becomes_design_loads(self):
         for replicate in range(3):
             run = self.folder / "cases" / f"thin-r{replicate:04d}"
