@@ -102,7 +102,7 @@ LoadHistory load_of(const py::object& history) {
   return load;
 }
 
-/// One history, or a list of them. Those of a list that state no unit are taken to be in that of the others.
+/// One history, or a list of them. In a list, those without a unit have the unit of the others.
 std::vector<LoadHistory> loads_of(const py::object& histories) {
   std::vector<LoadHistory> loads;
   if (!py::isinstance<py::list>(histories)) return {load_of(histories)};
