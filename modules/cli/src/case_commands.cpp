@@ -81,7 +81,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   print("# freeboard, draught             {:.4g} m, {:.4g} m\n", scales.freeboard, scales.draft);
   print("# T_col of a piece l_c x l_c / 4 {:.4g} s\n", scales.collision_time);
   const simulation::InitialField field = simulation::initial_field(resolved);
-  if (resolved.field.kind == model::FieldKind::kLevelIce && !model::has_ice_files(resolved.field))
+  if (resolved.field.kind == model::FieldKind::kLevelIce && resolved.field.initial_crack)
     print("# initial crack radius           {:.4g} m\n", scales.initial_crack_radius);
   if (model::has_ice_files(resolved.field)) {
     print("# level ice                      {} sheet{}, {:.6g} m2\n", field.sheets.size(),

@@ -13,7 +13,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/workers.hpp"
-#include "brash/failure/criterion.hpp"
+#include "brash/failure/model_files.hpp"
 #include "brash/io/case.hpp"
 #include "brash/io/results.hpp"
 #include "brash/recording/inputs.hpp"
@@ -50,6 +50,7 @@ struct Manifest {
   std::string case_name;
   std::string case_toml;
   std::string program_version;
+  std::string program_file;    ///< its name; empty in manifests that do not state it
   std::string program_sha256;  ///< empty in manifests that do not state it
   std::vector<Recorded> inputs;
   std::vector<Recorded> outputs;
@@ -87,6 +88,7 @@ Manifest read_manifest(const std::string& path) {
             .case_name = name_in(m.at("case").at("name"), path, "case.name"),
             .case_toml = m.at("case").at("toml"),
             .program_version = m.at("program").at("version"),
+            .program_file = m.at("program").value("file", ""),
             .program_sha256 = m.at("program").value("sha256", ""),
             .inputs = inputs_of(m.at("inputs"), path),
             .outputs = std::move(outputs)};
@@ -129,29 +131,39 @@ class Changes {
   std::string text_;
 };
 
+/// The model of the program that `input` was, by its name; empty: it was none.
+std::string model_of_program(const Recorded& input, const model::Case& resolved) {
+  if (!input.copy.empty()) return "";
+  for (const std::string& model : failure::model_files(resolved.failure))
+    if (fs::path(model).filename() == fs::path(input.path).filename()) return model;
+  return "";
+}
+
+/// The command has another hash than the module of Python, whose runs are the same.
+bool is_of_python(const Manifest& manifest) { return fs::path(manifest.program_file).extension() == ".so"; }
+
 /// Everything on which the run depends and that is not as it was.
 Changes changes_since(const Manifest& manifest, const model::Case& resolved) {
   Changes changes;
-  const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
   for (const Recorded& input : manifest.inputs) {
     // The original may have changed or gone: the run has its copy. A model that comes with the program has none, nor
     // have the inputs of older manifests.
-    const bool is_model = input.copy.empty() && fs::path(input.path).filename() == fs::path(model).filename();
+    const std::string model = model_of_program(input, resolved);
     const bool is_case = &input == &manifest.inputs.front();  // of a campaign, which has it elsewhere: a setting
     const fs::path base = is_case ? manifest.folder : base_of(manifest, input.copy);
     const fs::path file = !input.copy.empty()      ? base / input.copy
-                          : is_model               ? fs::path(model)
+                          : !model.empty()         ? fs::path(model)
                           : fs::exists(input.path) ? fs::path(input.path)
                                                    : manifest.folder / input.path;
     if (is_case && !input.copy.empty() && !fs::exists(file)) continue;  // the case is in the manifest
-    changes.expect((is_model ? "model " : "input ") + file.string(), input.sha256, hash_of(file));
+    changes.expect((model.empty() ? "input " : "model ") + file.string(), input.sha256, hash_of(file));
   }
   // Results may have been cleared away; the results that are there must be the run's own.
   for (const Recorded& output : manifest.outputs) {
     const fs::path file = manifest.folder / output.path;
     if (fs::exists(file)) changes.expect("output " + file.string(), output.sha256, hash_of(file));
   }
-  if (!manifest.program_sha256.empty())
+  if (!manifest.program_sha256.empty() && !is_of_python(manifest))
     changes.expect(fmt::format("program brash {}", manifest.program_version), manifest.program_sha256,
                    io::sha256_of_program());
   return changes;
@@ -211,6 +223,9 @@ bool rerun_run(const RerunOptions& options) {
   const Manifest manifest = read_manifest(options.manifest);
   const recording::Inputs inputs = inputs_in(manifest, options.manifest);
   changes_since(manifest, inputs.resolved).settle(options.manifest, options.anyway);
+  if (is_of_python(manifest))
+    say("note: Python made {}: the hash of its module is not checked, only that the results are the same\n",
+        options.manifest);
 
   const TemporaryFolder temporary;
   const std::string folder = options.output.empty() ? temporary.path() : options.output;

@@ -47,8 +47,11 @@ void write_manifest(const std::string& directory, const model::Case& resolved, c
   const std::filesystem::path folder(directory);
   Json manifest;
   manifest["format"] = "brash-manifest-1";
-  manifest["program"] = {
-      {"name", "brash"}, {"version", kVersion}, {"commit", kCommit}, {"sha256", sha256_of_program()}};
+  manifest["program"] = {{"name", "brash"},
+                         {"file", own_path().filename().string()},
+                         {"version", kVersion},
+                         {"commit", kCommit},
+                         {"sha256", sha256_of_program()}};
   for (const ToolVersion& tool : kBuiltWith) manifest["built_with"][tool.name] = tool.version;
   manifest["glibc"] = gnu_get_libc_version();
   manifest["case"] = {{"name", resolved.name}, {"toml", to_toml(resolved)}};

@@ -7,7 +7,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/failure/criterion.hpp"
+#include "brash/failure/model_files.hpp"
 #include "brash/model/case_keys.hpp"
 
 namespace brash::recording {
@@ -28,15 +28,15 @@ std::string copy_of(const char* what, const std::string& file) {
 /// The folder of the copy of a file of [field].
 const char* folder_of(const char* key) { return key == std::string_view("file") ? "field" : key; }
 
-/// A model that comes with the program is hashed and not copied.
-void add_model(const model::Case& resolved, std::vector<InputFile>& files) {
-  const std::string model = failure::model_path(resolved.failure.model, resolved.failure.file);
-  if (model.empty()) return;
-  std::string bytes = read_text_file(model, "the file of a failure model", kMostMebibytesOfModel);
-  files.push_back({model, sha256(bytes), bytes.size()});
-  if (resolved.failure.file.empty()) return;
-  files.back().copy = copy_of("model", model);
-  files.back().bytes = std::move(bytes);
+/// All failure models behind a case. Those that come with the program are hashed and not copied.
+void add_models(const model::Case& resolved, std::vector<InputFile>& files) {
+  for (const std::string& model : failure::model_files(resolved.failure)) {
+    std::string bytes = read_text_file(model, "the file of a failure model", kMostMebibytesOfModel);
+    files.push_back({model, sha256(bytes), bytes.size()});
+    if (model != resolved.failure.file) continue;
+    files.back().copy = copy_of("model", model);
+    files.back().bytes = std::move(bytes);
+  }
 }
 
 /// A file that the case names, with its copy in the run's folder.
@@ -71,7 +71,7 @@ Inputs inputs_of(const std::string& case_file, const std::string& case_text, con
   Inputs inputs{resolved, {}};
   inputs.files.push_back(
       {case_file, sha256(case_text), case_text.size(), kFolder + fs::path(case_file).filename().string(), case_text});
-  add_model(resolved, inputs.files);
+  add_models(resolved, inputs.files);
   if (const auto* const mesh = std::get_if<model::Mesh>(&resolved.structure.shape))
     add_file("hull", "a mesh", mesh->file, inputs.files);
   model::visit_files_of_field(resolved.field, [&](const char* key, const std::string& file) {

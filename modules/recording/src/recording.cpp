@@ -58,8 +58,10 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
     if (!checkpoint) return checkpoint;
     const auto kept = std::ranges::find(checkpoint->tables, kInputs, &model::Table::name);
     if (kept != checkpoint->tables.end() && *kept != models)
-      throw InputError(Complaint{path, "is of a run with another failure model or mesh than the one that is there now",
-                                 "a checkpoint of this case with the same files",
+      throw InputError(Complaint{path,
+                                 "is of a run with another failure model or mesh than the one that is there now, or an "
+                                 "earlier version of the program kept it, with the hashes of fewer models",
+                                 "a checkpoint of this case with the same files, by this version",
                                  "put the file back, or start again without --resume"});
     if (checkpoint->resolved == nameless(inputs.resolved)) checkpoint->resolved = inputs.resolved;
     return checkpoint;

@@ -6,11 +6,13 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 MODELS = SOURCE / "experiments/failure_database"
+PYTHON = pathlib.Path(os.environ["BRASH_PYTHON"]) / "brash"
 
 
 def brash(*arguments, cwd=None, **environment):
@@ -128,6 +130,56 @@ class Rerun(unittest.TestCase):
         refused = brash("run", self.case, "--set", "time.duration=1.5", "-o", folder, "--resume", *options)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("another failure model", refused.stderr)
+
+    def models_behind(self, name, *options):
+        """The inputs of a short run besides its case: name and hash."""
+        inputs = json.loads(self.record(name, *options).read_text())["inputs"]
+        self.assertEqual(pathlib.Path(inputs[0]["path"]), self.case)
+        self.assertFalse(any("copy" in file for file in inputs[1:]))
+        return {pathlib.Path(file["path"]).name: file["sha256"] for file in inputs[1:]}
+
+    def test_every_model_behind_a_run_is_recorded(self):
+        def shipped(*names):
+            return {name: hashlib.sha256((MODELS / name).read_bytes()).hexdigest() for name in names}
+
+        self.assertEqual(self.models_behind("a", "--set", "algorithm.preset=brash"),
+                         shipped("cone_superposition.json", "cone_edge.json"))
+        self.assertEqual(self.models_behind("b", "--set", "failure.model=superposition", "--set", "failure.order=radial-first"),
+                         shipped("cone_superposition.json", "cone_superposition_split.json"))
+        self.assertEqual(self.models_behind("c", "--set", "failure.model=wedge"), {})
+
+    def test_another_model_of_a_moving_edge_is_named_and_ends_a_resumed_run(self):
+        shipped = self.path / "shipped"
+        shutil.copytree(MODELS, shipped)
+        there = {"BRASH_MODEL_PATH": str(shipped)}
+        run = ("run", self.case, "--set", "time.duration=0.5", "--set", "algorithm.preset=brash",
+               "--set", "output.checkpoint_interval=0.1", "-o", self.path / "a")
+        self.assertEqual(brash(*run, **there).returncode, 0)
+        self.assertEqual(brash(*run, "--resume", **there).returncode, 0)
+        edge = shipped / "cone_edge.json"
+        edge.write_text(edge.read_text() + "\n")
+        refused = brash(*run, "--resume", **there)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("another failure model", refused.stderr)
+        refused = brash("rerun", self.path / "a/manifest.json", **there)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn(f"\n  model {edge}\n", refused.stderr)
+        self.assertEqual(refused.stderr.count("\n    was "), 1)
+
+    @unittest.skipUnless(PYTHON.is_dir() and not os.environ.get("BRASH_SANITIZE"), "there is no module that Python can load")
+    def test_a_run_of_python_is_repeated_without_the_hash_of_its_module(self):
+        run = ("import sys, brash\n"
+               "case = brash.Case.from_file(sys.argv[1], {'time.duration': 1.5, 'failure.model': 'wedge'})\n"
+               "case.run(sys.argv[2])\n")
+        folder = self.path / "a"
+        done = subprocess.run([sys.executable, "-B", "-c", run, self.case, folder], capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": str(PYTHON.parent)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        repeated = brash("rerun", folder / "manifest.json")
+        self.assertEqual(repeated.returncode, 0, repeated.stderr)
+        self.assertIn(f"note: Python made {folder / 'manifest.json'}", repeated.stderr)
+        self.assertNotIn("DIFFERENT", repeated.stdout)
+        self.assertIn("run.nc         identical", repeated.stdout)
 
     def test_a_finished_run_is_replaced_on_demand_only(self):
         manifest = self.record("a", "--set", "failure.model=wedge")

@@ -219,6 +219,7 @@ BOOST_AUTO_TEST_CASE(the_manifest_says_what_repeats_the_run) {
                  {"run.nc", "history.csv"}, {"2026-01-01T00:00:00Z", 1.5, ""});
   const auto manifest = nlohmann::json::parse(read_bytes(scratch.path("out/manifest.json")));
   BOOST_TEST(manifest["program"]["version"] == kVersion);
+  BOOST_TEST(manifest["program"]["file"] == "test_io_unit");
   BOOST_TEST(manifest["built_with"].contains("compiler"));
   BOOST_TEST(manifest["built_with"].contains("CGAL"));
   BOOST_TEST(!manifest["glibc"].get<std::string>().empty());

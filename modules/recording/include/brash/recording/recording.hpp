@@ -14,8 +14,8 @@ namespace brash::recording {
 /// Its functions throw InputError for a file that holds no state of a run, StorageError when it cannot be written.
 simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume);
 
-/// The same for a run with its inputs: a state also holds the hash of the model, and is refused for a run with another
-/// one. The path of the model is no part of it, so a copied folder resumes anywhere.
+/// The same for a run with its inputs: a state also holds the hashes of all files but the case, and is refused for a
+/// run with others. Their paths are no part of it, so a copied folder resumes anywhere.
 simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs);
 
 /// The results of a run that are kept: its summary, its load history as well, or all results.
