@@ -38,10 +38,7 @@ ordered_json read_settings(const std::string& folder) {
 }
 
 LoadHistory replicate(const fs::path& run, HistoryChoice choice) {
-  if (!choice.has_from) {
-    choice.from = statistics_from((run / "summary.json").string());
-    choice.has_from = true;
-  }
+  begin_as_summary(choice, (run / "summary.json").string());
   for (const char* name : {"history.csv", "run.nc"})
     if (fs::exists(run / name)) return read_history((run / name).string(), choice);
   throw InputError(Complaint{run.string(), "holds no history", "a history.csv or run.nc",
@@ -55,12 +52,15 @@ bool is_campaign(const std::string& folder) {
   return fs::is_directory(folder + "/cases", ignored);
 }
 
-double statistics_from(const std::string& summary) {
+void begin_as_summary(HistoryChoice& choice, const std::string& summary) {
+  if (choice.has_from) return;
   constexpr const char* kAllowed = "the summary.json of a run, with a number `statistics_from`";
   const auto json = nlohmann::json::parse(read_json_text(summary, kAllowed), nullptr, /*allow_exceptions=*/false);
-  if (json.is_object() && json.contains("statistics_from") && json["statistics_from"].is_number())
-    return json["statistics_from"].get<double>();
-  throw InputError(Complaint{summary, "holds no number `statistics_from`", kAllowed, "copy it again, or give --from"});
+  if (!json.is_object() || !json.contains("statistics_from") || !json["statistics_from"].is_number())
+    throw InputError(
+        Complaint{summary, "holds no number `statistics_from`", kAllowed, "copy it again, or give --from"});
+  choice.from = json["statistics_from"].get<double>();
+  choice.has_from = choice.after = true;
 }
 
 std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder) {

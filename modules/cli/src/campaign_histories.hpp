@@ -20,9 +20,9 @@ struct SettingHistories {
 /// Whether a folder is a campaign's.
 bool is_campaign(const std::string& folder);
 
-/// Where the statistics of a run begin [s], as its summary.json says.
-/// @throws InputError when the file says nothing.
-double statistics_from(const std::string& summary);
+/// Without a `from` of its own, `choice` takes the samples that the statistics in the `summary.json` of a run are of.
+/// @throws InputError when the file does not say where they begin.
+void begin_as_summary(HistoryChoice& choice, const std::string& summary);
 
 /// The cases that campaign.csv counts as done, by setting. The folder cases/ may hold others: cases of an earlier plan,
 /// and cases that ended after the tables were written.

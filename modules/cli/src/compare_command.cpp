@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -23,6 +24,8 @@
 namespace brash::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct CompareOptions {
   std::string run, where, measured_where, picture = "comparison.svg";
   std::vector<std::string> measured;
@@ -30,15 +33,19 @@ struct CompareOptions {
   bool json = false;
 };
 
-/// The history of a run's folder. Its statistics begin at the same time as the statistics of its summary.
+constexpr std::array kHistories{"run.nc", "history.csv"};  // of a run
+
+/// The statistics begin as those of the summary in `folder`, if one is there.
+void begin_as_run(const fs::path& folder, HistoryChoice& choice) {
+  if (const fs::path summary = folder / "summary.json"; fs::exists(summary)) begin_as_summary(choice, summary.string());
+}
+
+/// The history of a run's folder.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
-  if (!std::filesystem::is_directory(given)) return given;
-  if (const std::string summary = given + "/summary.json"; !choice.has_from && std::filesystem::exists(summary)) {
-    choice.from = statistics_from(summary);
-    choice.has_from = true;
-  }
-  for (const char* name : {"/run.nc", "/history.csv"})
-    if (std::filesystem::exists(given + name)) return given + name;
+  if (!fs::is_directory(given)) return given;
+  begin_as_run(given, choice);
+  for (const char* name : kHistories)
+    if (const fs::path history = fs::path(given) / name; fs::exists(history)) return history.string();
   throw InputError(Complaint{given, "neither run.nc nor history.csv is in it", "the folder of a run, or a history",
                              "give the folder that `brash run` wrote"});
 }
@@ -76,7 +83,7 @@ std::vector<LoadHistory> measurements(const CompareOptions& options) {
   for (const std::string& given : options.measured) {
     HistoryChoice choice = options.of_measured;
     // Another run has the column that is asked for; a measurement may name it otherwise.
-    if (std::filesystem::is_directory(given)) {
+    if (fs::is_directory(given)) {
       if (choice.column.empty()) choice.column = options.of_run.column;
       choice.dt = 0.0;  // its histories have times
     }
@@ -104,6 +111,8 @@ void compare(CompareOptions& options) {
   refuse_replacing_results(options.picture);
   for (const std::string& given : options.measured) refuse_overwriting(options.picture, {options.run, given});
   check_picture_name(options.picture);
+  if (const fs::path run = options.run; std::ranges::find(kHistories, run.filename()) != kHistories.end())
+    begin_as_run(run.parent_path(), options.of_run);
   const std::vector<LoadHistory> runs = side(options.run, options.of_run, options.where);
   const std::vector<LoadHistory> measured = measurements(options);
   for (const LoadHistory& load : runs) refuse_overwriting(options.picture, {load.file});
@@ -116,7 +125,7 @@ void compare(CompareOptions& options) {
   } else {
     print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
-  if (measured.front().unit.empty() && !std::filesystem::is_directory(options.measured.front()))
+  if (measured.front().unit.empty() && !fs::is_directory(options.measured.front()))
     say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.front().column),
         runs.front().unit.empty() ? "that of the run" : runs.front().unit);
 }

@@ -100,6 +100,12 @@ std::vector<double> times_of(const io::Series& series, const HistoryChoice& choi
   return times;
 }
 
+/// @param slack  of times that somebody gave [s]; a summary's is exact.
+bool is_early(double time, const HistoryChoice& choice, double slack) {
+  if (!choice.has_from) return false;
+  return choice.after ? time <= choice.from : time < choice.from - slack;
+}
+
 /// Leaves out the rows outside the span of `choice` and the ones without a value.
 void keep_chosen(LoadHistory& load, const HistoryChoice& choice) {
   std::vector<double>&times = load.history.times, &values = load.history.values;
@@ -107,7 +113,7 @@ void keep_chosen(LoadHistory& load, const HistoryChoice& choice) {
   const double slack = 1e-3 * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   std::size_t kept = 0;
   for (std::size_t row = 0; row < values.size(); ++row) {
-    if (choice.has_from && times[row] < choice.from - slack) continue;
+    if (is_early(times[row], choice, slack)) continue;
     if (choice.to && times[row] > *choice.to + slack) continue;
     if (std::isnan(values[row])) {
       ++load.n_missing;

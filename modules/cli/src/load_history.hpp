@@ -26,6 +26,7 @@ struct HistoryChoice {
   double dt = 0.0;     ///< [s], for files without times, which others refuse; 0: the file has them
   double from = 0.0;   ///< leave out samples before this time [s]
   bool has_from = false;
+  bool after = false;             ///< leave out a sample at `from` too, as a summary does
   std::optional<double> to{};     ///< leave out samples after this time [s]
   double longest_interval = 0.0;  ///< a longer interval is a gap [s]; 0: five times the median
   bool negate = false;            ///< turn the sign of the loads

@@ -72,9 +72,8 @@ ordered_json loads_of_run(const std::string& directory) {
   if (!summary.is_object() || !summary.contains(from) || !summary[from].is_number()) return nullptr;
   if (!summary.contains(mean) || !summary[mean].is_number()) return nullptr;
   HistoryChoice choice;
-  // The summary begins with the first step after that time.
-  choice.from = summary[from].get<double>() + 0.5 * report::case_of_run(directory).time.step;
-  choice.has_from = true;
+  choice.from = summary[from].get<double>();
+  choice.has_from = choice.after = true;
   const std::vector<std::string> names{"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
   const bool has_interval = summary.contains(lower) && summary[lower].is_number();
   ordered_json loads;

@@ -4,11 +4,12 @@ import json
 import os
 import pathlib
 import random
+import re
 import subprocess
 import tempfile
 import unittest
 
-BRASH = os.environ["BRASH"]
+BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 
 
 class Folders(unittest.TestCase):
@@ -40,6 +41,31 @@ class Folders(unittest.TestCase):
         self.assertAlmostEqual(found["run"]["mean"], 40.0, delta=0.2)       # five errors of the mean
         self.assertAlmostEqual(found["measured"]["mean"], 20.0, delta=0.2)
         self.assertAlmostEqual(found["measured"]["duration"], 70.0, delta=0.2)
+
+    def mean(self, *arguments):
+        done = self.compare(*arguments, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)["run"]["mean"]
+
+    def test_the_mean_of_a_run_is_that_of_its_summary(self):
+        run = self.folder / "run"
+        made = subprocess.run([BRASH, "run", str(SOURCE / "experiments/validation/cone.toml"), "--set", "failure.model=wedge",
+                               "--set", "time.duration=2", "--set", "output.statistics_from=1", "-o", str(run)],
+                              capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        of_summary = json.loads((run / "summary.json").read_text())["horizontal"]["mean"]
+        for given in (run, run / "run.nc", run / "history.csv"):
+            self.assertAlmostEqual(self.mean(given, run) / of_summary, 1.0, delta=1e-12)
+        # One sample more, and all of them.
+        self.assertGreater(abs(self.mean(run, run, "--from", 1) / of_summary - 1.0), 1e-3)
+        self.assertGreater(abs(self.mean(run / "run.nc", run, "--from", 0) / of_summary - 1.0), 1e-3)
+
+    def test_a_replicate_begins_after_the_time_of_its_summary(self):
+        self.campaign({"thin": 20.0})
+        for table in self.folder.glob("cases/*/history.csv"):
+            table.write_text(re.sub(r"^5\.0,.*$", "5.0,1e9,1e9", table.read_text(), flags=re.MULTILINE))
+        measured = self.run_of("measured", 20.0, 0.0)
+        self.assertAlmostEqual(self.mean(self.folder, measured, "--column", "Fy"), 20.45, delta=0.1)  # of 20, 20.3, 20.6, 20.9
 
     def campaign(self, means, missing=(), late=()):
         """A campaign of two settings with four replicates each, whose loads have these means.

@@ -84,6 +84,10 @@ BOOST_AUTO_TEST_CASE(what_is_earlier_than_from_is_left_out) {
   }
   choice.from = 0.05;
   BOOST_CHECK_THROW(read_history(file.path(), choice), InputError);
+  choice.from = 0.03;
+  choice.after = true;
+  BOOST_TEST(read_history(file.path(), choice).history.values == (std::vector<double>{4, 5}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(the_loads_of_a_run_are_read_from_its_netcdf_file_as_from_its_table) {
