@@ -34,7 +34,7 @@ void expect_no_thickness(const std::vector<PredictedRow>& rows, const std::strin
 }  // namespace
 
 void predict_moving_edges(const EdgePredictOptions& options) {
-  const model::Case resolved = io::read_case(options.case_file);
+  const model::Case resolved = io::read_case(options.case_file, options.overrides);
   std::string header;
   const std::vector<PredictedRow> rows = read_predicted_rows(options.rows, header);
   expect_no_thickness(rows, options.rows.empty() ? "standard input" : options.rows);

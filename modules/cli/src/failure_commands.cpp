@@ -201,15 +201,25 @@ std::vector<meta_model::HumpSample> hump_samples(const database::Plan& plan, con
   return samples;
 }
 
+/// Refuses plates that the superposition does not know.
+void check_taught(const database::Plan& plan, const std::string& plan_file) {
+  constexpr double kPoissonRatio = 0.3;  // of its database
+  const auto refuse = [&](const std::string& what, const char* allowed) {
+    throw InputError(Complaint{plan_file, what, allowed, "change the plan, or train with --superposition"});
+  };
+  if (plan.thickness_over_lc.from != plan.thickness_over_lc.to)
+    refuse("thickness_over_lc has a range: the five inputs of Eq. 17 leave h/l_c out", "one value");
+  if (plan.split) refuse("split = true: the superposition that teaches is of whole sheets", "false");
+  if (plan.poisson_ratio != kPoissonRatio || plan.theory != plate::Theory::kReissnerMindlin)
+    refuse("[plate] is not that of the superposition that teaches",
+           "poisson_ratio = 0.3, theory = \"reissner-mindlin\"");
+}
+
 void train_deep_network(const std::string& plan_file, const std::string& test_file, const std::string& output,
                         meta_model::HumpTrainingOptions options) {
   if (test_file.empty()) throw InputError("--deep needs --test: plate solutions that judge the network");
   const database::Plan plan = database::read_plan(plan_file);
-  if (plan.thickness_over_lc.from != plan.thickness_over_lc.to) {
-    throw InputError(fmt::format(
-        "{}: thickness_over_lc has a range: the five inputs of Eq. 17 leave h/l_c out; give the plan one value",
-        plan_file));
-  }
+  check_taught(plan, plan_file);
   const database::Database test = database::read_database(test_file);
   const std::string teacher = failure::model_path(model::FailureModel::kSuperposition, "");
   const auto superposition = meta_model::ProfileModel::read(teacher);
@@ -362,6 +372,10 @@ void add_predict_command(CLI::App& failure) {
               "case file (TOML): follow the moving edge of each row until the structure breaks it, at each --speed")
           ->needs(speeds);
   speeds->needs(of_case);
+  command->add_option("--set", options->edges.overrides, "section.key=value of the case")
+      ->needs(of_case)
+      ->take_all()
+      ->allow_extra_args(false);
   command->footer("Example: brash failure predict --model cone_network.json --in rows.csv");
   command->callback([options, model, of_case] {
     if (of_case->count() > 0) {

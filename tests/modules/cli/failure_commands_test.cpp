@@ -165,6 +165,22 @@ BOOST_AUTO_TEST_CASE(a_deep_network_is_trained_on_a_plan_and_judged_on_plates) {
   BOOST_TEST(stress_of(output_of(folder, {"predict", "--model", model, "--in", rows})) > 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(a_deep_network_is_taught_only_plates_that_the_superposition_knows) {
+  const Folder folder;
+  const auto refuses_plan = [&](const std::string& line, const std::string& other, const std::string& part) {
+    std::string plan = kPlan;
+    plan.replace(plan.find(line), line.size(), other);
+    refuses({"train", folder.write("deep.toml", plan), "--deep", "-o", (folder.path / "deep.json").string(), "--test",
+             unseen_database()},
+            {"deep.toml", part, "allowed:", "remedy:"});
+  };
+  refuses_plan("thickness_over_lc = 0.1", "thickness_over_lc = { from = 0.1, to = 0.2 }",
+               "thickness_over_lc has a range");
+  refuses_plan("poisson_ratio = 0.3", "poisson_ratio = 0.25", "poisson_ratio = 0.3");
+  refuses_plan("reissner-mindlin", "kirchhoff", "theory = \"reissner-mindlin\"");
+  refuses_plan("poisson_ratio = 0.3", "poisson_ratio = 0.3\nsplit = true", "split = true");
+}
+
 /// Columns of the rows of `text`, without its first line.
 std::vector<std::vector<std::string>> rows_of(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
@@ -237,6 +253,21 @@ BOOST_AUTO_TEST_CASE(speeds_need_a_case_and_a_case_states_the_thickness) {
                         InputError, [](const InputError& error) {
                           return std::string(error.what()).find("lc_over_h") != std::string::npos;
                         });
+}
+
+BOOST_AUTO_TEST_CASE(keys_of_the_case_are_set_beside_it) {
+  const Folder folder;
+  const std::string rows = folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2\n0.3,0.3,40,0.511,0\n");
+  const std::string name = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
+  const auto load = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"predict", "--case", name, "--speed", "0", "--in", rows};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return std::stod(rows_of(output_of(folder, arguments))[0][6]);
+  };
+  // At rest the load grows as the strength does.
+  BOOST_TEST(load({"--set", "ice.flexural_strength=1078e3"}) == 2.0 * load({}), boost::test_tools::tolerance(1e-4));
+  BOOST_CHECK_THROW(run({"predict", "--model", "network", "--in", rows, "--set", "ice.thickness=0.4"}),
+                    CLI::ParseError);
 }
 
 BOOST_AUTO_TEST_CASE(a_superposition_is_written_with_its_model_card) {
