@@ -167,7 +167,7 @@ struct BendingOptions {
 ///
 /// @param file  of the network (of either kind) or of the superposition; empty: the model that comes with the program,
 /// see model_path().
-/// @throws InputError for an unreadable file, or an option that the model does not have.
+/// @throws InputError for an unreadable file; for second_order or radial_first without a model for it. Others are idle.
 std::unique_ptr<BendingCriterion> make_criterion(model::FailureModel model, const std::string& file,
                                                  const IceProperties& ice, const BendingOptions& options = {});
 
