@@ -34,13 +34,7 @@ class Panel {
 
   void rings(const std::vector<Outline>& outlines, const char* style) {
     std::string data;
-    for (const Outline& outline : outlines) {
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec2 p = on_page(outline[i]);
-        data += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", p.x, p.y);
-      }
-      data += "Z";
-    }
+    for (const Outline& outline : outlines) data += path_along(outline) + "Z";
     svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, style);
   }
   /// The same, as far as it lies in the panel.
@@ -57,12 +51,7 @@ class Panel {
     rings({{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}}}, style);
   }
   void line(const std::vector<Vec2>& places, const char* style) {
-    std::string data;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const Vec2 p = on_page(places[i]);
-      data += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", p.x, p.y);
-    }
-    svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, style);
+    svg_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", path_along(places), style);
   }
   /// A length of one, two or five times a power of ten, a fifth of the panel at most.
   void scale_bar() {
@@ -77,6 +66,14 @@ class Panel {
 
  private:
   Vec2 on_page(Vec2 p) const { return {kMargin + scale_ * (p.x - lower_.x), top_ + scale_ * (upper_.y - p.y)}; }
+  std::string path_along(const std::vector<Vec2>& places) const {
+    std::string data;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Vec2 p = on_page(places[i]);
+      data += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", p.x, p.y);
+    }
+    return data;
+  }
 
   Vec2 lower_, upper_;
   double top_, scale_;
