@@ -76,7 +76,9 @@ test("everything that a mouse can do to a replay, keys can", async () => {
     const place = await camera();
     await page.locator(".stage canvas").focus();
     await page.keyboard.press(key);
-    assert.equal(String(await camera()) !== String(place), moves, key);
+    // A frame that is drawn in between may turn the last bit of a place.
+    const way = Math.hypot(...(await camera()).map((x, i) => x - place[i]));
+    assert.equal(way > 1e-6, moves, `${key} moves the camera by ${way} m`);
   }
   await page.close();
 });
