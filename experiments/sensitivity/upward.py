@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The upward-breaking cone: its loads beside the closed forms, and the ice that rides on it beside Ralston's layer.
 
-upward.py [--brash PROGRAM] [-o FOLDER] [--seeds N] [--set section.key=value]... [--record]
+upward.py [--brash PROGRAM] [-o FOLDER] [--seeds N] [--set section.key=value]... [--record [NAME]]
 
 Runs the validation case breaking upward with the seeds 1 to N. Prints one row a seed and the means; --record writes the
-rows to upward.csv. All forces are means over the steady part [kN].
+rows to NAME here [upward.csv]. All forces are means over the steady part [kN].
 """
 import argparse
 import csv
@@ -76,7 +76,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path, default=Path("results/upward"))
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--set", action="append", default=[], metavar="section.key=value")
-    parser.add_argument("--record", action="store_true")
+    parser.add_argument("--record", nargs="?", const="upward.csv", metavar="NAME")
     options = parser.parse_args()
     rows = []
     print(*COLUMNS)
@@ -87,7 +87,7 @@ def main():
         print(*rows[-1], flush=True)
     print("mean", *np.mean(np.array(rows)[:, 1:], axis=0).round(1))
     if options.record:
-        with open(HERE / "upward.csv", "w", newline="", encoding="utf-8") as file:
+        with open(HERE / options.record, "w", newline="", encoding="utf-8") as file:
             csv.writer(file, lineterminator="\n").writerows([COLUMNS, *rows])
     subprocess.run([options.brash, "loads", CASE, "--set", "structure.breaking=upward"], check=True)
 
