@@ -3,8 +3,8 @@
 
 run_tutorial.py TUTORIAL.md SOURCES FOLDER
 
-A fence `sh` is a script of commands, each of which must succeed; `python` is a script, and all of a page are one session;
-`toml NAME`, `text NAME` are files. Other fences and indented blocks are not run.
+A fence `sh` is a script of commands, each of which must succeed, and of `sh refused` each line must be refused with exit code 2;
+`python` is a script, and all of a page are one session; `toml NAME`, `text NAME` are files. Other fences and indented blocks are not run.
 """
 import os
 import pathlib
@@ -27,6 +27,11 @@ def main():
     for kind, name, text in FENCE.findall(page.read_text(encoding="utf-8")):
         if kind == "sh":
             print(text, flush=True)
+        if kind == "sh" and name == "refused":
+            for line in text.splitlines():
+                code = subprocess.run(["bash", "-c", line]).returncode
+                assert code == 2, f"exit code {code}, expected 2: {line}"
+        elif kind == "sh":
             subprocess.run(["bash", "-euo", "pipefail", "-c", text], check=True)
         elif kind == "python":
             exec(compile(text, page.name, "exec"), session)
