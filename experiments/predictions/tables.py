@@ -23,6 +23,7 @@ ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1
 REGRESSIONS = ["riska", "jeong", "lindqvist", "edwards", "croasdale", "ralston_tresca", "ralston_johansen"]
 SHOWN_AS = {"edwards": "edwards (45 deg)"}  # a form that knows no slope says for which it was made
 JUDGED = ["mean", "breaking_frequency"]  # of a series; the other statistics are printed beside them, without a verdict
+PEAKS = ["largest", "quantile_99", "quantile_99_0.1s"]  # whose exponents stand beside the forms'
 UNSETTLED = 0.2  # a load that changes by more between the halves of the window has not settled
 
 
@@ -206,21 +207,53 @@ def bound_lines(prediction, rows):
             f"{number(found['largest_ratio'])}.", ""]
 
 
+def exponents_of(rows, wanted, names):
+    """{number: {point: exponent}} of the numbers that the rows have."""
+    return {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})
+            for name in names if any(row.get(name) is not None for row in rows)}
+
+
+def differences(one, other):
+    """One exponent less the other at each point that has both."""
+    return [one[i] - other[i] for i in one if one[i] is not None and other.get(i) is not None]
+
+
 def exponent_lines(prediction, rows):
     """Exponents of the program's numbers and of closed forms, with 95 % intervals over the points, and their differences in pairs."""
     lines = ["| input | number | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
+    judged_one = prediction.criterion["statistic"]
     for wanted in prediction.table["exponent"]:
-        found = {name: slopes(rows, {"statistic": name, "along": wanted["of"], "arms": wanted["arms"]})
-                 for name in (prediction.criterion["statistic"], "quantile_99_0.1s", "crushing", "floes",
-                              "breaking_length", "breaking_frequency", *REGRESSIONS)
-                 if any(row.get(name) is not None for row in rows)}
-        own = found[prediction.criterion["statistic"]]
+        found = exponents_of(rows, wanted, [judged_one, "quantile_99_0.1s", "crushing", "floes", "breaking_length",
+                                            "breaking_frequency", *REGRESSIONS])
         for name, slope in found.items():
             cells = mean_cells([value for value in slope.values() if value is not None])
-            pairs = [own[i] - slope[i] for i in own if own[i] is not None and slope.get(i) is not None]
-            other = mean_cells(pairs) if name in REGRESSIONS else ("-", "-", "-")
+            other = mean_cells(differences(found[judged_one], slope)) if name in REGRESSIONS else ("-", "-", "-")
             lines.append(f"| `{wanted['of']}` | {name} | {cells[0]} | {cells[1]} | {' | '.join(other)} |")
-    return lines + [""]
+    return lines + [""] + peak_lines(prediction, rows)
+
+
+def peak_lines(prediction, rows):
+    """Exponents of the program's peaks, and less those of the closed forms, which are peaks too."""
+    forms = [name for name in REGRESSIONS if any(row.get(name) is not None for row in rows)]
+    lines = []
+    for wanted in prediction.table["exponent"]:
+        found = exponents_of(rows, wanted, [*PEAKS, *forms])
+        for name in [peak for peak in PEAKS if peak in found]:
+            samples = [list(found[name].values()), *(differences(found[name], found[form]) for form in forms)]
+            lines.append(f"| `{wanted['of']}` | {name} | {' | '.join(mean_and_half(values) for values in samples)} |")
+    head = ["Peaks beside the forms, which are peaks of one break; no part of the criterion. A quantile in time grows with the number "
+            "of breaks too, and the largest force with the length of the record.", "",
+            f"| input | number | exponent | {' | '.join(f'less {form}' for form in forms)} |", "|---|---|---|" + "---|" * len(forms)]
+    return head + lines + [""] if lines and forms else []
+
+
+def mean_and_half(samples):
+    """Mean and half the width of its 95 % interval."""
+    kept = [value for value in samples if value is not None]
+    if len(kept) < 2:
+        return "-"
+    mean, error, freedom = student(kept)
+    return f"{mean:+.2f} ± {stats.t.ppf(0.975, freedom) * error:.2f}"
 
 
 def mean_cells(samples):

@@ -359,7 +359,7 @@ class Texts(unittest.TestCase):
                 row = {"arm": arm, "point": i + 1, "replicate": 0, "second_half_over_first": 1.0, **inputs.flat(keys),
                        "structure.angle": math.radians(float(keys["structure"]["angle"].split()[0]))}
                 load = level * width**1.5 * math.exp(0.02 * random.normal())
-                rows.append({**row, "mean": load, "quantile_99_0.1s": 2.0 * load,
+                rows.append({**row, "mean": load, "quantile_99_0.1s": 2.0 * load, "largest": level * width,
                              **{form: level * width**0.5 for form in figures.CLOSED}})
         text = tables.verdict(prediction, rows, [], None)
         lines = {tuple(line.split(" | ")[:2]): line for line in text.splitlines() if line.startswith("| `")}
@@ -368,6 +368,7 @@ class Texts(unittest.TestCase):
         self.assertAlmostEqual(float(cells[4]), 1.0, delta=0.05)
         self.assertTrue(cells[6].startswith("yes"))
         self.assertTrue(lines["| `ice.thickness`", "croasdale"].endswith("no |"))
+        self.assertIn("| `structure.waterline_width` | largest | +1.00 ± 0.00 | +0.50 ± 0.00 |", text)
         with tempfile.TemporaryDirectory() as folder:
             width = pictures.exponents(prediction, rows, pathlib.Path(folder), "exponents")[0]
             self.assertTrue((pathlib.Path(folder) / "exponents.png").is_file())
