@@ -171,7 +171,8 @@ def arguments():
     runs.add_argument("--sbatch", action="append", default=[])
     verdicts = command("verdict", verdict)
     verdicts.add_argument("--record", action="store_true")
-    verdicts.add_argument("--measured", type=Path, help="CSV: a column `arm`, and one column a measured statistic [SI]")
+    verdicts.add_argument("--measured", type=Path, help="CSV: a column `arm`, or `file` beside --data, and one column a measured "
+                          "statistic [SI]")
     verdicts.add_argument("--data", type=Path, help="folder of measured histories (CSV), one test a file")
     verdicts.add_argument("--column", help="of the load in these files")
     verdicts.add_argument("--from", dest="start", type=float, help="time from which they count [s]")

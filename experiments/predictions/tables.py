@@ -56,13 +56,23 @@ def complete(rows, prediction):
 # Measurements.
 
 def measured_rows(prediction, options):
-    """[{arm, statistic: value}] of the test: from its own file, a table, or a folder of histories."""
-    if options.measured:
-        return [{**row, "arm": row.get("arm") or ""} for row in read_table(options.measured)]
+    """[{arm, statistic: value}] of the test: from its own file, a folder of histories, a table, or both joined."""
+    table = [{**row, "arm": row.get("arm") or ""} for row in read_table(options.measured)] if options.measured else []
     if options.data:
-        return histories(options)
+        return joined(histories(options), table, options.measured)
+    if options.measured:
+        return table
     measured = prediction.table.get("measured", {})
     return [{"arm": "", key: value} for key, values in measured.items() for value in values]
+
+
+def joined(found, table, path):
+    """Numbers of histories with the columns that a table adds for the same files; its values win."""
+    more = {row.get("file"): row for row in table}
+    unknown = more.keys() - {row["file"] for row in found}
+    if unknown:
+        raise BadInput(f"{path}: file = {next(iter(unknown))}: is not in the folder of --data; name one of its files in each row")
+    return [{**row, **{key: value for key, value in more.get(row["file"], {}).items() if value is not None}} for row in found]
 
 
 def histories(options):
@@ -162,7 +172,8 @@ def series_lines(prediction, rows, measured, statistic):
         if not measured:
             return []
         given = any(test.get(statistic) is not None for test in measured)
-        return [*lines[:2], "No interval: fewer than two points have this number." if given else "Not measured.", ""]
+        missing = "Not measured." + " The criterion judges it, so this part of the verdict stays open." * (statistic in JUDGED)
+        return [*lines[:2], "No interval: fewer than two points have this number." if given else missing, ""]
     return lines + [""] + series_summary(prediction, statistic, ratios, inside, chosen_rows)
 
 

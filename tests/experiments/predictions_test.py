@@ -7,6 +7,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 from scipy import stats
@@ -290,6 +291,24 @@ class Texts(unittest.TestCase):
         self.assertIn("Inside their intervals: 7 of 7, 6 are needed: **yes**", text.split("### breaking_frequency")[0])
         self.assertIn("Inside their intervals: 0 of 7, 6 are needed: **no**", text.split("### breaking_frequency")[1])
         self.assertIn("### largest\n\nNot measured", text)
+
+    def test_a_frequency_that_was_counted_joins_the_histories(self):
+        prediction = predict.prediction_of("m5")
+        rows = [{**row, "breaking_frequency": row["mean"] / 1e3} for row in made_up(prediction, [5e3])]
+        histories = [{"arm": "", "file": f"{i}.csv", "mean": 5e3} for i in range(7)]
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(tables, "histories", lambda _: histories):
+            table = pathlib.Path(folder) / "counted.csv"
+            options = argparse.Namespace(measured=None, data=folder)
+            text = tables.verdict(prediction, rows, tables.measured_rows(prediction, options), None)
+            self.assertIn("### breaking_frequency\n\nNot measured. The criterion judges it", text)
+            options.measured = table
+            table.write_text("file,breaking_frequency\n" + "".join(f"{i}.csv,5.0\n" for i in range(7)), encoding="utf-8")
+            text = tables.verdict(prediction, rows, tables.measured_rows(prediction, options), None)
+            self.assertIn("7 of 7, 6 are needed: **yes**", text.split("### breaking_frequency")[1])
+            self.assertIn("7 of 7, 6 are needed: **yes**", text.split("### breaking_frequency")[0])
+            table.write_text("file,breaking_frequency\n8.csv,5.0\n", encoding="utf-8")
+            with self.assertRaisesRegex(inputs.BadInput, "file = 8.csv: is not in the folder of --data"):
+                tables.measured_rows(prediction, options)
 
     def test_fewer_points_than_promised_give_no_verdict(self):
         prediction = predict.prediction_of("m3")
