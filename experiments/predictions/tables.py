@@ -201,7 +201,7 @@ def statements(prediction, found, others):
     least = prediction.criterion["least_inside"]
     lines = [f"- Inside their intervals: {found['covered']} of {found['n']}, {least} are needed: "
              f"**{'yes' if found['covered'] >= least else 'no'}**."]
-    if found["n"] > 1:
+    if found["n"] > 1 and prediction.criterion.get("regressions"):  # the only series whose criterion asks for the bias, m1's
         low, high = found["bias_95"]
         lines.append(f"- The interval of the bias holds 0: **{'yes' if low <= 0 <= high else 'no'}**.")
     if others:

@@ -291,6 +291,8 @@ class Texts(unittest.TestCase):
         self.assertIn("Inside their intervals: 7 of 7, 6 are needed: **yes**", text.split("### breaking_frequency")[0])
         self.assertIn("Inside their intervals: 0 of 7, 6 are needed: **no**", text.split("### breaking_frequency")[1])
         self.assertIn("### largest\n\nNot measured", text)
+        # Its criterion does not ask for the bias.
+        self.assertNotIn("The interval of the bias", text)
 
     def test_a_frequency_that_was_counted_joins_the_histories(self):
         prediction = predict.prediction_of("m5")
