@@ -3,6 +3,7 @@
 import json
 import math
 import subprocess
+from collections import Counter
 
 import numpy as np
 from scipy import stats
@@ -41,13 +42,14 @@ def read_numbers(path):
 
 
 def complete(rows, prediction):
-    """The rows of the points that all arms have, in whole steps of the ensemble."""
+    """The rows of the points of which all arms have all replicates, in whole steps of the ensemble."""
     step = int(prediction.ensemble["points"])
+    needed = {arm: prediction.ensemble.get("replicates", 1) for arm in prediction.arms}
     have = {}
     for row in rows:
-        have.setdefault(row["point"], set()).add(row["arm"])
+        have.setdefault(row["point"], Counter())[row["arm"]] += 1
     whole = 0
-    while have.get(whole + 1, set()) == set(prediction.arms):
+    while have.get(whole + 1) == needed:
         whole += 1
     whole -= whole % step if whole >= step else 0
     return [row for row in rows if row["point"] <= whole]
@@ -109,7 +111,7 @@ def heading(prediction, rows):
              f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
     if failed:
         named = ", ".join(f"{row['arm'] or 'point'} {row['point']:g}" for row in failed)
-        lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** A verdict leaves them out.", ""]
+        lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** Series and claims leave them out, and a bound is open in place of held.", ""]
     if rows and n < prediction.ensemble["points"]:
         lines += [f"**Fewer points than the {prediction.ensemble['points']} that were promised: no verdict.**", ""]
     return lines
@@ -213,9 +215,10 @@ def bound_lines(prediction, rows):
     criterion = prediction.criterion
     found = upper_bound(rows, criterion)
     low, high = found["share_95"]
+    without = f" At {found['without']} points a run has no number." if found["without"] else ""
     return [f"**{found['verdict']}**: `{criterion['statistic']}` exceeds {number(criterion['bound'] / 1e3)} kN at {found['above']} of "
             f"{found['n_points']} points ({low:.0%} to {high:.0%}). Largest ratio to the bound: "
-            f"{number(found['largest_ratio'])}.", ""]
+            f"{number(found['largest_ratio'])}.{without}", ""]
 
 
 def exponents_of(rows, wanted, names):

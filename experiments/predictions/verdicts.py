@@ -6,9 +6,13 @@ import numpy as np
 from scipy import stats
 
 
+def has_number(row, statistic):
+    return row.get(statistic) is not None and math.isfinite(row[statistic])
+
+
 def points_and_values(rows, statistic):
     """Values of the runs that have the statistic, and the number of points among them."""
-    kept = [row for row in rows if row.get(statistic) is not None and math.isfinite(row[statistic])]
+    kept = [row for row in rows if has_number(row, statistic)]
     return np.array([row[statistic] for row in kept], dtype=float), len({row["point"] for row in kept})
 
 
@@ -60,11 +64,15 @@ def series(simulated, measured, inside):
 
 
 def upper_bound(rows, criterion):
-    """Verdict of an upper bound over all runs: points above it, and the largest ratio."""
-    values, n_points = points_and_values(rows, criterion["statistic"])
+    """Verdict of an upper bound over all runs: points above it, and the largest ratio.
+
+    A run without a number might lie above, so the bound does not hold then: it is refuted by another point, or open.
+    """
+    statistic, bound = criterion["statistic"], criterion["bound"]
+    values, n_points = points_and_values(rows, statistic)
+    without = len({row["point"] for row in rows if not has_number(row, statistic)})
     if len(values) == 0:
-        return {"verdict": "open", "n_points": 0, "above": 0, "share_95": (0.0, 1.0), "largest_ratio": math.nan}
-    above = {row["point"] for row in rows
-             if row.get(criterion["statistic"]) is not None and row[criterion["statistic"]] > criterion["bound"]}
-    return {"verdict": "refuted" if above else "holds", "n_points": n_points, "above": len(above),
-            "share_95": share_interval(len(above), n_points), "largest_ratio": float(values.max() / criterion["bound"])}
+        return {"verdict": "open", "n_points": 0, "without": without, "above": 0, "share_95": (0.0, 1.0), "largest_ratio": math.nan}
+    above = {row["point"] for row in rows if has_number(row, statistic) and row[statistic] > bound}
+    return {"verdict": "refuted" if above else "open" if without else "holds", "n_points": n_points, "without": without,
+            "above": len(above), "share_95": share_interval(len(above), n_points), "largest_ratio": float(values.max() / bound)}

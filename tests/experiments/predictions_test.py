@@ -137,6 +137,13 @@ class Verdicts(unittest.TestCase):
         found = verdicts.upper_bound(rows + [{"point": 3, "mean": 3.0}, {"point": 4, "mean": None}], criterion)
         self.assertEqual([found[name] for name in ("verdict", "above", "n_points", "largest_ratio")], ["refuted", 1, 4, 1.5])
 
+    def test_a_bound_is_open_if_a_run_has_no_number_and_no_point_lies_above(self):
+        criterion = {"statistic": "mean", "bound": 2.0}
+        rows = [{"point": 1, "mean": 1.0}, {"point": 2, "mean": 1.5}, {"point": 2, "mean": None}]
+        found = verdicts.upper_bound(rows, criterion)
+        self.assertEqual((found["verdict"], found["without"], found["n_points"]), ("open", 1, 2))
+        self.assertEqual(verdicts.upper_bound(rows + [{"point": 3, "mean": math.nan}], criterion)["without"], 2)
+
 
 def two_arms(ratio, n=16, spread=0.05, seed=8):
     """Rows of two arms: thin and thick ice differ tenfold, the second arm by `ratio`."""
@@ -319,6 +326,7 @@ class Texts(unittest.TestCase):
         whole = [{**rows[0], "point": i} for i in range(16)]
         broken = tables.verdict(prediction, whole + [{"arm": "", "point": 16, "status": "failed"}], [], None)
         self.assertIn("1 runs failed and have no numbers: point 16.", broken)
+        self.assertRegex(broken, r"\*\*open\*\*: .* at 0 of 16 points .* At 1 points a run has no number\.")
         self.assertIn("**holds**", tables.verdict(prediction, whole, [], None))
         self.assertIn("Largest ratio to the bound: 0.5", tables.verdict(prediction, whole, [], None))
 
@@ -404,6 +412,12 @@ class Texts(unittest.TestCase):
                 for i in range(1, 18) for arm in prediction.arms]
         self.assertEqual({row["point"] for row in tables.complete(rows, prediction)}, set(range(1, 17)))
         self.assertEqual({row["point"] for row in tables.complete(rows[:10], prediction)}, set(range(1, 6)))
+
+    def test_a_point_that_lacks_a_replicate_is_not_complete(self):
+        prediction = predict.prediction_of("table1")
+        rows = [{"arm": "", "point": i, "replicate": k} for i in range(1, 65) for k in range(2)]
+        self.assertEqual(tables.complete(rows, prediction), rows)
+        self.assertEqual({row["point"] for row in tables.complete(rows[:9], prediction)}, set(range(1, 5)))
 
 
 if __name__ == "__main__":
