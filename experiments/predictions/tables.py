@@ -151,11 +151,18 @@ def beside(prediction, rows):
     return head + lines + [""] if lines else []
 
 
+def test_line(test, found, ends, inside):
+    """One test beside its prediction; an error of the model is told if it is larger than twice its uncertainty."""
+    cells = [number(found["simulated"]), interval(ends), *(number(found[name]) for name in ("measured", "ratio", "error", "u_val")),
+             interval(found["model_error"]), "yes" if found["told"] else "no", "yes" if inside else "no"]
+    return f"| {test.get('file') or test['arm'] or '-'} | {' | '.join(cells)} |"
+
+
 def series_lines(prediction, rows, measured, statistic):
     """Comparison of one statistic with its measurements, one row a test, and the series."""
     criterion = prediction.criterion
-    lines = [f"### {statistic}", "", "| test | predicted | interval | measured | ratio | error E | u_val | model error | inside |",
-             "|---|---|---|---|---|---|---|---|---|"]
+    lines = [f"### {statistic}", "", "| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
+             "|---|---|---|---|---|---|---|---|---|---|"]
     ratios, inside, chosen_rows = [], [], []
     for test in measured:
         chosen = [row for row in rows if row["arm"] == test["arm"]]
@@ -167,9 +174,7 @@ def series_lines(prediction, rows, measured, statistic):
         inside.append(low <= test[statistic] <= high)
         ratios.append((found["simulated"], test[statistic]))
         chosen_rows.append(chosen)
-        cells = [number(found[name]) for name in ("measured", "ratio", "error", "u_val")]
-        lines.append(f"| {test.get('file') or test['arm'] or '-'} | {number(found['simulated'])} | {interval((low, high))} | "
-                     f"{' | '.join(cells)} | {interval(found['model_error'])} | {'yes' if inside[-1] else 'no'} |")
+        lines.append(test_line(test, found, (low, high), inside[-1]))
     if not ratios:
         if not measured:
             return []

@@ -290,6 +290,11 @@ class Texts(unittest.TestCase):
         for line in ("Inside their intervals: 0 of 10, 8 are needed: **no**", "holds 0: **no**", "below each regression: **no**"):
             self.assertIn(line, text)
 
+    def test_a_series_says_whether_a_test_tells_an_error_of_the_model(self):
+        for factor, told in ((1.0, "no"), (4.0, "yes")):
+            lines = [line for line in self.text_of(factor).splitlines() if line.startswith("| r") and line.count("|") == 11]
+            self.assertEqual([line.split(" | ")[-2] for line in lines], [told] * 10)
+
     def test_a_series_judges_the_frequency_and_names_what_was_not_measured(self):
         prediction = predict.prediction_of("m5")
         rows = [{**row, "breaking_frequency": row["mean"] / 1e3} for row in made_up(prediction, [5e3])]
