@@ -237,8 +237,11 @@ def differences(one, other):
     return [one[i] - other[i] for i in one if one[i] is not None and other.get(i) is not None]
 
 
-def exponent_lines(prediction, rows):
-    """Exponents of the program's numbers and of closed forms, with 95 % intervals over the points, and their differences in pairs."""
+def exponent_lines(prediction, rows, promised):
+    """Exponents of the program's numbers and of closed forms, with 95 % intervals over the points, and their differences in pairs.
+
+    promised: whether there are points enough for a verdict; without it nothing differs or not.
+    """
     lines = ["| input | number | exponent | 95 % interval | program less form | 95 % interval | differs |", "|---|---|---|---|---|---|---|"]
     judged_one = prediction.criterion["statistic"]
     for wanted in prediction.table["exponent"]:
@@ -247,8 +250,10 @@ def exponent_lines(prediction, rows):
         for name, slope in found.items():
             cells = mean_cells([value for value in slope.values() if value is not None])
             other = mean_cells(differences(found[judged_one], slope)) if name in REGRESSIONS else ("-", "-", "-")
+            other = other if promised else (*other[:2], "-")
             lines.append(f"| `{wanted['of']}` | {name} | {cells[0]} | {cells[1]} | {' | '.join(other)} |")
-    return lines + [""] + peak_lines(prediction, rows)
+    note = "Each comparison stands by itself: no correction was made for their number."
+    return lines + [""] + [note, ""] * promised + peak_lines(prediction, rows)
 
 
 def peak_lines(prediction, rows):
@@ -309,7 +314,7 @@ def verdict(prediction, rows, measured, rows_elsewhere):
     if promised and kind == "upper-bound":
         lines += bound_lines(prediction, rows)
     if kind == "exponents":
-        lines += exponent_lines(prediction, rows)
+        lines += exponent_lines(prediction, rows, promised)
     if promised and kind == "claims":
         outcomes = outcomes_of(prediction, rows, rows_elsewhere)
         (word, p), = judged({prediction.name: outcomes}).values()

@@ -401,6 +401,10 @@ class Texts(unittest.TestCase):
         self.assertEqual(cells[2], "0.50")
         self.assertAlmostEqual(float(cells[4]), 1.0, delta=0.05)
         self.assertTrue(cells[6].startswith("yes"))
+        self.assertIn("no correction was made", text)
+        few = tables.verdict(prediction, [row for row in rows if row["point"] < 4], [], None)
+        self.assertNotIn("| yes |", few)
+        self.assertNotIn("no correction was made", few)
         self.assertTrue(lines["| `ice.thickness`", "croasdale"].endswith("no |"))
         self.assertIn("| `structure.waterline_width` | largest | +1.00 ± 0.00 | +0.50 ± 0.00 |", text)
         with tempfile.TemporaryDirectory() as folder:
