@@ -111,7 +111,8 @@ def heading(prediction, rows):
              f"Points of the unknowns: {n}. Runs: {len(rows)}. Unknowns: {len(prediction.unknowns)}.", ""]
     if failed:
         named = ", ".join(f"{row['arm'] or 'point'} {row['point']:g}" for row in failed)
-        lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** Series and claims leave them out, and a bound is open in place of held.", ""]
+        lines += [f"**{len(failed)} runs failed and have no numbers: {named}.** Series and claims leave them out, and a bound is open "
+                  "in place of held.", ""]
     if rows and n < prediction.ensemble["points"]:
         lines += [f"**Fewer points than the {prediction.ensemble['points']} that were promised: no verdict.**", ""]
     return lines
@@ -153,15 +154,17 @@ def beside(prediction, rows):
 
 def test_line(test, found, ends, inside):
     """One test beside its prediction; an error of the model is told if it is larger than twice its uncertainty."""
-    cells = [number(found["simulated"]), interval(ends), *(number(found[name]) for name in ("measured", "ratio", "error", "u_val")),
-             interval(found["model_error"]), "yes" if found["told"] else "no", "yes" if inside else "no"]
+    cells = [number(found["simulated"]), interval(ends),
+             *(number(found[name]) for name in ("measured", "ratio", "error", "u_val")), interval(found["model_error"]),
+             "yes" if found["told"] else "no", "yes" if inside else "no"]
     return f"| {test.get('file') or test['arm'] or '-'} | {' | '.join(cells)} |"
 
 
 def series_lines(prediction, rows, measured, statistic):
     """Comparison of one statistic with its measurements, one row a test, and the series."""
     criterion = prediction.criterion
-    lines = [f"### {statistic}", "", "| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
+    lines = [f"### {statistic}", "",
+             "| test | predicted | interval | measured | ratio | error E | u_val | model error | error told | inside |",
              "|---|---|---|---|---|---|---|---|---|---|"]
     ratios, inside, chosen_rows = [], [], []
     for test in measured:
@@ -265,9 +268,10 @@ def peak_lines(prediction, rows):
         for name in [peak for peak in PEAKS if peak in found]:
             samples = [list(found[name].values()), *(differences(found[name], found[form]) for form in forms)]
             lines.append(f"| `{wanted['of']}` | {name} | {' | '.join(mean_and_half(values) for values in samples)} |")
-    head = ["Peaks beside the forms, which are peaks of one break; no part of the criterion. A quantile in time grows with the number "
-            "of breaks too, and the largest force with the length of the record.", "",
-            f"| input | number | exponent | {' | '.join(f'less {form}' for form in forms)} |", "|---|---|---|" + "---|" * len(forms)]
+    head = ["Peaks beside the forms, which are peaks of one break; no part of the criterion. A quantile in time grows with the "
+            "number of breaks too, and the largest force with the length of the record.", "",
+            f"| input | number | exponent | {' | '.join(f'less {form}' for form in forms)} |",
+            "|---|---|---|" + "---|" * len(forms)]
     return head + lines + [""] if lines and forms else []
 
 
