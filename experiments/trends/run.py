@@ -18,6 +18,7 @@ from scipy import stats
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
+import figures
 import study
 
 ALPHA = 0.05
@@ -197,6 +198,27 @@ def ratio_row(runs):
     return f"| `{runs.preset}` | {math.exp(value):.3f} | {low:.3f} to {high:.3f} | {excluded} |"
 
 
+# What the exponents are of: experiment, input and its range in words.
+EXPONENTS = [("velocity", SPEED, "speed, 0.5 to 2 m/s"), ("waterline_width", WIDTH, "width, 10.9 to 16.3 m"),
+             ("thickness", THICKNESS, "thickness, 0.3 to 0.5 m"), ("cone_angle", ANGLE, "angle, 50 to 70 deg")]
+
+
+def exponent(rows, along, of):
+    """Slope of ln `of` against ln `along` over all rows, with the half-width of its 95 % interval."""
+    x, y = (np.log([row[column] for row in rows]) for column in (along, of))
+    line = stats.linregress(x, y)
+    return line.slope, stats.t.ppf(0.975, len(rows) - 2) * line.stderr
+
+
+def exponent_rows(run):
+    """A row an input: the exponents of the mean load of each preset, and of the peaks of the closed forms."""
+    for experiment, along, name in EXPONENTS:
+        cells = ["{:.2f} ± {:.2f}".format(*exponent(runs.rows(experiment), along, FORCE)) for runs in run]
+        forms = study.read_rows(study.ROOT / "experiments" / experiment / "closed_forms.csv")
+        cells += [f"{exponent(forms, along, f'{form}.horizontal')[0]:.2f}" for form in figures.CLOSED]
+        yield f"| {name} | {' | '.join(cells)} |"
+
+
 def cells(listed):
     """Verdict, size and p of each claim, the p-values adjusted together."""
     adjusted = holm([claim.p for claim in listed])
@@ -212,7 +234,13 @@ def table(brash):
         lines.append(f"| {claim.experiment} | {claim.text} | {' | '.join(row)} |")
     lines += ["", "The next table compares the load at 50 degrees with the load at 70 degrees, at 2.0 m/s.", "",
               f"| preset | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
-    return "\n".join(lines + [ratio_row(runs) for runs in run]) + "\n"
+    lines += [ratio_row(runs) for runs in run]
+    lines += ["", "The last table has exponents: the slope of the logarithm of the mean load along each input, over all",
+              "replicates. Those of the closed forms are of their peaks.", "",
+              "| input |" + "".join(f" `{runs.preset}` |" for runs in run)
+              + "".join(f" {label} |" for label, _, _ in figures.CLOSED.values()),
+              "|---|" + "---|" * (len(run) + len(figures.CLOSED))]
+    return "\n".join([*lines, *exponent_rows(run)]) + "\n"
 
 
 def main():
