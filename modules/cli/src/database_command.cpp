@@ -19,7 +19,7 @@
 #include "brash/database/database.hpp"
 #include "brash/database/edge_database.hpp"
 #include "commands.hpp"
-#include "failure_commands.hpp"
+#include "file_name.hpp"
 #include "messages.hpp"
 #include "requests_to_end.hpp"
 

@@ -48,6 +48,12 @@ void refuse_replacing_results(const std::string& output) {
                                  "give another name for what is written"});
 }
 
+void refuse_missing_folder(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (!fs::is_directory(fs::absolute(path).parent_path()))
+    throw InputError(Complaint{path, "is in no folder", "a file in a folder that exists", "make the folder first"});
+}
+
 void refuse_equal_names(const std::vector<std::string>& outputs) {
   namespace fs = std::filesystem;
   std::set<fs::path> places;

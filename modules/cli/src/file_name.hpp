@@ -22,6 +22,10 @@ void check_ending(const std::string& file, std::string_view kind, std::initializ
 /// @throws InputError naming the output.
 void refuse_replacing_results(const std::string& output);
 
+/// Refuses a file to write whose folder is missing.
+/// @throws InputError naming the file.
+void refuse_missing_folder(const std::string& path);
+
 /// Refuses outputs of one command with one path, of which only the last would stay. Empty ones are passed over.
 /// @throws InputError naming the path.
 void refuse_equal_names(const std::vector<std::string>& outputs);
