@@ -50,9 +50,8 @@ void cut(const std::vector<double>& times, double longest_interval, EvenHistory&
   sampling.step = covered / static_cast<double>(times.size() - 1 - sampling.gaps.size());
 }
 
-/// Largest distance of a piece's times from an even grid through its first and last one [s].
-double distance_from_grid(std::span<const double> times) {
-  const double step = (times.back() - times.front()) / static_cast<double>(std::max<std::size_t>(1, times.size() - 1));
+/// Largest distance of a piece's times from an even grid of `step` from its first one on [s].
+double distance_from_grid(std::span<const double> times, double step) {
   double largest = 0.0;
   for (std::size_t i = 0; i < times.size(); ++i)
     largest = std::max(largest, std::abs(times[i] - times.front() - step * static_cast<double>(i)));
@@ -115,7 +114,7 @@ EvenHistory make_even(const History& history, double longest_interval) {
   const double step = even.sampling.step;
   for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p)
     even.sampling.even =
-        even.sampling.even && distance_from_grid(piece(history.times, even, p)) <= kEvenTolerance * step;
+        even.sampling.even && distance_from_grid(piece(history.times, even, p), step) <= kEvenTolerance * step;
   for (std::size_t p = 0; p + 1 < even.cuts.size() && !even.sampling.even; ++p)
     even.resampled.push_back(resample(piece(history.times, even, p), piece(history.values, even, p), step));
   even.weights = even.sampling.even ? std::vector{step} : weights_of(history.times, longest_interval, step);

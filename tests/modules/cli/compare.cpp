@@ -83,6 +83,23 @@ BOOST_AUTO_TEST_CASE(what_is_changed_is_what_differs) {
   BOOST_TEST(!has(faster, "deviation"));
 }
 
+BOOST_AUTO_TEST_CASE(a_replicate_with_a_shorter_step_weighs_as_its_time) {
+  const auto constant = [](std::size_t n, double dt, double value) {
+    LoadHistory load;
+    for (std::size_t i = 0; i < n; ++i) {
+      load.history.times.push_back(dt * static_cast<double>(i));
+      load.history.values.push_back(value);
+    }
+    load.even = statistics::make_even(load.history);
+    return load;
+  };
+  const LoadHistory all = joined({constant(1000, 0.1, 1.0), constant(4000, 0.025, 3.0)});
+  BOOST_TEST(!all.even.sampling.even);
+  BOOST_TEST(all.even.sampling.gaps.size() == 1U);
+  // 100 s of each value; an end errs by a step.
+  BOOST_TEST(statistics::summarise(all.history, all.even).mean == 2.0, boost::test_tools::tolerance(1e-3));
+}
+
 BOOST_AUTO_TEST_CASE(peaks_of_one_height_are_as_uncertain_as_the_mean_below_them) {
   LoadHistory teeth;
   for (int i = 0; i < 400; ++i) {

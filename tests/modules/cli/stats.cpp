@@ -159,6 +159,22 @@ BOOST_AUTO_TEST_CASE(a_history_is_filtered_and_resampled_with_its_gaps) {
                         [](const InputError& e) { return contains(e.what(), "below half of the sampling frequency"); });
 }
 
+BOOST_AUTO_TEST_CASE(pieces_with_different_steps_are_resampled_each_in_its_time) {
+  LoadHistory load{"Fx", {}, {}, 0};
+  for (int i = 0; i < 6000; ++i) {
+    const double time = i < 4000 ? 0.05 * i : 210.0 + 0.1 * (i - 4000);
+    load.history.times.push_back(time);
+    load.history.values.push_back(std::sin(2.0 * kPi * time));
+  }
+  load.even = statistics::make_even(load.history);
+  BOOST_TEST(statistics_of(load)["spectrum_peak"]["frequency"].get<double>() == 1.0, tolerance(0.05));
+  const LoadHistory slow = prepared(load, {.low_pass = 0.0, .step = 0.1, .phase = statistics::Phase::kZero});
+  BOOST_TEST(slow.even.sampling.even);
+  // Two pieces of 200 s; the last sample of a piece may be lost to the interpolation.
+  BOOST_TEST(slow.history.values.size() >= 3998U);
+  BOOST_TEST(slow.history.times[2000] == 210.0, tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(several_histories_and_tables_are_written_at_once) {
   std::string text = "time [s],Fx,Fz\n";
   const auto load = sawtooth(100);

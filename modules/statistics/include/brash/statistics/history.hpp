@@ -26,7 +26,8 @@ struct Sampling {
   double step = 0.0;      ///< mean time between samples [s]; gaps do not count, here and below
   double shortest = 0.0;  ///< time between two samples [s]
   double longest = 0.0;   ///< time between two samples [s]
-  /// Between gaps no time is further than a tenth of a step from an even grid.
+  /// In each piece between gaps no time is further than a tenth of a step from an even grid of `step`, which begins at
+  /// the first time of the piece.
   bool even = true;
   std::vector<Gap> gaps;
 };

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brash/statistics/history.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cstddef>
+
+namespace {
+
+using namespace brash::statistics;
+using boost::test_tools::tolerance;
+
+/// Adds `n` samples of one value, the first at `from`, every `step` [s].
+void add(History& history, double from, double step, std::size_t n, double value) {
+  for (std::size_t i = 0; i < n; ++i) {
+    history.times.push_back(from + step * static_cast<double>(i));
+    history.values.push_back(value);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(histories)
+
+BOOST_AUTO_TEST_CASE(pieces_with_different_steps_are_weighed_by_time) {
+  History history;
+  add(history, 0.0, 0.05, 4000, 1.0);
+  add(history, 210.0, 0.1, 2000, 3.0);
+  const EvenHistory even = make_even(history);
+  BOOST_TEST(!even.sampling.even);
+  BOOST_TEST(even.sampling.gaps.size() == 1U);
+  // 200 s of each value. At the ends and the gap a sample counts for half of the mean step of 0.067 s.
+  BOOST_TEST(summarise(history, even).mean == 2.0, tolerance(1e-3));
+  BOOST_TEST(even.duration == 400.0, tolerance(1e-3));
+  // Both pieces are on the grid of one step, and keep their lengths.
+  for (const auto piece : even.pieces(history))
+    BOOST_TEST(even.sampling.step * static_cast<double>(piece.size()) == 200.0, tolerance(1e-3));
+}
+
+BOOST_AUTO_TEST_CASE(pieces_with_one_step_are_even_wherever_they_begin) {
+  History history;
+  add(history, 0.0, 0.1, 500, 1.0);
+  add(history, 77.03, 0.1, 1500, 3.0);
+  const EvenHistory even = make_even(history);
+  BOOST_TEST(even.sampling.even);
+  BOOST_TEST(summarise(history, even).mean == 2.5, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
