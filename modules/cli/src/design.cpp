@@ -26,7 +26,7 @@ ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings
   std::vector<ExtremeRecord> records;
   for (const LoadHistory& load : setting.replicates) {
     const double memory = autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
-    records.push_back({&load.history, &load.even, memory});
+    records.push_back({&load.history, &load.even, memory, load.clipping});
   }
   ExtremeValues values = extreme_values(records, settings);
   // Whether the record can bear a period is judged for each period. The law is chosen at the longest that it can bear.

@@ -40,8 +40,8 @@ ordered_json peaks_json(const statistics::ExtremeValues& v) {
 statistics::ExtremeAnalysis analysed(const LoadHistory& load, double memory,
                                      const statistics::ExtremeSettings& settings) {
   statistics::GoodnessOfFit goodness;
-  return statistics::analyse_extremes(statistics::extreme_values({{&load.history, &load.even, memory}}, settings),
-                                      settings, goodness);
+  return statistics::analyse_extremes(
+      statistics::extreme_values({{&load.history, &load.even, memory, load.clipping}}, settings), settings, goodness);
 }
 
 /// Where the spectrum is highest.

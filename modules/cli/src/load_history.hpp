@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/statistics/events.hpp"
 #include "brash/statistics/history.hpp"
 
 namespace brash::cli {
@@ -18,6 +19,8 @@ struct LoadHistory {
   std::string unit{};         ///< of the values, as io::Series has it; empty: the file states none
   std::string file{};         ///< as given
   bool is_negated = false;    ///< the file has it with the other sign, under the column's name without its -
+  /// Limit of the sensor, found in the samples before a filter or a new step hid it; absent: look at `history`.
+  std::optional<statistics::Clipping> clipping{};
 };
 
 /// Which column to read and how.

@@ -20,7 +20,7 @@ struct Preparation {
 /// Filters and resamples the pieces of a history; gaps stay.
 ///
 /// Samples of a coarser step come from a zero-phase low-pass at 0.4 of the new sampling frequency, then from straight
-/// lines between samples.
+/// lines between samples. Clipping is looked for in the samples as they were taken.
 /// @throws InputError when the cut-off is not below half of the sampling frequency, or the step makes more than 2^27
 ///   samples.
 LoadHistory prepared(const LoadHistory& load, const Preparation& preparation);

@@ -111,8 +111,8 @@ double correlation(const std::vector<std::vector<LoadEvent>>& events) {
   return std::isfinite(r) ? r : 0.0;
 }
 
-void note_clipping(const History& history, ExtremeValues& values) {
-  const auto found = clipping(history.values);
+void note_clipping(const ExtremeRecord& record, ExtremeValues& values) {
+  const auto found = record.clipping ? record.clipping : clipping(record.history->values);
   if (found && (!values.clipping || found->value > values.clipping->value)) values.clipping = found;
 }
 
@@ -137,7 +137,7 @@ ExtremeValues extreme_values(const std::vector<ExtremeRecord>& records, const Ex
     values.duration += record.even->duration;
     memory = std::max(memory, record.autocorrelation_time);
     for (const LoadEvent& event : events.back()) values.peaks.push_back(event.peak);
-    note_clipping(*record.history, values);
+    note_clipping(record, values);
     const auto [low, high] = std::ranges::minmax(record.history->values);
     minimum = std::min(minimum, low);
     maximum = std::max(maximum, high);

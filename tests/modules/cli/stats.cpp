@@ -175,6 +175,19 @@ BOOST_AUTO_TEST_CASE(pieces_with_different_steps_are_resampled_each_in_its_time)
   BOOST_TEST(slow.history.times[2000] == 210.0, tolerance(1e-12));
 }
 
+BOOST_AUTO_TEST_CASE(a_filter_and_a_new_step_do_not_hide_a_clipped_sensor) {
+  std::vector<double> samples = sawtooth(1000);
+  for (double& value : samples) value = std::min(value, 180.0);
+  const LoadHistory load = every(0.05, samples);
+  for (const auto& [low_pass, step] : {std::pair(0.0, 0.0), std::pair(4.0, 0.0), std::pair(0.0, 0.1)}) {
+    const auto s =
+        statistics_of(prepared(load, {.low_pass = low_pass, .step = step, .phase = statistics::Phase::kZero}));
+    BOOST_TEST(s["recommended"]["law"].is_null());
+    BOOST_TEST(s["recommended"]["reason"] == "the largest loads are clipped");
+    BOOST_TEST(contains(s["warnings"].dump(), "the sensor seems to clip"));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(several_histories_and_tables_are_written_at_once) {
   std::string text = "time [s],Fx,Fz\n";
   const auto load = sawtooth(100);

@@ -41,6 +41,8 @@ struct ExtremeRecord {
   const History* history = nullptr;
   const EvenHistory* even = nullptr;
   double autocorrelation_time = 0.0;  ///< [s]
+  /// Found before the history was filtered or resampled; absent: it is looked for in `history`.
+  std::optional<Clipping> clipping{};
 };
 
 /// Peaks and block maxima of one history, or of several replicates of one process.
