@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "brash/core/constants.hpp"
 #include "brash/structure/floating_body.hpp"
@@ -148,21 +149,81 @@ void add_spring_warning(const model::Case& c, Warnings& warnings) {
                                                  pull, needed)});
 }
 
-/// A path whose headings change by more than half a circle from row to row, but for small turns through north.
+/// Where a path has its heading on the wrong side of its course.
+struct Backwards {
+  const model::Waypoint* first = nullptr;  ///< row of its first such stretch
+  double share = 0.0;                      ///< of its travel that such stretches make [-]
+};
+
+/// How the course from a row to the next lies to the heading between them.
+struct Stretch {
+  Vec2 way{};            ///< [m]
+  double course = 0.0;   ///< [rad]
+  double heading = 0.0;  ///< in the middle [rad]
+};
+
+Stretch stretch_of(const model::Waypoint& a, const model::Waypoint& b) {
+  const Vec2 way = b.position - a.position;
+  return {way, std::atan2(way.y, way.x), a.heading + 0.5 * std::remainder(b.heading - a.heading, 2.0 * kPi)};
+}
+
+Backwards backwards(const std::vector<model::Waypoint>& path) {
+  constexpr double kAbeam = radians(91.0);  // a structure that goes sideways on purpose, and rounded inputs
+  Backwards found;
+  double all = 0.0, turned = 0.0;
+  for (auto row = path.begin(); row + 1 < path.end(); ++row) {
+    const Stretch stretch = stretch_of(*row, *(row + 1));
+    all += norm(stretch.way);
+    if (std::abs(std::remainder(stretch.heading - stretch.course, 2.0 * kPi)) <= kAbeam) continue;
+    turned += norm(stretch.way);
+    if (found.first == nullptr) found.first = &*row;
+  }
+  found.share = all > 0.0 ? turned / all : 0.0;
+  return found;
+}
+
+constexpr const char* kDegreesMeant =
+    "were degrees meant? Write \"10 deg\" in the case file, and name the column of a file heading_deg";
+
+/// A path whose heading begins beyond a circle, or points away from its course over a good part of its travel.
+void add_heading_warning(const std::vector<model::Waypoint>& path, Warnings& warnings) {
+  constexpr double kLeastShare = 0.1;  // a track at rest wanders a little
+  if (std::abs(path.front().heading) > 2.0 * kPi) {
+    warnings.push_back({"path-heading", fmt::format("the path begins with a heading of {:.4g} rad, beyond a circle: {}",
+                                                    path.front().heading, kDegreesMeant)});
+    return;
+  }
+  const Backwards found = backwards(path);
+  if (found.share <= kLeastShare) return;
+  const model::Waypoint& row = *found.first;
+  const model::Waypoint& next = *(found.first + 1);
+  const Stretch stretch = stretch_of(row, next);
+  warnings.push_back(
+      {"path-heading",
+       fmt::format("the structure goes backwards over {:.0f} % of its path: from {:.4g} to {:.4g} s its course is "
+                   "{:.4g} rad and its heading {:.4g} rad; if it does not go astern on purpose, {}",
+                   100.0 * found.share, row.time, next.time, stretch.course, stretch.heading, kDegreesMeant)});
+}
+
+/// A path whose headings change by more than half a circle from row to row, but for small turns through north; or
+/// whose headings do not suit its course.
 void add_turn_warning(const model::Motion& motion, Warnings& warnings) {
   constexpr double kThroughNorth = 1.0;  // [rad]; of a step in a compass track
   const auto* const towed = std::get_if<model::Towed>(&motion);
-  if (towed == nullptr) return;
+  if (towed == nullptr || towed->path.empty()) return;
   const auto turns = [](const model::Waypoint& a, const model::Waypoint& b) {
     const double turn = b.heading - a.heading;
     return std::abs(turn) > kPi && std::abs(std::remainder(turn, 2.0 * kPi)) > kThroughNorth;
   };
   const auto row = std::ranges::adjacent_find(towed->path, turns);
-  if (row == towed->path.end()) return;
-  warnings.push_back({"path-turns", fmt::format("the path turns from a heading of {:.4g} to {:.4g} rad between {:.4g} "
-                                                "and {:.4g} s: were degrees meant? Write \"10 deg\" in the case file, "
-                                                "and name the column of a file heading_deg",
-                                                row->heading, (row + 1)->heading, row->time, (row + 1)->time)});
+  if (row == towed->path.end()) {
+    add_heading_warning(towed->path, warnings);
+    return;
+  }
+  warnings.push_back(
+      {"path-turns", fmt::format("the path turns from a heading of {:.4g} to {:.4g} rad between {:.4g} "
+                                 "and {:.4g} s: {}",
+                                 row->heading, (row + 1)->heading, row->time, (row + 1)->time, kDegreesMeant)});
 }
 
 }  // namespace

@@ -308,4 +308,22 @@ BOOST_AUTO_TEST_CASE(the_laws_of_generated_floes_are_idle_beside_a_file_of_floes
   BOOST_TEST(says(text, "field.shape needs floes without field.file; field.size needs floes"), text);
 }
 
+BOOST_AUTO_TEST_CASE(a_path_whose_heading_points_away_from_its_course_is_warned_of) {
+  const auto text = [](const std::string& path) {
+    const std::string file = kSource + "/tests/modules/simulation/turning_path.toml";
+    return text_of(simulation::derived_scales(io::read_case(file, {"structure.motion.path=" + path})).warnings,
+                   "path-heading");
+  };
+  const auto backwards = text("[[0,-7,0,3],[20,13,0,3]]");  // 3 degrees were meant
+  BOOST_TEST(says(backwards, "from 0 to 20 s its course is 0 rad and its heading 3 rad"), backwards);
+  BOOST_TEST(says(backwards, "were degrees meant?"), backwards);
+  BOOST_TEST(says(text("[[0,-7,0,20],[20,13,0,20]]"), "begins with a heading of 20 rad"));
+  BOOST_TEST(says(text("[[0,-12,-7,3],[20,-12,13,5]]"), "its course is 1.571 rad and its heading 4 rad"));
+  BOOST_TEST(text("[[0,-7,0,1.5],[20,13,0,1.5]]") == "");           // abeam at most
+  BOOST_TEST(text("[[0,-7,0,6.2],[20,13,0,6.2]]") == "");           // a little to the right
+  BOOST_TEST(text("[[0,-7,0,3.1],[20,-27,0,-3.1]]") == "");         // away from the ice
+  BOOST_TEST(text("[[0,-10,0,3],[20,-10,0,3]]") == "");             // at rest
+  BOOST_TEST(text("[[0,-7,0,0],[1,-7.1,0,0],[20,13,0,0]]") == "");  // drifts back a little at first
+}
+
 }  // namespace
