@@ -28,6 +28,7 @@ struct Course {
   double end = 0.0;     ///< largest x of its foremost point in the run [m]
   double leaves = 0.0;  ///< when that point passes the far side, if it does [s]
   double beside = 0.0;  ///< farthest that it reaches to a side of the field's middle [m]
+  bool meets = false;   ///< whether it comes into the rectangle of the field
 };
 
 Course straight_course(const model::Case& c, const structure::Hull& hull) {
@@ -42,7 +43,8 @@ Course straight_course(const model::Case& c, const structure::Hull& hull) {
           .bow = bow,
           .end = bow + speed * c.time.duration,
           .leaves = (c.field.length - bow) / speed,
-          .beside = std::max(reach({0.0, 1.0}), reach({0.0, -1.0}))};
+          .beside = std::max(reach({0.0, 1.0}), reach({0.0, -1.0})),
+          .meets = bow + speed * c.time.duration > 0.0};
 }
 
 /// Sampled along the path.
@@ -63,7 +65,9 @@ Course course_on_path(const model::Case& c, const structure::Hull& hull) {
                 .end = bow};
     if (course.end <= c.field.length && bow > c.field.length) course.leaves = c.time.duration * i / kSamples;
     course.end = std::max(course.end, bow);
-    course.beside = std::max({course.beside, reach({0.0, 1.0}), reach({0.0, -1.0})});
+    const double left = reach({0.0, 1.0}), right = -reach({0.0, -1.0}), half = 0.5 * c.field.width;
+    course.beside = std::max({course.beside, left, -right});
+    course.meets = course.meets || (bow > 0.0 && -reach({-1.0, 0.0}) < c.field.length && left > -half && right < half);
   }
   return course;
 }
@@ -80,8 +84,7 @@ constexpr double kNearBorder = 2.0;
 /// Loads stay correlated over about this share of l_c of travel: 0.03 to 0.11 in the validation case.
 constexpr double kCorrelatedTravel = 0.1;
 
-void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  const Course course = course_of(c);
+void add_border_warnings(const model::Case& c, const Course& course, const DerivedScales& scales, Warnings& warnings) {
   const double margin = kNearBorder * scales.characteristic_length;
   const double beside = 0.5 * c.field.width - course.beside;
   if (beside < 0.0)
@@ -119,11 +122,19 @@ void add_border_warnings(const model::Case& c, const DerivedScales& scales, Warn
                                  c.field.length - end, margin, c.field.length)});
 }
 
-}  // namespace
+/// Whether the structure goes where the case says: a body afloat and one that another program drives may not.
+bool goes_as_told(const model::Motion& motion) {
+  return std::holds_alternative<model::Towed>(motion) || std::holds_alternative<model::Compliant>(motion);
+}
 
-void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
-  if (c.field.kind == model::FieldKind::kFloes) return;  // floes drift, and end where they end
-  const Course course = course_of(c);
+/// Whether current or wind may bring ice to the structure.
+bool ice_drifts(const model::Case& c) {
+  const bool may = c.field.kind == model::FieldKind::kFloes || c.field.border == model::Border::kFree;
+  return may && (c.water.current != Vec2{} || c.wind.velocity != Vec2{});
+}
+
+void add_reach_warning(const model::Case& c, const Course& course, Warnings& warnings) {
+  if (ice_drifts(c)) return;
   const double gap = -course.bow;
   const double way = course.end - course.bow;
   if (way <= gap)
@@ -131,7 +142,40 @@ void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warni
         {"no-contact", fmt::format("the structure does not reach the ice: it is {:.3g} m away and moves {:.3g} m in "
                                    "time.duration = {} s; raise that, or lower structure.start_distance",
                                    gap, way, c.time.duration)});
-  add_border_warnings(c, scales, warnings);
+  else if (c.field.kind == model::FieldKind::kFloes && !course.meets)
+    warnings.push_back(
+        {"no-contact", fmt::format("the structure does not reach the ice: it passes beside the field, which ends at y "
+                                   "= +-{:.4g} m; raise field.width, or bend structure.motion.path",
+                                   0.5 * c.field.width)});
+}
+
+/// Walls are solid to ice alone.
+void add_wall_warning(const model::Case& c, const Course& course, Warnings& warnings) {
+  if (c.field.floes.border != model::FloeBorder::kWalls || !course.meets) return;
+  if (course.beside > 0.5 * c.field.width)
+    warnings.push_back({"leaves-field", fmt::format("the structure passes through the wall at a side, and comes {:.3g} "
+                                                    "m beyond it: raise field.width to {:.3g} m or more, or bend "
+                                                    "structure.motion.path",
+                                                    course.beside - 0.5 * c.field.width, 2.0 * course.beside)});
+  if (course.end > c.field.length)
+    warnings.push_back(
+        {"leaves-field",
+         fmt::format("the structure passes through the wall at the far end at {:.3g} s, and time.duration = {} s: "
+                     "shorten the run, or raise field.length = {} m to {:.3g} m or more",
+                     course.leaves, c.time.duration, c.field.length, course.end)});
+}
+
+}  // namespace
+
+void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warnings& warnings) {
+  const Course course = course_of(c);
+  if (c.field.kind == model::FieldKind::kLevelIce) {
+    add_reach_warning(c, course, warnings);
+    add_border_warnings(c, course, scales, warnings);
+  } else if (goes_as_told(c.structure.motion)) {
+    add_reach_warning(c, course, warnings);
+    add_wall_warning(c, course, warnings);
+  }
 }
 
 namespace {
@@ -330,46 +374,6 @@ Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const 
   add_model_warnings(c, scales, criterion, warnings);
   add_idle_keys_warning(c, warnings);
   return warnings;
-}
-
-namespace {
-
-/// A measured mean in another unit is off by a thousand; a model is not off by this much.
-constexpr double kFarFromReference = 50.0;
-
-void add_reference_warning(const RunSummary& s, const model::ReferenceSection& reference, Warnings& warnings) {
-  if (!reference.mean_horizontal || std::isnan(s.horizontal.mean)) return;
-  const double ours = std::abs(s.horizontal.mean), theirs = std::abs(*reference.mean_horizontal);
-  if (theirs < kFarFromReference * ours && ours < kFarFromReference * theirs) return;
-  warnings.push_back(
-      {"far-from-reference",
-       fmt::format("the mean horizontal load is {:.3g} N, and reference.mean_horizontal = {:.4g} N: a bare "
-                   "number is in N; was another unit meant, such as \"{:.4g} kN\"?",
-                   s.horizontal.mean, *reference.mean_horizontal, *reference.mean_horizontal)});
-}
-
-}  // namespace
-
-Warnings warnings_of(const RunSummary& s, const model::ReferenceSection& reference) {
-  Warnings warnings;
-  if (s.n_breaks == 0 && !s.initial_floes)  // the loads of a field are of its floes
-    warnings.push_back({"no-breaks",
-                        "the ice has not broken in this run: the loads are of crushing and floes alone; "
-                        "run longer, or check the strengths of the ice"});
-  if (s.horizontal.effective_sample_size < kFewSamples && !std::isnan(s.horizontal.mean))
-    warnings.push_back(
-        {"few-samples",
-         fmt::format("the load has {:.1f} independent samples from {:.3g} s on, expected {:.0f} or more: "
-                     "its interval means nothing; run longer, or take more replicates",
-                     s.horizontal.effective_sample_size, s.statistics_from, kFewSamples)});
-  add_reference_warning(s, reference, warnings);
-  return warnings;
-}
-
-bool bears_interval(const RunSummary& summary, const statistics::Summary& load) {
-  return load.effective_sample_size >= kFewSamples &&
-         std::ranges::none_of(summary.warnings,
-                              [](const model::Warning& w) { return w.id == "short-run" || w.id == "no-breaks"; });
 }
 
 }  // namespace brash::simulation

@@ -239,7 +239,8 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   if (finished.complete) {
     finished.summary = summarise(resolved, finished.results, water, progress.counts.summary);
     finished.summary.warnings = progress.simulation.warnings();
-    std::ranges::move(warnings_of(finished.summary, resolved.reference), std::back_inserter(finished.summary.warnings));
+    std::ranges::move(warnings_of(finished.summary, finished.results.loads, resolved.reference),
+                      std::back_inserter(finished.summary.warnings));
   }
   finished.stage_times = progress.simulation.stage_times();
   finished.stage_times.recording = progress.recording_seconds;

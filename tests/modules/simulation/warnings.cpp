@@ -2,6 +2,8 @@
 // Every row of docs/reference/warnings.md: its settings give its warning.
 #include "brash/simulation/warnings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -79,7 +81,7 @@ BOOST_AUTO_TEST_CASE(each_row_of_the_table_before_the_run_gives_its_warning) {
 
 BOOST_AUTO_TEST_CASE(each_row_of_the_table_after_the_run_gives_its_warning) {
   const std::vector<Row> rows = rows_under("After the run");
-  BOOST_TEST(rows.size() == 3u);
+  BOOST_TEST(rows.size() == 4u);
   for (const Row& row : rows)
     BOOST_TEST(has(simulation::run(validation(row.settings)).summary.warnings, row.id), row.id);
 }
@@ -324,6 +326,44 @@ BOOST_AUTO_TEST_CASE(a_path_whose_heading_points_away_from_its_course_is_warned_
   BOOST_TEST(text("[[0,-7,0,3.1],[20,-27,0,-3.1]]") == "");         // away from the ice
   BOOST_TEST(text("[[0,-10,0,3],[20,-10,0,3]]") == "");             // at rest
   BOOST_TEST(text("[[0,-7,0,0],[1,-7.1,0,0],[20,13,0,0]]") == "");  // drifts back a little at first
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_touches_no_ice_says_so_and_gets_no_interval) {
+  const auto summary = [](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"failure.model=wedge", "output.statistics_from=0.05"});
+    return simulation::run(validation(settings)).summary;
+  };
+  const simulation::RunSummary none = summary({"time.duration=0.1"});  // the cone is 0.18 m away
+  const auto text = text_of(none.warnings, "no-load");
+  BOOST_TEST(says(text, "no ice touched the structure in the whole run"), text);
+  BOOST_TEST(!has(none.warnings, "no-breaks"));
+  BOOST_TEST(!simulation::bears_interval(none, none.horizontal));
+  const simulation::RunSummary some = summary({"time.duration=0.2"});
+  BOOST_TEST(!has(some.warnings, "no-load"));
+}
+
+BOOST_AUTO_TEST_CASE(a_structure_beside_a_field_of_floes_or_before_it_does_not_reach_the_ice) {
+  const std::string file = kSource + "/experiments/fields/cone.toml";
+  const auto warnings = [&](const std::vector<std::string>& settings) {
+    return simulation::derived_scales(io::read_case(file, settings)).warnings;
+  };
+  BOOST_TEST(warnings({}).empty());
+  BOOST_TEST(has(warnings({"structure.start_distance=70"}), "no-contact"));
+  BOOST_TEST(!has(warnings({"structure.start_distance=70", "water.current=[-2,0]"}), "no-contact"));
+  const auto path = [](double y) { return fmt::format("structure.motion.path=[[0,-10,{},0],[30,20,{},0]]", y, y); };
+  const std::string barge = kSource + "/tests/modules/simulation/turning_path.toml";
+  const auto along = [&](double y) {
+    return simulation::derived_scales(
+               io::read_case(barge, {path(y), "time.duration=30", "field.kind=floes", "field.concentration=0.3",
+                                     "field.border=walls", "field.size.least=4", "field.size.largest=12"}))
+        .warnings;
+  };
+  BOOST_TEST(says(text_of(along(60.0), "no-contact"), "passes beside the field"));
+  BOOST_TEST(!has(along(0.0), "no-contact"));
+  BOOST_TEST(has(along(20.0), "leaves-field"));  // through a wall
+  BOOST_TEST(!has(along(10.0), "leaves-field"));
+  BOOST_TEST(has(warnings({"time.duration=300"}), "leaves-field"));  // through the wall at the end
+  BOOST_TEST(!has(warnings({"time.duration=300", "field.border=free"}), "leaves-field"));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "brash/model/records.hpp"
 #include "brash/model/warning.hpp"
 #include "brash/simulation/run.hpp"
 
@@ -11,13 +13,15 @@ namespace brash::simulation {
 /// A mean of fewer independent samples than this gets no interval: its estimate of the deviation is itself a guess.
 inline constexpr double kFewSamples = 10.0;
 
-/// Warnings about a result: no break at all, too few independent samples of the load, or a mean of another order of
-/// magnitude than the reference. derived_scales() has the warnings about the case. RunSummary::warnings has both.
-/// docs/reference/warnings.md
-std::vector<model::Warning> warnings_of(const RunSummary& summary, const model::ReferenceSection& reference);
+/// Warnings about a result: no load or no break at all, too few independent samples of the load, or a mean of another
+/// order of magnitude than the reference. derived_scales() has the warnings about the case. RunSummary::warnings has
+/// both. docs/reference/warnings.md
+/// @param loads  of all steps of the run.
+std::vector<model::Warning> warnings_of(const RunSummary& summary, std::span<const model::LoadRow> loads,
+                                        const model::ReferenceSection& reference);
 
 /// Whether a mean of `summary` gets an interval: enough independent samples, of a run that is long enough and in which
-/// ice broke.
+/// ice bore on the structure and broke.
 bool bears_interval(const RunSummary& summary, const statistics::Summary& load);
 
 }  // namespace brash::simulation

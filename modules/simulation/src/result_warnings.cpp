@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results that cannot bear their use.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "brash/simulation/warnings.hpp"
+#include "case_warnings.hpp"
+
+namespace brash::simulation {
+namespace {
+
+/// A measured mean in another unit is off by a thousand; a model is not off by this much.
+constexpr double kFarFromReference = 50.0;
+
+void add_reference_warning(const RunSummary& s, const model::ReferenceSection& reference, Warnings& warnings) {
+  if (!reference.mean_horizontal || std::isnan(s.horizontal.mean)) return;
+  const double ours = std::abs(s.horizontal.mean), theirs = std::abs(*reference.mean_horizontal);
+  if (theirs < kFarFromReference * ours && ours < kFarFromReference * theirs) return;
+  warnings.push_back(
+      {"far-from-reference",
+       fmt::format("the mean horizontal load is {:.3g} N, and reference.mean_horizontal = {:.4g} N: a bare "
+                   "number is in N; was another unit meant, such as \"{:.4g} kN\"?",
+                   s.horizontal.mean, *reference.mean_horizontal, *reference.mean_horizontal)});
+}
+
+/// When the ice last bore on the structure [s].
+std::optional<double> last_load(std::span<const model::LoadRow> loads) {
+  std::optional<double> last;
+  for (const model::LoadRow& row : loads)
+    if (row.total.force != Vec3{}) last = row.time;
+  return last;
+}
+
+std::string no_load_text(std::optional<double> last, double statistics_from) {
+  constexpr const char* kCheck = "check the structure's course, its distance at the start, and where the ice lies";
+  if (!last) return fmt::format("no ice touched the structure in the whole run: {}", kCheck);
+  return fmt::format(
+      "no ice touched the structure after {:.3g} s, and the statistics begin at {:.3g} s: {}, or lower "
+      "output.statistics_from",
+      *last, statistics_from, kCheck);
+}
+
+}  // namespace
+
+Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
+                     const model::ReferenceSection& reference) {
+  Warnings warnings;
+  const std::optional<double> last = last_load(loads);
+  const bool no_load = !last || (!std::isnan(s.horizontal.mean) && *last <= s.statistics_from);
+  if (no_load) warnings.push_back({"no-load", no_load_text(last, s.statistics_from)});
+  if (s.n_breaks == 0 && !s.initial_floes && last)  // the loads of a field are of its floes
+    warnings.push_back({"no-breaks",
+                        "the ice has not broken in this run: the loads are of crushing and floes alone; "
+                        "run longer, or check the strengths of the ice"});
+  if (!no_load && s.horizontal.effective_sample_size < kFewSamples && !std::isnan(s.horizontal.mean))
+    warnings.push_back(
+        {"few-samples",
+         fmt::format("the load has {:.1f} independent samples from {:.3g} s on, expected {:.0f} or more: "
+                     "its interval means nothing; run longer, or take more replicates",
+                     s.horizontal.effective_sample_size, s.statistics_from, kFewSamples)});
+  if (!no_load) add_reference_warning(s, reference, warnings);
+  return warnings;
+}
+
+bool bears_interval(const RunSummary& summary, const statistics::Summary& load) {
+  return load.effective_sample_size >= kFewSamples &&
+         std::ranges::none_of(summary.warnings, [](const model::Warning& w) {
+           return w.id == "short-run" || w.id == "no-breaks" || w.id == "no-load";
+         });
+}
+
+}  // namespace brash::simulation
