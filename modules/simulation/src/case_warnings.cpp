@@ -23,6 +23,7 @@ namespace {
 /// The structure as the field sees it, where nothing resists it.
 struct Course {
   double speed = 0.0;   ///< mean over the run [m/s]
+  Vec2 velocity{};      ///< likewise [m/s]
   double axis = 0.0;    ///< x of its last axis at t = 0 [m]
   double bow = 0.0;     ///< x of its foremost point in the ice at t = 0 [m]
   double end = 0.0;     ///< largest x of its foremost point in the run [m]
@@ -39,6 +40,7 @@ Course straight_course(const model::Case& c, const structure::Hull& hull) {
   };
   const double speed = model::speed(c.structure.motion), bow = reach({1.0, 0.0});
   return {.speed = speed,
+          .velocity = {speed, 0.0},
           .axis = structure::last_axis(c.structure, start),
           .bow = bow,
           .end = bow + speed * c.time.duration,
@@ -51,6 +53,8 @@ Course straight_course(const model::Case& c, const structure::Hull& hull) {
 Course course_on_path(const model::Case& c, const structure::Hull& hull) {
   constexpr int kSamples = 400;
   const Freeboard heights = freeboard(c);
+  const Vec2 from = plan(structure::unresisted(c.structure, 0.0).position),
+             to = plan(structure::unresisted(c.structure, c.time.duration).position);
   Course course;
   for (int i = 0; i <= kSamples; ++i) {
     const Pose pose = structure::unresisted(c.structure, c.time.duration * i / kSamples);
@@ -60,6 +64,7 @@ Course course_on_path(const model::Case& c, const structure::Hull& hull) {
     const double bow = reach({1.0, 0.0});
     if (i == 0)
       course = {.speed = structure::mean_speed(c.structure, c.time.duration),
+                .velocity = (to - from) / c.time.duration,
                 .axis = structure::last_axis(c.structure, pose),
                 .bow = bow,
                 .end = bow};
@@ -188,11 +193,30 @@ bool comes_at_its_speed(const model::Case& c) {
          c.field.border == model::Border::kFixed;
 }
 
+/// A structure that is slower rests [m/s].
+constexpr double kAtRest = 1e-3;
+
+/// The speed at which ice passes the structure [m/s]. Ice that may drift has the current's velocity, or is about to.
+double passing_speed(const model::Case& c, const Course& course) {
+  const bool may_drift = c.field.kind == model::FieldKind::kFloes || c.field.border == model::Border::kFree;
+  return may_drift ? std::max(course.speed, norm(course.velocity - c.water.current)) : course.speed;
+}
+
+/// When the structure's axis passes the ice edge, in words.
+std::string when_at_edge(const model::Case& c, const Course& course) {
+  if (model::speed(c.structure.motion) < kAtRest)
+    return "the structure's axis passes the ice edge, and it does not pass it in this run: set output.statistics_from";
+  return fmt::format(
+      "the structure's axis passes the ice edge at {:.3g} s: raise time.duration = {} s, or set "
+      "output.statistics_from",
+      -course.axis / course.speed, c.time.duration);
+}
+
 void add_statistics_warnings(const model::Case& c, const Course& course, const DerivedScales& scales,
                              Warnings& warnings) {
   const double from = statistics_from(c), contact = -course.bow / course.speed;
-  const double travel = course.speed * (c.time.duration - from);
-  if (comes_at_its_speed(c) && from < contact)
+  const double speed = passing_speed(c, course), travel = speed * (c.time.duration - from);
+  if (comes_at_its_speed(c) && c.output.statistics_from && from < contact)
     warnings.push_back(
         {"early-statistics", fmt::format("the statistics begin at {:.3g} s, before the structure touches the ice at "
                                          "{:.3g} s: zeros and the entry lower the mean; raise output.statistics_from, "
@@ -200,11 +224,8 @@ void add_statistics_warnings(const model::Case& c, const Course& course, const D
                                          from, contact)});
   if (from >= c.time.duration)
     warnings.push_back(
-        {"no-statistics", fmt::format("the run is over before its statistics begin, when the structure's axis passes "
-                                      "the ice edge at {:.3g} s: raise time.duration = {} s, or set "
-                                      "output.statistics_from",
-                                      -course.axis / course.speed, c.time.duration)});
-  else if (travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
+        {"no-statistics", "the run is over before its statistics begin, when " + when_at_edge(c, course)});
+  else if (speed >= kAtRest && travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
     warnings.push_back(
         {"short-run",
          fmt::format("the statistics cover {:.3g} m of travel from {:.3g} s on, where loads stay alike over "
@@ -224,7 +245,7 @@ void add_broken_step_warning(const model::TimeSection& time, Warnings& warnings)
                                   std::floor(steps) * time.step, std::ceil(steps) * time.step)});
 }
 
-/// What a typical piece of `area` [m2] does not bear.
+/// What a typical piece of `area` [m2] does not bear, which is squeezed at `speed` [m/s].
 void add_piece_warnings(const model::Case& c, double speed, double area, double collision_time, Warnings& warnings) {
   if (c.failure.smallest_floe > area)
     warnings.push_back({"all-brash", fmt::format("failure.smallest_floe = {} m2, and a typical piece has {:.2g} m2: "
@@ -234,6 +255,7 @@ void add_piece_warnings(const model::Case& c, double speed, double area, double 
     warnings.push_back({"long-step", fmt::format("time.step = {} s is longer than the collision time {:.3g} s of a "
                                                  "piece of {:.2g} m2 (Eq. 11): shorten it",
                                                  c.time.step, collision_time, area)});
+  if (speed < kAtRest) return;
   // When the structure squeezes a floe against a support, each sweep adds about m v to the impulse
   // (docs/theory/dynamics.md, "Squeezed floes"). The floe needs this many sweeps to reach its crushing bound.
   const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * area;
@@ -243,8 +265,8 @@ void add_piece_warnings(const model::Case& c, double speed, double area, double 
   if (sweeps > c.contact.iterations)
     warnings.push_back(
         {"few-iterations",
-         fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at structure.speed "
-                     "= {} m/s to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
+         fmt::format("contact.iterations = {} are too few for a piece of {:.2g} m2 that is squeezed at {:.3g} m/s "
+                     "to bear what crushes it: it needs about {:.0f}, or steps of {:.2g} s",
                      c.contact.iterations, area, speed, sweeps, c.time.step * c.contact.iterations / sweeps)});
 }
 
@@ -259,7 +281,7 @@ void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnin
                                                      "{:.3g} m/s: floes fall asleep while they drift with it; lower it",
                                                      c.time.settle_speed, course.speed)});
   const double piece = 0.25 * scales.characteristic_length * scales.characteristic_length;
-  add_piece_warnings(c, course.speed, piece, scales.collision_time, warnings);
+  add_piece_warnings(c, passing_speed(c, course), piece, scales.collision_time, warnings);
 }
 
 namespace {

@@ -366,4 +366,29 @@ BOOST_AUTO_TEST_CASE(a_structure_beside_a_field_of_floes_or_before_it_does_not_r
   BOOST_TEST(!has(warnings({"time.duration=300", "field.border=free"}), "leaves-field"));
 }
 
+BOOST_AUTO_TEST_CASE(a_start_of_statistics_that_was_left_out_is_not_to_be_left_out) {
+  const auto far = warnings_with({"structure.start_distance=100"});
+  BOOST_TEST(has(far, "no-contact"));
+  BOOST_TEST(!has(far, "early-statistics"));
+}
+
+BOOST_AUTO_TEST_CASE(a_structure_at_rest_in_drifting_ice_is_judged_by_the_speed_of_the_ice) {
+  const std::string file = kSource + "/tests/modules/simulation/turning_path.toml";
+  const auto at_rest = [&](std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"structure.motion.path=[[0,-10,0,0],[20,-10,0,0]]", "field.kind=floes",
+                                     "field.concentration=0.3", "field.size.least=4", "field.size.largest=12"});
+    return simulation::derived_scales(io::read_case(file, settings)).warnings;
+  };
+  const auto drifting = at_rest({"water.current=[-0.5,0]"});
+  BOOST_TEST(!has(drifting, "few-iterations"));
+  const auto text = text_of(drifting, "no-statistics");
+  BOOST_TEST(says(text, "it does not pass it in this run"), text);
+  BOOST_TEST(says(text, "set output.statistics_from"), text);
+  const auto later = at_rest({"water.current=[-0.5,0]", "output.statistics_from=2"});
+  BOOST_TEST(later.empty(), (later.empty() ? "" : later.front().text));
+  BOOST_TEST(has(at_rest({"water.current=[-0.5,0]", "output.statistics_from=19.9"}), "short-run"));
+  BOOST_TEST(has(at_rest({"water.current=[-0.01,0]"}), "few-iterations"));
+  BOOST_TEST(!has(at_rest({}), "few-iterations"));
+}
+
 }  // namespace
