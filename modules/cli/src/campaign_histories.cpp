@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* kSummary = "the summary.json of a campaign that is done";
+constexpr const char* kRunSummary = "the summary.json of a run, with a number `statistics_from`";
 constexpr const char* kTable = "the campaign.csv of a campaign that is done";
 constexpr const char* kResume = "run the campaign with `--resume`, which writes it again";
 
@@ -35,6 +36,14 @@ ordered_json read_settings(const std::string& folder) {
       !std::ranges::all_of(json["settings"], is_setting))
     throw InputError(Complaint{path, "is no summary of a campaign", kSummary, kResume});
   return json["settings"];
+}
+
+/// The number `statistics_from` of a summary, if it has one.
+std::optional<double> start_in(const std::string& summary) {
+  const auto json = nlohmann::json::parse(read_json_text(summary, kRunSummary), nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || !json.contains("statistics_from") || !json["statistics_from"].is_number())
+    return std::nullopt;
+  return json["statistics_from"].get<double>();
 }
 
 LoadHistory replicate(const fs::path& run, HistoryChoice choice) {
@@ -54,13 +63,20 @@ bool is_campaign(const std::string& folder) {
 
 void begin_as_summary(HistoryChoice& choice, const std::string& summary) {
   if (choice.has_from) return;
-  constexpr const char* kAllowed = "the summary.json of a run, with a number `statistics_from`";
-  const auto json = nlohmann::json::parse(read_json_text(summary, kAllowed), nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("statistics_from") || !json["statistics_from"].is_number())
+  const std::optional<double> start = start_in(summary);
+  if (!start)
     throw InputError(
-        Complaint{summary, "holds no number `statistics_from`", kAllowed, "copy it again, or give --from"});
-  choice.from = json["statistics_from"].get<double>();
+        Complaint{summary, "holds no number `statistics_from`", kRunSummary, "copy it again, or give --from"});
+  choice.from = *start;
   choice.has_from = choice.after = true;
+}
+
+std::optional<double> start_beside(const std::string& history) {
+  const fs::path file = history, summary = file.parent_path() / "summary.json";
+  std::error_code ignored;
+  if ((file.filename() != "history.csv" && file.filename() != "run.nc") || !fs::exists(summary, ignored))
+    return std::nullopt;
+  return start_in(summary.string());
 }
 
 std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder) {

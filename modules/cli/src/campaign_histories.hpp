@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ bool is_campaign(const std::string& folder);
 /// Without a `from` of its own, `choice` takes the samples that the statistics in the `summary.json` of a run are of.
 /// @throws InputError when the file does not say where they begin.
 void begin_as_summary(HistoryChoice& choice, const std::string& summary);
+
+/// The start of the statistics [s] in the `summary.json` beside the history.csv or run.nc of a run; nothing where no
+/// summary has one, and beside files with other names.
+std::optional<double> start_beside(const std::string& history);
 
 /// The cases that campaign.csv counts as done, by setting. The folder cases/ may hold others: cases of an earlier plan,
 /// and cases that ended after the tables were written.

@@ -180,6 +180,10 @@ std::string statistics_text(const ordered_json& s) {
       fmt::format("{}{}: {} samples every {:.6g} s, {:.6g} s from t = {:.6g} s\n", s["column"].get<std::string>(),
                   s["unit"].is_null() ? "" : fmt::format(" [{}]", printable(s["unit"].get<std::string>())),
                   s["n"].get<std::size_t>(), value("dt"), value("duration"), value("from"));
+  if (s.contains("statistics_from"))
+    text += fmt::format(
+        "  begins               at statistics_from = {:.6g} s of summary.json; --from 0 takes the whole history\n",
+        value("statistics_from"));
   text += sampling_text(s["sampling"]);
   text += fmt::format("  mean                 {:.6g}   {}\n", value("mean"), interval_text(s["mean_95"]));
   text += fmt::format("  standard deviation   {:.6g}\n", value("standard_deviation"));

@@ -18,16 +18,33 @@
 namespace brash::cli {
 namespace {
 
+/// Refuses a name that several columns have: the first of them would be a guess.
+/// @param spelled  the heads of the series, or its names without their units.
+void refuse_doubled(const io::Series& series, const std::string& path, const std::vector<std::string>& spelled,
+                    const std::string& name) {
+  if (std::ranges::count(spelled, name) < 2) return;
+  const bool units_tell = std::ranges::count(series.heads, name) == 0;
+  throw InputError(Complaint{path, fmt::format("has several columns '{}'", printable(name)),
+                             units_tell ? fmt::format("one of: {}", fmt::join(series.heads, ", "))
+                                        : "a name of its own for each column that is read",
+                             units_tell ? "name the column with its unit" : "rename all but one of them"});
+}
+
 std::size_t load_column(const io::Series& series, const std::string& wanted, const std::string& path) {
   if (wanted.empty()) {
     const std::size_t first = series.time == std::size_t{0} ? 1 : 0;
-    if (first < series.names.size()) return first;
+    if (first < series.names.size()) {
+      refuse_doubled(series, path, series.heads, series.heads[first]);
+      return first;
+    }
     throw InputError(Complaint{path, "holds no column but that of the times", "a column of times and one of loads",
                                "check that it is the right file"});
   }
   for (const std::vector<std::string>& spelled : {series.heads, series.names})
-    if (const auto found = std::ranges::find(spelled, wanted); found != spelled.end())
+    if (const auto found = std::ranges::find(spelled, wanted); found != spelled.end()) {
+      refuse_doubled(series, path, spelled, wanted);
       return static_cast<std::size_t>(found - spelled.begin());
+    }
   const std::string nearest = nearest_name(wanted, series.names);
   throw InputError(Complaint{path, fmt::format("has no column '{}'", printable(wanted)),
                              fmt::format("one of: {}", fmt::join(series.heads, ", ")),
@@ -127,7 +144,8 @@ void keep_chosen(LoadHistory& load, const HistoryChoice& choice) {
 }
 
 std::string span_text(const HistoryChoice& choice) {
-  const std::string from = choice.has_from ? fmt::format("--from {}", choice.from) : "";
+  const std::string option = choice.after ? "statistics_from = {} of the summary" : "--from {}";
+  const std::string from = choice.has_from ? fmt::format(fmt::runtime(option), choice.from) : "";
   const std::string to = choice.to ? fmt::format("--to {}", *choice.to) : "";
   return from + (from.empty() || to.empty() ? "" : " and ") + to;
 }
@@ -146,11 +164,14 @@ LoadHistory history_of(io::Series& series, const std::string& path, const std::s
   keep_chosen(load, choice);
   if (load.history.values.size() < 2) {
     const std::string span = span_text(choice);
-    throw InputError(
-        Complaint{path,
-                  span.empty() ? fmt::format("column '{}' has fewer than two values", printable(load.column))
-                               : fmt::format("{} leaves fewer than two values", span),
-                  "two values at least", span.empty() ? "name another column" : "give a longer span of times"});
+    throw InputError(Complaint{path,
+                               span.empty()
+                                   ? fmt::format("column '{}' has fewer than two values", printable(load.column))
+                                   : fmt::format("{} leaves fewer than two values", span),
+                               "two values at least",
+                               choice.after   ? "give an earlier --from"
+                               : span.empty() ? "name another column"
+                                              : "give a longer span of times"});
   }
   load.even = statistics::make_even(load.history, choice.longest_interval);
   return choice.negate ? negated(std::move(load)) : std::move(load);

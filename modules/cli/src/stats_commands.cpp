@@ -15,6 +15,7 @@
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
+#include "campaign_histories.hpp"
 #include "file_name.hpp"
 #include "history_statistics.hpp"
 #include "history_tables.hpp"
@@ -83,11 +84,22 @@ void check_outputs(const StatsOptions& o) {
                                "name one file and one --column"});
 }
 
+/// The start of a run's statistics [s], if --from does not replace it.
+std::optional<double> start_of_summary(const StatsOptions& o, const std::string& file) {
+  return o.choice.has_from ? std::nullopt : start_beside(file);
+}
+
 std::vector<LoadHistory> histories_of(const StatsOptions& o) {
   std::vector<LoadHistory> loads;
-  for (const std::string& file : o.files)
-    for (LoadHistory& load : read_histories(file, o.choice, o.columns))
+  for (const std::string& file : o.files) {
+    HistoryChoice choice = o.choice;
+    if (const auto start = start_of_summary(o, file)) {
+      choice.from = *start;
+      choice.has_from = choice.after = true;
+    }
+    for (LoadHistory& load : read_histories(file, choice, o.columns))
       loads.push_back(o.preparation.any() ? prepared(load, o.preparation) : std::move(load));
+  }
   return loads;
 }
 
@@ -103,6 +115,7 @@ void run_stats(const StatsOptions& o) {
   for (const LoadHistory& load : loads) {
     ordered_json out = statistics_of(load, o.settings);
     if (o.preparation.any()) out["preparation"] = preparation_json(o.preparation);
+    if (const auto start = start_of_summary(o, load.file)) out["statistics_from"] = *start;
     if (loads.size() > 1) text += load.file + "\n";
     text += statistics_text(out);
     if (loads.size() > 1) out = ordered_json{{"file", load.file}, {"statistics", out}};
@@ -121,7 +134,7 @@ void add_reading_options(CLI::App& command, StatsOptions& o) {
       ->take_all()
       ->allow_extra_args(false);
   command.add_flag("--negate", o.choice.negate, "turn the sign, for peaks and extremes of a load below zero");
-  command.add_option("--from", o.choice.from, "leave out what is earlier [s]");
+  command.add_option("--from", o.choice.from, "leave out what is earlier [s] [of a run, as its summary]");
   command.add_option("--to", o.to, "leave out what is later [s]");
   command.add_option("--dt", o.choice.dt, "time step of files without times [s]")->check(time_span());
   command.add_option("--gap", o.choice.longest_interval, "longest step that is no gap [s] [5 x the median step]")
@@ -177,7 +190,7 @@ void add_stats_command(CLI::App& app) {
   add_reading_options(*command, *options);
   add_estimate_options(*command, *options);
   add_output_options(*command, *options);
-  command->footer("Example: brash stats results/cone/history.csv --column Fx --from 8");
+  command->footer("Example: brash stats results/cone/history.csv --column Fx");
   command->callback([options, command] {
     StatsOptions& o = *options;
     o.choice.has_from = command->count("--from") > 0;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "brash/core/constants.hpp"
@@ -290,6 +293,51 @@ BOOST_AUTO_TEST_CASE(tables_replace_no_result_of_a_run_and_not_each_other) {
       contains(refusal_of(history + " --column Fx --column time --cycles " + out + " --picture " + in_folder + "o.svg"),
                "--picture of 2 histories"));
   BOOST_TEST(!std::filesystem::exists(out));
+}
+
+/// The text that `brash stats` prints, by way of a file.
+std::string printed(const std::string& arguments, const std::filesystem::path& folder) {
+  const std::string out = folder / "printed.txt";
+  std::fflush(stdout);
+  const int screen = ::dup(STDOUT_FILENO), file = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  ::dup2(file, STDOUT_FILENO);
+  CLI::App app;
+  add_stats_command(app);
+  app.parse("stats " + arguments);
+  std::fflush(stdout);
+  ::dup2(screen, STDOUT_FILENO);
+  ::close(screen);
+  ::close(file);
+  std::ifstream stream(out);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+BOOST_AUTO_TEST_CASE(the_history_of_a_run_begins_as_its_summary) {
+  std::string text = "time [s],Fx [N]\n";
+  for (int i = 0; i < 400; ++i) text += fmt::format("{},{}\n", 0.1 * i, i <= 100 ? 0.0 : i % 2 == 0 ? 90.0 : 110.0);
+  const TemporaryFile file(text);
+  const std::filesystem::path folder = std::filesystem::path(file.path()).parent_path();
+  const auto found = [&](const std::string& more) {
+    return nlohmann::json::parse(printed(file.path() + " --json " + more, folder));
+  };
+  BOOST_TEST(found("")["from"] == 0.0);
+  for (const char* const summary : {"{}", R"({"statistics_from": null})"}) {
+    std::ofstream(folder / "summary.json") << summary;
+    BOOST_TEST(found("")["from"] == 0.0);
+  }
+  std::ofstream(folder / "summary.json") << R"({"statistics_from": 10.0})";
+  // Without the sample at the start, as the summary.
+  BOOST_TEST(found("")["n"] == 299);
+  BOOST_TEST(found("")["mean"].get<double>() == 100.0, tolerance(1e-3));
+  BOOST_TEST(found("")["statistics_from"] == 10.0);
+  BOOST_TEST(contains(printed(file.path(), folder), "begins               at statistics_from = 10 s of summary.json"));
+  BOOST_TEST(found("--from 0")["n"] == 400);
+  BOOST_TEST(!found("--from 0").contains("statistics_from"));
+  std::ofstream(folder / "summary.json") << R"({"statistics_from": 50.0})";
+  BOOST_TEST(contains(refusal_of(file.path()), "statistics_from = 50 of the summary leaves fewer than two values"));
+  // A table of something else has no summary.
+  std::ofstream(folder / "measured.csv") << text;
+  BOOST_TEST(nlohmann::json::parse(printed((folder / "measured.csv").string() + " --json", folder))["n"] == 400);
 }
 
 BOOST_AUTO_TEST_CASE(options_without_effect_are_refused) {
