@@ -76,6 +76,8 @@ ordered_json state_json(const DesignState& state, const DesignSettings& asked) {
   out["warnings"] = ordered_json::array();
   if (e.values.acts_downwards) out["warnings"].push_back(kNegativeMean);
   if (e.values.clipping) out["warnings"].push_back("a sensor seems to clip: larger loads are lost");
+  if (const std::string correlated = correlation_warning(e.values); !correlated.empty())
+    out["warnings"].push_back(correlated);
   return out;
 }
 

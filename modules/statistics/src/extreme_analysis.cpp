@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brash/core/contract.hpp"
 
@@ -115,13 +116,17 @@ void warn(const ExtremeValues& v, ExtremeAnalysis& analysis) {
     analysis.warnings.push_back(
         fmt::format("{} samples stay at the largest value, {:.6g}: the sensor seems to clip, and larger loads are lost",
                     v.clipping->samples, v.clipping->value));
-  if (v.correlation_of_peaks > kPeaksCorrelated)
-    analysis.warnings.push_back(
-        fmt::format("successive peaks correlate by {:.2f}: the intervals are too short, and longer blocks help",
-                    v.correlation_of_peaks));
+  if (std::string correlated = correlation_warning(v); !correlated.empty())
+    analysis.warnings.push_back(std::move(correlated));
 }
 
 }  // namespace
+
+std::string correlation_warning(const ExtremeValues& values) {
+  if (values.correlation_of_peaks <= kPeaksCorrelated) return "";
+  return fmt::format("successive peaks correlate by {:.2f}: the intervals are too short, and longer blocks help",
+                     values.correlation_of_peaks);
+}
 
 std::optional<Estimate> level_of(const ExtremeEstimate& estimate, double return_period, double confidence) {
   if (!estimate.fit || !(estimate.rate * return_period > 1.0)) return std::nullopt;

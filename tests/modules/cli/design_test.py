@@ -65,6 +65,18 @@ class Design(unittest.TestCase):
         self.assertEqual(told(turned), [True, True])
         self.assertIn("the mean is negative", self.design("--hours", 1, "--negate"))
 
+    def test_peaks_that_correlate_are_warned_of(self):
+        self.assertNotIn("successive peaks correlate", self.design("--hours", 1))
+        file = self.folder / "cases/thin-r0000/history.csv"
+        kept = file.read_text()
+        self.addCleanup(file.write_text, kept)
+        # Twenty cycles high, twenty low.
+        rows = [f"{0.1 * i:.1f},{(300 if i // 200 % 2 else 150) * (1 + i % 10) / 10:.1f}" for i in range(10 * CYCLES)]
+        file.write_text("\n".join(["time [s],Fx [N]", *rows]) + "\n")
+        warned = json.loads(self.design("--hours", 1, "--json"))["settings"][0]["warnings"]
+        self.assertTrue(any("successive peaks correlate by 0." in text for text in warned), warned)
+        self.assertIn("warning: successive peaks correlate by 0.", self.design("--hours", 1))
+
     def test_replicates_are_pooled_and_levels_hold_the_truth(self):
         found = json.loads(self.design("--hours", 1, "--hours", 5, "--json"))
         for state, (_, excess) in zip(found["settings"], SETTINGS.values()):

@@ -89,6 +89,10 @@ struct ExtremeAnalysis {
   const ExtremeEstimate& of(Law law) const { return estimates[static_cast<std::size_t>(law)]; }
 };
 
+/// The warning of peaks that are not independent, in every analysis; "" where successive peaks correlate by 0.3 or
+/// less.
+std::string correlation_warning(const ExtremeValues& values);
+
 /// Fits each law, tests it, and gives the level that is exceeded once in the return period on average.
 ///
 /// A record that cannot bear the question gets no level. docs/theory/statistics.md has the rules and their coverage.
