@@ -61,6 +61,13 @@ std::vector<LoadHistory> replicates(const std::string& campaign, const HistoryCh
                              "one setting", fmt::format("choose one with --where: {}", fmt::join(names, ", "))});
 }
 
+/// A history whose gaps are doubtful is named, so that its numbers are read with care.
+void note_gaps(const std::vector<LoadHistory>& loads) {
+  for (const LoadHistory& load : loads)
+    if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
+      say("note: {}: {}\n", load.file, gaps);
+}
+
 /// The histories of one side: of a file, of a run's folder, of one setting of a campaign.
 std::vector<LoadHistory> side(const std::string& given, HistoryChoice choice, const std::string& where) {
   if (is_campaign(given)) return replicates(given, choice, where);
@@ -125,6 +132,8 @@ void compare(CompareOptions& options) {
   } else {
     print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
+  note_gaps(runs);
+  note_gaps(measured);
   if (measured.front().unit.empty() && !fs::is_directory(options.measured.front()))
     say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.front().column),
         runs.front().unit.empty() ? "that of the run" : runs.front().unit);

@@ -165,6 +165,9 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"autocorrelation_time", s.autocorrelation_time},
                    {"effective_sample_size", s.effective_sample_size},
                    {"long_enough", s.long_enough}};
+  out["warnings"] = ordered_json::array();
+  if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
+    out["warnings"].push_back(gaps);
   const statistics::ExtremeAnalysis extremes = analysed(load, s.autocorrelation_time, settings.extremes);
   out["noise_floor"] = statistics::noise_floor(load.even.pieces(load.history));
   out["peaks"] = peaks_json(extremes.values);

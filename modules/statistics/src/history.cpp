@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/statistics/history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +16,7 @@ namespace brash::statistics {
 namespace {
 
 constexpr double kGapInSteps = 5.0;     // of the median interval
+constexpr double kMostInGaps = 0.1;     // of the time span: a change of the sampling rate looks like many gaps
 constexpr double kEvenTolerance = 0.1;  // of a step: the rounding of printed times
 
 double median_interval(const std::vector<double>& times) {
@@ -57,6 +60,15 @@ double distance_from_grid(std::span<const double> times, double step) {
     largest = std::max(largest, std::abs(times[i] - times.front() - step * static_cast<double>(i)));
   return largest;
 }
+
+/// Pieces of one sample, which tell nothing about a grid.
+std::size_t n_single(const EvenHistory& even) {
+  std::size_t n = 0;
+  for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p) n += even.cuts[p + 1] == even.cuts[p] + 1 ? 1 : 0;
+  return n;
+}
+
+bool is_mostly_single(const EvenHistory& even) { return 2 * n_single(even) > even.cuts.size() - 1; }
 
 std::vector<double> weights_of(const std::vector<double>& times, double longest_interval, double step) {
   const auto half_before = [&](std::size_t i) {
@@ -112,6 +124,7 @@ EvenHistory make_even(const History& history, double longest_interval) {
   longest_interval = std::max(longest_interval, even.sampling.shortest);
   cut(history.times, longest_interval, even);
   const double step = even.sampling.step;
+  even.sampling.even = !is_mostly_single(even);
   for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p)
     even.sampling.even =
         even.sampling.even && distance_from_grid(piece(history.times, even, p), step) <= kEvenTolerance * step;
@@ -120,6 +133,17 @@ EvenHistory make_even(const History& history, double longest_interval) {
   even.weights = even.sampling.even ? std::vector{step} : weights_of(history.times, longest_interval, step);
   for (std::size_t i = 0; i < history.times.size(); ++i) even.duration += even.weight(i);
   return even;
+}
+
+std::string gap_warning(const History& history, const EvenHistory& even) {
+  if (is_mostly_single(even))
+    return fmt::format("{} of {} pieces between gaps have one sample: the sampling rate seems to change, so give --gap",
+                       n_single(even), even.cuts.size() - 1);
+  double unknown = 0.0;
+  for (const Gap& gap : even.sampling.gaps) unknown += gap.to - gap.from;
+  const double share = unknown / (history.times.back() - history.times.front());
+  if (share <= kMostInGaps) return "";
+  return fmt::format("gaps cover {:.0f} % of the time: if the sampling rate changes, give --gap", 100.0 * share);
 }
 
 Summary summarise(const History& history, const EvenHistory& even) {

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cstddef>
+#include <string>
 
 namespace {
 
@@ -43,6 +44,28 @@ BOOST_AUTO_TEST_CASE(pieces_with_one_step_are_even_wherever_they_begin) {
   const EvenHistory even = make_even(history);
   BOOST_TEST(even.sampling.even);
   BOOST_TEST(summarise(history, even).mean == 2.5, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_change_of_the_sampling_rate_is_told_from_gaps) {
+  // 20 s at 0.01 s, 100 s at 0.1 s: the slow part falls into single samples.
+  History burst;
+  add(burst, 0.0, 0.01, 2000, 3.0);
+  add(burst, 20.0, 0.1, 1000, 1.0);
+  BOOST_TEST(gap_warning(burst, make_even(burst)) ==
+             "999 of 1000 pieces between gaps have one sample: the sampling rate seems to change, so give --gap");
+  BOOST_TEST(!make_even(burst).sampling.even);
+  BOOST_TEST(summarise(burst, make_even(burst)).n == 3000U);
+  BOOST_TEST(gap_warning(burst, make_even(burst, 0.2)) == "");
+
+  History halves;
+  add(halves, 0.0, 0.1, 300, 1.0);
+  add(halves, 40.0, 0.1, 300, 1.0);
+  BOOST_TEST(gap_warning(halves, make_even(halves)) ==
+             "gaps cover 14 % of the time: if the sampling rate changes, give --gap");
+  History whole;
+  add(whole, 0.0, 0.1, 300, 1.0);
+  add(whole, 32.0, 0.1, 300, 1.0);
+  BOOST_TEST(gap_warning(whole, make_even(whole)) == "");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

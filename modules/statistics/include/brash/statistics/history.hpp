@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brash/statistics/summary.hpp"
@@ -27,7 +28,7 @@ struct Sampling {
   double shortest = 0.0;  ///< time between two samples [s]
   double longest = 0.0;   ///< time between two samples [s]
   /// In each piece between gaps no time is further than a tenth of a step from an even grid of `step`, which begins at
-  /// the first time of the piece.
+  /// the first time of the piece. A history most of whose pieces have one sample is not even.
   bool even = true;
   std::vector<Gap> gaps;
 };
@@ -56,6 +57,10 @@ struct EvenHistory {
 /// @param longest_interval  [s]; 0: five times the median interval.
 /// @see docs/theory/statistics.md, Uneven sampling and gaps.
 EvenHistory make_even(const History& history, double longest_interval = 0.0);
+
+/// The warning of gaps that may be a change of the sampling rate: they cover more than a tenth of the time, or most
+/// pieces between them have one sample; "" for others. `--gap` is the `longest_interval` above.
+std::string gap_warning(const History& history, const EvenHistory& even);
 
 /// Summary of a stationary history, even or not, with or without gaps.
 ///
