@@ -107,20 +107,4 @@ double load_cycle(const std::vector<LoadEvent>& events, double duration) {
   return events.size() < 2 ? std::numeric_limits<double>::infinity() : duration / static_cast<double>(events.size());
 }
 
-std::optional<Clipping> clipping(std::span<const double> samples) {
-  if (samples.empty()) return std::nullopt;
-  const auto [low, high] = std::ranges::minmax(samples);
-  if (low == high || high == 0.0) return std::nullopt;
-  constexpr std::size_t kLongStretch = 5, kShortStretch = 2;
-  std::size_t stretch = 0, longest = 0, stretches = 0, at_limit = 0;
-  for (const double value : samples) {
-    stretch = value == high ? stretch + 1 : 0;
-    at_limit += value == high ? 1 : 0;
-    stretches += stretch == kShortStretch ? 1 : 0;
-    longest = std::max(longest, stretch);
-  }
-  if (longest < kLongStretch && stretches < 2) return std::nullopt;
-  return Clipping{high, at_limit};
-}
-
 }  // namespace brash::statistics

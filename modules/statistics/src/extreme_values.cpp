@@ -112,7 +112,7 @@ double correlation(const std::vector<std::vector<LoadEvent>>& events) {
 }
 
 void note_clipping(const ExtremeRecord& record, ExtremeValues& values) {
-  const auto found = record.clipping ? record.clipping : clipping(record.history->values);
+  const auto found = record.clipping ? record.clipping : clipping(*record.history, *record.even);
   if (found && (!values.clipping || found->value > values.clipping->value)) values.clipping = found;
 }
 

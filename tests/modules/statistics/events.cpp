@@ -104,12 +104,39 @@ BOOST_AUTO_TEST_CASE(a_wide_dead_band_stays_within_the_record) {
   BOOST_TEST(events_of(history, levels).size() == 3U);
 }
 
+bool is_clipped(const Samples& values) {
+  const History history = every_second(values);
+  return clipping(history, make_even(history)).has_value();
+}
+
 BOOST_AUTO_TEST_CASE(a_sensor_at_its_limit_is_noticed) {
-  BOOST_TEST(!clipping(Samples{0, 5, 9, 9, 5, 0, 8, 0}).has_value());
-  BOOST_TEST(!clipping(Samples{3, 3, 3, 3, 3, 3}).has_value());
-  BOOST_TEST(!clipping(Samples{-1, 0, 0, 0, 0, 0, 0, -2}).has_value());
-  BOOST_TEST(clipping(Samples{0, 5, 9, 9, 5, 0, 9, 9, 0}).value().samples == 4U);
-  BOOST_TEST(clipping(Samples{0, 9, 9, 9, 9, 9, 0}).value().value == 9.0);
+  BOOST_TEST(!is_clipped({0, 5, 9, 9, 5, 0, 8, 0}));
+  BOOST_TEST(!is_clipped({3, 3, 3, 3, 3, 3}));
+  BOOST_TEST(!is_clipped({-1, 0, 0, 0, 0, 0, 0, -2}));
+  const History twice = every_second({0, 5, 9, 9, 5, 0, 9, 9, 0}), once = every_second({0, 9, 9, 9, 9, 9, 0});
+  BOOST_TEST(clipping(twice, make_even(twice)).value().samples == 4U);
+  BOOST_TEST(clipping(once, make_even(once)).value().value == 9.0);
+}
+
+/// Waves of 2 s with random amplitudes, 200 samples a second, in whole units and cut at a limit.
+Samples rounded_waves(double limit, std::uint64_t replicate) {
+  RandomStream stream(1, "events", replicate, "amplitudes");
+  Samples values;
+  double amplitude = 0.0;
+  for (int i = 0; i < 80'000; ++i) {
+    if (i % 400 == 0) amplitude = 100.0 + 20.0 * stream.normal();
+    values.push_back(std::round(std::min(limit, amplitude * std::sin(std::numbers::pi * 0.005 * i))));
+  }
+  return values;
+}
+
+BOOST_AUTO_TEST_CASE(the_flat_tops_of_rounded_waves_are_no_limit) {
+  int cut = 0;
+  for (std::uint64_t replicate = 0; replicate < 20; ++replicate) {
+    BOOST_TEST(!is_clipped(rounded_waves(1e9, replicate)));
+    cut += is_clipped(rounded_waves(120.0, replicate)) ? 1 : 0;
+  }
+  BOOST_TEST(cut == 20);  // one deviation above the mean cuts a sixth of the waves
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "brash/statistics/history.hpp"
@@ -64,9 +63,13 @@ struct Clipping {
   std::size_t samples = 0;  ///< at that value
 };
 
-/// Looks for samples that stay at the largest value: five in a row, or two in a row at two places.
+/// Looks for load events that stay at the largest value of the history longer than rounding explains.
 ///
-/// A constant history is not clipped. Neither is a history whose largest value is 0.
-std::optional<Clipping> clipping(std::span<const double> samples);
+/// The flat top of a load event is its longest run of samples at its peak. Rounded values have flat tops too. The
+/// sensor clips if one flat top at the largest value has five samples and three times the median flat top of the lower
+/// events, or if two of them have two samples and twice the median. A constant history is not clipped. Neither is a
+/// history whose largest value is 0.
+/// @see docs/theory/statistics.md, Load events.
+std::optional<Clipping> clipping(const History& history, const EvenHistory& even);
 
 }  // namespace brash::statistics
