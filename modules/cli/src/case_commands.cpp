@@ -17,6 +17,7 @@
 #include "brash/structure/mesh_file.hpp"
 #include "brash/structure/motion.hpp"
 #include "commands.hpp"
+#include "file_name.hpp"
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "table.hpp"
@@ -67,6 +68,7 @@ void print_floes(const model::Case& resolved, const simulation::InitialField& fi
 
 void check_case(const std::string& path, const std::vector<std::string>& overrides, const std::string& picture) {
   refuse_overwriting(picture, {path});
+  refuse_replacing_results(picture);
   model::Case resolved = io::read_case(path, overrides);
   for (const std::string* const file : model::files_of(resolved)) refuse_overwriting(picture, {*file});
   check_picture_name(picture);

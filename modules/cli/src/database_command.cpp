@@ -127,6 +127,7 @@ template <typename Plan>
 void compute_plan(const Plan& plan, DatabaseOptions options) {
   refuse_missing_folder(options.output);
   refuse_overwriting(options.output, {options.plan});
+  refuse_replacing_results(options.output);
   if (options.chunk >= 0) return database::solve_chunk(plan, options.output, options.chunk);
   const ChunkFolder folder(options.output + ".chunks");
   if (options.on == "slurm") {

@@ -81,6 +81,7 @@ void export_gltf(const std::string& run_file, const std::string& file) {
 void export_map(const std::string& run_file, const std::string& file, double time) {
   check_map_name(file);
   refuse_overwriting(file, {run_file});
+  refuse_replacing_results(file);
   const geometry::Map map = ice_map(read_replay(run_file), time);
   write_map_file(file, map);
   print("{} polygons in {}\n", map.features.size(), file);

@@ -19,6 +19,7 @@
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/results.hpp"
 #include "crack_events.hpp"
+#include "file_name.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"
 
@@ -195,6 +196,7 @@ void apply_cuts(const CrackOptions& options, const Origin& origin, CrackRun& run
 void crack(const CrackOptions& options) {
   refuse_other_than_one_cut(options);
   refuse_overwriting(options.output, {options.sheet, options.events, options.cutters, options.lines});
+  refuse_replacing_results(options.output);
   if (!options.output.empty()) check_map_name(options.output);
   geometry::Map map = read_map_file(options.sheet, origin_option("crack", options.origin));
   CrackRun run(sheet_of(options.sheet, map.features), map.features);

@@ -7,6 +7,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "commands.hpp"
+#include "file_name.hpp"
 #include "messages.hpp"
 #include "report_source.hpp"
 #include "run_folder.hpp"
@@ -34,6 +35,7 @@ void write(const ReportOptions& options) {
   if (!options.measured.empty()) run.measured = measured_history(options.measured, options.of_measured);
   if (options.other.empty()) return print("{}\n", report::write_run_report(run));
   refuse_overwriting(options.output, {options.directory + "/run.nc", options.other + "/run.nc", options.measured});
+  refuse_replacing_results(options.output);
   report::write_comparison(run, run_in(options.other), options.output);
   print("{}\n", options.output);
 }

@@ -82,10 +82,13 @@ std::string write_card(const std::string& output, const std::string& text) {
   return card_of(output);
 }
 
-/// Refuses a model that has no folder, that has the name of its card, or by which an input would be lost.
+/// Refuses a model that has no folder, that has the name of its card, or by which an input or a result would be lost.
 void check_output(const std::string& output, std::initializer_list<std::string> inputs) {
   refuse_missing_folder(output);
-  for (const std::string& file : {output, card_of(output)}) refuse_overwriting(file, inputs);
+  for (const std::string& file : {output, card_of(output)}) {
+    refuse_overwriting(file, inputs);
+    refuse_replacing_results(file);
+  }
   if (card_of(output) == output)
     throw InputError(Complaint{output, "is the name of the model's card, which is written beside it",
                                "a name that does not end in .md", "give the model another name, such as model.json"});

@@ -198,6 +198,24 @@ class Rerun(unittest.TestCase):
         self.assertEqual({file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}, before)
         self.record("new", "--set", "failure.model=wedge", "--resume")  # nothing is there yet
 
+    def test_no_command_writes_over_a_result(self):
+        folder = self.record("a", "--set", "failure.model=wedge").parent
+        (self.path / "sheet.wkt").write_text("POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))")
+        (self.path / "events.csv").write_text("0,5,2,3\n")
+        before = {file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}
+        plan = SOURCE / "experiments/failure_database/plan.toml"
+        for command in (("check", self.case, "--picture", folder / "plan.svg"),
+                        ("crack", "--sheet", "sheet.wkt", "--events", "events.csv", "-o", folder / "summary.json"),
+                        ("export", "map", folder / "run.nc", "-o", folder / "summary.json"),
+                        ("report", folder, folder, "-o", folder / "summary.json"),
+                        ("failure", "database", plan, "-o", folder / "run.nc"),
+                        ("failure", "train", plan, "-o", folder / "summary.json")):
+            with self.subTest(" ".join(map(str, command))):
+                done = brash(*command, cwd=self.path)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertIn("would be written over a result that manifest.json beside it lists", done.stderr)
+        self.assertEqual({file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}, before)
+
     def test_two_seeds_are_refused(self):
         refused = brash("run", self.case, "-o", self.path / "a", "--seed", 3, "--set", "random.seed = 4")
         self.assertEqual(refused.returncode, 2)
