@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
@@ -117,6 +118,7 @@ class Changes {
   void expect(const std::string& what, const std::string& was, const std::string& is) {
     if (was != is) text_ += fmt::format("\n  {}\n    was {}\n    is  {}", escaped(what), printable(was), is);
   }
+  bool any() const { return !text_.empty(); }
   /// Refuses to go on from `manifest`; `anyway` prints the changes instead.
   void settle(const std::string& manifest, bool anyway) const {
     if (text_.empty()) return;
@@ -240,7 +242,64 @@ bool rerun_run(const RerunOptions& options) {
   return different.empty();
 }
 
-/// Inputs and tables of a campaign that are not as they were, and cases that have gone.
+/// The file of a setting in the folder of a campaign; empty: there is none. All have the name of the base case before
+/// the setting's, so that the shortest of the names that fit is the setting's own.
+fs::path setting_file(const fs::path& campaign, const std::string& setting) {
+  const std::string end = "_" + setting + ".toml";
+  fs::path found;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(campaign / "settings", missing)) {
+    const std::string name = entry.path().filename().string();
+    const bool fits = name.ends_with(end) || (setting == "base" && name.ends_with(".toml"));
+    if (fits && (found.empty() || name.size() < found.filename().string().size())) found = entry.path();
+  }
+  return found;
+}
+
+/// The first line of each of two texts in which they differ.
+std::pair<std::string, std::string> first_difference(std::string_view a, std::string_view b) {
+  const auto take_line = [](std::string_view& text) {
+    const std::string line(text.substr(0, text.find('\n')));
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+    return line;
+  };
+  while (!a.empty() || !b.empty())
+    if (std::pair lines{take_line(a), take_line(b)}; lines.first != lines.second) return lines;
+  return {};
+}
+
+/// Finds the cases of a campaign that are not of the setting and the replicate in the name of their folder.
+void expect_own_case(const fs::path& manifest_file, Changes& changes) {
+  const fs::path folder = manifest_file.parent_path();
+  const std::string id = folder.filename().string(), what = "case " + id;
+  const std::size_t mark = id.rfind("-r");
+  const fs::path setting = setting_file(folder.parent_path().parent_path(), id.substr(0, mark));
+  if (mark == std::string::npos || setting.empty()) return changes.expect(what, "of a setting", "of no setting");
+  const Manifest manifest = read_manifest(manifest_file.string());
+  if (manifest.case_name != setting.stem())
+    return changes.expect(what, setting.stem().string(), printable(manifest.case_name));
+  const model::Case is = inputs_in(manifest, manifest_file.string()).recorded();
+  model::Case was =
+      recording::read_inputs(setting.string(), {"random.replicate=0"}, io::ModelFile::kAnywhere).recorded();
+  const std::string replicate = id.substr(mark + 2);
+  was.random.replicate = is.random.replicate;
+  const auto [line_was, line_is] = first_difference(io::to_toml(was), io::to_toml(is));
+  changes.expect(what, line_was, printable(line_is));
+  changes.expect(what, "replicate " + replicate, fmt::format("replicate {:04}", is.random.replicate));
+}
+
+/// The manifests of the cases in the folder of a campaign, sorted.
+std::vector<fs::path> manifests_of_cases(const fs::path& campaign) {
+  std::vector<fs::path> manifests;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(campaign / "cases", missing))
+    if (entry.path().extension() != ".part" && fs::is_regular_file(entry.path() / "manifest.json"))
+      manifests.push_back(entry.path() / "manifest.json");
+  std::ranges::sort(manifests);
+  return manifests;
+}
+
+/// Inputs and tables of a campaign that are not as they were, cases that have gone, and cases of another setting.
 Changes changes_in_campaign(const std::string& path, const json& manifest) {
   const fs::path folder = fs::path(path).parent_path(), table = folder / "campaign.csv";
   Changes changes;
@@ -258,27 +317,24 @@ Changes changes_in_campaign(const std::string& path, const json& manifest) {
     throw InputError(Complaint{path, fmt::format("is not the manifest of a campaign: {}", error.what()),
                                "the manifest.json in the folder of a campaign", "copy it again"});
   }
-  if (!has_table) return changes;
-  for (const auto& [setting, cases] : done_cases(folder.string()))
-    for (const std::string& id : cases)
-      changes.expect("case " + id, "done", fs::exists(folder / "cases" / id / "manifest.json") ? "done" : "gone");
+  if (has_table)
+    for (const auto& [setting, cases] : done_cases(folder.string()))
+      for (const std::string& id : cases)
+        changes.expect("case " + id, "done", fs::exists(folder / "cases" / id / "manifest.json") ? "done" : "gone");
+  // An input that has changed has its own line, and would change every case.
+  if (!changes.any())
+    for (const fs::path& case_manifest : manifests_of_cases(folder)) expect_own_case(case_manifest, changes);
   return changes;
 }
 
 /// Repeats every case of the campaign that wrote `manifest`, each with its own manifest.
 void rerun_campaign(const RerunOptions& options, const json& manifest) {
   changes_in_campaign(options.manifest, manifest).settle(options.manifest, options.anyway);
-  const fs::path cases = fs::path(options.manifest).parent_path() / "cases";
-  std::vector<fs::path> manifests;
-  std::error_code missing;
-  for (const auto& entry : fs::directory_iterator(cases, missing))
-    if (entry.path().extension() != ".part" && fs::is_regular_file(entry.path() / "manifest.json"))
-      manifests.push_back(entry.path() / "manifest.json");
+  const std::vector<fs::path> manifests = manifests_of_cases(fs::path(options.manifest).parent_path());
   if (manifests.empty())
     throw InputError(Complaint{options.manifest, "is a campaign's, and its folder has no case with a manifest",
                                "the manifest.json in the whole folder of a campaign",
                                "copy the folder with its cases"});
-  std::ranges::sort(manifests);
   std::size_t n_different = 0;
   for (const fs::path& path : manifests) {
     const std::string name = path.parent_path().filename().string();

@@ -68,12 +68,28 @@ void refuse_files_of_others(const fs::path& directory) {
   if (has("inputs")) refuse("inputs", "is there, but no run left it, and a run would write into it");
 }
 
+/// The campaign that has `directory` for the folder of a case, begun or done; empty: there is none.
+fs::path campaign_around(const std::string& directory) {
+  std::error_code ignored;
+  fs::path folder = fs::weakly_canonical(fs::absolute(directory), ignored);
+  if (!folder.has_filename()) folder = folder.parent_path();
+  const fs::path cases = folder.parent_path(), around = cases.parent_path();
+  if (cases.filename() != "cases") return {};
+  const bool begun = fs::is_directory(around / "settings", ignored) && fs::is_directory(around / "inputs", ignored);
+  return begun || report::is_campaign(around.string()) ? around : fs::path();
+}
+
 }  // namespace
 
 FolderLock open_run_folder(const std::string& directory) {
   if (report::is_campaign(directory))
     throw InputError(Complaint{directory, "holds a campaign, of whose files some have the names of a run's",
                                "a folder that is new, empty or of a run", "give another folder"});
+  if (const fs::path campaign = campaign_around(directory); !campaign.empty())
+    throw InputError(
+        Complaint{directory, "belongs to the cases of the campaign in " + campaign.string(),
+                  "a folder that is new, empty or of a run, outside of a campaign",
+                  "give another folder; `brash campaign --resume` computes a case whose folder you remove"});
   FolderLock lock = FolderLock::take_or_refuse(directory, "run.lock");
   refuse_files_of_others(directory);
   remove_parts(directory);

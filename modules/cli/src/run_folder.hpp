@@ -12,8 +12,8 @@ namespace brash::cli {
 
 /// Makes `directory` this process's alone, for as long as the returned lock lives, and removes the half-written files
 /// of a killed process.
-/// @throws InputError when another process runs in it, it holds a campaign, or files with names of results that no run
-/// left. @throws StorageError when it cannot be written.
+/// @throws InputError when another process runs in it, it holds a campaign or is a case of one, or it holds files with
+/// names of results that no run left. @throws StorageError when it cannot be written.
 FolderLock open_run_folder(const std::string& directory);
 
 /// Refuses to begin a run at 0 s where a finished or an interrupted one lies.

@@ -216,6 +216,46 @@ class Rerun(unittest.TestCase):
                 self.assertIn("would be written over a result that manifest.json beside it lists", done.stderr)
         self.assertEqual({file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}, before)
 
+    def test_no_run_takes_the_place_of_a_case_of_a_campaign(self):
+        manifest = self.campaign("c")
+        folder = manifest.parent
+        case = folder / "cases/base-r0001"
+        setting = folder / "settings/mine.toml"
+        before = (case / "history.csv").read_bytes()
+        for place in (case, folder / "cases/other", str(case) + "/"):
+            done = brash("run", setting, "--set", "ice.thickness=0.4", "--replace", "-o", place)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("belongs to the cases of the campaign in", done.stderr)
+            self.assertNotIn("--replace", done.stderr)
+        self.assertEqual((case / "history.csv").read_bytes(), before)
+
+    def test_a_case_that_is_not_of_its_setting_is_named(self):
+        manifest = self.campaign("c")
+        case = manifest.parent / "cases/base-r0001"
+        setting = manifest.parent / "settings/mine.toml"
+
+        def named(text, *options):
+            foreign = self.path / "foreign"
+            done = brash("run", setting, "-o", foreign, *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            case.rename(self.path / "own")
+            foreign.rename(case)
+            refused = brash("rerun", manifest)
+            self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+            self.assertIn(text, refused.stderr)
+            self.assertEqual(refused.stderr.count("\n    was "), 1)
+            case.rename(foreign)
+            shutil.rmtree(foreign)
+            (self.path / "own").rename(case)
+
+        named("case base-r0001\n    was thickness = 0.33  # m\n    is  thickness = 0.4  # m\n",
+              "--set", "ice.thickness=0.4", "--set", "random.replicate=1")
+        named("case base-r0001\n    was replicate 0001\n    is  replicate 0000\n")
+        other = setting.with_name("other.toml")
+        shutil.copy(setting, other)
+        setting, mine = other, setting
+        named("case base-r0001\n    was mine\n    is  other\n", "--set", "random.replicate=1")
+
     def test_two_seeds_are_refused(self):
         refused = brash("run", self.case, "-o", self.path / "a", "--seed", 3, "--set", "random.seed = 4")
         self.assertEqual(refused.returncode, 2)
