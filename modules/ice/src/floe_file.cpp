@@ -91,19 +91,49 @@ std::optional<double> property(const Json& feature, std::size_t number, const ch
   return value.get<double>();
 }
 
+std::string in_small_letters(std::string text) {
+  for (char& letter : text)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return text;
+}
+
+/// Programs for maps like to change the letters of names.
+void expect_known_letters(const Json& feature, std::size_t number, const std::string& path) {
+  if (!feature.contains("properties") || !feature.at("properties").is_object()) return;
+  const Json& properties = feature.at("properties");
+  for (const auto& [name, value] : properties.items())
+    for (const std::string known : {"thickness", "flexural_strength", "kind"}) {
+      if (in_small_letters(name) != known || properties.contains(known)) continue;
+      if (known == "kind" && value != "floe") continue;  // of something else
+      refuse(fmt::format("{}, feature {}", path, number),
+             fmt::format("has the property {}, which has no effect in these letters", name),
+             "thickness, flexural_strength and kind in small letters",
+             fmt::format("write {}, or remove the property", known));
+    }
+}
+
+/// The features of GeoJSON; none of a text that has none.
+Json features_in(const Json& root) {
+  const std::string type = root.is_object() && root.contains("type") ? root.at("type").dump() : "";
+  if (type == R"("Feature")") return Json::array({root});
+  return type == R"("FeatureCollection")" && root.contains("features") ? root.at("features") : Json::array();
+}
+
+GivenIce given_ice(const Json& feature, std::size_t number, const std::string& path) {
+  return {number, property(feature, number, "thickness", 1e-3, 10.0, "m", path),
+          property(feature, number, "flexural_strength", 1e-3, 1e8, "Pa", path)};
+}
+
 /// Adds the properties of the features of a text that from_geojson() has read.
 void add_properties(const std::string& text, const std::string& path, std::vector<GivenFloe>& floes) {
-  const Json root = Json::parse(text);
-  const std::string type = root.value("type", "");
-  if (type != "FeatureCollection" && type != "Feature") return;
-  const Json features = type == "Feature" ? Json::array({root}) : root.at("features");
+  const Json features = features_in(Json::parse(text));
   std::size_t floe = 0, number = 0;
   for (const Json& feature : features) {
-    const auto thickness = property(feature, number, "thickness", 1e-3, 10.0, "m", path);
-    const auto strength = property(feature, number, "flexural_strength", 1e-3, 1e8, "Pa", path);
+    expect_known_letters(feature, number, path);
+    const GivenIce ice = given_ice(feature, number, path);
     for (std::size_t n = n_polygons(feature.at("geometry")); n > 0 && floe < floes.size(); --n, ++floe) {
-      floes[floe].thickness = thickness;
-      floes[floe].flexural_strength = strength;
+      floes[floe].thickness = ice.thickness;
+      floes[floe].flexural_strength = ice.flexural_strength;
     }
     ++number;
   }
@@ -139,6 +169,17 @@ std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSec
   if (geometry::is_json(text)) add_properties(text, path, floes);
   expect_in_field(floes, field, path);
   return floes;
+}
+
+std::vector<GivenIce> read_given_ice(const std::string& path) {
+  const std::string text = read_text_file(path, "file of floes");
+  std::vector<GivenIce> all;
+  if (!geometry::is_json(text)) return all;
+  std::size_t number = 0;
+  for (const Json& feature : features_in(Json::parse(text, nullptr, false)))
+    if (const GivenIce ice = given_ice(feature, number++, path); ice.thickness || ice.flexural_strength)
+      all.push_back(ice);
+  return all;
 }
 
 GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field) {

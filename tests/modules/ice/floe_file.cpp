@@ -67,6 +67,11 @@ BOOST_AUTO_TEST_CASE(geojson_gives_each_floe_its_ice) {
   BOOST_TEST(floes[2].flexural_strength.value() == 4e5);
 }
 
+BOOST_AUTO_TEST_CASE(a_property_in_other_letters_beside_the_known_one_is_left_alone) {
+  const auto floes = read(collection(feature("Polygon", kSquare, R"({"thickness":0.5,"THICKNESS":"50 cm"})")));
+  BOOST_TEST(floes.front().thickness.value() == 0.5);
+}
+
 BOOST_AUTO_TEST_CASE(an_origin_is_taken_from_the_coordinates_of_a_map_exactly) {
   const auto local = read("POLYGON((0.25 -3.1, 4.2 -3, 4 4, 0.25 -3.1))");
   field.origin = {499999.75, 9000003.0};
@@ -93,6 +98,8 @@ BOOST_AUTO_TEST_CASE(faults_are_refused_with_their_place) {
   refuses(collection(feature("Polygon", kSquare, R"({"thickness":"thick"})")), "feature 0");
   refuses(collection(feature("Polygon", kSquare, R"({"thickness":-1})")), "has the thickness -1");
   refuses("POLYGON((0 0, 4 0", "line 1");
+  refuses(collection(feature("Polygon", kSquare, R"({"Thickness":0.5})")), "has the property Thickness");
+  refuses(collection(feature("Polygon", kSquare, R"({"FLEXURAL_STRENGTH":4e5})")), "write flexural_strength");
   refuses("POLYGON EMPTY", "holds no polygon");
 }
 

@@ -391,4 +391,37 @@ BOOST_AUTO_TEST_CASE(a_structure_at_rest_in_drifting_ice_is_judged_by_the_speed_
   BOOST_TEST(!has(at_rest({}), "few-iterations"));
 }
 
+/// A file of a test, gone with it.
+struct Written {
+  std::string path;
+  Written(const std::string& name, const std::string& text)
+      : path((std::filesystem::temp_directory_path() / ("brash_warnings_" + name)).string()) {
+    std::ofstream(path) << text;
+  }
+  Written(const Written&) = delete;
+  Written& operator=(const Written&) = delete;
+  ~Written() { std::filesystem::remove(path); }
+};
+
+BOOST_AUTO_TEST_CASE(the_ice_of_a_map_of_floes_is_checked_as_the_ice_of_the_case_is) {
+  const auto warnings = [](const std::string& properties) {
+    const Written map(
+        "floes.geojson",
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+        R"({"type":"Polygon","coordinates":[[[20,0],[24,0],[24,4],[20,0]]]}},{"type":"Feature","properties":)" +
+            properties + R"(,"geometry":{"type":"Polygon","coordinates":[[[1,0],[5,0],[5,4],[1,0]]]}}]})");
+    const std::string file = kSource + "/tests/experiments/field-of-file.toml";
+    return simulation::derived_scales(io::read_case(file, {"field.file=" + map.path})).warnings;
+  };
+  const auto strength = text_of(warnings(R"({"flexural_strength": 400})"), "flexural-strength");
+  BOOST_TEST(says(strength, "feature 1"), strength);
+  BOOST_TEST(says(strength, "flexural_strength = 400 Pa is no ice"), strength);
+  BOOST_TEST(says(strength, "was \"400 kPa\" meant?"), strength);
+  const auto thickness = text_of(warnings(R"({"thickness": 6})"), "thickness");
+  BOOST_TEST(says(thickness, "thickness = 6 m is no ice"), thickness);
+  const auto good = warnings(R"({"thickness": 0.5, "flexural_strength": 4e5})");
+  BOOST_TEST(!has(good, "thickness"));
+  BOOST_TEST(!has(good, "flexural-strength"));
+}
+
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +22,20 @@ struct GivenFloe {
 /// `flexural_strength` of a GeoJSON feature are the ones of its floes.
 ///
 /// @param field  whose rectangle holds every floe, and whose origin is taken from the file's coordinates, exactly.
-/// @throws InputError naming file and place when the text is at fault, floes overlap, a floe leaves the field, or a
-///         property is out of range.
+/// @throws InputError naming file and place when the text is at fault, floes overlap, a floe leaves the field, a
+///         property is out of range, or has a known name in other letters.
 std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field);
+
+/// The ice that a feature of GeoJSON states for its floes.
+struct GivenIce {
+  std::size_t feature = 0;                  ///< its number, from 0
+  std::optional<double> thickness;          ///< [m]
+  std::optional<double> flexural_strength;  ///< [Pa]
+};
+
+/// Reads these properties alone, which is quick. A text that is no GeoJSON has none.
+/// @throws InputError when the file cannot be read, or a property is out of range.
+std::vector<GivenIce> read_given_ice(const std::string& path);
 
 /// Level ice of a file.
 struct GivenLevelIce {
