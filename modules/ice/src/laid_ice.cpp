@@ -153,6 +153,25 @@ bool touches(const Polygon& part, const Polygon& land) {
   return has_corner_on(part, land) || has_corner_on(land, part);
 }
 
+geometry::ExactArea total(std::span<const Polygon> polygons) {
+  geometry::ExactArea sum;
+  for (const Polygon& polygon : polygons) sum += geometry::area(polygon);
+  return sum;
+}
+
+geometry::Extent extent_of(std::span<const Polygon> polygons) {
+  geometry::Extent box;
+  for (const Polygon& polygon : polygons) box.add(geometry::extent(polygon));
+  return box;
+}
+
+/// Whether land lies along a part.
+bool holds_any(std::span<const Polygon> land, std::span<const Polygon> parts) {
+  return std::ranges::any_of(parts, [&](const Polygon& part) {
+    return std::ranges::any_of(land, [&](const Polygon& one) { return touches(part, one); });
+  });
+}
+
 void sort_held(std::vector<Polygon> parts, std::span<const Polygon> land, const model::FieldSection& field,
                LaidIce& laid) {
   for (Polygon& part : parts) {
@@ -212,6 +231,36 @@ void expect_no_tails(const std::vector<Tail>& tails, const std::string& file) {
       "field.openings"});
 }
 
+/// The ice without polygons, which are idle where they take less than a square as wide as the ice is thick.
+std::vector<Polygon> without(std::span<const Polygon> ice, std::span<const Polygon> polygons, const char* key,
+                             double thickness, std::vector<IdleFile>& idle) {
+  std::vector<Polygon> rest = with_openings(ice, polygons);
+  const double taken = (total(ice) - total(rest)).square_metres();
+  if (taken < thickness * thickness) idle.push_back({key, taken, extent_of(polygons), extent_of(ice)});
+  return rest;
+}
+
+std::size_t n_holes(std::span<const Polygon> polygons) {
+  std::size_t n = 0;
+  for (const Polygon& polygon : polygons) n += polygon.holes.size();
+  return n;
+}
+
+/// The ice parted by field.cracks. Lines that leave as many parts and holes are idle.
+std::vector<Polygon> with_cracks(std::span<const Polygon> ice, const model::FieldSection& field,
+                                 std::vector<IdleFile>& idle) {
+  const std::vector<geometry::Crack> lines = read_cracks(field.cracks, field.origin);
+  Parted cut = parted_by(lines, ice);
+  expect_no_tails(cut.tails, field.cracks);
+  if (cut.parts.size() == ice.size() && n_holes(cut.parts) == n_holes(ice)) {
+    geometry::Extent reach;
+    for (const geometry::Crack& line : lines)
+      for (const Point end : {line.from, line.to}) reach.add(geometry::metres(end));
+    idle.push_back({"cracks", 0.0, reach, extent_of(ice)});
+  }
+  return std::move(cut.parts);
+}
+
 }  // namespace
 
 bool is_held(const Polygon& part, const model::FieldSection& field, std::span<const Polygon> land) {
@@ -240,8 +289,7 @@ std::vector<Polygon> with_openings(std::span<const Polygon> ice, std::span<const
 }
 
 Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon> ice) {
-  geometry::Extent box;
-  for (const Polygon& part : ice) box.add(geometry::extent(part));
+  const geometry::Extent box = extent_of(ice);
   if (box.is_empty()) return {};
   const Vec2 beyond{kBeyond, kBeyond}, lower = box.lower - beyond, upper = box.upper + beyond;
   const std::array<Vec2, 4> corners{lower, Vec2{upper.x, lower.y}, upper, Vec2{lower.x, upper.y}};
@@ -266,21 +314,19 @@ Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon
 
 LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& ice) {
   GivenLevelIce given = given_ice(field);
-  if (!model::has_ice_files(field)) return {std::move(given.sheets), {}, {}};
+  if (!model::has_ice_files(field)) return {std::move(given.sheets), {}, {}, {}};
+  LaidIce laid;
   std::vector<Polygon> parts = std::move(given.sheets);
   std::vector<Polygon> land;
   if (!field.shore.empty()) {
     land = read_outlines(field.shore, field.origin);
-    parts = with_openings(parts, land);
+    parts = without(parts, land, "shore", ice.thickness, laid.idle);
+    if (!laid.idle.empty() && holds_any(land, parts)) laid.idle.clear();
     expect_afloat(given.floes, land, field.file);
   }
-  if (!field.openings.empty()) parts = with_openings(parts, read_openings(field.openings, field.origin));
-  if (!field.cracks.empty()) {
-    Parted parted = parted_by(read_cracks(field.cracks, field.origin), parts);
-    expect_no_tails(parted.tails, field.cracks);
-    parts = std::move(parted.parts);
-  }
-  LaidIce laid;
+  if (!field.openings.empty())
+    parts = without(parts, read_openings(field.openings, field.origin), "openings", ice.thickness, laid.idle);
+  if (!field.cracks.empty()) parts = with_cracks(parts, field, laid.idle);
   if (field.border == model::Border::kFixed)
     sort_held(std::move(parts), land, field, laid);
   else
@@ -288,6 +334,10 @@ LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& 
   std::ranges::move(given.floes, std::back_inserter(laid.floes));
   laid.land = std::move(land);
   return laid;
+}
+
+std::vector<IdleFile> idle_files(const model::FieldSection& field, const failure::IceProperties& ice) {
+  return model::has_ice_files(field) ? lay_ice(field, ice).idle : std::vector<IdleFile>{};
 }
 
 }  // namespace brash::ice

@@ -7,6 +7,7 @@
 #include "brash/failure/criterion.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/ice/floe_file.hpp"
+#include "brash/ice/idle_files.hpp"
 
 namespace brash::ice {
 
@@ -15,6 +16,7 @@ struct LaidIce {
   std::vector<geometry::Polygon> sheets;  ///< held, or large enough to drift as a sheet: one part each
   std::vector<GivenFloe> floes;           ///< parts that nothing holds, then the floes of the file
   std::vector<geometry::Polygon> land;    ///< of the shore
+  std::vector<IdleFile> idle;             ///< files without effect
 };
 
 /// Whether land holds a part of level ice with fixed borders: one of its edges lies along a side or the far end of the

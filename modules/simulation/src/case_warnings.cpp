@@ -388,6 +388,7 @@ void add_land_warning(const model::Case& c, Warnings& warnings) {
 Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion) {
   Warnings warnings;
   add_ice_warnings(c, warnings);
+  add_idle_file_warnings(c, warnings);
   add_variation_warnings(c, scales, warnings);
   add_field_warnings(c, scales, warnings);
   add_land_warning(c, warnings);

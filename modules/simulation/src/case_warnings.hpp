@@ -13,45 +13,36 @@ namespace brash::simulation {
 using Warnings = std::vector<model::Warning>;
 
 /// The body of a structure afloat; null for any other.
-const model::FloatingBody *afloat(const model::Motion &motion);
+const model::FloatingBody* afloat(const model::Motion& motion);
 
-/// Properties outside the measured ranges of ice, with the unit that was
-/// probably meant; of the floes of a file too.
-void add_ice_warnings(const model::Case &resolved, Warnings &warnings);
+/// Properties outside the measured ranges of ice, with the unit that was probably meant; of the floes of a file too.
+void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
 
-/// Ice that varies within a length over which the failure model takes it for
-/// even.
-void add_variation_warnings(const model::Case &resolved,
-                            const DerivedScales &scales, Warnings &warnings);
+/// Files of openings, cracks and land that lie off the ice.
+void add_idle_file_warnings(const model::Case& resolved, Warnings& warnings);
 
-/// A structure that does not reach the ice, leaves it, or passes near its
-/// borders, which are fixed and rigid.
-void add_field_warnings(const model::Case &resolved,
-                        const DerivedScales &scales, Warnings &warnings);
+/// Ice that varies within a length over which the failure model takes it for even.
+void add_variation_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
+
+/// A structure that does not reach the ice, leaves it, or passes near its borders, which are fixed and rigid.
+void add_field_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
 
 /// A duration or a step that does not suit the case.
-void add_time_warnings(const model::Case &resolved, const DerivedScales &scales,
-                       Warnings &warnings);
+void add_time_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
 
-/// Inputs far outside the range of the failure model, and ice of another
-/// Poisson's ratio.
-void add_model_warnings(const model::Case &resolved,
-                        const DerivedScales &scales,
-                        const failure::BendingCriterion &criterion,
-                        Warnings &warnings);
+/// Inputs far outside the range of the failure model, and ice of another Poisson's ratio.
+void add_model_warnings(const model::Case& resolved, const DerivedScales& scales,
+                        const failure::BendingCriterion& criterion, Warnings& warnings);
 
-/// A vertical front, a motion that its steps, its spring or its path do not
-/// suit, and a structure afloat that is lopsided, turns over or is not in
-/// balance.
-void add_structure_warnings(const model::Case &resolved,
-                            const DerivedScales &scales, Warnings &warnings);
+/// A vertical front, a motion that its steps, its spring or its path do not suit, and a structure afloat that is
+/// lopsided, turns over or is not in balance.
+void add_structure_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
 
-/// Keys that differ from their defaults and do nothing, because another key was
-/// left out.
-void add_idle_keys_warning(const model::Case &resolved, Warnings &warnings);
+/// Keys that differ from their defaults and do nothing, because another key was left out.
+void add_idle_keys_warning(const model::Case& resolved, Warnings& warnings);
 
 /// All of them. docs/reference/warnings.md
-Warnings case_warnings(const model::Case &resolved, const DerivedScales &scales,
-                       const failure::BendingCriterion &criterion);
+Warnings case_warnings(const model::Case& resolved, const DerivedScales& scales,
+                       const failure::BendingCriterion& criterion);
 
-} // namespace brash::simulation
+}  // namespace brash::simulation

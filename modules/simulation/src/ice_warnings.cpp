@@ -12,24 +12,25 @@
 
 #include "brash/core/error.hpp"
 #include "brash/ice/floe_file.hpp"
+#include "brash/ice/idle_files.hpp"
 #include "case_warnings.hpp"
+#include "edge_contact.hpp"
 
 namespace brash::simulation {
 namespace {
 
 /// Values that have been measured, natural and model ice together.
 struct MeasuredRange {
-  const char *id;
-  const char *key;
-  const char *unit;  ///< SI
+  const char* id;
+  const char* key;
+  const char* unit;  ///< SI
   double least;
   double most;
-  const char *source;
+  const char* source;
 };
 
-// Timco and Weeks 2010: Cold Reg. Sci. Technol. 60, 107 to 129. Timco and
-// Frederking 1996: the same, 24, 1 to 6. Sodhi, Borland and Stanley 1996: CRREL
-// Report 96-12. Hu and Zhou 2016: Int. J. Nav. Archit. Ocean Eng. 8(2).
+// Timco and Weeks 2010: Cold Reg. Sci. Technol. 60, 107 to 129. Timco and Frederking 1996: the same, 24, 1 to 6.
+// Sodhi, Borland and Stanley 1996: CRREL Report 96-12. Hu and Zhou 2016: Int. J. Nav. Archit. Ocean Eng. 8(2).
 constexpr MeasuredRange kThickness{
     "thickness", "ice.thickness", "m", 0.005, 5.0, "level ice: 24 mm in a basin (Sodhi 1996) to a few metres at sea"};
 constexpr MeasuredRange kDensity{"density", "ice.density", "kg/m3",
@@ -39,41 +40,38 @@ constexpr MeasuredRange kFlexural{"flexural-strength",
                                   "Pa",
                                   1.0e4,
                                   3.0e6,
-                                  "model ice from 31 kPa (Sodhi 1996), sea and "
-                                  "fresh ice up to some 2 MPa (Timco and "
+                                  "model ice from 31 kPa (Sodhi 1996), sea and fresh ice up to some 2 MPa (Timco and "
                                   "Weeks 2010)"};
 constexpr MeasuredRange kCompressive{"compressive-strength",
                                      "ice.compressive_strength",
                                      "Pa",
                                      1.0e4,
                                      2.0e7,
-                                     "0.36 to 3.67 MPa (the paper, Sec. 3.1.2), up to 5.4 MPa (Hu and Zhou "
-                                     "2016)"};
-constexpr MeasuredRange kModulus{"youngs-modulus",
-                                 "ice.youngs_modulus",
-                                 "Pa",
-                                 1.0e7,
-                                 1.2e10,
-                                 "model ice from some 50 MPa (Sodhi 1996), sea "
-                                 "ice up to 10 GPa (Timco and Weeks 2010)"};
+                                     "0.36 to 3.67 MPa (the paper, Sec. 3.1.2), up to 5.4 MPa (Hu and Zhou 2016)"};
+constexpr MeasuredRange kModulus{
+    "youngs-modulus",
+    "ice.youngs_modulus",
+    "Pa",
+    1.0e7,
+    1.2e10,
+    "model ice from some 50 MPa (Sodhi 1996), sea ice up to 10 GPa (Timco and Weeks 2010)"};
 
 struct Prefix {
   double factor;
-  const char *text;
+  const char* text;
 };
 
 /// `value` in the unit with the prefix that keeps it short.
-std::string in_words(double value, const std::string &unit) {
+std::string in_words(double value, const std::string& unit) {
   if (unit == "Pa")
-    for (const Prefix &p : {Prefix{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
+    for (const Prefix& p : {Prefix{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
       if (value >= p.factor) return fmt::format("{:.4g} {}", value / p.factor, p.text);
   if (unit == "m" && value < 1.0) return fmt::format("{:.4g} cm", 100.0 * value);
   return fmt::format("{:.4g} {}", value, unit);
 }
 
-/// The value that was probably meant: the number taken in another unit of its
-/// kind, the first that has been measured.
-std::optional<double> probably_meant(const MeasuredRange &range, double value) {
+/// The value that was probably meant: the number taken in another unit of its kind, the first that has been measured.
+std::optional<double> probably_meant(const MeasuredRange& range, double value) {
   const std::string unit = range.unit;
   const std::array<double, 3> factors = unit == "Pa"  ? std::array{1e6, 1e3, 1e9}
                                         : unit == "m" ? std::array{1e-2, 1e-3, 1e3}
@@ -83,10 +81,10 @@ std::optional<double> probably_meant(const MeasuredRange &range, double value) {
   return std::nullopt;
 }
 
-bool is_measured(const MeasuredRange &range, double value) { return value >= range.least && value <= range.most; }
+bool is_measured(const MeasuredRange& range, double value) { return value >= range.least && value <= range.most; }
 
 /// @param name  of the property: the key, if it is the case's own.
-void check(const MeasuredRange &range, const std::string &name, double value, Warnings &warnings) {
+void check(const MeasuredRange& range, const std::string& name, double value, Warnings& warnings) {
   if (is_measured(range, value)) return;
   const std::optional<double> meant = probably_meant(range, value);
   warnings.push_back({range.id, fmt::format("{} = {} is no ice that has been measured: {}; {}", name,
@@ -96,11 +94,10 @@ void check(const MeasuredRange &range, const std::string &name, double value, Wa
                                                                 in_words(range.most, range.unit)))});
 }
 
-/// Checks one property of the floes of a file, and tells of the first that is
-/// out of range.
-void check_floes(const MeasuredRange &range, std::span<const ice::GivenIce> floes,
-                 std::optional<double> ice::GivenIce::*property, Warnings &warnings) {
-  const auto is_odd = [&](const ice::GivenIce &floe) {
+/// Checks one property of the floes of a file, and tells of the first that is out of range.
+void check_floes(const MeasuredRange& range, std::span<const ice::GivenIce> floes,
+                 std::optional<double> ice::GivenIce::*property, Warnings& warnings) {
+  const auto is_odd = [&](const ice::GivenIce& floe) {
     return (floe.*property).has_value() && !is_measured(range, *(floe.*property));
   };
   const auto first = std::ranges::find_if(floes, is_odd);
@@ -116,28 +113,27 @@ void check_floes(const MeasuredRange &range, std::span<const ice::GivenIce> floe
 /// The answer of `read`, or nothing where a file is at fault: it is refused where the ice is laid, and a file that is
 /// gone when a run ends takes no result with it.
 template <typename Read>
-auto or_nothing(Read &&read) -> decltype(read()) {
+auto or_nothing(Read&& read) -> decltype(read()) {
   try {
     return read();
-  } catch (const InputError &) {
+  } catch (const InputError&) {
     return {};
   }
 }
 
-void add_floe_ice_warnings(const model::Case &c, Warnings &warnings) {
+void add_floe_ice_warnings(const model::Case& c, Warnings& warnings) {
   if (c.field.file.empty()) return;
   const auto floes = or_nothing([&] { return ice::read_given_ice(c.field.file); });
   check_floes(kThickness, floes, &ice::GivenIce::thickness, warnings);
   check_floes(kFlexural, floes, &ice::GivenIce::flexural_strength, warnings);
 }
 
-/// The share of the thickness above water below which a percent of error in a
-/// density is half of the freeboard [-].
+/// The share of the thickness above water below which a percent of error in a density is half of the freeboard [-].
 constexpr double kLeastFreeboard = 0.02;
 
 }  // namespace
 
-void add_ice_warnings(const model::Case &c, Warnings &warnings) {
+void add_ice_warnings(const model::Case& c, Warnings& warnings) {
   check(kThickness, kThickness.key, c.ice.thickness, warnings);
   check(kDensity, kDensity.key, c.ice.density, warnings);
   check(kFlexural, kFlexural.key, c.ice.flexural_strength, warnings);
@@ -146,10 +142,29 @@ void add_ice_warnings(const model::Case &c, Warnings &warnings) {
   add_floe_ice_warnings(c, warnings);
   const double freeboard = 1.0 - c.ice.density / c.water.density;
   if (freeboard < kLeastFreeboard)
-    warnings.push_back({"hardly-floats", fmt::format("ice.density = {} and water.density = {} kg/m3 leave "
-                                                     "{:.2g} % of the ice above "
-                                                     "water, where sea ice has 7 to 12 %: check both",
-                                                     c.ice.density, c.water.density, 100.0 * freeboard)});
+    warnings.push_back(
+        {"hardly-floats", fmt::format("ice.density = {} and water.density = {} kg/m3 leave {:.2g} % of the ice above "
+                                      "water, where sea ice has 7 to 12 %: check both",
+                                      c.ice.density, c.water.density, 100.0 * freeboard)});
+}
+
+void add_idle_file_warnings(const model::Case& c, Warnings& warnings) {
+  const auto files = or_nothing([&] { return ice::idle_files(c.field, ice_properties(c)); });
+  for (const ice::IdleFile& file : files) {
+    const bool is_line = file.key == "cracks";
+    const std::string does_nothing = is_line            ? "parts no ice"
+                                     : file.taken > 0.0 ? fmt::format("takes {:.2g} m2 of ice away", file.taken)
+                                                        : "takes no ice away";
+    const auto box = [](const geometry::Extent& extent) {
+      return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m", extent.lower.x, extent.lower.y, extent.upper.x,
+                         extent.upper.y);
+    };
+    warnings.push_back(
+        {"off-the-ice", fmt::format("field.{} {}: it reaches {}, and the ice {}; {} field.origin, or check the file's "
+                                    "unit and the order of its axes",
+                                    file.key, does_nothing, box(file.reach), box(file.ice),
+                                    c.field.origin == Vec2{} ? "write" : "correct")});
+  }
 }
 
 }  // namespace brash::simulation

@@ -102,6 +102,25 @@ BOOST_AUTO_TEST_CASE(cracks_part_the_ice_and_keep_its_area) {
   BOOST_TEST((area_of(ice) == square_metres(30.0, 20.0) - square_metres(10.0, 8.0)));
 }
 
+BOOST_AUTO_TEST_CASE(files_that_change_no_ice_are_told_with_both_places) {
+  open("POLYGON((200 0, 210 0, 210 10, 200 10, 200 0))");
+  crack("LINESTRING(200 0, 300 40)");
+  const std::vector<IdleFile> idle = idle_files(field, kIce);
+  BOOST_REQUIRE(idle.size() == 2u);
+  BOOST_TEST(idle[0].key == "openings");
+  BOOST_TEST(idle[0].taken == 0.0);
+  BOOST_TEST((idle[0].reach.lower == Vec2{200.0, 0.0} && idle[0].reach.upper == Vec2{210.0, 10.0}));
+  BOOST_TEST((idle[0].ice.lower == Vec2{0.0, -10.0} && idle[0].ice.upper == Vec2{30.0, 10.0}));
+  BOOST_TEST(idle[1].key == "cracks");
+  BOOST_TEST((idle[1].reach.upper == Vec2{300.0, 40.0}));
+  // A crack from the front edge to a hole parts nothing, and opens the hole.
+  open("POLYGON((10 -4, 20 -4, 20 4, 10 4, 10 -4))");
+  crack("LINESTRING(-1 0, 10 0) LINESTRING(20 0, 31 0)");
+  BOOST_TEST(idle_files(field, kIce).empty());
+  crack("LINESTRING(-1 -10, 31 -10)");  // along a side
+  BOOST_TEST(idle_files(field, kIce).size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(land_is_cut_from_the_ice_and_holds_what_touches_it) {
   // An island in the middle, and a crack that parts a square of ice around it from the rest.
   field.shore = write("shore", "POLYGON((12 -2, 16 -2, 16 2, 12 2, 12 -2))");

@@ -424,4 +424,25 @@ BOOST_AUTO_TEST_CASE(the_ice_of_a_map_of_floes_is_checked_as_the_ice_of_the_case
   BOOST_TEST(!has(good, "flexural-strength"));
 }
 
+BOOST_AUTO_TEST_CASE(openings_and_cracks_off_the_ice_are_warned_of_with_both_places) {
+  const auto text = [](const std::string& key, const std::string& wkt) {
+    const Written file(key + ".wkt", wkt);
+    return text_of(warnings_with({"field." + key + "=" + file.path, "field.initial_crack=false"}), "off-the-ice");
+  };
+  const auto far = text("openings", "POLYGON ((200 0, 210 0, 210 10, 200 10, 200 0))");
+  BOOST_TEST(says(far, "field.openings takes no ice away"), far);
+  BOOST_TEST(says(far, "from (200, 0) to (210, 10) m"), far);
+  BOOST_TEST(says(far, "the ice from (0, -25) to (50, 25) m"), far);
+  BOOST_TEST(says(far, "field.origin"), far);
+  const auto kilometres = text("openings", "POLYGON ((0.01 -0.02, 0.013 -0.02, 0.013 0.02, 0.01 0.02, 0.01 -0.02))");
+  BOOST_TEST(says(kilometres, "takes 0.00012 m2 of ice away"), kilometres);
+  const auto lines = text("cracks", "LINESTRING (200 0, 300 0)");
+  BOOST_TEST(says(lines, "field.cracks parts no ice"), lines);
+  const auto land = text("shore", "POLYGON ((200 0, 210 0, 210 10, 200 10, 200 0))");
+  BOOST_TEST(says(land, "field.shore takes no ice away"), land);
+  BOOST_TEST(text("openings", "POLYGON ((40 0, 60 0, 60 10, 40 10, 40 0))") == "");
+  BOOST_TEST(text("cracks", "LINESTRING (-1 10, 51 10)") == "");
+  BOOST_TEST(text("shore", "POLYGON ((50 0, 60 0, 60 10, 50 10, 50 0))") == "");  // it holds the ice
+}
+
 }  // namespace
