@@ -3,12 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <vector>
 
 #include "brash/core/text.hpp"
 #include "brash/io/case.hpp"
+#include "brash/simulation/scales.hpp"
 #include "closed_forms.hpp"
 #include "messages.hpp"
 #include "stats_commands.hpp"
+#include "table.hpp"
 
 namespace brash::cli {
 
@@ -28,8 +31,14 @@ void add_loads_command(CLI::App& app) {
   command->add_flag("--json", options->json, "as JSON, SI");
   command->footer("Example: brash loads experiments/validation/cone.toml");
   command->callback([options] {
-    const ordered_json loads = closed_form_loads(io::read_case(options->case_file, options->overrides));
+    const model::Case resolved = io::read_case(options->case_file, options->overrides);
+    ordered_json loads = closed_form_loads(resolved);
+    const std::vector<model::Warning> warnings = simulation::derived_scales(resolved).warnings;
+    loads["warnings"] = ordered_json::array();
+    for (const model::Warning& warning : warnings)
+      loads["warnings"].push_back({{"id", warning.id}, {"text", warning.text}});
     print_data(options->json ? loads.dump(2) + "\n" : escaped_lines(loads_text(loads)));
+    print_warnings(warnings);
   });
 }
 
