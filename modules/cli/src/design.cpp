@@ -25,7 +25,7 @@ constexpr double kHour = 3600.0;  // [s]
 ExtremeAnalysis pooled(const SettingHistories& setting, ExtremeSettings settings, GoodnessOfFit& goodness) {
   std::vector<ExtremeRecord> records;
   for (const LoadHistory& load : setting.replicates) {
-    const double memory = autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
+    const double memory = autocorrelation_time(load.history, load.even).tau;
     records.push_back({&load.history, &load.even, memory, load.clipping});
   }
   ExtremeValues values = extreme_values(records, settings);

@@ -114,7 +114,7 @@ std::vector<statistics::LoadEvent> events_of(const LoadHistory& load, std::optio
 }
 
 statistics::ExtremeAnalysis extremes_of(const LoadHistory& load, const statistics::ExtremeSettings& settings) {
-  const double memory = statistics::autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
+  const double memory = statistics::autocorrelation_time(load.history, load.even).tau;
   return analysed(load, memory, settings);
 }
 

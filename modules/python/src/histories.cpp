@@ -163,9 +163,7 @@ py::object extremes(const py::object& histories, double return_period, double bl
     const std::vector<LoadHistory> loads = loads_of(histories);
     std::vector<statistics::ExtremeRecord> records;
     for (const LoadHistory& load : loads)
-      records.push_back(
-          {&load.history, &load.even,
-           statistics::autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau});
+      records.push_back({&load.history, &load.even, statistics::autocorrelation_time(load.history, load.even).tau});
     return from_json(unlocked([&] {
       statistics::GoodnessOfFit goodness;
       ordered_json out;

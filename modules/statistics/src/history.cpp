@@ -147,8 +147,7 @@ std::string gap_warning(const History& history, const EvenHistory& even) {
 }
 
 Summary summarise(const History& history, const EvenHistory& even) {
-  return summarise_weighted(history.values, even.weights,
-                            autocorrelation_time(even.pieces(history), even.sampling.step));
+  return summarise_weighted(history.values, even.weights, autocorrelation_time(history, even));
 }
 
 }  // namespace brash::statistics

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "brash/core/contract.hpp"
+#include "brash/statistics/history.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
 #include "gsl_checked.hpp"
@@ -140,7 +141,14 @@ AutocorrelationTime autocorrelation_time(const Pieces& pieces, double dt) {
 }
 
 Summary summarise(std::span<const double> samples, double dt) {
-  return summarise_weighted(samples, std::array{dt}, autocorrelation_time(samples, dt));
+  History history{std::vector<double>(samples.size()), {samples.begin(), samples.end()}};
+  for (std::size_t i = 0; i < samples.size(); ++i) history.times[i] = dt * static_cast<double>(i);
+  EvenHistory even;
+  even.sampling.step = even.sampling.shortest = even.sampling.longest = dt;
+  even.weights = {dt};
+  even.cuts = {0, samples.size()};
+  even.duration = dt * static_cast<double>(samples.size());
+  return summarise(history, even);
 }
 
 Summary summarise_weighted(std::span<const double> samples, std::span<const double> weights,

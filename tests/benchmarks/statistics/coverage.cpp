@@ -22,10 +22,10 @@ int main(int argc, char** argv) {
     int records;  // of the full study, which takes a core about a quarter of an hour
     void (*run)(const Process&, int, Table&);
   };
-  constexpr Study kStudies[]{{"history", 5000, study_history},       {"bootstrap", 200, study_bootstrap},
-                             {"extremes", 5000, study_extremes},     {"fatigue", 1000, study_fatigue},
-                             {"comparison", 2000, study_comparison}, {"trend", 2000, study_trend},
-                             {"design", 200, study_design}};
+  constexpr Study kStudies[]{{"history", 5000, study_history},    {"slow", 1000, study_slow_change},
+                             {"bootstrap", 200, study_bootstrap}, {"extremes", 5000, study_extremes},
+                             {"fatigue", 1000, study_fatigue},    {"comparison", 2000, study_comparison},
+                             {"trend", 2000, study_trend},        {"design", 200, study_design}};
   const double share = argc > 1 ? std::atof(argv[1]) : 1.0;
   Table table;
   for (const Study& study : kStudies) {

@@ -46,7 +46,7 @@ void study_extremes(const Process& process, int records, Table& table) {
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "extremes");
     const cli::LoadHistory load = record(process, kCycles, stream);
-    const double memory = autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
+    const double memory = autocorrelation_time(load.history, load.even).tau;
     const ExtremeValues values = extreme_values({{&load.history, &load.even, memory}}, {});
     for (const double periods : {4.0, 30.0}) {
       ExtremeSettings settings;
@@ -63,7 +63,7 @@ void study_fatigue(const Process& process, int records, Table& table) {
   for (int r = 0; r < records; ++r) {
     RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "fatigue");
     const cli::LoadHistory load = record(process, kCycles, stream);
-    const double memory = autocorrelation_time(load.even.pieces(load.history), load.even.sampling.step).tau;
+    const double memory = autocorrelation_time(load.history, load.even).tau;
     const double stretch = extreme_values({{&load.history, &load.even, memory}}, {}).block;
     for (const auto& found : cli::fatigue_json({&load}, {3.0, 5.0, 10.0}, stretch, 1.0)) {
       const auto m = found["exponent"].get<double>();

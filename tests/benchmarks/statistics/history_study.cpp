@@ -64,6 +64,19 @@ void study_history(const Process& process, int records, Table& table) {
   }
 }
 
+void study_slow_change(const Process& process, int records, Table& table) {
+  constexpr int kManyCycles = 1000;
+  constexpr double kSlow = 0.2;  // deviation of the slow factor of the peaks
+  const double mean = mean_load(process);
+  for (int r = 0; r < records; ++r) {
+    RandomStream stream(1, process.name, static_cast<std::uint64_t>(r), "slow change");
+    const cli::LoadHistory load = record(process, kManyCycles, stream, 1.0, kSlow);
+    table.add(process.name, "mean under a slow change", summarise(load.history, load.even).mean_95, mean);
+    table.add(process.name, "mean under a slow change by 20 batches", batch_means_interval(load.history.values, 20),
+              mean);
+  }
+}
+
 void study_bootstrap(const Process& process, int records, Table& table) {
   const Truth truth = truth_of(process, kSegment);
   const auto deviation = [](std::span<const double> x) { return std::sqrt(moments(x).variance); };

@@ -37,14 +37,36 @@ double mean_over_peaks(const Process& process, const std::function<double(double
 
 int samples_of_cycle(double normal) { return static_cast<int>(std::round(std::max(0.3, 1.0 + 0.3 * normal) / kStep)); }
 
-History samples(const Process& process, int cycles, RandomStream& stream, double scale) {
+/// Peaks with a slow change: a first-order process, drawn only where it has a deviation.
+class SlowChange {
+ public:
+  SlowChange(double deviation, RandomStream& stream)
+      : deviation_(deviation), stream_(stream), state_(deviation > 0.0 ? stream.normal() : 0.0) {}
+
+  /// Factor of the next peak, `elapsed` [s] after the last one.
+  double next(double elapsed) {
+    if (deviation_ == 0.0) return 1.0;
+    const double kept = std::exp(-elapsed / kMemory);
+    state_ = kept * state_ + std::sqrt(1.0 - kept * kept) * stream_.normal();
+    return 1.0 + deviation_ * state_;
+  }
+
+ private:
+  static constexpr double kMemory = 10.0;  // [s]
+  double deviation_;
+  RandomStream& stream_;
+  double state_;
+};
+
+History samples(const Process& process, int cycles, RandomStream& stream, double scale, double slow) {
   History history;
+  SlowChange change(slow, stream);
   for (double time = 0.0; time < cycles;) {
     const int n = samples_of_cycle(stream.normal());
-    const double peak = process.peak(stream.uniform() + 0x1p-49);
+    const double height = (process.peak(stream.uniform() + 0x1p-49) - kResidual) * change.next(n * kStep);
     for (int i = 0; i < n; ++i) {
       history.times.push_back(kStep * static_cast<double>(history.times.size()));
-      history.values.push_back(scale * (kResidual + (peak - kResidual) * i / (n - 1)));
+      history.values.push_back(scale * (kResidual + height * i / (n - 1)));
     }
     time += n * kStep;
   }
@@ -61,10 +83,10 @@ std::vector<Process> processes() {
           {"Pareto 0.15", [](double q) { return 100.0 + 40.0 / 0.15 * (std::pow(q, -0.15) - 1.0); }}};
 }
 
-cli::LoadHistory record(const Process& process, int cycles, RandomStream& stream, double scale) {
+cli::LoadHistory record(const Process& process, int cycles, RandomStream& stream, double scale, double slow) {
   cli::LoadHistory load;
   load.column = "Fx";
-  load.history = samples(process, cycles, stream, scale);
+  load.history = samples(process, cycles, stream, scale, slow);
   load.even = make_even(load.history);
   return load;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/statistics/summary.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -152,6 +153,42 @@ BOOST_AUTO_TEST_CASE(the_interval_covers_the_mean_in_95_of_100_histories) {
   BOOST_TEST_MESSAGE("coverage of white noise " << white);
   BOOST_TEST(white > 0.95 - 0.01 - 3.0 * 0.005);
   BOOST_TEST(white < 0.95 + 3.0 * 0.005);
+}
+
+/// A sawtooth of cycles of 1 s on average, every 0.05 s, whose peaks follow a first-order process of 10 s. Mean 1/2.
+std::vector<double> slow_sawtooth(double seconds, std::uint64_t replicate) {
+  RandomStream stream(1, "slow", replicate, "peaks");
+  std::vector<double> x;
+  const auto n = static_cast<std::size_t>(seconds / 0.05);
+  double state = stream.normal();
+  while (x.size() < n) {
+    const int samples = std::max(4, static_cast<int>(std::round(20.0 + 6.0 * stream.normal())));
+    const double kept = std::exp(-0.05 * samples / 10.0);
+    state = kept * state + std::sqrt(1.0 - kept * kept) * stream.normal();
+    const double peak = (1.0 + 0.2 * state) * (1.0 + 0.3 * stream.normal());
+    for (int i = 0; i < samples; ++i) x.push_back(peak * i / (samples - 1));
+  }
+  x.resize(n);
+  return x;
+}
+
+BOOST_AUTO_TEST_CASE(the_interval_allows_for_a_slow_change_of_the_peaks) {
+  const int replicates = 100;
+  int covered = 0;
+  for (int r = 0; r < replicates; ++r) {
+    const Summary s = summarise(slow_sawtooth(1000.0, static_cast<std::uint64_t>(r)), 0.05);
+    covered += s.mean_95.lower <= 0.5 && 0.5 <= s.mean_95.upper ? 1 : 0;
+  }
+  BOOST_TEST_MESSAGE("coverage under a slow change " << covered << " %");
+  // About 92 %, less three errors. The window of the samples alone closes within a cycle, and covers half.
+  BOOST_TEST(covered >= 84);
+}
+
+BOOST_AUTO_TEST_CASE(a_record_of_few_load_cycles_keeps_the_time_of_its_samples) {
+  for (const double seconds : {8.0, 60.0}) {
+    const std::vector<double> x = slow_sawtooth(seconds, 1);
+    BOOST_TEST(summarise(x, 0.05).autocorrelation_time == autocorrelation_time(x, 0.05).tau);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_history_shorter_than_its_memory_says_so) {

@@ -62,6 +62,15 @@ EvenHistory make_even(const History& history, double longest_interval = 0.0);
 /// pieces between them have one sample; "" for others. `--gap` is the `longest_interval` above.
 std::string gap_warning(const History& history, const EvenHistory& even);
 
+/// The autocorrelation time of a load: the time of its samples, or the time of its averages over five load cycles, if
+/// that one is larger by two of its errors.
+///
+/// The window of the samples may close within a load cycle, where the autocorrelations of a sawtooth cancel. It misses
+/// slower changes then, such as a drift of the peaks. Averages over m samples have the time
+/// tau_m var(averages) / var(samples). They count if there are at least twenty of them in the longest piece.
+/// @see docs/theory/statistics.md, (S2), (S17); H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91 (1989) 461.
+AutocorrelationTime autocorrelation_time(const History& history, const EvenHistory& even);
+
 /// Summary of a stationary history, even or not, with or without gaps.
 ///
 /// Even: the same as of evenly sampled values. Else mean, deviation, skewness and quantiles weigh each sample with its

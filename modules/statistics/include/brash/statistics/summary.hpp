@@ -27,7 +27,7 @@ struct Summary {
   double quantile_50 = 0.0;
   double quantile_95 = 0.0;
   double quantile_99 = 0.0;
-  double autocorrelation_time = 0.0;   ///< integrated [s]: dt (1/2 + sum of autocorrelations), dt/2 for white noise
+  double autocorrelation_time = 0.0;   ///< integrated [s], of a load with its slow changes; dt/2 for white noise
   double effective_sample_size = 0.0;  ///< n dt / (2 tau), in [1, n]
   Interval mean_95;                    ///< 95 % confidence interval of the mean
   /// The history is at least 50 autocorrelation times long; below that tau and the interval are themselves uncertain.
@@ -47,7 +47,7 @@ struct AutocorrelationTime {
 /// Student's with n_eff - 1 degrees of freedom and the standard error s / sqrt(n_eff).
 ///
 /// @param samples  load history [N], shape=(n,), n >= 2, finite, evenly sampled every `dt` [s].
-/// @see docs/theory/statistics.md, (S3).
+/// @see docs/theory/statistics.md, (S3), (S17).
 Summary summarise(std::span<const double> samples, double dt);
 
 /// Autocorrelations rho_0 = 1, rho_1, ... of the samples about their mean, normalised by n; shape=(max_lag + 1,).
