@@ -70,15 +70,15 @@ BodyMotion::BodyMotion(const model::FloatingBody& body, const std::optional<mode
 }
 
 /// Weight and buoyancy have the energy of (B6).
-BodyMotion::Loads BodyMotion::loads_at(const Pose& pose) const {
+BodyMotion::Loads BodyMotion::loads_at(const Pose& pose, Vec3 body_thrust) const {
   const Vec3 arm = rotate(pose.rotation, inertia_.centre), centre = pose.position + arm;
   const Displacement wet = displaced_by_mesh(*hull_, pose);
   const Vec3 buoyancy{0.0, 0.0, density_ * kGravity * wet.volume};
-  const Vec3 thrust = rotate(pose.rotation, body_.thrust);
+  const Vec3 thrust = rotate(pose.rotation, body_thrust);
   Loads loads;
   loads.load.force = buoyancy + thrust - Vec3{0.0, 0.0, inertia_.mass * kGravity};
   loads.load.moment =
-      cross(wet.centre - centre, buoyancy) + rotate(pose.rotation, cross(body_.thrust_arm, body_.thrust));
+      cross(wet.centre - centre, buoyancy) + rotate(pose.rotation, cross(body_.thrust_arm, body_thrust));
   loads.hydrostatic = kGravity * (inertia_.mass * centre.z - density_ * wet.volume * wet.centre.z);
   if (!mooring_) return loads;
   const MooringLoad pull = mooring_->at(pose, foot_);
@@ -184,7 +184,7 @@ Vec2 BodyMotion::course() const {
   return plan(rotate(now_.pose.rotation, {1.0, 0.0, 0.0}));
 }
 
-std::array<std::array<double, 6>, 6> BodyMotion::stiffness_over_mass() const {
+std::array<std::array<double, 6>, 6> BodyMotion::stiffness_over_mass(Vec3 thrust) const {
   const std::array<double, 6> inertia{mass_.x, mass_.y, mass_.z, moments_.x, moments_.y, moments_.z};
   const double size = std::cbrt(inertia_.mass / density_), small = 1e-4;
   const Pose& at = now_.pose;
@@ -195,7 +195,7 @@ std::array<std::array<double, 6>, 6> BodyMotion::stiffness_over_mass() const {
     const auto load_at = [&](double sign) {
       const Quaternion q = turned(at.rotation, {sign * step[3], sign * step[4], sign * step[5]});
       const Vec3 centre = to_world(at, inertia_.centre) + sign * Vec3{step[0], step[1], step[2]};
-      return loads_at({centre - rotate(q, inertia_.centre), q}).load;
+      return loads_at({centre - rotate(q, inertia_.centre), q}, thrust).load;
     };
     const Wrench more = load_at(1.0), less = load_at(-1.0);
     const Vec3 force = (more.force - less.force) / (2.0 * step[j]),
@@ -206,11 +206,12 @@ std::array<std::array<double, 6>, 6> BodyMotion::stiffness_over_mass() const {
   return stiffness;
 }
 
-/// The loads have a potential, so their stiffness about a pose of rest is symmetric; the rest of it is left out (B12).
+/// Weight, buoyancy and mooring have a potential, so their stiffness about a pose of rest is symmetric; the rest of it
+/// is left out (B12). A thrust follows the body: it has no potential, and restores nothing.
 std::vector<NaturalMode> BodyMotion::natural_modes() const {
   constexpr std::array<const char*, 6> kMotions{"surge", "sway", "heave", "roll", "pitch", "yaw"};
   constexpr double kNothing = 1e-7;  // of the largest: what the differences leave of a stiffness of 0
-  const auto stiffness = stiffness_over_mass();
+  const auto stiffness = stiffness_over_mass({});
   Eigen::Matrix<double, 6, 6> symmetric;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
@@ -229,7 +230,7 @@ std::vector<NaturalMode> BodyMotion::natural_modes() const {
 }
 
 Settling BodyMotion::settling() const {
-  const auto stiffness = stiffness_over_mass();
+  const auto stiffness = stiffness_over_mass(body_.thrust);
   const Wrench load = loads_at(now_.pose).load;
   const Eigen::Vector3d roots = Eigen::Array3d(mass_.z, moments_.x, moments_.y).sqrt();
   const Eigen::Vector3d scaled = Eigen::Array3d(load.force.z, load.moment.x, load.moment.y) / roots.array();
@@ -245,7 +246,7 @@ Settling BodyMotion::settling() const {
 /// The leapfrog is stable below 2 / omega (B4), with the highest frequency of the restoring loads. It is bounded by the
 /// columns of the stiffness over the masses (Gershgorin 1931).
 void BodyMotion::expect_stable(double time_step) const {
-  const auto stiffness = stiffness_over_mass();
+  const auto stiffness = stiffness_over_mass(body_.thrust);
   double largest = 0.0;
   for (std::size_t j = 0; j < 6; ++j) {
     double sum = 0.0;

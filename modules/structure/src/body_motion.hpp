@@ -65,7 +65,8 @@ class BodyMotion final : public Motion {
     double anchor_power = 0.0;  ///< of the mooring's feet through the water [W]
   };
 
-  Loads loads_at(const Pose& pose) const;
+  Loads loads_at(const Pose& pose) const { return loads_at(pose, body_.thrust); }
+  Loads loads_at(const Pose& pose, Vec3 thrust) const;
   /// Damping and the turning moment of the added mass at the present velocities, body axes.
   Wrench water_load() const;
   Momenta momenta(const Quaternion& attitude) const;
@@ -75,9 +76,9 @@ class BodyMotion final : public Motion {
   void leave_with(const Momenta& p);
   /// Works of the step that ends.
   void book_works(const Loads& loads);
-  /// Stiffness of the restoring loads about the present pose, over the roots of the masses of its row and column:
-  /// surge, sway, heave, roll, pitch, yaw; sheet axes [1/s2].
-  std::array<std::array<double, 6>, 6> stiffness_over_mass() const;
+  /// Stiffness of the loads under `thrust` [N] about the present pose, over the roots of the masses of its row and
+  /// column: surge, sway, heave, roll, pitch, yaw; sheet axes [1/s2].
+  std::array<std::array<double, 6>, 6> stiffness_over_mass(Vec3 thrust) const;
   void expect_stable(double time_step) const;
 
   const Hull* hull_;

@@ -115,6 +115,19 @@ BOOST_AUTO_TEST_CASE(natural_periods_are_those_of_waterplane_and_metacentre_and_
   BOOST_TEST(slowest.squared_frequency < 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(a_thrust_restores_nothing_so_it_changes_no_natural_period) {
+  model::Free free{0.0, {.centre_of_gravity = Vec3{0.0, 0.0, -1.0}}};
+  const std::vector<structure::NaturalMode> alone = Moving(box(), free, 0.01)->natural_modes();
+  free.body.thrust = {1e6, 2e5, 0.0};
+  free.body.thrust_arm = {-5.0, 1.0, -2.0};
+  const std::vector<structure::NaturalMode> driven = Moving(box(), free, 0.01)->natural_modes();
+  BOOST_REQUIRE(driven.size() == alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    BOOST_TEST(driven[i].motion == std::string(alone[i].motion));
+    BOOST_TEST(driven[i].squared_frequency == alone[i].squared_frequency);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_box_out_of_balance_settles_by_its_waterplane_and_metacentre) {
   const auto near = boost::test_tools::tolerance(1e-6);
   const structure::Settling heavy = Moving(box(), model::Free{0.0, {.mass = 1.01 * kMass}}, 0.01)->settling();
