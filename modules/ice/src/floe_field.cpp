@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "brash/core/constants.hpp"
@@ -21,8 +22,9 @@ namespace {
 
 using geometry::Ring;
 
-/// A field has no more floes than this: a million take some gigabytes.
-constexpr std::size_t kMostFloes = 1'000'000;
+/// A field has no more floes than this: a run of half a million takes 8 GB, and some 10 s a step
+/// (docs/performance.md).
+constexpr std::size_t kMostFloes = 500'000;
 /// Sides of a disc.
 constexpr int kDiscSides = 24;
 /// The sites of a Voronoi field are the centres of octagons of this share of their cells, placed at random: far below
@@ -116,9 +118,25 @@ std::optional<FloePacking> try_to_pack(const model::FieldSection& field, const s
   return checked(std::move(rings), domain, keep_out);
 }
 
+/// The error of a field that would have about `n` floes.
+FloeFieldError too_many(double n, const model::FloeSizes& sizes) {
+  constexpr double kSmall = 1.0, kCentimetres = 100.0;  // floes below a metre are rare, and a number in cm is not
+  const double stated = stated_size(sizes), digits = std::pow(10.0, std::floor(std::log10(n)) - 1.0);
+  const std::string meant = stated < kSmall ? fmt::format("; the sizes begin with {:.3g} m: was {:.3g} m meant?",
+                                                          stated, kCentimetres * stated)
+                                            : "";
+  return {"field.concentration",
+          fmt::format("takes about {:.0f} floes of these sizes", std::round(n / digits) * digits),
+          fmt::format("at most {} floes", kMostFloes), "raise field.size, or make the field smaller" + meant};
+}
+
 }  // namespace
 
 double size_of(const geometry::Polygon& floe) { return std::sqrt(geometry::area(floe).square_metres()); }
+
+double expected_floes(const model::FieldSection& field) {
+  return field.floes.concentration.value() * field.length * field.width / mean_area(field.floes.size);
+}
 
 tl::expected<FloePacking, FloeFieldError> pack_floes(const model::FieldSection& field, std::span<const Ring> keep_out,
                                                      statistics::RandomStream random) {
@@ -128,6 +146,8 @@ tl::expected<FloePacking, FloeFieldError> pack_floes(const model::FieldSection& 
   const double asked = field.floes.concentration.value();
   const bool at_random = field.floes.shape != model::FloeShape::kVoronoi;
   const double free = field.length * field.width - (at_random ? covered({field.length, field.width}, keep_out) : 0.0);
+  const double expected = asked * free / mean_area(field.floes.size);
+  if (expected > static_cast<double>(kMostFloes)) return tl::unexpected(too_many(expected, field.floes.size));
   const auto error = [](std::string what, std::string allowed, std::string remedy) {
     return tl::unexpected(
         FloeFieldError{"field.concentration", std::move(what), std::move(allowed), std::move(remedy)});
@@ -136,9 +156,7 @@ tl::expected<FloePacking, FloeFieldError> pack_floes(const model::FieldSection& 
   for (int step = 0; step < n_steps; ++step) {
     const double concentration = asked - step * kConcentrationStep;
     const auto areas = draw_areas(field.floes.size, concentration * free, kMostFloes, random);
-    if (!areas)
-      return error("takes too many floes of these sizes", fmt::format("at most {} floes", kMostFloes),
-                   "raise field.size, or make the field smaller");
+    if (!areas) return tl::unexpected(too_many(expected, field.floes.size));
     std::optional<FloePacking> packing = try_to_pack(field, *areas, keep_out, random);
     if (packing && step == 0) return std::move(*packing);
     if (packing)

@@ -18,6 +18,18 @@ double power_law(const model::FloeSizes& law, double share) {
   return least * std::pow(1.0 - share * span, -1.0 / a);
 }
 
+/// The mean of L^2 over the density a L^(-a - 1) / (l^-a - m^-a) between the limits l and m of (F2).
+double mean_area_of_power_law(const model::FloeSizes& law) {
+  const double a = law.exponent, least = law.least.value(), largest = law.largest.value();
+  if (least == largest) return least * least;
+  // The integral of L^(n - 1) from l to m, over l^n.
+  const auto integral = [&](double n) {
+    const double ratio = std::log(largest / least);
+    return std::abs(n) * ratio < 1e-9 ? ratio : std::expm1(n * ratio) / n;
+  };
+  return least * least * integral(2.0 - a) / integral(-a);
+}
+
 double draw(const model::FloeSizes& law, statistics::RandomStream& random) {
   switch (law.kind) {
     case model::SizeLaw::kPowerLaw:
@@ -32,6 +44,27 @@ double draw(const model::FloeSizes& law, statistics::RandomStream& random) {
 }
 
 }  // namespace
+
+double mean_area(const model::FloeSizes& law) {
+  switch (law.kind) {
+    case model::SizeLaw::kPowerLaw:
+      return mean_area_of_power_law(law);
+    case model::SizeLaw::kLogNormal:
+      return law.median.value() * law.median.value() * std::exp(2.0 * law.deviation * law.deviation);
+    case model::SizeLaw::kList: {
+      double sum = 0.0;
+      for (const double size : law.values) sum += size * size;
+      return sum / static_cast<double>(law.values.size());
+    }
+  }
+  BRASH_EXPECTS(false, static_cast<int>(law.kind));
+  return 0.0;
+}
+
+double stated_size(const model::FloeSizes& law) {
+  if (law.kind == model::SizeLaw::kList) return law.values.front();
+  return law.kind == model::SizeLaw::kPowerLaw ? law.least.value() : law.median.value();
+}
 
 double share_up_to(const model::FloeSizes& law, double size) {
   switch (law.kind) {

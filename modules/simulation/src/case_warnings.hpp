@@ -21,6 +21,9 @@ void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
 /// Files of openings, cracks and land that lie off the ice.
 void add_idle_file_warnings(const model::Case& resolved, Warnings& warnings);
 
+/// A field of more floes than have been run.
+void add_floe_number_warning(const model::Case& resolved, Warnings& warnings);
+
 /// Ice that varies within a length over which the failure model takes it for even.
 void add_variation_warnings(const model::Case& resolved, const DerivedScales& scales, Warnings& warnings);
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "brash/core/error.hpp"
+#include "brash/ice/floe_field.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/ice/idle_files.hpp"
 #include "case_warnings.hpp"
@@ -165,6 +166,17 @@ void add_idle_file_warnings(const model::Case& c, Warnings& warnings) {
                                     file.key, does_nothing, box(file.reach), box(file.ice),
                                     c.field.origin == Vec2{} ? "write" : "correct")});
   }
+}
+
+void add_floe_number_warning(const model::Case& c, Warnings& warnings) {
+  constexpr double kHaveRun = 1e5, kBytes = 16e3, kSeconds = 20e-6;  // each; docs/performance.md, floes in contact
+  if (c.field.kind != model::FieldKind::kFloes || !c.field.file.empty()) return;
+  const double n = ice::expected_floes(c.field);
+  if (n <= kHaveRun) return;
+  warnings.push_back(
+      {"many-floes", fmt::format("the field has some {:.2g} floes, more than the {:.0g} that have been run: it takes "
+                                 "about {:.2g} GB, and {:.2g} s a step where they touch; check the unit of field.size",
+                                 n, kHaveRun, kBytes * n / 1e9, kSeconds * n)});
 }
 
 }  // namespace brash::simulation

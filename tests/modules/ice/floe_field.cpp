@@ -15,6 +15,7 @@
 #include "brash/geometry/cgal.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "convex.hpp"
+#include "floe_sizes.hpp"
 #include "power_cells.hpp"
 
 namespace {
@@ -174,6 +175,32 @@ BOOST_AUTO_TEST_CASE(floes_keep_clear_of_the_structure) {
     BOOST_TEST((packing.n_left_out > 0) == (shape == model::FloeShape::kVoronoi));
     // Voronoi cells that the structure meets are left out: up to its girth of floes is missing.
     BOOST_TEST(std::abs(packing.concentration - 0.5) < 0.03);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(too_many_floes_are_refused_with_their_number_before_they_are_drawn) {
+  model::FieldSection field = field_of(model::FloeShape::kVoronoi, 0.7, 60.0);
+  field.floes.size.least = 0.04;  // centimetres
+  field.floes.size.largest = 0.12;
+  const auto packing = pack_floes(field, {}, stream());
+  BOOST_REQUIRE(!packing.has_value());
+  // 2520 m2 over the mean of L^2, 2 ln(3) / (1/0.04^2 - 1/0.12^2) = 0.003955 m2.
+  BOOST_TEST(packing.error().what == "takes about 640000 floes of these sizes");
+  BOOST_TEST(packing.error().remedy.find("was 4 m meant?") != std::string::npos, packing.error().remedy);
+}
+
+BOOST_AUTO_TEST_CASE(the_expected_number_of_floes_is_near_the_number_that_is_drawn) {
+  for (const model::FloeSizes& law :
+       {model::FloeSizes{.kind = model::SizeLaw::kPowerLaw, .exponent = 2.0, .least = 4.0, .largest = 12.0},
+        model::FloeSizes{.kind = model::SizeLaw::kPowerLaw, .exponent = 0.0, .least = 4.0, .largest = 12.0},
+        model::FloeSizes{.kind = model::SizeLaw::kPowerLaw, .exponent = 1.2, .least = 4.0, .largest = 12.0},
+        model::FloeSizes{.kind = model::SizeLaw::kLogNormal, .median = 6.0, .deviation = 0.4},
+        model::FloeSizes{.kind = model::SizeLaw::kList, .values = {4.0, 8.0}}}) {
+    statistics::RandomStream random = stream();
+    const auto areas = draw_areas(law, 1e6, 1'000'000, random);
+    BOOST_REQUIRE(areas.has_value());
+    // More than 10^4 floes, whose areas deviate by about their mean: 1 % is one deviation of the number at most.
+    BOOST_TEST(1e6 / mean_area(law) == static_cast<double>(areas->size()), boost::test_tools::tolerance(0.03));
   }
 }
 

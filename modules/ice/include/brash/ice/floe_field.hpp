@@ -34,6 +34,10 @@ double size_of(const geometry::Polygon& floe);
 /// The distribution function of a law of sizes at `size` [m]: the share of floes that are no larger. (F2), (F3)
 double share_up_to(const model::FloeSizes& law, double size);
 
+/// The number of generated floes that a field is expected to have: the area that they cover over their mean area.
+/// @param field  with `floes.concentration` and `floes.size`.
+double expected_floes(const model::FieldSection& field);
+
 /// Packs floes into the rectangle of `field`, x from 0 to `length`, |y| <= width/2, at its concentration.
 ///
 /// Sizes are drawn until their areas are as near to the concentration as they come: the sum of several is at most half
