@@ -46,7 +46,7 @@ Course straight_course(const model::Case& c, const structure::Hull& hull) {
           .end = bow + speed * c.time.duration,
           .leaves = (c.field.length - bow) / speed,
           .beside = std::max(reach({0.0, 1.0}), reach({0.0, -1.0})),
-          .meets = bow + speed * c.time.duration > 0.0};
+          .meets = bow + speed * c.time.duration > 0.0 && -reach({-1.0, 0.0}) < c.field.length};
 }
 
 /// Sampled along the path.
@@ -147,11 +147,12 @@ void add_reach_warning(const model::Case& c, const Course& course, Warnings& war
         {"no-contact", fmt::format("the structure does not reach the ice: it is {:.3g} m away and moves {:.3g} m in "
                                    "time.duration = {} s; raise that, or lower structure.start_distance",
                                    gap, way, c.time.duration)});
-  else if (c.field.kind == model::FieldKind::kFloes && !course.meets)
+  else if (!course.meets)
     warnings.push_back(
-        {"no-contact", fmt::format("the structure does not reach the ice: it passes beside the field, which ends at y "
-                                   "= +-{:.4g} m; raise field.width, or bend structure.motion.path",
-                                   0.5 * c.field.width)});
+        {"no-contact", fmt::format("the structure does not reach the ice: its course lies beside or behind the field, "
+                                   "which has x from 0 to {:.4g} m and y within +-{:.4g} m; check "
+                                   "structure.start_distance and structure.motion.path",
+                                   c.field.length, 0.5 * c.field.width)});
 }
 
 /// Walls are solid to ice alone.
@@ -176,7 +177,7 @@ void add_field_warnings(const model::Case& c, const DerivedScales& scales, Warni
   const Course course = course_of(c);
   if (c.field.kind == model::FieldKind::kLevelIce) {
     add_reach_warning(c, course, warnings);
-    add_border_warnings(c, course, scales, warnings);
+    if (course.meets || course.end <= 0.0) add_border_warnings(c, course, scales, warnings);
   } else if (goes_as_told(c.structure.motion)) {
     add_reach_warning(c, course, warnings);
     add_wall_warning(c, course, warnings);

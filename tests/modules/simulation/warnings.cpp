@@ -358,9 +358,15 @@ BOOST_AUTO_TEST_CASE(a_structure_beside_a_field_of_floes_or_before_it_does_not_r
                                      "field.border=walls", "field.size.least=4", "field.size.largest=12"}))
         .warnings;
   };
-  BOOST_TEST(says(text_of(along(60.0), "no-contact"), "passes beside the field"));
+  BOOST_TEST(says(text_of(along(60.0), "no-contact"), "beside or behind the field"));
   BOOST_TEST(!has(along(0.0), "no-contact"));
   BOOST_TEST(has(along(20.0), "leaves-field"));  // through a wall
+  const auto behind = warnings({"structure.start_distance=-260"});
+  BOOST_TEST(has(behind, "no-contact"));
+  BOOST_TEST(!has(behind, "leaves-field"));
+  const auto beside = simulation::derived_scales(io::read_case(barge, {path(60.0), "time.duration=30"})).warnings;
+  BOOST_TEST(has(beside, "no-contact"));  // of level ice
+  BOOST_TEST(!has(beside, "leaves-field"));
   BOOST_TEST(!has(along(10.0), "leaves-field"));
   BOOST_TEST(has(warnings({"time.duration=300"}), "leaves-field"));  // through the wall at the end
   BOOST_TEST(!has(warnings({"time.duration=300", "field.border=free"}), "leaves-field"));
