@@ -16,12 +16,14 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "brash/campaign/campaign.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/report/report.hpp"
+#include "brash/simulation/scales.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
 #include "requests_to_end.hpp"
@@ -208,6 +210,56 @@ void show_results(const campaign::Campaign& campaign, const CampaignOptions& opt
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }
 
+/// The warnings about a case; none about one of which nothing can be derived: it tells why when it runs.
+std::vector<model::Warning> warnings_about(const model::Case& resolved) {
+  try {
+    return simulation::derived_scales(resolved).warnings;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+/// At most so many settings are looked at before a campaign: one takes about a tenth of a second.
+constexpr std::size_t kMostLookedAt = 32;
+
+/// The settings, or kMostLookedAt of them from the first to the last.
+std::vector<const io::Setting*> some_of(const std::vector<io::Setting>& settings) {
+  const std::size_t n = std::min(settings.size(), kMostLookedAt);
+  std::vector<const io::Setting*> some;
+  for (std::size_t i = 0; i < n; ++i)
+    some.push_back(&settings[n < settings.size() ? i * (settings.size() - 1) / (n - 1) : i]);
+  return some;
+}
+
+/// Says the warnings about the settings, each once: the text is of the first setting that has it.
+void say_warnings(const std::vector<io::Setting>& all_settings) {
+  struct Told {
+    model::Warning warning;
+    std::string setting;
+    int n_settings = 0;
+  };
+  std::vector<Told> all;
+  const std::vector<const io::Setting*> settings = some_of(all_settings);
+  for (const io::Setting* const setting : settings) {
+    std::set<std::string> counted;
+    for (model::Warning& warning : warnings_about(setting->resolved)) {
+      if (!counted.insert(warning.id).second) continue;
+      const auto told = std::ranges::find(all, warning.id, [](const Told& t) { return t.warning.id; });
+      if (told == all.end())
+        all.push_back({.warning = std::move(warning), .setting = setting->name, .n_settings = 1});
+      else
+        ++told->n_settings;
+    }
+  }
+  for (const auto& [warning, setting, n] : all) {
+    const char* const looked_at = settings.size() < all_settings.size() ? " that were looked at" : "";
+    const std::string whose =
+        settings.size() > 1 ? fmt::format("{} of {} settings{}, such as {}: ", n, settings.size(), looked_at, setting)
+                            : "";
+    say("warning: {}: {}{}\n", warning.id, whose, warning.text);
+  }
+}
+
 /// Refuses the options of Slurm on this machine, where they would have no effect.
 void refuse_options_of_slurm(const CampaignOptions& options) {
   if (options.on == "slurm" || (options.sbatch.empty() && !options.wait)) return;
@@ -228,10 +280,10 @@ void run_campaign(const CampaignOptions& options) {
       .directory = options.directory,
       .resume = options.resume || options.tables,
       .program = campaign::this_program()};
-  if (options.status) {
-    print_status(campaign::count(campaign.plan, options.directory), options.json);
-    return;
-  }
+  const Counts before = campaign::count(campaign.plan, options.directory);
+  // Later on the table tells them.
+  if (!options.tables && before.n_done + before.n_failed == 0) say_warnings(campaign.plan.settings);
+  if (options.status) return print_status(before, options.json);
   if (options.tables) {
     show_results(campaign, options, campaign::write_tables(campaign));
     return;

@@ -36,6 +36,25 @@ class Mistakes(unittest.TestCase):
         done = self.call(*arguments, **options)
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_a_campaign_tells_the_warnings_of_its_settings_before_it_runs(self):
+        plan = self.path / "plan.toml"
+        plan.write_text('[campaign]\ncase = "mine.toml"\n[set]\ntime.step = 0.1\n'
+                        '[[grid]]\ntime.duration = [0.1, 0.2, 20]\n')
+        warned = ("warning: no-statistics: 2 of 3 settings, such as duration-0.1: the run is over before its statistics "
+                  "begin")
+        status = self.call("campaign", "plan.toml", "-o", "c", "--status", "--json")
+        self.assertEqual(status.returncode, 0, status.stderr)
+        self.assertEqual(status.stderr.count("warning: no-statistics: "), 1)
+        self.assertIn(warned, status.stderr)
+        self.assertIn('"n_missing": 3', status.stdout)
+        stopped = subprocess.run([BRASH, "campaign", "plan.toml", "-o", "mine.toml"], cwd=self.path, text=True,
+                                 capture_output=True)
+        self.assertIn(warned, stopped.stderr)
+        self.assertNotEqual(stopped.returncode, 0)
+        plan.write_text('[campaign]\ncase = "mine.toml"\n[set]\ntime.duration = 0.1\n')
+        alone = self.call("campaign", "plan.toml", "-o", "c", "--status")
+        self.assertIn("warning: no-statistics: the run is over", alone.stderr)
+
     def test_each_mistake_is_told_its_remedy(self):
         self.assertEqual(len(rows()), 10)
         for mistake, words, remedy in rows():
