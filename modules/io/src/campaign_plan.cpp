@@ -248,9 +248,19 @@ class PlanReader {
       throw InputError(axes_.empty() ? error.what() : fmt::format("setting {}:\n{}", setting.name, error.what()));
     }
     setting.resolved.random.replicate = 0;
+    refuse_equal(setting);
     for (const Axis& axis : axes_)
       for (const std::string& name : axis.names) setting.values.push_back(value_in(setting.resolved, name));
     plan_.settings.push_back(std::move(setting));
+  }
+
+  /// Two spellings of one value would be computed twice, and no table could tell them apart.
+  void refuse_equal(const Setting& setting) {
+    const auto [first, is_new] = name_of_case_.emplace(to_toml(setting.resolved), setting.name);
+    if (!is_new)
+      refuse({{place_of(source_, "grid"), "grid", "",
+               fmt::format("the settings {} and {} have equal values", first->second, setting.name),
+               "other values in each setting", "", "remove a repeated value"}});
   }
 
   CaseSource source_of(const std::vector<std::size_t>& at) {
@@ -282,6 +292,7 @@ class PlanReader {
   std::vector<Axis> axes_;
   std::vector<Assignment> quick_set_;
   std::vector<Problem> problems_;
+  std::map<std::string, std::string> name_of_case_;  ///< of each setting, by its case as it is written
 };
 
 }  // namespace

@@ -210,6 +210,9 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_r
   check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1.0, -2.0]\n"),
             {"setting speed--2.0:", "plan.toml:4:25: structure.speed = -2.0: is out of range"});
   check_has(message_of(kBase + "[[grid]]\nstructure.speed = [1.0, 1.0]\n"), {"two settings have the name speed-1.0"});
+  check_has(message_of(kBase + "[[grid]]\nice.thickness = [\"0.30 m\", \"30 cm\"]\n"),
+            {"plan.toml:3:1: grid: the settings thickness-0.30m and thickness-30cm have equal values",
+             "remove a repeated value"});
   check_has(message_of(kBase + "[set]\nstructure.speed = 1\n[[grid]]\nstructure.speed = [1, 2]\n"),
             {"plan.toml:6:20: structure.speed = 1: is set twice"});
   check_has(message_of(kBase + "[[grid]]\nrandom.replicate = [1, 2]\n"),
