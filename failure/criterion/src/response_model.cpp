@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/failure/response_model.hpp"
 
+#include <cmath>
 #include <filesystem>
 
 #include "brash/core/error.hpp"
@@ -13,6 +14,12 @@ namespace {
 /// h / l_c of rows that do not state it: the rounded ratio of the paper's validation case.
 constexpr double kUsualThickness = 0.1;
 
+/// The thickest plate of a database, h / l_c: ice that is thicker bends as no plate.
+constexpr double kThickest = 1.0;
+/// Eq. 19 scales a network's stress to another h / l_c, which is right for its bending alone. Beyond this share the
+/// case gets the warning trained-thickness.
+constexpr double kThicknessScaled = 0.2;
+
 /// The plate itself; every row is in range that the plate theory can hold.
 class PlateResponse final : public ResponseModel {
  public:
@@ -21,7 +28,7 @@ class PlateResponse final : public ResponseModel {
     const auto profiles = plate::solve({.depth = x.b_lc, .contact_length = x.c_lc, .angle = x.theta, .thickness = h});
     if (!profiles) throw RunError("the plate: " + profiles.error().what);
     const plate::Response r = plate::respond(*profiles, h, x.mu1, x.mu2);
-    return {r.sigma_over_p, r.lbreak_over_lc, true};
+    return {r.sigma_over_p, r.lbreak_over_lc, h <= kThickest};
   }
 };
 
@@ -33,7 +40,8 @@ class NetworkResponse final : public ResponseModel {
   ModelResponse respond(const meta_model::Input& x, double thickness_over_lc) const override {
     const meta_model::Output y = network_->predict(network_->clamp(x));
     const double scale = thickness_over_lc > 0.0 ? network_->thickness_over_lc() / thickness_over_lc : 1.0;
-    return {scale * y.sigma_over_p, y.lbreak_over_lc, network_->check(x).inside()};
+    const bool scales = std::abs(1.0 / scale - 1.0) <= kThicknessScaled;
+    return {scale * y.sigma_over_p, y.lbreak_over_lc, scales && network_->check(x).inside()};
   }
 
  private:

@@ -72,7 +72,8 @@ PredictedRow parse_row(const std::string& line, const std::string& place, std::s
   expect(v[1] > 0.0, place, kNames[1], v[1], "above 0");
   expect(v[2] >= 0.0 && v[2] < 180.0, place, kNames[2], v[2], "from 0 to below 180 degrees");
   expect(v[3] > 0.0, place, kNames[3], v[3], "above 0");
-  if (n_columns > kColumns) expect(v[5] > 0.0, place, kNames[5], v[5], "above 0");
+  if (n_columns > kColumns)
+    expect(v[5] >= 1.0, place, kNames[5], v[5], "at least 1: l_c / h of a plate, and not h / l_c, its inverse");
   return {line, {v[0], v[1], radians(v[2]), v[3], v[4]}, v[5]};
 }
 

@@ -15,6 +15,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/failure/edge_responses.hpp"
+#include "brash/failure/response_model.hpp"
 #include "profile_card.hpp"
 
 namespace brash::cli {
@@ -241,6 +242,25 @@ BOOST_AUTO_TEST_CASE(a_bay_is_solved_and_lies_outside_the_range_of_the_models) {
   BOOST_TEST(stress_of(solved) < 0.7 * stress_of(output_of(folder, {"predict", "--model", "fem", "--in", other})));
   const std::string looked_up = output_of(folder, {"predict", "--model", "superposition", "--in", rows});
   BOOST_TEST(looked_up.find("false") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_inverse_thickness_is_refused_and_a_thickness_far_from_the_training_is_out_of_range) {
+  const Folder folder;
+  const auto rows = [&](const std::string& lc_over_h) {
+    return folder.write("rows.csv", "b_lc,c_lc,theta_deg,mu1,mu2,lc_over_h\n0.5,0.3,60,0.5,0," + lc_over_h + "\n");
+  };
+  for (const char* const model : {"network", "fem"})
+    refuses({"predict", "--model", model, "--in", rows("0.1")},
+            {"rows.csv:2: lc_over_h = 0.1 is not allowed", "l_c / h of a plate, and not h / l_c", "remedy:"});
+  const auto answer = [&](const std::string& lc_over_h) {
+    return output_of(folder, {"predict", "--model", "network", "--in", rows(lc_over_h)});
+  };
+  // The network was trained with h / l_c = 0.1, and Eq. 19 scales it by a fifth.
+  for (const char* const near : {"8.4", "10", "12.4"}) BOOST_TEST(answer(near).find("true") != std::string::npos);
+  for (const char* const far : {"8.2", "12.6", "3"}) BOOST_TEST(answer(far).find("false") != std::string::npos);
+  const auto plate = failure::make_response_model("fem");
+  BOOST_TEST(plate->respond({.b_lc = 0.5, .c_lc = 0.3, .theta = 1.0, .mu1 = 0.5}, 0.3).in_range);
+  BOOST_TEST(!plate->respond({.b_lc = 0.5, .c_lc = 0.3, .theta = 1.0, .mu1 = 0.5}, 10.0).in_range);
 }
 
 BOOST_AUTO_TEST_CASE(speeds_need_a_case_and_a_case_states_the_thickness) {

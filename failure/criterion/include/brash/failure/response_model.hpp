@@ -12,7 +12,9 @@ namespace brash::failure {
 struct ModelResponse {
   double sigma_over_p = 0.0;    ///< [-]
   double lbreak_over_lc = 0.0;  ///< [-]
-  bool in_range = true;         ///< false: an input was moved into the model's range
+  /// False: an input was moved into the model's range, a network's stress was scaled to an h / l_c more than 20 % away
+  /// from its own, or ice as thick as l_c is no plate.
+  bool in_range = true;
 };
 
 /// A failure model without a case: dimensionless inputs in, dimensionless outputs out. Stateless after construction.
