@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
 #include "brash/geometry/point.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kColumns{"x", "y", "radius", "wedges", "angles"};
 constexpr const char* kRemedy = "correct the line; a line that begins with # is passed over";
+/// A full turn and the rounding of its digits [rad]; more of it is of degrees.
+constexpr double kMostAngle = 2.0 * kPi + 0.01;
 /// More radial cracks than anyone breaks ice into, and few enough to draw.
 constexpr int kMostWedges = 1000;
 /// The vertices of a 16-gon in a smaller circle fall together on the geometry's grid [m].
@@ -106,6 +109,7 @@ class Row {
       if (text.empty()) continue;
       result.push_back(number<double>(4, text, "radians, separated by spaces or semicolons"));
       if (!std::isfinite(result.back())) refuse(4, "finite radians");
+      if (std::abs(result.back()) > kMostAngle) refuse(4, "radians within a full turn, 2 pi; 60 degrees are 1.047");
       if (result.size() > static_cast<std::size_t>(kMostWedges)) refuse(4, fmt::format("at most {}", kMostWedges));
     }
     return result;
@@ -134,7 +138,9 @@ std::vector<CrackEvent> read_crack_events(const std::string& name, const std::st
   for (const std::string_view row : split_at(text, "\n")) {
     ++line;
     if (row.empty() || row.front() == '#') continue;
-    if (!std::exchange(is_first, false) || !is_header(row)) events.push_back(Row(name, line, row).event(origin));
+    if (std::exchange(is_first, false) && is_header(row)) continue;
+    events.push_back(Row(name, line, row).event(origin));
+    events.back().line = line;
   }
   return events;
 }

@@ -20,11 +20,13 @@ struct CrackEvent {
   int wedges = 1;
   /// Where given, the radial cracks run at these angles instead [rad], counter-clockwise from x.
   std::optional<std::vector<double>> angles;
+  /// Of the file, counted from 1.
+  int line = 0;
 };
 
 /// Reads rows `x,y,radius,wedges[,angles]`, one event a line, with or without that header; empty lines and lines that
 /// start with # are passed over. The angles of a row are separated by spaces or semicolons; `wedges` is then empty or
-/// one more than the angles, or as many (a full circle).
+/// one more than the angles, or as many (a full circle). An angle beyond a full turn is refused: it is of degrees.
 ///
 /// @param name    of the file, for messages.
 /// @param origin  of the grid in the coordinates of the file; centres are relative to it.

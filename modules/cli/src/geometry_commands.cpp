@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -86,11 +88,12 @@ class CrackRun {
     ledger_.initial = sheet_.area() + ledger_.floes;
   }
 
-  void apply(const CrackEvent& event, int sides) {
-    book(event.angles ? geometry::cut_circumferential(sheet_, event.centre, event.radius, *event.angles, sides)
-                      : geometry::cut_circumferential(sheet_, event.centre, event.radius, event.wedges, sides));
+  /// @return whether it cut ice, here and below.
+  bool apply(const CrackEvent& event, int sides) {
+    return book(event.angles ? geometry::cut_circumferential(sheet_, event.centre, event.radius, *event.angles, sides)
+                             : geometry::cut_circumferential(sheet_, event.centre, event.radius, event.wedges, sides));
   }
-  void apply(const Polygon& cutter) { book(sheet_.cut(cutter.outline)); }
+  bool apply(const Polygon& cutter) { return book(sheet_.cut(cutter.outline)); }
   /// Splits all ice of the sheet along the cracks; every part becomes a floe.
   void apply(std::span<const geometry::Crack> cracks) {
     if (sheet_.n_vertices() > 0) book(sheet_.cut(box_around(sheet_), cracks));
@@ -122,10 +125,11 @@ class CrackRun {
     ledger_.floes += geometry::area(polygon);
     floes_.push_back({std::move(polygon), "floe", next_id_++});
   }
-  void book(geometry::Cut cut) {
+  bool book(geometry::Cut cut) {
     ledger_.snap += cut.snap;
     ledger_.n_rounded += cut.n_rounded;
     for (Polygon& piece : cut.pieces) add_floe(std::move(piece));
+    return !cut.pieces.empty();
   }
 
   IceSheet sheet_;
@@ -176,21 +180,40 @@ void refuse_other_than_one_cut(const CrackOptions& options) {
                              "give one of the three"});
 }
 
+/// Counts the cuts of a file that meet no ice.
+class MissedCuts {
+ public:
+  void count(bool has_cut, const std::string& name) {
+    ++n_;
+    if (!has_cut && n_missed_++ == 0) first_ = name;
+  }
+  void say_of(const std::string& file, const char* cuts) const {
+    if (n_missed_ > 0) say("note: {}: {} of {} {} met no ice, the first is {}\n", file, n_missed_, n_, cuts, first_);
+  }
+
+ private:
+  std::size_t n_ = 0, n_missed_ = 0;
+  std::string first_;
+};
+
 void apply_cuts(const CrackOptions& options, const Origin& origin, CrackRun& run) {
   if (!options.lines.empty()) return run.apply(read_lines_file(options.lines, origin));
+  MissedCuts missed;
   if (!options.cutters.empty()) {
+    int number = 0;
     for (const Polygon& cutter : read_cutters(options.cutters, origin)) {
-      run.apply(cutter);
+      missed.count(run.apply(cutter), fmt::format("cutter {}", ++number));
       if (options.release_detached) run.release();
     }
-    return;
+    return missed.say_of(options.cutters, "cutters");
   }
   const std::string text = read_text_file(options.events, "crack events (CSV)", kMostMebibytes);
   for (const CrackEvent& event : read_crack_events(options.events, text, origin)) {
     refuse_small_circle(options.events, event.radius, options.sides);
-    run.apply(event, options.sides);
+    missed.count(run.apply(event, options.sides), fmt::format("in line {}", event.line));
     if (options.release_detached) run.release();
   }
+  missed.say_of(options.events, "events");
 }
 
 void crack(const CrackOptions& options) {
@@ -232,6 +255,35 @@ Vec2 to_vector(const std::string& option, const std::string& text, const Origin&
   refuse_option(option, text, "is no place", fmt::format("X,Y within +-{} m{}", geometry::kMaxCoordinate, centre));
 }
 
+/// The point of the polylines that is nearest to `at`; there is one at least.
+Vec2 nearest_point(const std::vector<std::vector<Vec2>>& lines, Vec2 at) {
+  Vec2 nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Vec2>& line : lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Vec2 along = line[i] - line[i - 1];
+      const double length = dot(along, along);
+      const double share = length > 0.0 ? std::clamp(dot(at - line[i - 1], along) / length, 0.0, 1.0) : 0.0;
+      const Vec2 point = line[i - 1] + share * along;
+      if (norm(point - at) < least) nearest = point, least = norm(point - at);
+    }
+  }
+  return nearest;
+}
+
+/// Refuses a direction out of the ice. From a place on the edge the ice begins at once; from one beside it, somewhere
+/// within the reach.
+void refuse_way_out(const IceSheet& sheet, const FitOptions& options, Vec2 at, Vec2 towards) {
+  constexpr double kBesideEdge = 0.01, kAtOnce = 0.1;  // of the reach
+  constexpr int kSteps = 100;
+  const Vec2 edge = nearest_point(sheet.free_edge(at, options.reach), at);
+  const bool on_edge = norm(edge - at) <= kBesideEdge * options.reach;
+  const double way = (on_edge ? kAtOnce : 1.0) * options.reach;
+  for (int i = 1; i <= kSteps; ++i)
+    if (sheet.contains((on_edge ? edge : at) + (way * i / kSteps) * towards)) return;
+  refuse_option("--towards", options.towards, "leads out of the ice", "X,Y from --at into the ice");
+}
+
 void fit(const FitOptions& options) {
   constexpr double kLeastReach = 1e-6;  // [m], a thousand units of the grid
   if (!(options.reach >= kLeastReach && options.reach <= geometry::kMaxCoordinate)) {
@@ -257,6 +309,7 @@ void fit(const FitOptions& options) {
     refuse_option("--at", options.at, fmt::format("has no free edge within {} m of it", options.reach),
                   "a place at an edge of the sheet");
   }
+  refuse_way_out(sheet, options, at, normalized(towards));
   const geometry::Trapezoid found = geometry::fit_trapezoid(
       sheet,
       {.at = at, .towards = normalized(towards), .contact_length = options.contact_length, .reach = options.reach});

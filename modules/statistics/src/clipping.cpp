@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "brash/statistics/events.hpp"
 #include "brash/statistics/moments.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 /// The longest run of samples at the peak of a load event.
 struct FlatTop {
-  double peak = -INFINITY;
+  double peak = -std::numeric_limits<double>::infinity();
   std::size_t samples = 0;
 };
 

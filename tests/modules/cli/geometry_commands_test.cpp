@@ -48,17 +48,23 @@ void run(std::vector<std::string> arguments) {
   app.parse(arguments);
 }
 
+/// The text that `run` writes to a stream, whose number is `descriptor`.
+std::string text_of(const Folder& folder, const std::vector<std::string>& arguments, std::FILE* stream,
+                    int descriptor) {
+  const std::string file = (folder.path / "stream").string();
+  std::fflush(stream);
+  const int saved = ::dup(descriptor);
+  BOOST_REQUIRE(std::freopen(file.c_str(), "w", stream) != nullptr);
+  run(arguments);
+  std::fflush(stream);
+  ::dup2(saved, descriptor);
+  ::close(saved);
+  return folder.read("stream");
+}
+
 /// The output of `run`, as JSON.
 nlohmann::json output_of(const Folder& folder, const std::vector<std::string>& arguments) {
-  const std::string file = (folder.path / "stdout").string();
-  std::fflush(stdout);
-  const int saved = ::dup(1);
-  BOOST_REQUIRE(std::freopen(file.c_str(), "w", stdout) != nullptr);
-  run(arguments);
-  std::fflush(stdout);
-  ::dup2(saved, 1);
-  ::close(saved);
-  return nlohmann::json::parse(folder.read("stdout"));
+  return nlohmann::json::parse(text_of(folder, arguments, stdout, 1));
 }
 
 bool names(const InputError& error, const std::string& what) {
@@ -327,6 +333,39 @@ BOOST_AUTO_TEST_CASE(an_input_is_not_written_over) {
   BOOST_TEST(read("sheet.wkt") == kSheet);
 }
 
+BOOST_AUTO_TEST_CASE(a_cut_that_meets_no_ice_is_told) {
+  const std::string sheet = write("sheet.wkt", kSheet);
+  const auto notes = [&](const std::string& option, const std::string& file) {
+    return text_of(*this, {"crack", "--sheet", sheet, option, file}, stderr, 2);
+  };
+  const std::string events = write("events.csv", "x,y,radius,wedges\n0,5,2,3\n100,500,2,3\n90,5,2,3\n");
+  BOOST_TEST(notes("--events", events) == "note: " + events + ": 2 of 3 events met no ice, the first is in line 3\n");
+  const std::string cutters = write("cutters.wkt", "POLYGON ((20 0, 30 0, 30 9, 20 0))");
+  BOOST_TEST(notes("--cutters", cutters) ==
+             "note: " + cutters + ": 1 of 1 cutters met no ice, the first is cutter 1\n");
+  BOOST_TEST(notes("--events", write("one.csv", "0,5,2,3\n")) == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_direction_out_of_the_ice_is_not_fitted) {
+  const std::string sheet = write("tongue.wkt", "POLYGON ((0 0, 20 0, 20 20, 0 20, 0 13, -3 11, -3 9, 0 7, 0 0))");
+  const auto fit = [&](const std::string& at, const std::string& towards) {
+    return output_of(*this, {"fit", "--sheet", sheet, "--at=" + at, "--towards=" + towards});
+  };
+  const auto refused = [&](const std::string& at, const std::string& towards) {
+    BOOST_CHECK_EXCEPTION(fit(at, towards), InputError,
+                          [](const InputError& e) { return names(e, "leads out of the ice"); });
+  };
+  refused("-3,10", "-1,0");
+  refused("-2.99,10", "-1,0");
+  refused("-3.5,10", "-1,0");
+  refused("20,10", "1,0.2");
+  BOOST_TEST(fit("-3,10", "1,0")["b"].get<double>() > 1.0);
+  fit("-3.5,10", "1,0");  // a place beside the edge
+  fit("-2.5,10", "1,0");
+  fit("-3,9", "1,0.1");  // a corner
+  fit("20,10", "-1,0");
+}
+
 BOOST_AUTO_TEST_CASE(events_are_refused_with_line_and_column) {
   const auto refused = [](const std::string& text, const std::string& what) {
     BOOST_CHECK_EXCEPTION(read_crack_events("e.csv", text), InputError,
@@ -342,8 +381,12 @@ BOOST_AUTO_TEST_CASE(events_are_refused_with_line_and_column) {
   refused("1,2,3,", "wedges = ''");
   refused("1,2,3,5,0.1 0.2", "wedges = '5' is not allowed\n  allowed: 2 angles make 3 wedges");
   refused("1,2,3,3,0.1 b", "angles = '0.1 b'");
+  refused("1,2,3,3,60 120",
+          "angles = '60 120' is not allowed\n  allowed: radians within a full turn, 2 pi; 60 degrees");
+  refused("1,2,3,3,-0.1 -6.4", "angles = '-0.1 -6.4'");
   refused("y,x,radius,wedges\n", "x = 'y'");
   BOOST_TEST(read_crack_events("e.csv", "").empty());
+  BOOST_TEST(read_crack_events("e.csv", "\xef\xbb\xbfx,y,radius,wedges\n1,2,3,4\n").at(0).line == 2);
   const auto events = read_crack_events("e.csv", "x, y ,radius,wedges,angles\r\n+1, 2e0 ,3,2, 0.5;0.7\r\n");
   BOOST_REQUIRE(events.size() == 1u);
   BOOST_TEST((events[0].angles == std::vector<double>{0.5, 0.7}));
