@@ -63,6 +63,26 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   }
 }
 
+/// Joins the units in brackets of a line of names between blanks to their names: `Fx [kN]` is one cell. A line that
+/// begins with a unit holds units alone.
+std::vector<std::string_view> with_units(const std::vector<std::string_view>& cells) {
+  const auto begins = [](std::string_view cell) { return cell.starts_with('[') || cell.starts_with('('); };
+  const auto ends = [](std::string_view cell) { return cell.ends_with(']') || cell.ends_with(')'); };
+  if (cells.empty() || begins(cells.front())) return cells;
+  std::vector<std::string_view> joined;
+  bool is_open = false;
+  for (const std::string_view cell : cells) {
+    const bool belongs = is_open || begins(cell);
+    if (belongs)
+      joined.back() = {joined.back().data(),
+                       static_cast<std::size_t>(cell.data() + cell.size() - joined.back().data())};
+    else
+      joined.push_back(cell);
+    is_open = belongs && !ends(cell);
+  }
+  return is_open ? cells : joined;
+}
+
 /// A finite number, not a number for a missing one, nothing for anything else.
 std::optional<double> number(std::string_view cell, Layout& layout) {
   constexpr std::array<std::string_view, 6> kMissingWords{"", "nan", "NaN", "NA", "-", "NAN"};
@@ -199,7 +219,8 @@ class TextSeries {
     preamble_ = preamble_ && !content.starts_with("Time");
     if (preamble_) return;
     if (!layout_) layout_ = Layout{separator_of(content)};
-    const std::vector<std::string_view> cells = cells_of(content, layout_->separator);
+    std::vector<std::string_view> cells = cells_of(content, layout_->separator);
+    if (series_.names.empty() && layout_->separator == ' ') cells = with_units(cells);
     if (cells.size() > kMostColumns)
       throw InputError(Complaint{fmt::format("{}:{}", path_, line_number_), "has more columns than a history has",
                                  fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});

@@ -48,6 +48,24 @@ BOOST_AUTO_TEST_CASE(units_in_the_ends_of_names_may_be_quotients) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(between_blanks_a_unit_in_brackets_belongs_to_the_name_before_it) {
+  const Scratch scratch;
+  const auto read = [&](const std::string& text) { return io::read_series(scratch.write("history.txt", text)); };
+  const io::Series one = read("Fx [kN]\n1\n2\n");
+  BOOST_TEST(one.names == std::vector<std::string>{"Fx"}, boost::test_tools::per_element());
+  BOOST_TEST(one.units.at(0) == "N");
+  BOOST_TEST(one.columns.at(0).back() == 2e3);
+  const io::Series several = read("time [s]  Fx (kN) My [kN m]\n0 1 2\n1 3 4\n");
+  BOOST_TEST(several.names == (std::vector<std::string>{"time", "Fx", "My"}), boost::test_tools::per_element());
+  BOOST_TEST(several.heads.at(2) == "My [kN m]");
+  BOOST_TEST(several.columns.at(2).back() == 4e3);
+  BOOST_TEST(several.time.value() == 0U);
+  // A line of units alone stays what it is.
+  const io::Series below = read("time Fx\n[s] [kN]\n0 1\n1 3\n");
+  BOOST_TEST(below.names.size() == 2U);
+  BOOST_TEST(below.columns.at(1).back() == 3e3);
+}
+
 BOOST_AUTO_TEST_CASE(a_speed_in_the_first_column_is_no_time) {
   BOOST_TEST(!series_of("v_m/s,F_kN").time.has_value());
   BOOST_TEST(series_of("x_s,F_kN").time.value() == 0U);
