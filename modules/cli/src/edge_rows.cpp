@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edge_rows.hpp"
 
+#include <filesystem>
+
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/failure/edge_break.hpp"
 #include "brash/failure/edge_responses.hpp"
 #include "brash/io/case.hpp"
+#include "brash/model/choices.hpp"
 #include "closed_forms.hpp"
 #include "failure_rows.hpp"
 #include "messages.hpp"
@@ -31,9 +34,18 @@ void expect_no_thickness(const std::vector<PredictedRow>& rows, const std::strin
   }
 }
 
+/// The names of the models of edges at rest are no files.
+void refuse_model_at_rest(const std::string& name) {
+  if (!model::named<model::FailureModel>(name) || std::filesystem::exists(name)) return;
+  throw InputError(Complaint{"--model " + name, "is a model of edges at rest, and a moving edge needs its own",
+                             "fem, or the path of a model that `brash failure train` made of moving edges",
+                             "leave --model out: the model of a moving edge comes with the program"});
+}
+
 }  // namespace
 
 void predict_moving_edges(const EdgePredictOptions& options) {
+  refuse_model_at_rest(options.model);
   const model::Case resolved = io::read_case(options.case_file, options.overrides);
   std::string header;
   const std::vector<PredictedRow> rows = read_predicted_rows(options.rows, header);

@@ -53,6 +53,14 @@ int run(CLI::App& app, int argc, char** argv) {
                                         std::generic_category().message(errno)));
 }
 
+/// An empty name is most often of a variable of the shell that is not set, and no wish for the default.
+void refuse_empty_names(CLI::App& app) {
+  for (CLI::Option* const option : app.get_options())
+    if (option->check_lname("output") || option->check_lname("picture"))
+      option->check([](const std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); });
+  for (CLI::App* const command : app.get_subcommands([](CLI::App*) { return true; })) refuse_empty_names(*command);
+}
+
 /// "0.2.0 (commit 1a2b3c4d5e6f)"
 std::string version_text() {
   const std::string commit = brash::kCommit;
@@ -87,6 +95,7 @@ int main(int argc, char** argv) {
   brash::cli::add_export_command(app);
   brash::cli::add_rerun_command(app);
   brash::cli::add_completion_command(app);
+  refuse_empty_names(app);
   try {
     return run(app, argc, argv);
   } catch (const brash::InputError& error) {

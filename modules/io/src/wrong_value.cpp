@@ -47,8 +47,10 @@ Problem wrong_value(const CaseSource& source, const std::string& section, const 
                   allowed_values(key_schema),
                   "",
                   "change the value"};
+  const std::string preset = source.tree["algorithm"]["preset"].value_or(std::string());
   if (key_schema.contains("default"))
-    problem.remedy += fmt::format(", or remove the line to take the default {}", toml_text(key_schema.at("default")));
+    problem.remedy +=
+        fmt::format(", or remove the line to take the default {}", toml_text(Schema::default_in(key_schema, preset)));
   if (key_schema.contains("enum") && value.is_string()) {
     problem.what = "is not a known name";
     if (key_schema.contains("x-limits")) problem.what += ": " + key_schema.at("x-limits").get<std::string>();

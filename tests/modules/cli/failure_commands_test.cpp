@@ -263,6 +263,20 @@ BOOST_AUTO_TEST_CASE(an_inverse_thickness_is_refused_and_a_thickness_far_from_th
   BOOST_TEST(!plate->respond({.b_lc = 0.5, .c_lc = 0.3, .theta = 1.0, .mu1 = 0.5}, 10.0).in_range);
 }
 
+BOOST_AUTO_TEST_CASE(rows_may_begin_with_a_byte_order_mark) {
+  const Folder folder;
+  const std::string rows = folder.write("rows.csv", std::string("\xef\xbb\xbf") + kRow);
+  const std::string printed = output_of(folder, {"predict", "--model", "network", "--in", rows});
+  BOOST_TEST(printed.starts_with("b_lc,"));
+}
+
+BOOST_AUTO_TEST_CASE(a_moving_edge_takes_no_model_of_edges_at_rest) {
+  const Folder folder;
+  refuses({"predict", "--case", BRASH_SOURCE_DIR "/experiments/validation/cone.toml", "--speed", "1", "--in",
+           folder.write("rows.csv", kRow), "--model", "network"},
+          {"--model network: is a model of edges at rest", "allowed:", "leave --model out"});
+}
+
 BOOST_AUTO_TEST_CASE(speeds_need_a_case_and_a_case_states_the_thickness) {
   const Folder folder;
   BOOST_CHECK_THROW(run({"predict", "--speed", "1"}), CLI::ParseError);

@@ -36,6 +36,16 @@ class Mistakes(unittest.TestCase):
         done = self.call(*arguments, **options)
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_an_empty_name_is_not_taken_for_the_default(self):
+        before = sorted(self.path.rglob("*"))
+        for words in (("run", "mine.toml", "-o", ""), ("campaign", "plan.toml", "-o", ""),
+                      ("check", "mine.toml", "--picture", ""), ("export", "gltf", "results/mine/run.nc", "-o", "")):
+            done = self.call(*words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("the name is empty", done.stderr)
+            self.assertIn("remedy:", done.stderr)
+        self.assertEqual(sorted(self.path.rglob("*")), before)
+
     def test_a_campaign_tells_the_warnings_of_its_settings_before_it_runs(self):
         plan = self.path / "plan.toml"
         plan.write_text('[campaign]\ncase = "mine.toml"\n[set]\ntime.step = 0.1\n'

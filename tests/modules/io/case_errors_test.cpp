@@ -157,6 +157,8 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_is_told_the_nearest) {
       {"bad.toml:18:9: failure.model = \"plates\": is not a known name",
        "allowed: one of \"network\", \"deep-network\", \"superposition\", \"plate\", \"plate-outline\", \"wedge\"",
        "nearest: \"plate\"", "take the default \"plate-outline\""});
+  const std::string paper = "[algorithm]\npreset = \"paper\"\n";
+  check_has(message_of(with_more("[failure]\nmodel = \"fem\"\n" + paper)), {"take the default \"network\""});
 }
 
 BOOST_AUTO_TEST_CASE(an_array_of_another_size_is_refused) {
