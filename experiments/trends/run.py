@@ -236,7 +236,7 @@ def table(brash):
               f"| preset | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
     lines += [ratio_row(runs) for runs in run]
     lines += ["", "The last table has exponents: the slope of the logarithm of the mean load along each input, over all",
-              "replicates. Those of the closed forms are of their peaks.", "",
+              "replicates. The closed forms have exponents of their peaks.", "",
               "| input |" + "".join(f" `{runs.preset}` |" for runs in run)
               + "".join(f" {label} |" for label, _, _ in figures.CLOSED.values()),
               "|---|" + "---|" * (len(run) + len(figures.CLOSED))]
