@@ -259,7 +259,7 @@ fs::path setting_file(const fs::path& campaign, const std::string& setting) {
 /// The first line of each of two texts in which they differ.
 std::pair<std::string, std::string> first_difference(std::string_view a, std::string_view b) {
   const auto take_line = [](std::string_view& text) {
-    const std::string line(text.substr(0, text.find('\n')));
+    std::string line(text.substr(0, text.find('\n')));
     text.remove_prefix(std::min(text.size(), line.size() + 1));
     return line;
   };
