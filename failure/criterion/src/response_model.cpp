@@ -16,9 +16,6 @@ constexpr double kUsualThickness = 0.1;
 
 /// The thickest plate of a database, h / l_c: ice that is thicker bends as no plate.
 constexpr double kThickest = 1.0;
-/// Eq. 19 scales a network's stress to another h / l_c, which is right for its bending alone. Beyond this share the
-/// case gets the warning trained-thickness.
-constexpr double kThicknessScaled = 0.2;
 
 /// The plate itself; every row is in range that the plate theory can hold.
 class PlateResponse final : public ResponseModel {

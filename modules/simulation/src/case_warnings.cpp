@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "brash/failure/response_model.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/ice/variation.hpp"
@@ -287,9 +288,6 @@ void add_time_warnings(const model::Case& c, const DerivedScales& scales, Warnin
 
 namespace {
 
-/// A network is scaled by Eq. 19 to ice of another h / l_c, which is right for its bending alone. Against the plate its
-/// stress was 23 % off at three times the h / l_c it was trained with.
-constexpr double kThicknessScaled = 0.2;
 constexpr double kRangeRounds = 1e-3;  ///< share by which h/l_c may miss a model's range: written inputs are rounded
 /// Ice breaks about so far ahead of a contact, in characteristic lengths.
 constexpr double kEvenOver = 0.5;
@@ -339,7 +337,7 @@ void add_variation_warnings(const model::Case& c, const DerivedScales& scales, W
 void add_model_warnings(const model::Case& c, const DerivedScales& scales, const failure::BendingCriterion& criterion,
                         Warnings& warnings) {
   const std::optional<double> trained = criterion.trained_thickness_over_lc();
-  if (trained && std::abs(scales.thickness_over_lc / *trained - 1.0) > kThicknessScaled)
+  if (trained && std::abs(scales.thickness_over_lc / *trained - 1.0) > failure::kThicknessScaled)
     warnings.push_back(
         {"trained-thickness",
          fmt::format("failure.model = {} was trained with h/l_c = {:.3g}, and this ice has {:.3g}: take superposition, "
