@@ -89,7 +89,7 @@ class Storage(FaultTest):
     def test_what_is_printed_into_a_full_disk_is_not_lost_in_silence(self):
         self.succeeds(run_command(self.path / "run"))
         with open("/dev/full", "w", encoding="utf-8") as full:
-            for command in (["stats", self.path / "run" / "history.csv", "--json"], ["schema"], ["--help"]):
+            for command in (["stats", self.path / "run" / "history.csv", "--from", "0", "--json"], ["schema"], ["--help"]):
                 done = subprocess.run([BRASH, *command], stdout=full, stderr=subprocess.PIPE, text=True)
                 self.fails_clearly(done, {1}, f"cannot be written: {FULL}")
 
