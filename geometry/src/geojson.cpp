@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "brash/core/byte_order_mark.hpp"
 #include "brash/geometry/text.hpp"
 #include "crs.hpp"
 #include "json_tree.hpp"
@@ -314,7 +315,7 @@ tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_
 }
 
 bool is_json(std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && text[first] == '{';
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "brash/core/byte_order_mark.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
@@ -135,9 +136,7 @@ std::vector<CrackEvent> read_crack_events(const std::string& name, const std::st
   std::vector<CrackEvent> events;
   bool is_first = true;
   int line = 0;
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8, as spreadsheets write it
-  const std::string_view all = text;
-  for (const std::string_view row : split_at(all.substr(all.starts_with(kByteOrderMark) ? 3 : 0), "\n")) {
+  for (const std::string_view row : split_at(without_byte_order_mark(text), "\n")) {
     ++line;
     if (row.empty() || row.front() == '#') continue;
     if (std::exchange(is_first, false) && is_header(row)) continue;

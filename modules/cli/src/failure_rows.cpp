@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "brash/core/byte_order_mark.hpp"
 #include "brash/core/constants.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -83,9 +84,7 @@ std::vector<PredictedRow> read_rows(std::istream& stream, const std::string& nam
   if (!std::getline(stream, line))
     throw InputError(Complaint{name, "is empty", fmt::format("a first line `{}[{}]`, then rows", kHeader, kThickness),
                                "check that it is the right file and whole"});
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8, as spreadsheets write it
-  if (line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
-  header = without_line_end(line);
+  header = without_line_end(std::string(without_byte_order_mark(line)));
   if (header != kHeader && header != std::string(kHeader) + kThickness) {
     throw InputError(Complaint{name + ":1", fmt::format("the first line is `{}`", printable(header)),
                                fmt::format("`{}` or `{}{}`", kHeader, kHeader, kThickness),

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "brash/core/byte_order_mark.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
@@ -57,9 +58,7 @@ TextTable read_text_table(const std::string& path, const std::string& allowed, c
   TextTable table;
   table.path = path;
   const std::string bytes = read_text_file(path, allowed);
-  std::string_view text = bytes;
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8, as spreadsheets write it
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::string_view text = without_byte_order_mark(bytes);
   while (!text.empty()) {
     TextTable::Row cells = take_cells(text);
     if (table.names.empty()) {

@@ -120,7 +120,7 @@ std::optional<FloePacking> try_to_pack(const model::FieldSection& field, const s
 
 /// The error of a field that would have about `n` floes.
 FloeFieldError too_many(double n, const model::FloeSizes& sizes) {
-  constexpr double kSmall = 1.0, kCentimetres = 100.0;  // floes below a metre are rare, and a number in cm is not
+  constexpr double kSmall = 1.0, kCentimetres = 100.0;  // a median of less than a metre may be a number in cm
   const double stated = stated_size(sizes), digits = std::pow(10.0, std::floor(std::log10(n)) - 1.0);
   const std::string meant = stated < kSmall ? fmt::format("; the sizes begin with {:.3g} m: was {:.3g} m meant?",
                                                           stated, kCentimetres * stated)

@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "brash/core/byte_order_mark.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
@@ -212,9 +213,7 @@ class TextSeries {
   }
 
   void take(std::string_view line) {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
-    if (++line_number_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
-    const std::string_view content = without_blanks(line);
+    const std::string_view content = without_blanks(++line_number_ == 1 ? without_byte_order_mark(line) : line);
     if (content.empty() || content.starts_with('#')) return;
     preamble_ = preamble_ && !content.starts_with("Time");
     if (preamble_) return;
