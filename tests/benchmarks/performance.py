@@ -335,9 +335,10 @@ def met(row):
 def table(results):
     """The page of the documents."""
     text = ["# Performance", "",
-            "`./dev bench` writes this page from `performance.json`. `./dev bench NAME` measures one line. Each figure is the",
-            f"median of at least {REPETITIONS} samples. Both sides of a ratio come from one run on one machine. Times are user CPU",
-            "times of the processes, unless a line says otherwise. The headings have the numbers of the aims.", ""]
+            "`./dev bench` writes this page from `performance.json`. `./dev bench NAME` measures one line. A figure with a range is",
+            f"the median of at least {REPETITIONS} samples; one without is a single value. Both sides of a ratio come from one run on",
+            "one machine. Times are user CPU times of the processes, unless a line says otherwise. The headings have the numbers of",
+            "the aims.", ""]
     for name, entry in results.items():
         text += [f"## {LINES[name].__doc__.splitlines()[0]}", "",
                  "| command | date | machine | load |", "|---|---|---|---|",
