@@ -15,11 +15,6 @@ bool is_time_name(std::string_view name);
 /// loads or to quantities measured beside loads stay unchanged.
 void convert_to_si(Series& series);
 
-/// Seconds in a unit such as "ms" or "hours since 2024-01-01"; empty: 1.
-/// @param place  for the message.
-/// @throws InputError when it is no unit of time.
-double seconds_in(const std::string& unit, const std::string& place);
-
 /// @throws InputError, always: the row at `place` has no time.
 [[noreturn]] void refuse_missing_time(const std::string& place);
 

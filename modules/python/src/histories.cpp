@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "brash/core/text.hpp"
+#include "brash/io/series.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/rainflow.hpp"
 #include "convert.hpp"
@@ -50,26 +51,39 @@ py::object seconds(const py::object& times) {
   return (array - array[py::int_(0)]).attr("astype")("timedelta64[ns]").attr("astype")("float64") * py::float_(1e-9);
 }
 
+/// The unit that a history or its times state, as attrs["units"]; empty: none.
+std::string unit_of(const py::object& labelled) {
+  if (!py::hasattr(labelled, "attrs") || !py::isinstance<py::dict>(labelled.attr("attrs"))) return "";
+  const py::object units = labelled.attr("attrs").attr("get")("units");
+  return py::isinstance<py::str>(units) ? units.cast<std::string>() : "";
+}
+
+/// Numbers of rows are no times: whole numbers are taken as seconds only from an index that has a name.
+void expect_times(const py::object& index) {
+  if (!py::hasattr(index, "name") || !index.attr("name").is_none()) return;
+  const auto kind = py::module_::import("numpy").attr("asarray")(index).attr("dtype").attr("kind").cast<std::string>();
+  if (kind == "i" || kind == "u")
+    throw InputError(Complaint{"history", "the index of the pandas.Series counts rows, and has no name",
+                               "an index of times [s]", "table.set_index(\"time\")[\"Fx\"], or (times, values)"});
+}
+
 /// Times and values of a pandas.Series, an xarray.DataArray or a pair of arrays.
 std::pair<py::object, py::object> times_and_values(const py::object& history) {
   if (py::hasattr(history, "coords") && py::hasattr(history, "dims")) {
-    const py::object dimension = history.attr("dims")[py::int_(0)];
-    return {seconds(history.attr("coords")[dimension].attr("values")), history.attr("values")};
+    const py::object along = history.attr("coords")[history.attr("dims")[py::int_(0)]];
+    const double factor = io::seconds_in(unit_of(along), "history, units of the times");
+    const py::object times = seconds(along.attr("values"));
+    return {factor == 1.0 ? times : times * py::float_(factor), history.attr("values")};
   }
-  if (py::hasattr(history, "to_numpy") && py::hasattr(history, "index"))
+  if (py::hasattr(history, "to_numpy") && py::hasattr(history, "index")) {
+    expect_times(history.attr("index"));
     return {seconds(history.attr("index")), history.attr("to_numpy")()};
+  }
   if (py::isinstance<py::tuple>(history) && py::len(history) == 2)
     return {seconds(history[py::int_(0)]), history[py::int_(1)]};
   throw InputError(
       "history: a pandas.Series whose index is time [s], an xarray.DataArray along time, or a pair (times, values) is "
       "expected");
-}
-
-/// The unit that a history states, as attrs["units"]; empty: none.
-std::string unit_of(const py::object& history) {
-  if (!py::hasattr(history, "attrs") || !py::isinstance<py::dict>(history.attr("attrs"))) return "";
-  const py::object units = history.attr("attrs").attr("get")("units");
-  return py::isinstance<py::str>(units) ? units.cast<std::string>() : "";
 }
 
 /// Numbers in different units are not put together.
@@ -132,12 +146,17 @@ py::object read(const py::object& path, const std::string& column, std::optional
   if (as == "numpy") return py::make_tuple(times, values);
   if (as == "pandas") {
     const py::object index = py::module_::import("pandas").attr("Index")(times, "name"_a = "time");
-    return py::module_::import("pandas").attr("Series")(values, "index"_a = index, "name"_a = load.column);
+    const py::object series =
+        py::module_::import("pandas").attr("Series")(values, "index"_a = index, "name"_a = load.column);
+    series.attr("attrs")["units"] = load.unit;
+    return series;
   }
-  if (as == "xarray")
-    return py::module_::import("xarray").attr("DataArray")(values, "coords"_a = py::dict("time"_a = times),
+  if (as == "xarray") {
+    const py::object in_seconds = py::make_tuple("time", times, py::dict("units"_a = "s"));
+    return py::module_::import("xarray").attr("DataArray")(values, "coords"_a = py::dict("time"_a = in_seconds),
                                                            "dims"_a = py::make_tuple("time"), "name"_a = load.column,
                                                            "attrs"_a = py::dict("units"_a = load.unit));
+  }
   throw InputError(fmt::format("as_: '{}' is not allowed; numpy, pandas or xarray", as));
 }
 
@@ -267,18 +286,23 @@ void add_load_histories(py::module_& m) {
   m.def("read_history", &read, "path"_a, "column"_a = "", "start"_a = py::none(), "end"_a = py::none(), "dt"_a = 0.0,
         "as_"_a = "numpy",
         "One column of a CSV, netCDF or OpenFAST file (.out) against time [s], in SI: (times, values), a pandas.Series "
-        "or an xarray.DataArray. dt: step of a file without times.");
-  m.def(
-      "load_events", &events, "history"_a, "dead_band"_a = py::none(),
-      "Load events about the mean: a dict of arrays, shape (n,), that pandas.DataFrame takes. dead_band in deviations, "
-      "left out from the noise floor.");
+        "or an xarray.DataArray, from `start` on and with it. The history of a run has its settling too: "
+        "`statistics_from` of its summary says where its statistics begin. dt: step of a file without times.");
+  m.def("load_events", &events, "history"_a, "dead_band"_a = py::none(),
+        "Load events about the mean: a dict of arrays, shape (n,), that pandas.DataFrame takes. `impulse` is of the "
+        "whole "
+        "load from start to end, also of what lies below the mean. dead_band in deviations, left out from the noise "
+        "floor. A history is a pandas.Series whose index is time [s], an xarray.DataArray along time, or (times, "
+        "values).");
   m.def(
       "extremes", &extremes, "histories"_a, "return_period"_a, "block"_a = 0.0, "threshold"_a = py::none(),
       "dead_band"_a = py::none(), "extrapolate"_a = false,
       "Five laws of extremes with levels of `return_period` [s], and one recommended with its reason, as `brash stats "
       "--json`. A list of histories is pooled as replicates.");
   m.def("stats", &stats, "history"_a, "return_period"_a = 3600.0, "exponents"_a = std::vector<double>(),
-        "frequency"_a = 1.0, "extrapolate"_a = false, "All that `brash stats --json` tells of a history.");
+        "frequency"_a = 1.0, "extrapolate"_a = false,
+        "All that `brash stats --json` tells of a history, from its first sample on: a pandas.Series whose index is "
+        "time [s], an xarray.DataArray along time, or (times, values).");
   m.def("rainflow", &cycles, "samples"_a,
         "(ranges, means, counts) of the cycles by ASTM E1049, shape (n,) each; counts are 1 and 0.5.");
   m.def("compare", &compare, "run"_a, "measured"_a,

@@ -59,8 +59,28 @@ class Histories(unittest.TestCase):
         file = self.folder / "load.csv"
         file.write_text("time,Fx [kN]\n0,1\n1,2\n2,4\n")
         series = brash.read_history(file, as_="pandas")
-        self.assertEqual((series.name, series.index.name, series.iloc[-1]), ("Fx", "time", 4000.0))
-        self.assertEqual(brash.read_history(file, as_="xarray").attrs["units"], "N")
+        self.assertEqual((series.name, series.index.name, series.iloc[-1], series.attrs["units"]), ("Fx", "time", 4000.0, "N"))
+        array = brash.read_history(file, as_="xarray")
+        self.assertEqual((array.attrs["units"], array.time.attrs["units"]), ("N", "s"))
+
+    @unittest.skipIf(pd is None, "pandas and xarray are not installed")
+    def test_times_have_their_unit_and_rows_are_no_times(self):
+        times, load = sawtooth(100)
+        expected = brash.load_events((times, load))["peak_time"]
+        for unit, factor in (("ms", 1e3), ("min", 1 / 60), ("s", 1.0)):
+            along = xr.DataArray(times * factor, dims=("time",), attrs={"units": unit})
+            found = brash.load_events(xr.DataArray(load, coords={"time": along}, dims=("time",)))
+            np.testing.assert_allclose(found["peak_time"], expected, rtol=1e-12)
+        with self.assertRaisesRegex(brash.InputError, "no unit of time|furlong"):
+            along = xr.DataArray(times, dims=("time",), attrs={"units": "furlong"})
+            brash.stats(xr.DataArray(load, coords={"time": along}, dims=("time",)))
+        table = pd.DataFrame({"time": times, "Fx": load})
+        for rows in (table.Fx, table[table.time > 5.0].Fx):
+            with self.assertRaisesRegex(brash.InputError, "counts rows(.|\n)*set_index"):
+                brash.stats(rows)
+        np.testing.assert_allclose(brash.load_events(table.set_index("time").Fx)["peak_time"], expected)
+        seconds = pd.Series(load, index=pd.Index(np.arange(load.size), name="time"))
+        np.testing.assert_allclose(brash.load_events(seconds)["peak_time"], expected / 0.05, rtol=1e-9)
 
     @unittest.skipIf(pd is None, "pandas and xarray are not installed")
     def test_dates_with_a_zone_or_a_gap(self):

@@ -57,4 +57,9 @@ struct Series {
 /// @throws InputError naming file, line or variable, and the fault.
 Series read_series(const std::string& path);
 
+/// Seconds in a unit such as "ms" or "hours since 2024-01-01"; empty: 1.
+/// @param place  for the message.
+/// @throws InputError when it is no unit of time.
+double seconds_in(const std::string& unit, const std::string& place);
+
 }  // namespace brash::io
