@@ -79,6 +79,14 @@ std::optional<double> start_beside(const std::string& history) {
   return start_in(summary.string());
 }
 
+void begin_as_run(HistoryChoice& choice, const std::string& history) {
+  if (choice.has_from) return;
+  const std::optional<double> start = start_beside(history);
+  if (!start) return;
+  choice.from = *start;
+  choice.has_from = choice.after = true;
+}
+
 std::map<std::string, std::vector<std::string>> done_cases(const std::string& folder) {
   const TextTable table = read_text_table((fs::path(folder) / "campaign.csv").string(), kTable, kResume);
   const std::size_t name = table.column("case"), setting = table.column("setting"), status = table.column("status");

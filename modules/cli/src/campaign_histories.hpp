@@ -29,6 +29,9 @@ void begin_as_summary(HistoryChoice& choice, const std::string& summary);
 /// summary has one, and beside files with other names.
 std::optional<double> start_beside(const std::string& history);
 
+/// Without a `from` of its own, `choice` takes the samples from start_beside() on, if there is one.
+void begin_as_run(HistoryChoice& choice, const std::string& history);
+
 /// The cases that campaign.csv counts as done, by setting. The folder cases/ may hold others: cases of an earlier plan,
 /// and cases that ended after the tables were written.
 /// @throws InputError when `folder` has no such table.

@@ -35,15 +35,14 @@ struct CompareOptions {
 
 constexpr std::array kHistories{"run.nc", "history.csv"};  // of a run
 
-/// The statistics begin as those of the summary in `folder`, if one is there.
-void begin_as_run(const fs::path& folder, HistoryChoice& choice) {
-  if (const fs::path summary = folder / "summary.json"; fs::exists(summary)) begin_as_summary(choice, summary.string());
-}
-
-/// The history of a run's folder.
+/// The history of a run's folder, or a given one. The statistics of a run begin as those of its summary.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
-  if (!fs::is_directory(given)) return given;
-  begin_as_run(given, choice);
+  if (!fs::is_directory(given)) {
+    begin_as_run(choice, given);
+    return given;
+  }
+  if (const fs::path summary = fs::path(given) / "summary.json"; fs::exists(summary))
+    begin_as_summary(choice, summary.string());
   for (const char* name : kHistories)
     if (const fs::path history = fs::path(given) / name; fs::exists(history)) return history.string();
   throw InputError(Complaint{given, "neither run.nc nor history.csv is in it", "the folder of a run, or a history",
@@ -118,8 +117,6 @@ void compare(CompareOptions& options) {
   refuse_replacing_results(options.picture);
   for (const std::string& given : options.measured) refuse_overwriting(options.picture, {options.run, given});
   check_picture_name(options.picture);
-  if (const fs::path run = options.run; std::ranges::find(kHistories, run.filename()) != kHistories.end())
-    begin_as_run(run.parent_path(), options.of_run);
   const std::vector<LoadHistory> runs = side(options.run, options.of_run, options.where);
   const std::vector<LoadHistory> measured = measurements(options);
   for (const LoadHistory& load : runs) refuse_overwriting(options.picture, {load.file});
@@ -155,7 +152,7 @@ void add_compare_command(CLI::App& app) {
                       "[the first that is not the time; of a folder, the run's]");
   CLI::Option* from = command->add_option("--from", options->of_run.from, "of the run [s] [as its summary]");
   CLI::Option* measured_from =
-      command->add_option("--measured-from", options->of_measured.from, "[s] [its start; of a folder, as its summary]");
+      command->add_option("--measured-from", options->of_measured.from, "[s] [its start; of a run, as its summary]");
   command->add_option("--measured-dt", options->of_measured.dt, "time step of a file without times [s]")
       ->check(time_span());
   command->add_option("--gap", options->of_measured.longest_interval, "longest step of the measurement that is no gap")

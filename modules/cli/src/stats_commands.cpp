@@ -93,10 +93,7 @@ std::vector<LoadHistory> histories_of(const StatsOptions& o) {
   std::vector<LoadHistory> loads;
   for (const std::string& file : o.files) {
     HistoryChoice choice = o.choice;
-    if (const auto start = start_of_summary(o, file)) {
-      choice.from = *start;
-      choice.has_from = choice.after = true;
-    }
+    begin_as_run(choice, file);
     for (LoadHistory& load : read_histories(file, choice, o.columns))
       loads.push_back(o.preparation.any() ? prepared(load, o.preparation) : std::move(load));
   }
@@ -134,7 +131,8 @@ void add_reading_options(CLI::App& command, StatsOptions& o) {
       ->take_all()
       ->allow_extra_args(false);
   command.add_flag("--negate", o.choice.negate, "turn the sign, for peaks and extremes of a load below zero");
-  command.add_option("--from", o.choice.from, "leave out what is earlier [s] [of a run, as its summary]");
+  command.add_option("--from", o.choice.from,
+                     "leave out what is earlier than this [s] [of a run, what its summary leaves out]");
   command.add_option("--to", o.to, "leave out what is later [s]");
   command.add_option("--dt", o.choice.dt, "time step of files without times [s]")->check(time_span());
   command.add_option("--gap", o.choice.longest_interval, "longest step that is no gap [s] [5 x the median step]")

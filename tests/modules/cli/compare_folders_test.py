@@ -60,6 +60,19 @@ class Folders(unittest.TestCase):
         self.assertGreater(abs(self.mean(run, run, "--from", 1) / of_summary - 1.0), 1e-3)
         self.assertGreater(abs(self.mean(run / "run.nc", run, "--from", 0) / of_summary - 1.0), 1e-3)
 
+    def test_a_run_has_the_mean_of_itself(self):
+        run = self.run_of("run", 40.0, 30.0)
+        for measured in (run, run / "history.csv"):
+            for given in (run, run / "history.csv"):
+                done = self.compare(given, measured, "--column", "Fy", "--measured-column", "Fy", "--json")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found = json.loads(done.stdout)
+                self.assertEqual((found["run"]["mean"], found["run"]["duration"]),
+                                 (found["measured"]["mean"], found["measured"]["duration"]))
+        whole = json.loads(self.compare(run, run / "history.csv", "--column", "Fy", "--measured-column", "Fy",
+                                        "--measured-from", 0, "--json").stdout)
+        self.assertLess(whole["measured"]["mean"], 0.8 * whole["run"]["mean"])
+
     def test_a_replicate_begins_after_the_time_of_its_summary(self):
         self.campaign({"thin": 20.0})
         for table in self.folder.glob("cases/*/history.csv"):
