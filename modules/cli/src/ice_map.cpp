@@ -17,10 +17,11 @@
 namespace brash::cli {
 namespace {
 
-/// The frame at a time, or the last one before it.
+/// The frame at a time, or the last one before it. The time of a frame is a product, which a written number may miss.
 std::size_t frame_at(const Replay& run, double time) {
+  constexpr double kRounding = 1e-9;  // [s]
   const std::vector<model::Frame>& frames = run.results.frames;
-  const auto after = std::ranges::upper_bound(frames, time, {}, &model::Frame::time);
+  const auto after = std::ranges::upper_bound(frames, time + kRounding, {}, &model::Frame::time);
   if (after != frames.begin()) return static_cast<std::size_t>(after - frames.begin()) - 1;
   throw InputError(Complaint{fmt::format("--time={}", time), "is before the first frame of the run",
                              frames.empty() ? "a run with frames (output.frames_per_second)"

@@ -63,7 +63,8 @@ std::vector<geometry::Polygon> SheetReplay::at(const model::Frame& frame) {
   const std::size_t before = next_;
   while (next_ < cracked.size() && cracked[next_].time <= frame.time) ++next_;
   has_cracked_ = next_ > before;
-  if (&frame == &replay_.results.frames.back()) return polygons_of(replay_.results.final_sheet);
+  const auto& loads = replay_.results.loads;
+  if (!loads.empty() && frame.time >= loads.back().time) return polygons_of(replay_.results.final_sheet);
   if (has_cracked_) take(cracked[next_ - 1].rings);
   const structure::Footprint footprint = replay_.hull->footprint(frame.structure, 0.0, 0.0);
   std::vector<geometry::Polygon> all;

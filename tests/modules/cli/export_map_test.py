@@ -92,6 +92,35 @@ frames_per_second = 2
         self.assertLessEqual({f["properties"]["id"] for f in features if f["properties"]["kind"] == "floe"}, known)
         self.assertEqual({f["properties"].get("thickness") for f in features if f["properties"]["kind"] == "floe"}, {0.33})
 
+    def area_at(self, run, *time):
+        made = self.folder / "ice.geojson"
+        brash("export", "map", run / "run.nc", "-o", made, *time)
+        return sum(float(feature["properties"]["area"]) for feature in json.loads(made.read_text())["features"])
+
+    def test_ice_and_floes_are_of_one_frame_also_where_the_last_one_is_not_at_the_end(self):
+        run = self.run_case("experiments/validation/cone.toml", "output.frames_per_second=0", "time.duration=3")
+        ledger = json.loads((run / "summary.json").read_text())["ledger"]
+        self.assertGreater(float(ledger["floes"]), 20.0)
+        with netCDF4.Dataset(run / "run.nc") as data:
+            self.assertEqual(data["frame_time"][:].tolist(), [0.0])
+            born = data["floe_area"][:][data["floe_birth"][:] == 0.0].sum()
+        self.assertAlmostEqual(self.area_at(run), 2500.0, delta=1e-6)  # of the field, of which floes at the start have
+        self.assertLess(born, 20.0)
+
+    def test_a_frame_is_found_by_its_time_as_it_is_written(self):
+        run = self.run_case("experiments/validation/cone.toml", "output.frames_per_second=10", "time.duration=1.5")
+        with netCDF4.Dataset(run / "run.nc") as data:
+            times = data["frame_time"][:].tolist()
+        missed = [time for time in times if round(time, 6) < time]
+        self.assertTrue(missed)
+        made = self.folder / "ice.geojson"
+        for time in missed:
+            texts = []
+            for asked in (round(time, 6), time + 1e-6):
+                brash("export", "map", run / "run.nc", "-o", made, "--time", asked)
+                texts.append(made.read_text())
+            self.assertEqual(*texts)
+
     def test_a_time_before_the_first_frame_and_an_unknown_format_are_refused(self):
         run = self.run_case("experiments/validation/cone.toml", "output.frames_per_second=0", "time.duration=0.5")
         for words, part in ((["--time", "-1"], "--time"), (["-o", self.folder / "ice.shp"], "is no format that is written")):
