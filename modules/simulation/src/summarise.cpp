@@ -54,12 +54,17 @@ LoadSplit split(std::span<const model::LoadRow> rows, Axis axis) {
           mean(rows, [&](const model::LoadRow& r) { return axis(r.floe_friction.force); })};
 }
 
-/// Of the legs, or of the regions of a hull that has any.
-std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, std::size_t n_legs) {
+/// Of the legs, or of the regions of a ship or a mesh. Where no ice touches a hull, its regions bear zero; a hull that
+/// bears a load on none of them has no regions.
+std::vector<RegionMean> mean_by_region(std::span<const model::LoadRow> rows, const model::StructureSection& structure) {
+  const std::size_t n_legs = structure.legs.size();
   const std::size_t first = n_legs > 0 ? model::kHullRegions : 0;
   const std::size_t end = n_legs > 0 ? first + n_legs : model::kHullRegions;
   std::vector<RegionMean> means;
-  bool any = n_legs > 0;
+  const bool is_long =
+      std::holds_alternative<model::Ship>(structure.shape) || std::holds_alternative<model::Mesh>(structure.shape);
+  const auto is_touched = [](const model::LoadRow& row) { return row.total.force != Vec3{}; };
+  bool any = n_legs > 0 || (is_long && std::ranges::none_of(rows, is_touched));
   model::RegionLoads::visit([&](const char* region, const char*, std::size_t i) {
     if (i < first || i >= end) return;
     const auto mean_of = [&](Vec3 model::RegionLoad::*force) {
@@ -222,7 +227,7 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   s.vertical = summarise_component(window, resolved.time.step, total_z);
   s.horizontal_split = split(window, x);
   s.vertical_split = split(window, z);
-  s.regions = mean_by_region(window, resolved.structure.legs.size());
+  s.regions = mean_by_region(window, resolved.structure);
   s.mean_horizontal_whole = mean(results.loads, total_x);
   s.mean_vertical_whole = mean(results.loads, total_z);
 
@@ -281,7 +286,7 @@ std::string to_json(const RunSummary& s) {
   for (const model::Warning& warning : s.warnings) warnings.push_back({{"id", warning.id}, {"text", warning.text}});
   nlohmann::ordered_json json{
       {"warnings", std::move(warnings)},
-      {"units", "SI; Fx positive against the structure's motion, Fz positive upwards on the structure"},
+      {"units", "SI; Fx positive against the structure's heading, Fz positive upwards on the structure"},
       {"statistics_from", s.statistics_from},
       {"horizontal", json_of(s, s.horizontal, s.horizontal_split)},
       {"vertical", json_of(s, s.vertical, s.vertical_split)},

@@ -72,6 +72,16 @@ BOOST_AUTO_TEST_CASE(legs_that_meet_no_ice_have_means_of_zero) {
   BOOST_TEST((run.summary.regions[1].load == model::RegionLoad{}));
 }
 
+BOOST_AUTO_TEST_CASE(a_ship_that_meets_no_ice_has_means_of_zero) {
+  // A campaign leaves missing numbers out, so its mean over replicates would be too high without them.
+  const simulation::Run run =
+      simulation::run(io::read_case(BRASH_SOURCE_DIR "/experiments/ships/icebreaker.toml",
+                                    {"time.duration=0.1", "output.statistics_from=0", "structure.start_distance=50"}));
+  BOOST_TEST(run.summary.horizontal.mean == 0.0);
+  BOOST_REQUIRE(run.summary.regions.size() == model::kHullRegions);
+  for (const auto& region : run.summary.regions) BOOST_TEST((region.load == model::RegionLoad{}));
+}
+
 BOOST_AUTO_TEST_CASE(the_leg_behind_goes_through_the_channel_of_the_one_ahead) {
   const simulation::Run run =
       simulation::run(case_of("speed = 1.2\nstart_distance = 12\nlegs = [[8, 0], [-8, 0]]\n", 21.0));
