@@ -20,6 +20,7 @@ async function exported(path) {
 Object.assign(globalThis, { matchMedia: () => ({ addEventListener: () => {} }), devicePixelRatio: 1 });
 const { csv } = await exported("modules/report/viewer/src/save.ts");
 const { duration } = await exported("modules/report/viewer/src/extremes.ts");
+const { piecesOfEvents } = await exported("modules/report/viewer/src/data.ts");
 const { countsOf } = await exported("modules/report/viewer/src/statistics.ts");
 const { valueIn, withValue } = await exported("modules/simulator/page/src/case_text.ts");
 
@@ -27,6 +28,11 @@ test("texts with commas, quotes and line ends keep their cell of a CSV file", ()
   const names = ["a, b", "3,5", 'so "called"', "two\nlines"];
   assert.equal(csv([["setting", names], ["mean [kN]", [1, null, 3, 4]]]),
     'setting,mean [kN]\n"a, b",1\n"3,5",\n"so ""called""",3\n"two\nlines",4\n');
+});
+
+test("pieces are those of their event, also where ice was severed between two", () => {
+  const births = [0, 0, 1, 1, 1.5, 2, 2, 2];  // two of the start, one severed at 1.5 s
+  assert.deepEqual(piecesOfEvents([1, 2, 2], [2, 1, 2], births), [[2, 3], [5], [6, 7]]);
 });
 
 test("a duration keeps the zeros of whole numbers", () => {

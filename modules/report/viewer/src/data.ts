@@ -81,6 +81,21 @@ export function polygons(blocks: Blocks, name: string): Ring[][] {
   );
 }
 
+/**
+ * Which floes each event made, by their places among those that broke off the level ice, in the order of their births.
+ * Other floes come without an event: those of the start, and ice that crushing severs.
+ */
+export function piecesOfEvents(times: Numbers, pieces: Numbers, births: number[]): number[][] {
+  const rounding = 1e-9; // s
+  let next = 0;
+  return Array.from(times, (time, event) => {
+    while (next < births.length && births[next] < time - rounding) ++next;
+    const first = next;
+    next = Math.min(first + pieces[event], births.length);
+    return Array.from({ length: next - first }, (_, i) => first + i);
+  });
+}
+
 /** Rings of a body that lies level, where its pose puts them. */
 function placed(rings: Ring[], at: (name: string) => number): Ring[] {
   const angle = 2 * Math.atan2(at("qz"), at("qw"));
@@ -135,14 +150,10 @@ export class Run {
     const loads = this.column("load.time");
     this.duration = Math.max(frames.at(-1) ?? 0, loads.at(-1) ?? 0);
     const pieces = this.column("event.pieces");
+    const births = this.column("floe.birth");
     this.offSheet = [...this.column("floe.parent")].flatMap((parent, floe) => (parent < 0 ? [floe] : []));
-    this.piecesOf = [];
-    let next = this.offSheet.length;
-    for (const n of pieces) next -= n;
-    for (const n of pieces) {
-      this.piecesOf.push(this.offSheet.slice(next, next + n));
-      next += n;
-    }
+    this.piecesOf = piecesOfEvents(this.column("event.time"), pieces, this.offSheet.map((floe) => births[floe]))
+      .map((places) => places.map((place) => this.offSheet[place]));
     this.madeBy = new Int32Array(this.nFloes).fill(-1);
     this.piecesOf.forEach((floes, event) => floes.forEach((floe) => (this.madeBy[floe] = event)));
   }

@@ -135,4 +135,4 @@ export class Growing {
 }
 
 /** Columns that a run without rows has. */
-const kEmpty = ["event.time", "event.pieces", "split.time", "floe.parent", "frame.time", "load.time"];
+const kEmpty = ["event.time", "event.pieces", "split.time", "floe.parent", "floe.birth", "frame.time", "load.time"];
