@@ -88,7 +88,7 @@ std::string csv(const io::CampaignPlan& plan, const Folder& folder, const std::v
 
 io::Table table(const io::CampaignPlan& plan, const std::vector<Row>& rows) {
   io::Table all{.dimension = "case",
-                .attributes = {{"Conventions", "CF-1.8"},
+                .attributes = {{"Conventions", "CF-1.9"},
                                {"title", "brash campaign"},
                                {"source", std::string("brash ") + kVersion},
                                {"comment", "One entry a case; loads in load axes, SI units."}},

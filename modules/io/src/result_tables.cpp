@@ -6,10 +6,11 @@
 namespace brash::io {
 namespace {
 
-/// Outlines of floes, parallel to the rows of floes.
-void write_outlines(NetcdfWriter& file, const std::vector<model::FloeRecord>& floes) {
+/// Floes with their outlines.
+void write_floes(NetcdfWriter& file, const std::vector<model::FloeRecord>& floes) {
   std::vector<std::vector<std::vector<Vec2>>> outlines;
   for (const model::FloeRecord& floe : floes) outlines.push_back(floe.rings);
+  write_rows(file, floes, "floe_outline");
   write_polygons(file, "floe_outline", "floe", {"m", "body frame of the floe"}, outlines);
 }
 
@@ -17,7 +18,7 @@ void write_outlines(NetcdfWriter& file, const std::vector<model::FloeRecord>& fl
 void write_cracked_sheets(NetcdfWriter& file, const std::vector<model::CrackedSheet>& sheets) {
   std::vector<std::vector<std::vector<Vec2>>> polygons;
   for (const model::CrackedSheet& sheet : sheets) polygons.push_back(sheet.rings);
-  write_rows(file, sheets);
+  write_rows(file, sheets, "cracked_sheet_outline");
   write_polygons(file, "cracked_sheet_outline", "cracked_sheet", {"m", "sheet frame"}, polygons);
 }
 
@@ -58,8 +59,7 @@ void write_tables(NetcdfWriter& file, const model::RunResults& results) {
   write_rows(file, results.loads);
   write_rows(file, results.events);
   if (!results.splits.empty()) write_rows(file, results.splits);
-  write_rows(file, results.floes);
-  write_outlines(file, results.floes);
+  write_floes(file, results.floes);
   write_frames(file, results.frames);
   write_cracked_sheets(file, results.cracked_sheets);
   const NodeFrame sheet_frame{"m", "sheet frame"};

@@ -35,8 +35,9 @@ template <typename T>
 void add_flags(Meaning&, T) {}
 
 /// Writes `rows` as one variable a column, along the rows' dimension.
+/// @param geometry  container of the rows' polygons, as write_polygons() names it; empty: none.
 template <typename Row>
-void write_rows(NetcdfWriter& file, const std::vector<Row>& rows) {
+void write_rows(NetcdfWriter& file, const std::vector<Row>& rows, const std::string& geometry = "") {
   visit_used(rows, [&](const std::string& name, const char* unit, const std::string& meaning, auto member) {
     using Member = std::remove_cvref_t<decltype(member(rows.front()))>;
     std::vector<typename Stored<Member>::Type> values;
@@ -44,6 +45,7 @@ void write_rows(NetcdfWriter& file, const std::vector<Row>& rows) {
     for (const Row& row : rows) values.push_back(static_cast<typename Stored<Member>::Type>(member(row)));
     Meaning described{unit, meaning};
     add_flags(described, Member{});
+    if (!geometry.empty()) described.more.emplace_back("geometry", geometry);
     file.variable(Columns<Row>::prefix + name, Columns<Row>::dimension, described, values);
   });
 }

@@ -18,7 +18,7 @@ namespace {
 
 std::string netcdf_bytes(const std::string& path, const model::Case& resolved, const model::RunResults& results) {
   NetcdfWriter file(path);
-  file.attribute("Conventions", "CF-1.8");
+  file.attribute("Conventions", "CF-1.9");
   file.attribute("title", "brash run of the case " + resolved.name);
   file.attribute("source", std::string("brash ") + kVersion);
   file.attribute(

@@ -97,7 +97,8 @@ void add_results(py::module_& m) {
           "motion, a region or a leg that the structure does not have are 0, and are left out of history.csv.")
       .def_property_readonly(
           "events", [](const RunResults& r) { return table(std::span<const model::CrackEvent>(r.events)); },
-          "Crack events: a structured array with the columns of events.csv; shape (n_events,).")
+          "Crack events, the lines `break` of events.csv: a structured array with its columns up to flexural_strength; "
+          "shape (n_events,).")
       .def_property_readonly(
           "splits", [](const RunResults& r) { return table(std::span<const model::SheetSplit>(r.splits)); },
           "Drifting sheets that split: a structured array with the columns ``split_...`` of run.nc; shape (n_splits,).")

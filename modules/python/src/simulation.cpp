@@ -265,7 +265,8 @@ void add_simulation(py::module_& m) {
           "region or a leg that the structure does not have are 0.")
       .def_property_readonly(
           "events", [](const Steps& s) { return table(std::span<const model::CrackEvent>(s.events)); },
-          "Structured array with the columns of events.csv; shape (n_events,).")
+          "Crack events, the lines `break` of events.csv: a structured array with its columns up to flexural_strength; "
+          "shape (n_events,).")
       .def_property_readonly(
           "splits", [](const Steps& s) { return table(std::span<const model::SheetSplit>(s.splits)); },
           "Drifting sheets that split: structured array with the columns ``split_...`` of run.nc; shape (n_splits,).")

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 run = xr.open_dataset(sys.argv[1])
-assert run.attrs["Conventions"] == "CF-1.8"
+assert run.attrs["Conventions"] == "CF-1.9"
 assert "[ice]" in run.attrs["case"]
 assert "x against the structure's heading" in run.attrs["comment"]
 

@@ -46,15 +46,19 @@ struct Columns<model::LoadRow> {
   static void visit_wrench(const std::string& cause, const std::string& meaning, Wrench model::LoadRow::*w,
                            Visit&& visit) {
     visit(
-        cause + "Fx", "N", meaning + ", force along x", [w](auto& row) -> auto& { return (row.*w).force.x; });
+        cause + "Fx", "N",
+        meaning + ", force against the heading", [w](auto& row) -> auto& { return (row.*w).force.x; });
     visit(
-        cause + "Fy", "N", meaning + ", force along y", [w](auto& row) -> auto& { return (row.*w).force.y; });
+        cause + "Fy", "N",
+        meaning + ", force to starboard of the heading", [w](auto& row) -> auto& { return (row.*w).force.y; });
     visit(
-        cause + "Fz", "N", meaning + ", force along z", [w](auto& row) -> auto& { return (row.*w).force.z; });
+        cause + "Fz", "N", meaning + ", force upwards", [w](auto& row) -> auto& { return (row.*w).force.z; });
     visit(
-        cause + "Mx", "N m", meaning + ", moment about x", [w](auto& row) -> auto& { return (row.*w).moment.x; });
+        cause + "Mx", "N m",
+        meaning + ", moment about the axis of Fx", [w](auto& row) -> auto& { return (row.*w).moment.x; });
     visit(
-        cause + "My", "N m", meaning + ", moment about y", [w](auto& row) -> auto& { return (row.*w).moment.y; });
+        cause + "My", "N m",
+        meaning + ", moment about the axis of Fy", [w](auto& row) -> auto& { return (row.*w).moment.y; });
     visit(
         cause + "Mz", "N m", meaning + ", moment about z", [w](auto& row) -> auto& { return (row.*w).moment.z; });
   }
@@ -65,7 +69,8 @@ struct Columns<model::LoadRow> {
         "birth_energy", "J", "energy that floes had at birth or gained unexplained in their first step",
         [](auto& row) -> auto& { return row.birth_energy; });
     visit(
-        "removed_energy", "J", "kinetic and potential energy of deleted floes",
+        "removed_energy", "J",
+        "energy of deleted floes, of brash, of floes that fall asleep, of ice that leaves a sheet",
         [](auto& row) -> auto& { return row.removed_energy; });
     model::EnergyLosses::visit([&](const char* cause, const char* meaning, double model::EnergyLosses::*loss) {
       visit(
@@ -82,7 +87,8 @@ struct Columns<model::LoadRow> {
   template <typename Visit>
   static void visit_state(Visit&& visit) {
     visit(
-        "kinetic_energy", "J", "kinetic energy of all floes", [](auto& row) -> auto& { return row.kinetic_energy; });
+        "kinetic_energy", "J", "kinetic energy of all floes, and of sheets that drift",
+        [](auto& row) -> auto& { return row.kinetic_energy; });
     visit(
         "potential_energy", "J", "energy of all floes in gravity and buoyancy, against floating at rest",
         [](auto& row) -> auto& { return row.potential_energy; });
@@ -110,14 +116,16 @@ struct Columns<model::LoadRow> {
         "n_contacts", "1", "number of points at which floes bear on the structure",
         [](auto& row) -> auto& { return row.n_contacts; });
     visit(
-        "structure_x", "m", "place of the structure's origin", [](auto& row) -> auto& { return row.structure.x; });
+        "structure_x", "m", "place of the structure's origin along the sheet's x",
+        [](auto& row) -> auto& { return row.structure.x; });
     visit(
-        "structure_y", "m", "place of the structure's origin", [](auto& row) -> auto& { return row.structure.y; });
+        "structure_y", "m", "place of the structure's origin to port",
+        [](auto& row) -> auto& { return row.structure.y; });
     visit(
-        "structure_vx", "m s-1", "velocity of the structure's origin, mean over the step",
+        "structure_vx", "m s-1", "velocity of the structure's origin along the sheet's x, mean over the step",
         [](auto& row) -> auto& { return row.velocity.x; });
     visit(
-        "structure_vy", "m s-1", "velocity of the structure's origin, mean over the step",
+        "structure_vy", "m s-1", "velocity of the structure's origin to port, mean over the step",
         [](auto& row) -> auto& { return row.velocity.y; });
   }
 
@@ -134,14 +142,14 @@ struct Columns<model::LoadRow> {
   template <typename Visit>
   static void visit_force(const std::string& suffix, const std::string& meaning, std::size_t i,
                           Vec3 model::RegionLoad::*force, Visit&& visit) {
-    const auto part = [&](const std::string& axis, double Vec3::*along) {
+    const auto part = [&](const std::string& axis, const std::string& way, double Vec3::*along) {
       visit(
-          "F" + (axis + suffix), "N", meaning + ", force along " + axis,
+          "F" + (axis + suffix), "N", meaning + ", force " + way,
           [ i, force, along ](auto& row) -> auto& { return row.regions[i].*force.*along; });
     };
-    part("x", &Vec3::x);
-    part("y", &Vec3::y);
-    part("z", &Vec3::z);
+    part("x", "against the heading", &Vec3::x);
+    part("y", "to starboard of the heading", &Vec3::y);
+    part("z", "upwards", &Vec3::z);
   }
 
   template <typename Visit>
@@ -156,14 +164,19 @@ struct Columns<model::LoadRow> {
         std::string("structure_z"), "m", std::string("height of the structure's origin"),
         [](auto& row) -> auto& { return row.height; });
     visit(
-        std::string("structure_vz"), "m s-1", std::string("velocity of the structure's origin, mean over the step"),
+        std::string("structure_vz"), "m s-1",
+        std::string("velocity of the structure's origin upwards, mean over the step"),
         [](auto& row) -> auto& { return row.rise; });
-    of_vector("structure_roll", "rad", "roll, the last of the three turns", &model::LoadRow::attitude, &Vec3::x);
-    of_vector("structure_pitch", "rad", "pitch, the second turn", &model::LoadRow::attitude, &Vec3::y);
-    of_vector("structure_heading", "rad", "heading, the first turn", &model::LoadRow::attitude, &Vec3::z);
-    of_vector("structure_wx", "rad s-1", "angular velocity about x", &model::LoadRow::spin, &Vec3::x);
-    of_vector("structure_wy", "rad s-1", "angular velocity about y", &model::LoadRow::spin, &Vec3::y);
-    of_vector("structure_wz", "rad s-1", "angular velocity about z", &model::LoadRow::spin, &Vec3::z);
+    of_vector("structure_roll", "rad", "turn about its own x, third, starboard down", &model::LoadRow::attitude,
+              &Vec3::x);
+    of_vector("structure_pitch", "rad", "turn about its own y, second, bow down", &model::LoadRow::attitude, &Vec3::y);
+    of_vector("structure_heading", "rad", "turn about z, first, to port", &model::LoadRow::attitude, &Vec3::z);
+    of_vector("structure_wx", "rad s-1", "angular velocity about the sheet's x, mean over the step",
+              &model::LoadRow::spin, &Vec3::x);
+    of_vector("structure_wy", "rad s-1", "angular velocity about the sheet's y, mean over the step",
+              &model::LoadRow::spin, &Vec3::y);
+    of_vector("structure_wz", "rad s-1", "angular velocity about z, mean over the step", &model::LoadRow::spin,
+              &Vec3::z);
     model::BodyEnergy::visit([&](const char* name, const char* meaning, double model::BodyEnergy::*energy) {
       visit(
           std::string("body_") + name, "J",
