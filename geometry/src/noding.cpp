@@ -251,15 +251,40 @@ void Noding::activate_around(const std::vector<int>& nodes) {
   }
 }
 
+namespace {
+
+/// The ends of all cracks, from left to right.
+Ring ends_of(std::span<const Crack> cracks) {
+  Ring ends;
+  ends.reserve(2 * cracks.size());
+  for (const Crack& crack : cracks) ends.insert(ends.end(), {crack.from, crack.to});
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+/// Adds the ends in whose pixels the crack comes. The crossing of a crack and the region is rounded, and the crack that
+/// goes there may miss the pixel of another one that ends on it.
+void add_ends_met(const Crack& crack, const Box& reach, const Ring& ends, Ring& stops) {
+  const auto is_left = [](Point end, std::int64_t x) { return end.x < x; };
+  for (auto end = std::lower_bound(ends.begin(), ends.end(), reach.low.x, is_left);
+       end != ends.end() && end->x <= reach.high.x; ++end)
+    if (exact::meets_pixel(crack.from, crack.to, *end)) stops.push_back(*end);
+}
+
+}  // namespace
+
 std::vector<Crack> cracks_inside(std::span<const Point> region, std::span<const Crack> cracks) {
   if (cracks.empty()) return {};
   std::vector<Crack> inside;
   inside.reserve(2 * cracks.size());
+  const Ring ends = ends_of(cracks);
   Ring stops;
   stops.reserve(16);
   for (const Crack& crack : cracks) {
     stops.assign({crack.from, crack.to});
     const exact::Box reach = exact::Box::of(crack.from, crack.to);
+    add_ends_met(crack, reach, ends, stops);
     for (std::size_t i = 0; i < region.size(); ++i) {
       const Point a = region[i];
       const Point b = region[i + 1 == region.size() ? 0 : i + 1];

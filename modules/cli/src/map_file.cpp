@@ -66,7 +66,7 @@ std::vector<geometry::Crack> read_lines_file(const std::string& path, const Orig
   const std::string text = read_text_file(path, "lines (WKT or GeoJSON)", kMostMebibytes);
   auto cracks =
       geometry::is_json(text) ? geometry::cracks_from_geojson(text, origin) : geometry::cracks_from_wkt(text, origin);
-  if (cracks) return *std::move(cracks);
+  if (cracks) return geometry::beyond_free_ends(*std::move(cracks));
   throw InputError(Complaint{path, cracks.error().what,
                              "LINESTRING or MULTILINESTRING (WKT) or their like in GeoJSON, in plan metres",
                              "correct the line; areas to take out are polygons and go to --cutters"});

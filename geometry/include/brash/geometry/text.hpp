@@ -41,6 +41,22 @@ tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view
 /// The same from LineString and MultiLineString of a GeoJSON text, alone or in features and collections.
 tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_view text, const Origin& origin = {});
 
+/// Cracks that reach 0.1 um beyond their free ends, which no other crack has too.
+///
+/// A line that is drawn to an edge or to another line may miss it by the rounding of all three to the grid, and would
+/// part nothing. What reaches beyond parts nothing by itself.
+std::vector<Crack> beyond_free_ends(std::vector<Crack> cracks);
+
+/// The lines of a text.
+struct Lines {
+  std::vector<Crack> cracks;          ///< of all lines, in their order
+  std::vector<std::size_t> n_cracks;  ///< of each line; 0 if all its positions fall on one grid point
+  std::string crs;                    ///< as in Map
+};
+
+/// Reads lines of WKT or GeoJSON as cracks_from_wkt() and cracks_from_geojson() do, and keeps them apart.
+tl::expected<Lines, GeometryError> read_lines(std::string_view text, const Origin& origin = {});
+
 /// True when `text` begins as JSON does, after a byte order mark and space.
 bool is_json(std::string_view text);
 
@@ -69,6 +85,14 @@ struct Map {
   friend bool operator==(const Map&, const Map&) = default;
 };
 
+/// The name in a member `crs`, such as "urn:ogc:def:crs:EPSG::32633"; empty if it has none.
+std::string name_of_crs(std::string_view crs);
+/// Whether two names stand for one coordinate reference system: they have the same code of EPSG, or are the same.
+bool are_same_crs(std::string_view a, std::string_view b);
+
+/// Why a polygon is not simple by itself, such as "crosses itself at (5, 4.5)"; empty if it is.
+std::string fault_of(const Polygon& polygon);
+
 /// A FeatureCollection, one feature a line. Properties: `kind`, `id`, `area` [m2] and `area_exact`, every digit of the
 /// area as text.
 std::string to_geojson(std::span<const Feature> features);
@@ -78,9 +102,9 @@ std::string map_to_geojson(const Map& map);
 /// Reads a FeatureCollection, Feature, Polygon, MultiPolygon or GeometryCollection, nested up to 64 deep.
 ///
 /// Rings as in from_wkt(). A geographic `crs`, whose coordinates are degrees, is an error. Without `kind` a feature is
-/// `sheet`, without `id` it has its number in the file, from 0; the members of a multi-part feature share both. Every
-/// other property and member is passed over; another geometry, a height in a position or a feature without geometry is
-/// an error, also with line and column.
+/// `sheet`, without `id` it has its number in the file, from 0; null is as good as none. The members of a multi-part
+/// feature share both. Every other property and member is passed over; another geometry, a height in a position or a
+/// feature without geometry is an error, also with line and column.
 tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text, const Origin& origin = {});
 
 /// Reads a WKT or GeoJSON text onto the grid around an origin.
@@ -88,6 +112,8 @@ tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view 
 /// @param origin  in the coordinates of the text. Without one it is the member `origin` of the text, if all coordinates
 ///                lie within kMaxCoordinate of it, else zero, if they lie so around it, else the middle of the data,
 ///                rounded.
+/// A `thickness` and a `flexural_strength` must be numbers above 0, or null.
+///
 /// @return the map, polygons of a WKT text as sheet; or the error as of from_wkt().
 tl::expected<Map, GeometryError> read_map(std::string_view text, const std::optional<Origin>& origin = {});
 
