@@ -23,6 +23,8 @@ using geometry::Polygon;
 
 /// More radial cracks than anyone breaks ice into, and few enough to draw.
 constexpr int kMostWedges = 1000;
+/// A full turn and the rounding of its digits [rad]; more of it is of degrees.
+constexpr double kMostAngle = 2.0 * kPi + 0.01;
 constexpr int kMostSides = 100000;
 
 /// A sheet that threads may read without the GIL. Calls that change it keep the GIL.
@@ -99,7 +101,10 @@ Cut cut_circumferential(SharedSheet& sheet, const py::object& centre, double rad
   if (angles.is_none()) return geometry::cut_circumferential(sheet, at, radius, wedges, sides);
   const Array radians = samples(angles, "angles");
   expect_range(static_cast<double>(radians.size()), 0, kMostWedges, "number of angles");
-  for (const double angle : span_of(radians)) expect_range(angle, -1e6, 1e6, "angles");
+  for (const double angle : span_of(radians))
+    if (!(std::abs(angle) <= kMostAngle))
+      throw InputError(fmt::format(
+          "angles: {} is not allowed; radians within a full turn, 2 pi, are expected: np.radians([...])", angle));
   return geometry::cut_circumferential(sheet, at, radius, span_of(radians), sides);
 }
 
@@ -115,7 +120,15 @@ geometry::FitRequest fit_request(const py::object& at, const py::object& towards
 geometry::Trapezoid fit(const py::object& ice, const py::object& at, const py::object& towards, double reach,
                         double contact_length) {
   const geometry::FitRequest request = fit_request(at, towards, reach, contact_length);
-  if (py::isinstance<SharedSheet>(ice)) return geometry::fit_trapezoid(ice.cast<const SharedSheet&>(), request);
+  if (py::isinstance<SharedSheet>(ice)) {
+    const auto& sheet = ice.cast<const SharedSheet&>();
+    if (!geometry::leads_into_ice(sheet, request))
+      throw InputError(
+          fmt::format("towards = ({:.6g}, {:.6g}): leads out of the ice; a direction from `at` into the ice is "
+                      "expected",
+                      request.towards.x, request.towards.y));
+    return geometry::fit_trapezoid(sheet, request);
+  }
   std::vector<std::vector<Vec2>> edges;
   if (py::isinstance<py::str>(ice) || !py::isinstance<py::iterable>(ice))
     throw InputError("ice: a sheet or a list of polylines with shape (n, 2) is expected");
@@ -133,7 +146,7 @@ Polygon polygon_from(const py::object& outline, const py::object& holes) {
   Polygon polygon{geometry::ring(points(outline, "outline")), {}};
   for (const py::handle hole : holes) {
     geometry::Ring ring = geometry::ring(points(hole, "holes"));
-    std::ranges::reverse(ring);
+    std::reverse(ring.begin() + 1, ring.end());  // as read from a text: it begins at the same vertex
     polygon.holes.push_back(std::move(ring));
   }
   if (const auto alone = IceSheet::from_polygons(std::span(&polygon, 1)); !alone) throw InputError(alone.error().what);
@@ -189,7 +202,10 @@ void add_polygon(py::module_& m) {
       .def("to_wkt", [](const Polygon& p) { return geometry::to_wkt(std::span(&p, 1)); })
       .def_property_readonly("__geo_interface__", &geo_interface)
       .def(
-          "__eq__", [](const Polygon& a, const Polygon& b) { return a == b; }, py::is_operator())
+          "__eq__", [](const Polygon& a, const Polygon& b) { return a == b; }, py::is_operator(),
+          "Whether the grid points are the same, in the same order from the same vertex on.")
+      .def(py::pickle([](const Polygon& p) { return py::str(geometry::to_wkt(std::span(&p, 1))); },
+                      [](const py::str& text) { return to_polygon(text, "state"); }))
       .def("__repr__", [](const Polygon& p) {
         return fmt::format("<brash.Polygon of {} vertices, {:.6g} m2>", p.outline.size(),
                            geometry::area(p).square_metres());
@@ -265,7 +281,9 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
 4)")
       .def(py::init(&make_sheet), py::arg("polygons"),
            "polygons: vertices with shape (n, 2) [m], WKT, GeoJSON, a Polygon or shapely geometry, or a list of them; "
-           "simple and disjoint.")
+           "simple and disjoint. Those with a common edge become one part.")
+      .def(py::pickle([](const SharedSheet& s) { return py::str(geometry::to_wkt(s.polygons())); },
+                      [](const py::str& text) { return make_sheet(text); }))
       .def_property_readonly(
           "area", [](const SharedSheet& s) { return s.area().square_metres(); }, "[m2]")
       .def_property_readonly(
@@ -306,7 +324,7 @@ The cost of a cut or a query is that of the edges near it, whatever the size of 
         "Fits the trapezoid (b, c, theta) to the free edge of a sheet, or to polylines with the ice on their left.\n\n"
         "at: collision point B on the edge, shape (2,) [m]; towards: direction into the ice, of any length; reach: "
         "half width of the window, about a characteristic length [m] (a run takes two); contact_length: c where it is "
-        "known [m].");
+        "known [m]. Where no edge is in the window, b is 0 and the error 1.");
 }
 
 }  // namespace brash::python

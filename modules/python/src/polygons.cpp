@@ -59,7 +59,7 @@ std::optional<std::vector<Polygon>> polygons_of(py::handle value, const char* na
   const Array array = Array::ensure(value);
   PyErr_Clear();
   if (!array || array.ndim() != 2 || array.shape(1) != 2) return std::nullopt;
-  return std::vector{Polygon{geometry::ring(points(array, name)), {}}};
+  return std::vector{Polygon{geometry::ring(points(value, name)), {}}};  // as it was given: masks and kinds are refused
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Polygons go in and out as arrays, WKT, GeoJSON and shapely geometries; cuts are exact."""
+import copy
 import json
 import pathlib
+import pickle
 import tempfile
 import threading
 import time
@@ -35,6 +37,7 @@ class Polygons(unittest.TestCase):
         polygon = brash.Polygon([[0, 0], [4, 0], [4, 4], [0, 4]], [[[1, 1], [2, 1], [2, 2], [1, 2]]])
         self.assertEqual(polygon.exact_area, 15)
         self.assertEqual(brash.Polygon.read(polygon.to_wkt()), polygon)
+        self.assertEqual(brash.Polygon(polygon.outline, polygon.holes), polygon)
         self.assertEqual(brash.Polygon.read(polygon.__geo_interface__).exact_area, 15)
         self.assertEqual(sum(brash.Polygon(part).exact_area for part in polygon.convex_parts()), 15)
 
@@ -45,6 +48,29 @@ class Polygons(unittest.TestCase):
         two = shapely.geometry.MultiPolygon([square, shapely.geometry.box(10, 0, 11, 1)])
         self.assertEqual(brash.IceSheet(two).area, 7)
         self.assertEqual(shapely.geometry.shape(brash.Polygon.read(square)).area, 6)
+
+    def test_polygons_and_sheets_are_copied_and_pickled(self):
+        polygon = brash.Polygon([[0, 0], [4, 0], [4, 4.1], [0, 4]], [[[1, 1], [2, 1], [2, 2.3], [1, 2]]])
+        sheet = brash.IceSheet([polygon, [[9, 0], [10, 0], [10, 1]]])
+        sheet.cut_circumferential([0, 1], radius=0.7, wedges=3)
+        for again in (copy.deepcopy, lambda value: pickle.loads(pickle.dumps(value))):
+            self.assertEqual(again(polygon), polygon)
+            self.assertEqual(again(sheet).polygons(), sheet.polygons())
+        other = copy.copy(sheet)
+        other.cut([[3, 3], [5, 3], [5, 5], [3, 5]])
+        self.assertLess(other.exact_area, sheet.exact_area)
+        sheet.cut([[-1, -1], [11, -1], [11, 6], [-1, 6]])
+        self.assertEqual(copy.copy(sheet).polygons(), [])
+
+    def test_masked_complex_text_and_date_vertices_are_refused(self):
+        masked = np.ma.masked_equal([[0.0, 0], [10, 0], [99, 99], [10, 10], [0, 10]], 99)
+        square = np.array([[0, 0], [10, 0], [10, 10], [0, 10]])
+        sheet = brash.IceSheet(FIELD)
+        for ring in (masked, square + 0j, square.astype(str), square.astype("datetime64[s]"), square.astype("timedelta64[s]")):
+            for call in (brash.IceSheet, brash.Polygon.read, sheet.cut, sheet.within, sheet.contacts, lambda r: brash.pieces([r])):
+                with np.testing.suppress_warnings() as quiet:
+                    quiet.filter(np.ComplexWarning)
+                    self.assertRaises(brash.InputError, call, ring)
 
     def test_what_is_no_polygon_is_refused(self):
         bad = ([[0, 0], [1, 1]], [[0, 0], [1, 1], [2, 2]], [[0, 0], [2, 2], [2, 0], [0, 2]], [[0, 0, 0]] * 3,
@@ -169,6 +195,8 @@ class Sheets(unittest.TestCase):
                  lambda: sheet.cut_circumferential([0, 0], 1, wedges=10**6),
                  lambda: sheet.cut_circumferential([0, 0], 1, angles=[np.nan]),
                  lambda: sheet.cut_circumferential([0, 0], 1, angles=[[0.0]]),
+                 lambda: sheet.cut_circumferential([0, 0], 1, angles=[-60, 0, 60]),  # degrees
+                 lambda: brash.fit_trapezoid(sheet, [0, 0], [-1, 0], 3),  # out of the ice
                  lambda: sheet.cut([[0, 0], [1, 1], [1, 0], [0, 1]]), lambda: sheet.cut(FIELD, cracks=[[0, 0]]),
                  lambda: sheet.cut(FIELD, cracks=[[[0, 0], [np.inf, 0]]]),
                  lambda: sheet.contacts([[0, 0], [4, 4], [4, 0], [0, 4]]), lambda: sheet.contains([[1, 2, 3]]),

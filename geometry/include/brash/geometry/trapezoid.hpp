@@ -55,4 +55,8 @@ Trapezoid fit_trapezoid(std::span<const std::vector<Vec2>> edges, const FitReque
 /// The same to the free edge of `sheet` within the window.
 Trapezoid fit_trapezoid(const IceSheet& sheet, const FitRequest& request);
 
+/// Whether the request's direction leads into the ice: at once from a place on the free edge, and within the reach from
+/// one beside it. Without an edge within the reach there is no way to tell, and it does.
+bool leads_into_ice(const IceSheet& sheet, const FitRequest& request);
+
 }  // namespace brash::geometry
