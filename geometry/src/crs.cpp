@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 namespace brash::geometry {
 namespace {
@@ -18,11 +19,16 @@ constexpr std::array<std::string_view, 24> kGeographic{"4326", "4258", "4267", "
 
 bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
+/// The last word of a name, such as 32633 of EPSG::32633.
+std::string_view code_of(std::string_view name) {
+  const auto last = std::find_if_not(name.rbegin(), name.rend(), is_letter_or_digit);
+  return name.substr(static_cast<std::size_t>(name.rend() - last));
+}
+
 }  // namespace
 
 bool is_geographic(std::string_view name) {
-  const auto last = std::find_if_not(name.rbegin(), name.rend(), is_letter_or_digit);
-  const std::string_view code = name.substr(static_cast<std::size_t>(name.rend() - last));
+  const std::string_view code = code_of(name);
   if (code == "CRS84" || code == "CRS84h" || code == "CRS83" || code == "CRS27") return true;
   return name.find("EPSG") != std::string_view::npos && std::ranges::find(kGeographic, code) != kGeographic.end();
 }
@@ -32,6 +38,17 @@ std::string degrees_refused(std::string_view name) {
       "the coordinates are degrees (crs {}), and the kernel needs metres: project the file, as "
       "`ogr2ogr -t_srs EPSG:32633 metres.geojson degrees.geojson` does with the zone of your map",
       name);
+}
+
+std::string name_of_crs(std::string_view crs) {
+  const nlohmann::json json = nlohmann::json::parse(crs, nullptr, false);
+  const nlohmann::json::json_pointer name("/properties/name");
+  return json.contains(name) && json.at(name).is_string() ? json.at(name).get<std::string>() : std::string();
+}
+
+bool are_same_crs(std::string_view a, std::string_view b) {
+  const bool are_of_epsg = a.find("EPSG") != std::string_view::npos && b.find("EPSG") != std::string_view::npos;
+  return a == b || (are_of_epsg && code_of(a) == code_of(b));
 }
 
 bool could_be_degrees(const Survey& survey) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -27,11 +28,16 @@ class Reader {
     if (error_) return tl::unexpected(*error_);
     return std::move(features_);
   }
-  tl::expected<std::vector<Crack>, GeometryError> cracks() {
+  /// The same; ice of its own that a feature cannot have is a fault.
+  tl::expected<std::vector<Feature>, GeometryError> features_with_ice() {
+    checks_ice_ = true;
+    return features();
+  }
+  tl::expected<Lines, GeometryError> lines() {
     wants_lines_ = true;
     read();
     if (error_) return tl::unexpected(*error_);
-    return std::move(cracks_);
+    return std::move(lines_);
   }
 
   /// The member `origin`: two numbers.
@@ -99,6 +105,11 @@ class Reader {
     }
     return &object.items[static_cast<std::size_t>(first - object.names.begin())];
   }
+  /// The member `name`, or null when there is none or it is null.
+  const JsonNode* given(const JsonNode& object, std::string_view name) {
+    const JsonNode* member = find(object, name);
+    return member != nullptr && member->kind == Kind::kNull ? nullptr : member;
+  }
   const JsonNode* array(const JsonNode& object, std::string_view name) {
     const JsonNode* member = find(object, name);
     if (member != nullptr && member->kind == Kind::kArray) return member;
@@ -125,22 +136,42 @@ class Reader {
   }
 
   void read_properties(const JsonNode& properties, Feature& feature) {
-    if (const JsonNode* kind = find(properties, "kind")) {
+    if (const JsonNode* kind = given(properties, "kind")) {
       if (kind->text != "sheet" && kind->text != "floe") {
         return fail(properties, fmt::format("\"kind\" = \"{}\" is neither \"sheet\" nor \"floe\"", kind->text));
       }
       feature.kind = kind->text;
     }
-    if (const JsonNode* id = find(properties, "id")) {
-      if (!id->integer) return fail(properties, "\"id\" is no whole number of 64 bits");
-      feature.id = *id->integer;
+    if (const JsonNode* id = given(properties, "id")) {
+      const std::optional<std::int64_t> whole = whole_number(*id);
+      if (!whole) return fail(properties, "\"id\" is no whole number of 64 bits");
+      feature.id = *whole;
     }
-    const auto number = [&](const char* name) {
-      const JsonNode* node = find(properties, name);
-      return node != nullptr && node->kind == Kind::kNumber ? std::optional(node->number) : std::nullopt;
-    };
-    feature.thickness = number("thickness");
-    feature.flexural_strength = number("flexural_strength");
+    feature.thickness = positive(properties, "thickness", "metres");
+    feature.flexural_strength = positive(properties, "flexural_strength", "pascals");
+  }
+
+  /// The number of a node, also of "3.0" as other programs write it.
+  static std::optional<std::int64_t> whole_number(const JsonNode& node) {
+    constexpr double kFar = 0x1p53;  // a double beyond may be another number than its text
+    if (node.integer || node.kind != Kind::kNumber) return node.integer;
+    if (std::abs(node.number) >= kFar || std::trunc(node.number) != node.number) return std::nullopt;
+    return static_cast<std::int64_t>(node.number);
+  }
+
+  std::optional<double> positive(const JsonNode& properties, const char* name, const char* unit) {
+    const JsonNode* node = given(properties, name);
+    if (node == nullptr) return std::nullopt;
+    const bool is_number = node->kind == Kind::kNumber;
+    if (checks_ice_ && !(is_number && node->number > 0.0)) {
+      const std::string value = is_number                     ? fmt::format("{}", node->number)
+                                : node->kind == Kind::kString ? fmt::format("\"{}\"", node->text)
+                                                              : "(true, false, an array or an object)";
+      fail(properties, fmt::format("\"{}\" = {} is no number of {} above 0: write one, without quotes, or remove the "
+                                   "property",
+                                   name, value, unit));
+    }
+    return is_number ? std::optional(node->number) : std::nullopt;
   }
 
   /// Recurs at a GeometryCollection only, and the parser has bounded the depth of those.
@@ -175,7 +206,8 @@ class Reader {
     if (error_) return;
     const auto read = cracks_from_positions(positions, ground_.origin);
     if (!read) return fail(node, read.error());
-    cracks_.insert(cracks_.end(), read->begin(), read->end());
+    lines_.cracks.insert(lines_.cracks.end(), read->begin(), read->end());
+    lines_.n_cracks.push_back(read->size());
   }
 
   void read_polygon(const JsonNode& rings, Feature feature) {
@@ -236,9 +268,9 @@ class Reader {
   std::string_view text_;
   const JsonNode& root_;
   Ground ground_;
-  bool wants_lines_ = false;
+  bool wants_lines_ = false, checks_ice_ = false;
   std::int64_t n_features_ = 0;
-  std::vector<Crack> cracks_;
+  Lines lines_;
   std::vector<Feature> features_;
   std::optional<GeometryError> error_;
 };
@@ -266,13 +298,14 @@ tl::expected<Map, GeometryError> map_of(std::string_view text, const JsonNode& r
   const auto own = Reader(text, root, {}).origin();
   if (!own) return tl::unexpected(own.error());
   Survey survey;
-  if (const auto read = Reader(text, root, {{}, &survey}).features(); !read) return tl::unexpected(read.error());
+  if (const auto read = Reader(text, root, {{}, &survey}).features_with_ice(); !read)
+    return tl::unexpected(read.error());
   // Another program may have projected the coordinates anew and kept the member as it was.
   const bool own_counts = own->has_value() && survey.lies_around(**own);
   map.origin = origin.value_or(own_counts ? **own : survey.origin());
   map.looks_like_degrees = crs->empty() && !origin && !*own && could_be_degrees(survey);
   map.crs = *std::move(crs);
-  auto features = Reader(text, root, {map.origin}).features();
+  auto features = Reader(text, root, {map.origin}).features_with_ice();
   if (!features) return tl::unexpected(std::move(features).error());
   map.features = *std::move(features);
   return map;
@@ -311,7 +344,20 @@ tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view 
 tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_view text, const Origin& origin) {
   const tl::expected<JsonNode, GeometryError> root = parse_json(text);
   if (!root) return tl::unexpected(root.error());
-  return Reader(text, *root, {origin}).cracks();
+  auto lines = Reader(text, *root, {origin}).lines();
+  if (!lines) return tl::unexpected(std::move(lines).error());
+  return std::move(lines->cracks);
+}
+
+tl::expected<Lines, GeometryError> read_lines(std::string_view text, const Origin& origin) {
+  if (!is_json(text)) return lines_of_wkt(text, origin);
+  const tl::expected<JsonNode, GeometryError> root = parse_json(text);
+  if (!root) return tl::unexpected(root.error());
+  auto crs = Reader(text, *root, {}).crs();
+  if (!crs) return tl::unexpected(std::move(crs).error());
+  auto lines = Reader(text, *root, {origin}).lines();
+  if (lines) lines->crs = *std::move(crs);
+  return lines;
 }
 
 bool is_json(std::string_view text) {

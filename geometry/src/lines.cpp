@@ -8,8 +8,8 @@
 namespace brash::geometry {
 namespace {
 
-/// Rounding moves a line and what it meets by two units of the grid, 2 nm, at most: this meets at angles above 1
-/// degree.
+/// Rounding moves a line and the edge that it meets by two units of the grid, 2 nm, at most: this meets at angles above
+/// 1 degree.
 constexpr double kBeyond = 1e-7;  // [m]
 
 /// `end` of the crack from `start`, moved away from there; as it is at the rim of the grid.

@@ -75,6 +75,13 @@ std::optional<Digits> digits_of(std::string_view text) {
   return digits;
 }
 
+/// The text without the blanks around it.
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
 }  // namespace
 
 std::optional<Decimal> Decimal::parse(std::string_view text) {
@@ -159,7 +166,8 @@ Origin origin_from_metres(Vec2 metres) {
 std::optional<Origin> origin_from_text(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
-  const auto x = Decimal::parse(text.substr(0, comma)), y = Decimal::parse(text.substr(comma + 1));
+  const auto x = Decimal::parse(without_blanks(text.substr(0, comma)));
+  const auto y = Decimal::parse(without_blanks(text.substr(comma + 1)));
   if (!x || !y) return std::nullopt;
   return Origin{*x, *y};
 }

@@ -91,7 +91,8 @@ tl::expected<Ring, std::string> ring_from_text(std::span<const Position> positio
 
 tl::expected<std::vector<Crack>, std::string> cracks_from_positions(std::span<const Position> positions,
                                                                     const Origin& origin) {
-  if (positions.size() < 2) return tl::unexpected(std::string("a line needs at least 2 positions, this has 1"));
+  if (positions.size() < 2)
+    return tl::unexpected(fmt::format("a line needs at least 2 positions, this has {}", positions.size()));
   const auto points = points_from_text(positions, origin);
   if (!points) return tl::unexpected(points.error());
   std::vector<Crack> cracks;
@@ -99,6 +100,16 @@ tl::expected<std::vector<Crack>, std::string> cracks_from_positions(std::span<co
     if ((*points)[i] != (*points)[i + 1]) cracks.push_back({(*points)[i], (*points)[i + 1]});
   }
   return cracks;
+}
+
+std::string fault_of(const Polygon& polygon) {
+  const auto alone = IceSheet::from_polygons(std::span(&polygon, 1));
+  if (alone) return {};
+  std::string_view fault = alone.error().what;
+  for (const std::string_view name : {"polygon 0, ", "polygon 0 "}) {  // the only one
+    if (fault.starts_with(name)) fault.remove_prefix(name.size());
+  }
+  return std::string(fault);
 }
 
 std::string position_to_text(Point point, char separator, const Origin& origin) {

@@ -10,6 +10,7 @@
 
 #include "brash/geometry/ice_sheet.hpp"
 #include "brash/geometry/origin.hpp"
+#include "brash/geometry/text.hpp"
 
 namespace brash::geometry {
 
@@ -64,6 +65,9 @@ tl::expected<std::vector<Crack>, std::string> cracks_from_positions(std::span<co
 
 /// "x y" or "x,y" [m]: 17 significant digits without an origin, else the fewest decimals that read as `point`.
 std::string position_to_text(Point point, char separator, const Origin& origin);
+
+/// The lines of a WKT text.
+tl::expected<Lines, GeometryError> lines_of_wkt(std::string_view text, const Origin& origin);
 
 /// The polygons of a WKT text on `ground`.
 tl::expected<std::vector<Polygon>, GeometryError> polygons_of_wkt(std::string_view text, const Ground& ground);

@@ -22,8 +22,16 @@ class Reader {
   tl::expected<std::vector<Polygon>, GeometryError> polygons() {
     return all<Polygon>("POLYGON", [this](std::vector<Polygon>& polygons) { read_polygon(polygons); });
   }
-  tl::expected<std::vector<Crack>, GeometryError> cracks() {
-    return all<Crack>("LINESTRING", [this](std::vector<Crack>& cracks) { read_line(cracks); });
+  tl::expected<Lines, GeometryError> lines() {
+    Lines lines;
+    auto cracks = all<Crack>("LINESTRING", [&](std::vector<Crack>& read) {
+      const std::size_t n_before = read.size();
+      read_line(read);
+      lines.n_cracks.push_back(read.size() - n_before);
+    });
+    if (!cracks) return tl::unexpected(std::move(cracks).error());
+    lines.cracks = *std::move(cracks);
+    return lines;
   }
 
  private:
@@ -204,7 +212,13 @@ tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text
 }
 
 tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text, const Origin& origin) {
-  return Reader(text, {origin}).cracks();
+  auto lines = lines_of_wkt(text, origin);
+  if (!lines) return tl::unexpected(std::move(lines).error());
+  return std::move(lines->cracks);
+}
+
+tl::expected<Lines, GeometryError> lines_of_wkt(std::string_view text, const Origin& origin) {
+  return Reader(text, {origin}).lines();
 }
 
 }  // namespace brash::geometry

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/geometry/text.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -211,6 +213,64 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
   BOOST_TEST(fault_of_geojson(R"({"type":"Feature","properties":{"id":1.5},"geometry":null})") ==
              "line 1, column 32: \"id\" is no whole number of 64 bits");
   BOOST_TEST(fault_of_geojson(std::string(1000000, '[')) == "line 1, column 65: nested deeper than 64");
+}
+
+std::string with_properties(const std::string& properties) {
+  return R"({"type":"Feature","properties":)" + properties +
+         R"(,"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}})";
+}
+
+BOOST_AUTO_TEST_CASE(null_is_as_good_as_no_property) {
+  const auto features = from_geojson(with_properties(R"({"kind":null,"id":null,"thickness":null})")).value();
+  BOOST_TEST((features.at(0).kind == "sheet" && features.at(0).id == 0 && !features.at(0).thickness));
+}
+
+BOOST_AUTO_TEST_CASE(a_whole_number_may_be_written_with_a_point) {
+  BOOST_TEST(from_geojson(with_properties(R"({"id":3.0})")).value().at(0).id == 3);
+  BOOST_TEST(from_geojson(with_properties(R"({"id":-2e3})")).value().at(0).id == -2000);
+  for (const char* id : {"3.5", "1e300", "9007199254740993.0", "\"3\"", "true"}) {
+    BOOST_TEST(fault_of_geojson(with_properties(fmt::format("{{\"id\":{}}}", id))) ==
+               "line 1, column 32: \"id\" is no whole number of 64 bits");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ice_that_a_floe_cannot_have_is_refused) {
+  const auto fault = [](const std::string& properties) {
+    const auto map = read_map(with_properties(properties));
+    return map ? "" : map.error().what;
+  };
+  BOOST_TEST(fault(R"({"thickness":"0.5"})") ==
+             "line 1, column 32: \"thickness\" = \"0.5\" is no number of metres above 0: write one, without quotes, or "
+             "remove the property");
+  BOOST_TEST(fault(R"({"thickness":0})").find("\"thickness\" = 0 is no number") != std::string::npos);
+  BOOST_TEST(fault(R"({"flexural_strength":-1.5})").find("= -1.5 is no number of pascals") != std::string::npos);
+  BOOST_TEST(fault(R"({"flexural_strength":[]})").find("is no number of pascals") != std::string::npos);
+  BOOST_TEST(fault(R"({"thickness":0.5,"flexural_strength":null})") == "");
+}
+
+BOOST_AUTO_TEST_CASE(lines_are_kept_apart_and_have_a_crs) {
+  const Lines wkt = read_lines("LINESTRING (0 0, 1 2, 3 4) MULTILINESTRING ((5 5, 5 5), (7 7, 8 8))").value();
+  BOOST_TEST((wkt.n_cracks == std::vector<std::size_t>{2, 0, 1}));
+  BOOST_TEST(wkt.cracks.size() == 3u);
+  const Lines json = read_lines(R"({"type":"MultiLineString","crs":{"type":"name","properties":{"name":"EPSG:32633"}},)"
+                                R"("coordinates":[[[0,0],[1,2],[3,4]],[[7,7],[8,8]]]})")
+                         .value();
+  BOOST_TEST((json.n_cracks == std::vector<std::size_t>{2, 1}));
+  BOOST_TEST(name_of_crs(json.crs) == "EPSG:32633");
+  BOOST_TEST(name_of_crs("") == "");
+  BOOST_TEST(name_of_crs("[1]") == "");
+  BOOST_TEST(are_same_crs("EPSG:32633", "urn:ogc:def:crs:EPSG::32633"));
+  BOOST_TEST(!are_same_crs("EPSG:32633", "EPSG:32635"));
+  BOOST_TEST(!are_same_crs("EPSG:32633", "ESRI:32633"));
+  BOOST_TEST(cracks_from_geojson(R"({"type":"LineString","coordinates":[]})").error().what ==
+             "line 1, column 36: a line needs at least 2 positions, this has 0");
+}
+
+BOOST_AUTO_TEST_CASE(a_polygon_says_why_it_is_not_simple) {
+  const auto fault = [](std::string_view text) { return fault_of(from_wkt(text).value().front()); };
+  BOOST_TEST(fault("POLYGON ((0 0, 3 2, 3 0, 0 1, 0 0))").starts_with("crosses itself at (1, 0.6666"));
+  BOOST_TEST(fault("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 1))") == "");
+  BOOST_TEST(fault("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (10 1, 12 1, 12 2, 10 1))") != "");
 }
 
 BOOST_AUTO_TEST_CASE(every_cut_and_every_changed_byte_of_a_text_is_read_or_refused) {

@@ -16,11 +16,11 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
-#include "brash/geometry/ledger.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/results.hpp"
 #include "crack_events.hpp"
+#include "crack_run.hpp"
 #include "file_name.hpp"
 #include "map_file.hpp"
 #include "messages.hpp"
@@ -44,13 +44,39 @@ IceSheet sheet_of(const std::string& path, const std::vector<Feature>& features)
   return *std::move(sheet);
 }
 
+/// Floes may overlap each other and the sheet, but not themselves.
+void refuse_crossed_floes(const std::string& path, const std::vector<Feature>& features) {
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (features[i].kind != "floe") continue;
+    const std::string fault = geometry::fault_of(features[i].polygon);
+    if (!fault.empty()) refuse_polygons(fmt::format("{}, polygon {}, a floe", path, i + 1), fault);
+  }
+}
+
+/// A map and the file that it comes from.
+struct SheetFile {
+  std::string path;
+  geometry::Map map;
+};
+
+/// Lines and cutters lie on the ice of the sheet only if both count from one place.
+void refuse_other_crs(const std::string& path, const std::string& crs, const SheetFile& sheet) {
+  const std::string own = geometry::name_of_crs(crs), name = geometry::name_of_crs(sheet.map.crs);
+  if (own.empty() || name.empty() || geometry::are_same_crs(own, name)) return;
+  throw InputError(Complaint{path, fmt::format("has the crs {}, and {} has {}", own, sheet.path, name),
+                             "one coordinate reference system for all files of a command",
+                             "project one of the files (ogr2ogr -t_srs EPSG:CODE), or correct its crs"});
+}
+
 /// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
-std::vector<Polygon> read_cutters(const std::string& path, const Origin& origin) {
-  const auto map = geometry::read_map(read_text_file(path, "cutters (WKT or GeoJSON)", kMostMebibytes), origin);
+std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& sheet) {
+  const auto map =
+      geometry::read_map(read_text_file(path, "cutters (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
   if (!map)
     throw InputError(Complaint{path, map.error().what,
                                "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON, in plan metres",
                                "correct the polygon; lines that split the ice go to --along"});
+  refuse_other_crs(path, map->crs, sheet);
   std::vector<Polygon> polygons;
   for (const Feature& f : map->features) polygons.push_back(f.polygon);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -67,76 +93,16 @@ std::vector<Polygon> read_cutters(const std::string& path, const Origin& origin)
   return polygons;
 }
 
-/// The rectangle around all ice of the sheet, which is not empty.
-geometry::Ring box_around(const IceSheet& sheet) {
-  geometry::Extent box;
-  for (const Polygon& part : sheet.polygons()) box.add(geometry::extent(part));
-  const std::array corners{box.lower, Vec2{box.upper.x, box.lower.y}, box.upper, Vec2{box.lower.x, box.upper.y}};
-  return geometry::ring(corners);
+geometry::Lines read_lines(const std::string& path, const SheetFile& sheet) {
+  auto lines = geometry::read_lines(read_text_file(path, "lines (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
+  if (!lines)
+    throw InputError(Complaint{path, lines.error().what,
+                               "LINESTRING or MULTILINESTRING (WKT) or their like in GeoJSON, in plan metres",
+                               "correct the line; areas to take out are polygons and go to --cutters"});
+  refuse_other_crs(path, lines->crs, sheet);
+  lines->cracks = geometry::beyond_free_ends(std::move(lines->cracks));
+  return *std::move(lines);
 }
-
-/// A sheet that is cut again and again, its floes and its ledger.
-class CrackRun {
- public:
-  CrackRun(IceSheet sheet, const std::vector<Feature>& features) : sheet_(std::move(sheet)) {
-    for (const Feature& f : features) {
-      if (f.kind != "floe") continue;
-      floes_.push_back(f);
-      ledger_.floes += geometry::area(f.polygon);
-      next_id_ = std::max(next_id_, f.id + 1);
-    }
-    ledger_.initial = sheet_.area() + ledger_.floes;
-  }
-
-  /// @return whether it cut ice, here and below.
-  bool apply(const CrackEvent& event, int sides) {
-    return book(event.angles ? geometry::cut_circumferential(sheet_, event.centre, event.radius, *event.angles, sides)
-                             : geometry::cut_circumferential(sheet_, event.centre, event.radius, event.wedges, sides));
-  }
-  bool apply(const Polygon& cutter) { return book(sheet_.cut(cutter.outline)); }
-  /// Splits all ice of the sheet along the cracks; every part becomes a floe.
-  void apply(std::span<const geometry::Crack> cracks) {
-    if (sheet_.n_vertices() > 0) book(sheet_.cut(box_around(sheet_), cracks));
-  }
-  void release() {
-    for (Polygon& part : sheet_.release_detached()) add_floe(std::move(part));
-  }
-
-  geometry::Ledger ledger() const {
-    geometry::Ledger result = ledger_;
-    result.sheet = sheet_.area();
-    return result;
-  }
-  std::size_t n_floes() const { return floes_.size(); }
-  std::vector<Polygon> sheet() const { return sheet_.polygons(); }
-
-  /// Sheet parts with ids from 0, then the floes in the order of their birth.
-  std::vector<Feature> features() const {
-    std::vector<Feature> result;
-    for (Polygon& part : sheet_.polygons()) {
-      result.push_back({std::move(part), "sheet", static_cast<std::int64_t>(result.size())});
-    }
-    result.insert(result.end(), floes_.begin(), floes_.end());
-    return result;
-  }
-
- private:
-  void add_floe(Polygon polygon) {
-    ledger_.floes += geometry::area(polygon);
-    floes_.push_back({std::move(polygon), "floe", next_id_++});
-  }
-  bool book(geometry::Cut cut) {
-    ledger_.snap += cut.snap;
-    ledger_.n_rounded += cut.n_rounded;
-    for (Polygon& piece : cut.pieces) add_floe(std::move(piece));
-    return !cut.pieces.empty();
-  }
-
-  IceSheet sheet_;
-  std::vector<Feature> floes_;
-  geometry::Ledger ledger_;
-  std::int64_t next_id_ = 0;
-};
 
 std::string ledger_text(const CrackRun& run, const Origin& origin) {
   const geometry::Ledger ledger = run.ledger();
@@ -180,15 +146,15 @@ void refuse_other_than_one_cut(const CrackOptions& options) {
                              "give one of the three"});
 }
 
-/// Counts the cuts of a file that meet no ice.
+/// Counts the cuts of a file that miss their aim.
 class MissedCuts {
  public:
   void count(bool has_cut, const std::string& name) {
     ++n_;
     if (!has_cut && n_missed_++ == 0) first_ = name;
   }
-  void say_of(const std::string& file, const char* cuts) const {
-    if (n_missed_ > 0) say("note: {}: {} of {} {} met no ice, the first is {}\n", file, n_missed_, n_, cuts, first_);
+  void say_of(const std::string& file, const char* cuts, const char* fate = "met no ice") const {
+    if (n_missed_ > 0) say("note: {}: {} of {} {} {}, the first is {}\n", file, n_missed_, n_, cuts, fate, first_);
   }
 
  private:
@@ -196,19 +162,37 @@ class MissedCuts {
   std::string first_;
 };
 
-void apply_cuts(const CrackOptions& options, const Origin& origin, CrackRun& run) {
-  if (!options.lines.empty()) return run.apply(read_lines_file(options.lines, origin));
+void apply_lines(const std::string& path, const SheetFile& sheet, CrackRun& run) {
+  const geometry::Lines lines = read_lines(path, sheet);
+  if (lines.n_cracks.empty()) say("note: {}: holds no line\n", path);
+  MissedCuts missed, tails;
+  int number = 0;
+  for (const bool has_cut : lines_inside(lines, sheet.map.features))
+    missed.count(has_cut, fmt::format("line {}", ++number));
+  run.apply(lines.cracks);
+  number = 0;
+  for (const bool has_tail : lines_inside(lines, run.features()))
+    tails.count(!has_tail, fmt::format("line {}", ++number));
+  missed.say_of(path, "lines");
+  tails.say_of(path, "lines", "left a tail that ends inside the ice and splits nothing");
+}
+
+void apply_cuts(const CrackOptions& options, const SheetFile& sheet, CrackRun& run) {
+  if (!options.lines.empty()) return apply_lines(options.lines, sheet, run);
+  if (!run.has_sheet() && run.n_floes() > 0)
+    say("note: {}: holds floes only, and {} cuts the sheet; --along splits floes too\n", sheet.path,
+        options.cutters.empty() ? "--events" : "--cutters");
   MissedCuts missed;
   if (!options.cutters.empty()) {
     int number = 0;
-    for (const Polygon& cutter : read_cutters(options.cutters, origin)) {
+    for (const Polygon& cutter : read_cutters(options.cutters, sheet)) {
       missed.count(run.apply(cutter), fmt::format("cutter {}", ++number));
       if (options.release_detached) run.release();
     }
     return missed.say_of(options.cutters, "cutters");
   }
   const std::string text = read_text_file(options.events, "crack events (CSV)", kMostMebibytes);
-  for (const CrackEvent& event : read_crack_events(options.events, text, origin)) {
+  for (const CrackEvent& event : read_crack_events(options.events, text, sheet.map.origin)) {
     refuse_small_circle(options.events, event.radius, options.sides);
     missed.count(run.apply(event, options.sides), fmt::format("in line {}", event.line));
     if (options.release_detached) run.release();
@@ -221,9 +205,11 @@ void crack(const CrackOptions& options) {
   refuse_overwriting(options.output, {options.sheet, options.events, options.cutters, options.lines});
   refuse_replacing_results(options.output);
   if (!options.output.empty()) check_map_name(options.output);
-  geometry::Map map = read_map_file(options.sheet, origin_option("crack", options.origin));
+  SheetFile sheet{options.sheet, read_map_file(options.sheet, origin_option("crack", options.origin))};
+  geometry::Map& map = sheet.map;
+  refuse_crossed_floes(options.sheet, map.features);
   CrackRun run(sheet_of(options.sheet, map.features), map.features);
-  apply_cuts(options, map.origin, run);
+  apply_cuts(options, sheet, run);
   map.features = run.features();
   if (!options.output.empty()) write_map_file(options.output, map);
   print_data(ledger_text(run, map.origin) + "\n");
@@ -255,35 +241,6 @@ Vec2 to_vector(const std::string& option, const std::string& text, const Origin&
   refuse_option(option, text, "is no place", fmt::format("X,Y within +-{} m{}", geometry::kMaxCoordinate, centre));
 }
 
-/// The point of the polylines that is nearest to `at`; there is one at least.
-Vec2 nearest_point(const std::vector<std::vector<Vec2>>& lines, Vec2 at) {
-  Vec2 nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<Vec2>& line : lines) {
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const Vec2 along = line[i] - line[i - 1];
-      const double length = dot(along, along);
-      const double share = length > 0.0 ? std::clamp(dot(at - line[i - 1], along) / length, 0.0, 1.0) : 0.0;
-      const Vec2 point = line[i - 1] + share * along;
-      if (norm(point - at) < least) nearest = point, least = norm(point - at);
-    }
-  }
-  return nearest;
-}
-
-/// Refuses a direction out of the ice. From a place on the edge the ice begins at once; from one beside it, somewhere
-/// within the reach.
-void refuse_way_out(const IceSheet& sheet, const FitOptions& options, Vec2 at, Vec2 towards) {
-  constexpr double kBesideEdge = 0.01, kAtOnce = 0.1;  // of the reach
-  constexpr int kSteps = 100;
-  const Vec2 edge = nearest_point(sheet.free_edge(at, options.reach), at);
-  const bool on_edge = norm(edge - at) <= kBesideEdge * options.reach;
-  const double way = (on_edge ? kAtOnce : 1.0) * options.reach;
-  for (int i = 1; i <= kSteps; ++i)
-    if (sheet.contains((on_edge ? edge : at) + (way * i / kSteps) * towards)) return;
-  refuse_option("--towards", options.towards, "leads out of the ice", "X,Y from --at into the ice");
-}
-
 void fit(const FitOptions& options) {
   constexpr double kLeastReach = 1e-6;  // [m], a thousand units of the grid
   if (!(options.reach >= kLeastReach && options.reach <= geometry::kMaxCoordinate)) {
@@ -305,14 +262,19 @@ void fit(const FitOptions& options) {
   }
 
   const IceSheet sheet = sheet_of(options.sheet, map.features);
+  if (sheet.n_vertices() == 0)
+    throw InputError(Complaint{options.sheet, map.features.empty() ? "holds no ice" : "holds floes only, and no sheet",
+                               "a map with a polygon of the kind sheet, whose free edge is fitted",
+                               "give the map of a sheet, or write \"kind\": \"sheet\" for the floe to fit"});
   if (sheet.free_edge(at, options.reach).empty()) {
     refuse_option("--at", options.at, fmt::format("has no free edge within {} m of it", options.reach),
                   "a place at an edge of the sheet");
   }
-  refuse_way_out(sheet, options, at, normalized(towards));
-  const geometry::Trapezoid found = geometry::fit_trapezoid(
-      sheet,
-      {.at = at, .towards = normalized(towards), .contact_length = options.contact_length, .reach = options.reach});
+  const geometry::FitRequest request{
+      .at = at, .towards = normalized(towards), .contact_length = options.contact_length, .reach = options.reach};
+  if (!geometry::leads_into_ice(sheet, request))
+    refuse_option("--towards", options.towards, "leads out of the ice", "X,Y from --at into the ice");
+  const geometry::Trapezoid found = geometry::fit_trapezoid(sheet, request);
 
   const nlohmann::ordered_json json{{"b", found.depth},      {"c", found.contact_length},
                                     {"theta", found.angle},  {"theta_deg", degrees(found.angle)},
@@ -327,13 +289,14 @@ void fit(const FitOptions& options) {
 void add_crack_command(CLI::App& app) {
   auto options = std::make_shared<CrackOptions>();
   CLI::App* command = app.add_subcommand("crack", "Crack a sheet: the geometry kernel alone");
-  command->add_option("--sheet", options->sheet, "sheet (GeoJSON or WKT); floes in it are passed on")->required();
+  command->add_option("--sheet", options->sheet, "sheet (GeoJSON or WKT); only --along cuts floes in it")->required();
   auto* const events =
       command->add_option("--events", options->events, "crack events: CSV x,y,radius,wedges[,angles] in m and rad");
   command->add_option("--cutters", options->cutters,
                       "polygons (WKT or GeoJSON), the sheet loses the ice inside each, as a floe");
-  auto* const along = command->add_option("--along,--cracks", options->lines,
-                                          "lines (WKT or GeoJSON) that split the sheet; every part becomes a floe");
+  auto* const along =
+      command->add_option("--along,--cracks", options->lines,
+                          "lines (WKT or GeoJSON) that split sheet and floes; every part becomes a floe");
   command->add_option("-o,--output", options->output,
                       "sheet and floes to write (.geojson, or .wkt without their kinds)");
   command->add_option(

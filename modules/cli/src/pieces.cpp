@@ -11,6 +11,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/geometry/caliper.hpp"
+#include "brash/geometry/text.hpp"
 #include "brash/io/results.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
@@ -107,6 +108,11 @@ PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const 
     if (!(sizes.areas.back() > 0.0))
       throw InputError(Complaint{fmt::format("{}, number {}", source, sizes.areas.size()), "has no area",
                                  "outlines counter-clockwise around their ice", "leave it out, or turn its outline"});
+    const std::string fault = geometry::fault_of(p);
+    if (!fault.empty())
+      throw InputError(Complaint{fmt::format("{}, number {}", source, sizes.areas.size()), fault,
+                                 "closed outlines that do not cross themselves, holes inside them",
+                                 "draw its outline anew, or give its parts as polygons of their own"});
   }
   return sizes;
 }

@@ -26,6 +26,7 @@ struct PieceSizes {
 /// @throws InputError for a file that is no such thing, or without pieces.
 PieceSizes read_piece_sizes(const std::string& path, bool born);
 /// The sizes of polygons.
+/// @throws InputError for a polygon without area, or one that is not simple by itself.
 PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const std::string& source);
 
 /// Size distribution with its fits; docs/theory/floe-sizes.md.

@@ -229,7 +229,7 @@ std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin) {
     refuse(path, cracks.error().what, "LINESTRING or MULTILINESTRING in WKT, or their like in GeoJSON, in metres",
            "correct the line; areas of open water go to field.openings; the coordinates of a map need field.origin");
   if (cracks->empty()) refuse(path, "holds no line", "one line or more", "name another file, or remove field.cracks");
-  return geometry::beyond_free_ends(*std::move(cracks));
+  return *std::move(cracks);
 }
 
 }  // namespace brash::ice

@@ -12,6 +12,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/geometry/text.hpp"
 
 namespace brash::ice {
 namespace {
@@ -250,7 +251,7 @@ std::size_t n_holes(std::span<const Polygon> polygons) {
 std::vector<Polygon> with_cracks(std::span<const Polygon> ice, const model::FieldSection& field,
                                  std::vector<IdleFile>& idle) {
   const std::vector<geometry::Crack> lines = read_cracks(field.cracks, field.origin);
-  Parted cut = parted_by(lines, ice);
+  Parted cut = parted_by(geometry::beyond_free_ends(lines), ice);
   expect_no_tails(cut.tails, field.cracks);
   if (cut.parts.size() == ice.size() && n_holes(cut.parts) == n_holes(ice)) {
     geometry::Extent reach;

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 #include "brash/core/error.hpp"
 #include "brash/geometry/text.hpp"
@@ -344,6 +345,41 @@ BOOST_AUTO_TEST_CASE(a_cut_that_meets_no_ice_is_told) {
   BOOST_TEST(notes("--cutters", cutters) ==
              "note: " + cutters + ": 1 of 1 cutters met no ice, the first is cutter 1\n");
   BOOST_TEST(notes("--events", write("one.csv", "0,5,2,3\n")) == "");
+}
+
+BOOST_AUTO_TEST_CASE(lines_split_floes_which_keep_what_is_theirs) {
+  const auto square = [](const std::string& properties, int x) {
+    return fmt::format(R"({{"type":"Feature","properties":{0},"geometry":{{"type":"Polygon","coordinates":)"
+                       R"([[[{1},0],[{2},0],[{2},10],[{1},10],[{1},0]]]}}}})",
+                       properties, x, x + 10);
+  };
+  // The second floe lies on the first one, and the last one beside the line.
+  const std::string map =
+      write("map.geojson", R"({"type":"FeatureCollection","features":[)" +
+                               square(R"({"kind":"floe","id":7,"thickness":0.5})", 0) + "," +
+                               square(R"({"kind":"floe","id":8})", 5) + "," + square("{}", 20) + "," +
+                               square(R"({"kind":"floe","id":3,"flexural_strength":4e5})", 40) + "]}");
+  const std::string lines = write("lines.wkt", "LINESTRING (-1 5, 35 5)");
+  const auto ledger =
+      output_of(*this, {"crack", "--sheet", map, "--along", lines, "-o", (path / "parts.geojson").string()});
+  BOOST_TEST(ledger["initial"] == "400");
+  BOOST_TEST(ledger["floes"] == "400");
+  BOOST_TEST(ledger["closes"] == true);
+  const auto floes = geometry::from_geojson(read("parts.geojson")).value();
+  BOOST_REQUIRE(floes.size() == 7u);
+  for (const std::size_t i : {0u, 1u}) BOOST_TEST(floes[i].thickness.value() == 0.5);
+  BOOST_TEST(!floes[2].thickness.has_value());
+  BOOST_TEST(floes[4].id == 3);
+  BOOST_TEST(floes[4].flexural_strength.value() == 4e5);
+  std::set<std::int64_t> ids;
+  for (const auto& floe : floes) ids.insert(floe.id);
+  BOOST_TEST(ids.size() == 7u);
+  BOOST_TEST(
+      text_of(*this,
+              {"crack", "--sheet", (path / "parts.geojson").string(), "--events", write("events.csv", "0,5,2,3\n")},
+              stderr, 2)
+          .starts_with("note: " + (path / "parts.geojson").string() +
+                       ": holds floes only, and --events cuts the sheet"));
 }
 
 BOOST_AUTO_TEST_CASE(a_direction_out_of_the_ice_is_not_fitted) {

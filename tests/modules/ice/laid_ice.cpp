@@ -93,6 +93,13 @@ BOOST_AUTO_TEST_CASE(openings_may_overlap_and_their_holes_keep_the_ice) {
                                   square_metres(3.0, 4.0)));
 }
 
+BOOST_AUTO_TEST_CASE(a_crack_ends_on_another_one_that_the_ice_cuts_off) {
+  field.length = field.width = 200.0;
+  crack("LINESTRING (-200 93, 400 70)\nLINESTRING (145 79.775, 145 300)");
+  const LaidIce ice = lay();
+  BOOST_TEST(ice.sheets.size() + ice.floes.size() == 3u);
+}
+
 BOOST_AUTO_TEST_CASE(cracks_part_the_ice_and_keep_its_area) {
   open("POLYGON((10 -4, 20 -4, 20 4, 10 4, 10 -4))");
   // From the front edge to the opening, bent; from the opening to the far end; one across the opening alone.

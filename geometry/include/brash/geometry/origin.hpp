@@ -59,7 +59,7 @@ struct Origin {
 
 /// The fewest decimals that read to these numbers of metres, each within +-10^15.
 Origin origin_from_metres(Vec2 metres);
-/// Reads "X,Y".
+/// Reads "X,Y", also with blanks around its numbers.
 std::optional<Origin> origin_from_text(std::string_view text);
 /// "X,Y", every digit.
 std::string to_string(const Origin& origin);

@@ -44,7 +44,7 @@ tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_
 /// Cracks that reach 0.1 um beyond their free ends, which no other crack has too.
 ///
 /// A line that is drawn to an edge or to another line may miss it by the rounding of all three to the grid, and would
-/// part nothing. What reaches beyond parts nothing by itself.
+/// part nothing. The overshoot parts nothing by itself.
 std::vector<Crack> beyond_free_ends(std::vector<Crack> cracks);
 
 /// The lines of a text.
