@@ -35,7 +35,7 @@ struct CompareOptions {
 
 constexpr std::array kHistories{"run.nc", "history.csv"};  // of a run
 
-/// The history of a run's folder, or a given one. The statistics of a run begin as those of its summary.
+/// The history of a run's folder, or a given one. The statistics of a run begin as its summary says.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
   if (!fs::is_directory(given)) {
     begin_as_run(choice, given);

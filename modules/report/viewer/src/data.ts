@@ -83,7 +83,7 @@ export function polygons(blocks: Blocks, name: string): Ring[][] {
 
 /**
  * Which floes each event made, by their places among those that broke off the level ice, in the order of their births.
- * Other floes come without an event: those of the start, and ice that crushing severs.
+ * Other floes come without an event: floes of the start, and ice that crushing severs.
  */
 export function piecesOfEvents(times: Numbers, pieces: Numbers, births: number[]): number[][] {
   const rounding = 1e-9; // s
