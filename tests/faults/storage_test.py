@@ -77,7 +77,7 @@ class Storage(FaultTest):
         for name, command in {
             "spectrum.csv": ["stats", history, "--from", "0.5", "--spectrum"],
             "pieces.geojson": ["crack", "--sheet", self.sheet(), "--events", self.events(), "-o"],
-            "comparison.svg": ["compare", history, history, "--from", "0", "-o"],
+            "comparison.svg": ["compare", history, history, "--from", "0", "--measured-from", "0", "-o"],
         }.items():
             file = self.disk / name
             file.write_text("old")
