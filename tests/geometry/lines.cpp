@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cracks that end on an edge or on another crack, to the last unit of the grid or within its rounding.
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -15,7 +16,7 @@ using namespace brash;
 using namespace brash::geometry;
 
 Ring box(double half) {
-  const Vec2 corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+  const std::array corners{Vec2{-half, -half}, Vec2{half, -half}, Vec2{half, half}, Vec2{-half, half}};
   return ring(corners);
 }
 
@@ -58,11 +59,11 @@ BOOST_AUTO_TEST_CASE(a_line_drawn_from_side_to_side_parts_a_floe_whose_corners_a
   Draw draw;
   int n_missed = 0;
   for (int i = 0; i < 1000; ++i) {
-    std::vector<double> angles;
-    for (int k = 0; k < 7; ++k) angles.push_back(draw(0.0, 2.0 * kPi));
+    std::array<double, 7> angles{};
+    for (double& angle : angles) angle = draw(0.0, 2.0 * kPi);
     std::sort(angles.begin(), angles.end());
-    std::vector<Vec2> corners;
-    for (const double angle : angles) corners.push_back({std::cos(angle), std::sin(angle)});
+    std::array<Vec2, 7> corners{};
+    for (std::size_t k = 0; k < 7; ++k) corners[k] = {std::cos(angles[k]), std::sin(angles[k])};
     const std::vector<Crack> line{{snap(0.5 * (corners[0] + corners[1])), snap(0.5 * (corners[3] + corners[4]))}};
     n_missed += n_pieces(ring(corners), box(9), line) == 1u;
     BOOST_TEST(n_pieces(ring(corners), box(9), beyond_free_ends(line)) == 2u);

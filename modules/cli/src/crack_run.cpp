@@ -171,6 +171,7 @@ bool CrackRun::book(geometry::Cut cut, const Feature& like) {
 
 std::vector<bool> lines_inside(const geometry::Lines& lines, const std::vector<Feature>& features) {
   std::vector<geometry::Extent> boxes;
+  boxes.reserve(features.size());
   for (const Feature& f : features) boxes.push_back(geometry::extent(f.polygon));
   const auto is_in_ice = [&](const Crack& crack) {
     const Vec2 a = geometry::metres(crack.from), b = geometry::metres(crack.to);

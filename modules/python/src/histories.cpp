@@ -146,8 +146,7 @@ py::object read(const py::object& path, const std::string& column, std::optional
   if (as == "numpy") return py::make_tuple(times, values);
   if (as == "pandas") {
     const py::object index = py::module_::import("pandas").attr("Index")(times, "name"_a = "time");
-    const py::object series =
-        py::module_::import("pandas").attr("Series")(values, "index"_a = index, "name"_a = load.column);
+    py::object series = py::module_::import("pandas").attr("Series")(values, "index"_a = index, "name"_a = load.column);
     series.attr("attrs")["units"] = load.unit;
     return series;
   }
