@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cracks that end on an edge or on another crack, to the last unit of the grid or within its rounding.
+#include "brash/geometry/lines.hpp"
+
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "brash/geometry/lines.hpp"
+
 namespace brash::cli {
 namespace {
 
@@ -26,57 +28,6 @@ std::size_t n_holes_of(const std::vector<Polygon>& polygons) {
   std::size_t n = 0;
   for (const Polygon& polygon : polygons) n += polygon.holes.size();
   return n;
-}
-
-/// Calls `visit(a, b)` for the ends of each edge of a polygon.
-template <typename Visit>
-void visit_edges(const Polygon& polygon, Visit&& visit) {
-  const auto visit_ring = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
-  };
-  visit_ring(polygon.outline);
-  std::ranges::for_each(polygon.holes, visit_ring);
-}
-
-/// Where the line from `a` to `b` meets edges of the polygon, as shares of its length, with both ends.
-std::vector<double> places_of_crossings(const Polygon& polygon, Vec2 a, Vec2 b) {
-  const Vec2 line = b - a;
-  std::vector<double> places{0.0, 1.0};
-  visit_edges(polygon, [&](geometry::Point from, geometry::Point to) {
-    const Vec2 c = geometry::metres(from), edge = geometry::metres(to) - c;
-    const double slope = cross(line, edge);
-    if (slope == 0.0) return;
-    const double t = cross(c - a, edge) / slope, s = cross(c - a, line) / slope;
-    if (t > 0.0 && t < 1.0 && s >= 0.0 && s <= 1.0) places.push_back(t);
-  });
-  std::ranges::sort(places);
-  return places;
-}
-
-/// Whether a place lies in the inside of the polygon, off its edges.
-bool is_inside(const Polygon& polygon, Vec2 place) {
-  constexpr double kOnEdge = 1e-6;  // [m]
-  bool inside = false, on_edge = false;
-  visit_edges(polygon, [&](geometry::Point from, geometry::Point to) {
-    const Vec2 c = geometry::metres(from), d = geometry::metres(to), edge = d - c;
-    if ((c.y > place.y) != (d.y > place.y) && place.x < c.x + (place.y - c.y) / edge.y * edge.x) inside = !inside;
-    const double t = std::clamp(dot(place - c, edge) / dot(edge, edge), 0.0, 1.0);
-    on_edge = on_edge || norm(place - (c + t * edge)) <= kOnEdge;
-  });
-  return inside && !on_edge;
-}
-
-/// Whether a stretch of the line from `a` to `b` lies in the inside of a polygon. Stretches of less than a millimetre
-/// are errors of drawing.
-bool runs_inside(const Polygon& polygon, Vec2 a, Vec2 b) {
-  constexpr double kShortest = 1e-3;  // [m]
-  const Vec2 line = b - a;
-  const std::vector<double> places = places_of_crossings(polygon, a, b);
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const bool is_long = (places[i + 1] - places[i]) * norm(line) >= kShortest;
-    if (is_long && is_inside(polygon, a + 0.5 * (places[i] + places[i + 1]) * line)) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -133,7 +84,7 @@ std::vector<Crack> CrackRun::seams() const {
   for (const Polygon& polygon : given_) {
     for (const Polygon& part : IceSheet::from_polygons(std::span(&polygon, 1))->polygons()) {
       ++n_parts;
-      visit_edges(part, [&](geometry::Point from, geometry::Point to) { edges.push_back({from, to}); });
+      geometry::visit_edges(part, [&](geometry::Point from, geometry::Point to) { edges.push_back({from, to}); });
     }
   }
   if (sheet_.n_parts() == n_parts) edges.clear();
@@ -171,16 +122,17 @@ bool CrackRun::book(geometry::Cut cut, const Feature& like) {
 
 std::vector<bool> lines_inside(const geometry::Lines& lines, const std::vector<Feature>& features) {
   std::vector<geometry::Extent> boxes;
+  std::vector<IceSheet> each;
   boxes.reserve(features.size());
-  for (const Feature& f : features) boxes.push_back(geometry::extent(f.polygon));
+  each.reserve(features.size());
+  for (const Feature& f : features) {
+    boxes.push_back(geometry::extent(f.polygon));
+    each.push_back(IceSheet::from_polygons(std::span(&f.polygon, 1)).value());
+  }
   const auto is_in_ice = [&](const Crack& crack) {
     const Vec2 a = geometry::metres(crack.from), b = geometry::metres(crack.to);
-    for (std::size_t i = 0; i < features.size(); ++i) {
-      const auto& [lower, upper] = boxes[i];
-      const bool is_apart = std::max(a.x, b.x) < lower.x || std::min(a.x, b.x) > upper.x ||
-                            std::max(a.y, b.y) < lower.y || std::min(a.y, b.y) > upper.y;
-      if (!is_apart && runs_inside(features[i].polygon, a, b)) return true;
-    }
+    for (std::size_t i = 0; i < features.size(); ++i)
+      if (!geometry::are_apart(boxes[i], a, b) && geometry::tail_in(features[i].polygon, each[i], a, b)) return true;
     return false;
   };
   std::vector<bool> inside;

@@ -5,9 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +14,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/geometry/lines.hpp"
 #include "brash/geometry/text.hpp"
 #include "brash/geometry/trapezoid.hpp"
 #include "brash/io/results.hpp"

@@ -30,10 +30,12 @@ std::string to_lines_of_wkt(const Map& map) {
 }  // namespace
 
 void refuse_polygons(const std::string& where, const std::string& what) {
-  throw InputError(Complaint{where, what,
-                             "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON: closed rings of finite metres "
-                             "that neither cross nor overlap, holes inside their outline",
-                             "correct what is named; docs/reference/command.md describes such files"});
+  throw InputError(
+      Complaint{where, what,
+                "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON: closed rings of finite metres "
+                "that neither cross nor overlap, holes inside their outline; properties as docs/reference/command.md "
+                "lists them",
+                "correct what is named; docs/reference/command.md describes such files"});
 }
 
 std::optional<Origin> origin_option(const std::string& command, const std::string& value) {
@@ -60,16 +62,6 @@ void say_place(const std::string& path, const Map& map, bool origin_is_given) {
         path);
   }
   if (!origin_is_given && map.origin != Origin{}) say("{}: the origin is {}\n", path, to_string(map.origin));
-}
-
-std::vector<geometry::Crack> read_lines_file(const std::string& path, const Origin& origin) {
-  const std::string text = read_text_file(path, "lines (WKT or GeoJSON)", kMostMebibytes);
-  auto cracks =
-      geometry::is_json(text) ? geometry::cracks_from_geojson(text, origin) : geometry::cracks_from_wkt(text, origin);
-  if (cracks) return geometry::beyond_free_ends(*std::move(cracks));
-  throw InputError(Complaint{path, cracks.error().what,
-                             "LINESTRING or MULTILINESTRING (WKT) or their like in GeoJSON, in plan metres",
-                             "correct the line; areas to take out are polygons and go to --cutters"});
 }
 
 void check_map_name(const std::string& path) {

@@ -22,9 +22,6 @@ geometry::Map read_map_file(const std::string& path, const std::optional<geometr
 /// Says on stderr which origin a map got from its data, and whether its coordinates could be degrees.
 void say_place(const std::string& path, const geometry::Map& map, bool origin_is_given);
 
-/// The lines of a WKT or GeoJSON file as cracks on the grid of a map.
-std::vector<geometry::Crack> read_lines_file(const std::string& path, const geometry::Origin& origin);
-
 /// Throws InputError unless the name of a map to write goes with a format: .wkt is WKT; .geojson, .json and a name
 /// without an ending are GeoJSON.
 void check_map_name(const std::string& path);

@@ -12,7 +12,6 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
-#include "brash/geometry/text.hpp"
 
 namespace brash::ice {
 namespace {
@@ -22,10 +21,8 @@ using geometry::Point;
 using geometry::Polygon;
 using geometry::Ring;
 
-/// Shorter tails of a line are errors of drawing: they part nothing and change nothing [m].
-constexpr double kShortestTail = 1e-3;
-/// A line that parts the ice lies on the new edges to the rounding of the grid, far within this distance [m].
-constexpr double kOnEdge = 1e-6;
+/// Parts that lie closer than this touch [m].
+constexpr double kTouch = 1e-6;
 /// A region that holds all of the ice reaches this far beyond it [m].
 constexpr double kBeyond = 1.0;
 
@@ -53,56 +50,6 @@ std::vector<IceSheet> sheets_of(std::span<const Polygon> polygons) {
   std::vector<IceSheet> one;
   one.push_back(sheet_of(polygons));
   return one.front().n_parts() < n_parts ? std::move(each) : std::move(one);
-}
-
-/// Calls `visit(a, b)` for each edge of a polygon [m].
-void visit_edges(const Polygon& polygon, auto&& visit) {
-  const auto visit_ring = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      visit(geometry::metres(ring[i]), geometry::metres(ring[(i + 1) % ring.size()]));
-  };
-  visit_ring(polygon.outline);
-  for (const Ring& hole : polygon.holes) visit_ring(hole);
-}
-
-double distance_to_edges(const Polygon& polygon, Vec2 p) {
-  double least = geometry::Extent::kFar;
-  visit_edges(polygon, [&](Vec2 a, Vec2 b) {
-    const Vec2 along = b - a;
-    const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
-    least = std::min(least, norm(p - (a + t * along)));
-  });
-  return least;
-}
-
-bool are_apart(const geometry::Extent& box, Vec2 a, Vec2 b) {
-  return std::max(a.x, b.x) < box.lower.x || std::min(a.x, b.x) > box.upper.x || std::max(a.y, b.y) < box.lower.y ||
-         std::min(a.y, b.y) > box.upper.y;
-}
-
-/// A stretch of the line from `a` to `b` in the inside of `part`, between two crossings of its edges.
-/// @param ice  the same part.
-std::optional<Tail> tail_in(const Polygon& part, const IceSheet& ice, Vec2 a, Vec2 b) {
-  const Vec2 line = b - a;
-  std::vector<double> places{0.0, 1.0};
-  visit_edges(part, [&](Vec2 c, Vec2 d) {
-    const double slope = cross(line, d - c);
-    if (slope == 0.0) return;
-    const double t = cross(c - a, d - c) / slope, s = cross(c - a, line) / slope;
-    if (t > 0.0 && t < 1.0 && s >= 0.0 && s <= 1.0) places.push_back(t);
-  });
-  std::ranges::sort(places);
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    if ((places[i + 1] - places[i]) * norm(line) < kShortestTail) continue;
-    const Vec2 middle = a + 0.5 * (places[i] + places[i + 1]) * line;
-    if (ice.contains(middle) && distance_to_edges(part, middle) > kOnEdge) {
-      const Vec2 from = a + places[i] * line, to = a + places[i + 1] * line;
-      // Its end in the ice comes last.
-      if (distance_to_edges(part, from) > distance_to_edges(part, to)) return Tail{to, from};
-      return Tail{from, to};
-    }
-  }
-  return std::nullopt;
 }
 
 /// The outlines of the case, and the floes that lie in their openings.
@@ -142,12 +89,13 @@ std::string files_of(const model::FieldSection& field) {
 /// Whether land lies along a part: a corner of one of them lies on an edge of the other.
 bool touches(const Polygon& part, const Polygon& land) {
   const auto has_corner_on = [](const Polygon& one, const Polygon& other) {
-    const Vec2 near{kOnEdge, kOnEdge};
+    const Vec2 near{kTouch, kTouch};
     const auto [lower, upper] = geometry::extent(other);
     const geometry::Extent box{lower - near, upper + near};
     bool has = false;
-    visit_edges(one, [&](Vec2 corner, Vec2) {
-      has = has || (!are_apart(box, corner, corner) && distance_to_edges(other, corner) < kOnEdge);
+    visit_edges(one, [&](Point from, Point) {
+      const Vec2 corner = geometry::metres(from);
+      has = has || (!are_apart(box, corner, corner) && distance_to_edges(other, corner) < kTouch);
     });
     return has;
   };
@@ -219,9 +167,9 @@ void expect_afloat(std::span<const GivenFloe> floes, std::span<const Polygon> la
   }
 }
 
-void expect_no_tails(const std::vector<Tail>& tails, const std::string& file) {
+void expect_no_tails(const std::vector<geometry::Tail>& tails, const std::string& file) {
   if (tails.empty()) return;
-  const Tail& tail = tails.front();
+  const geometry::Tail& tail = tails.front();
   throw InputError(Complaint{
       file,
       fmt::format("has a line that ends inside the ice, at ({:.6g}, {:.6g}) m: over {:.3g} m it parts nothing{}",
@@ -306,8 +254,8 @@ Parted parted_by(std::span<const geometry::Crack> lines, std::span<const Polygon
   for (const geometry::Crack& line : lines) {
     const Vec2 a = geometry::metres(line.from), b = geometry::metres(line.to);
     for (std::size_t i = 0; i < parted.parts.size(); ++i) {
-      if (are_apart(boxes[i], a, b)) continue;
-      if (const auto tail = tail_in(parted.parts[i], sheets[i], a, b)) parted.tails.push_back(*tail);
+      if (geometry::are_apart(boxes[i], a, b)) continue;
+      if (const auto tail = geometry::tail_in(parted.parts[i], sheets[i], a, b)) parted.tails.push_back(*tail);
     }
   }
   return parted;

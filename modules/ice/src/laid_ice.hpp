@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brash/failure/criterion.hpp"
-#include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/lines.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/ice/idle_files.hpp"
 
@@ -37,16 +37,10 @@ LaidIce lay_ice(const model::FieldSection& field, const failure::IceProperties& 
 std::vector<geometry::Polygon> with_openings(std::span<const geometry::Polygon> ice,
                                              std::span<const geometry::Polygon> openings);
 
-/// A stretch of a line inside the ice that parts nothing [m].
-struct Tail {
-  Vec2 from;
-  Vec2 to;
-};
-
 /// The result of parted_by().
 struct Parted {
   std::vector<geometry::Polygon> parts;
-  std::vector<Tail> tails;  ///< of 1 mm and more, at most one for each straight piece of a line and part
+  std::vector<geometry::Tail> tails;  ///< of 1 mm and more, at most one for each straight piece of a line and part
 };
 
 /// Parts `ice` along lines.

@@ -41,12 +41,6 @@ tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view
 /// The same from LineString and MultiLineString of a GeoJSON text, alone or in features and collections.
 tl::expected<std::vector<Crack>, GeometryError> cracks_from_geojson(std::string_view text, const Origin& origin = {});
 
-/// Cracks that reach 0.1 um beyond their free ends, which no other crack has too.
-///
-/// A line that is drawn to an edge or to another line may miss it by the rounding of all three to the grid, and would
-/// part nothing. The overshoot parts nothing by itself.
-std::vector<Crack> beyond_free_ends(std::vector<Crack> cracks);
-
 /// The lines of a text.
 struct Lines {
   std::vector<Crack> cracks;          ///< of all lines, in their order
