@@ -15,6 +15,7 @@ import math
 import subprocess
 import sys
 import tomllib
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -72,23 +73,31 @@ def with_interval(values, unit=1e3):
     return f"{mean:.0f} ({mean - half:.0f} to {mean + half:.0f})"
 
 
-def exponent(rows, key):
-    """Slope of the logarithm of the mean resistance over that of an input, and half its 95 % interval."""
-    fit = stats.linregress(np.log([row[key] for row in rows]), np.log([row["horizontal.mean"] for row in rows]))
-    return fit.slope, stats.t.ppf(0.975, len(rows) - 2) * fit.stderr
+def exponents(rows, keys):
+    """Powers of the mean resistance over inputs, by least squares in logarithms, and half their 95 % intervals."""
+    terms = np.array([[1.0] + [math.log(row[key]) for key in keys] for row in rows])
+    loads = np.log([row["horizontal.mean"] for row in rows])
+    powers = np.linalg.lstsq(terms, loads, rcond=None)[0]
+    free = len(rows) - terms.shape[1]
+    variance = np.sum((loads - terms @ powers) ** 2) / free * np.linalg.inv(terms.T @ terms).diagonal()
+    return list(zip(powers[1:], stats.t.ppf(0.975, free) * np.sqrt(variance[1:])))
 
 
 def exponent_lines(rows, fewest=3, slowest=0.5):
-    """Exponents of speed and thickness from `slowest` m/s on, over the settings with `fewest` runs or more."""
-    count = {setting: sum((row[THICKNESS], row[SPEED]) == setting for row in rows)
-             for setting in {(row[THICKNESS], row[SPEED]) for row in rows}}
-    many = [row for row in rows if row[SPEED] >= slowest and count[row[THICKNESS], row[SPEED]] >= fewest]
-    lines = []
+    """Exponents of speed and thickness from `slowest` m/s on: over all settings, and each by itself where `fewest` runs are."""
+    fast = [row for row in rows if row[SPEED] >= slowest]
+    inputs, lines = (SPEED, THICKNESS), []
+    if all(len({row[key] for row in fast}) > 1 for key in inputs) and len(fast) > 3:
+        (speed, speed_half), (thickness, thickness_half) = exponents(fast, inputs)
+        lines.append(f"Exponents over all settings: {speed:.2f} ± {speed_half:.2f} of the speed, {thickness:.2f} ± "
+                     f"{thickness_half:.2f} of the thickness ({len(fast)} runs).")
+    count = Counter((row[THICKNESS], row[SPEED]) for row in rows)
+    many = [row for row in fast if count[row[THICKNESS], row[SPEED]] >= fewest]
     for key, other, unit in ((SPEED, THICKNESS, "m"), (THICKNESS, SPEED, "m/s")):
         for value in sorted({row[other] for row in many}):
             of = [row for row in many if row[other] == value]
             if len({row[key] for row in of}) > 1:
-                slope, half = exponent(of, key)
+                [(slope, half)] = exponents(of, [key])
                 lines.append(f"Exponent of the {key.split('.')[1]} at {value:g} {unit}: {slope:.2f} ± {half:.2f} ({len(of)} runs).")
     return lines
 

@@ -24,14 +24,22 @@ class Ships(unittest.TestCase):
         for name in ("speeds", "attained", "floe_sizes"):
             self.assertIn((SHIPS / f"{name}.md").read_text().split("\n\n")[0].strip(), page, name)
 
-    def test_exponents_are_those_of_a_power_law_over_settings_with_three_runs(self):
+    def test_exponents_are_those_of_a_power_law(self):
         rows = [{run.SPEED: speed, run.THICKNESS: thickness, "horizontal.mean": 1e5 * speed**0.4 * thickness**1.5}
                 for speed in (0.2, 1.0, 2.0, 4.0) for thickness in (0.8, 1.2) for _ in range(3)]
-        rows.append({run.SPEED: 2.0, run.THICKNESS: 0.3, "horizontal.mean": 9e9})  # one run alone
         rows[0]["horizontal.mean"] = 9e9  # below the slowest speed
+        rows.append({run.SPEED: 2.0, run.THICKNESS: 0.3, "horizontal.mean": 1e5 * 2.0**0.4 * 0.3**1.5})  # one run alone
         lines = run.exponent_lines(rows)
-        self.assertEqual(lines[0], "Exponent of the speed at 0.8 m: 0.40 ± 0.00 (9 runs).")
-        self.assertEqual(lines[2:], [f"Exponent of the thickness at {v} m/s: 1.50 ± 0.00 (6 runs)." for v in (1, 2, 4)])
+        self.assertEqual(lines[0], "Exponents over all settings: 0.40 ± 0.00 of the speed, 1.50 ± 0.00 of the thickness (19 runs).")
+        self.assertEqual(lines[1], "Exponent of the speed at 0.8 m: 0.40 ± 0.00 (9 runs).")
+        self.assertEqual(lines[3:], [f"Exponent of the thickness at {v} m/s: 1.50 ± 0.00 (6 runs)." for v in (1, 2, 4)])
+
+    def test_the_interval_of_an_exponent_is_students(self):
+        rows = [{run.SPEED: math.exp(x), "horizontal.mean": math.exp(y)} for x, y in ((0, 0), (1, 1.5), (2, 1.5), (3, 3))]
+        [(slope, half)] = run.exponents(rows, [run.SPEED])
+        # Residuals -0.15, 0.45, -0.45, 0.15 about 0.15 + 0.9 x; the speeds' sum of squares is 5.
+        self.assertAlmostEqual(slope, 0.9, 12)
+        self.assertAlmostEqual(half, 4.30265 * math.sqrt(0.45 / 2 / 5), 4)
 
     def test_the_steady_speed_is_where_the_acceleration_vanishes(self):
         speed, lower, upper = run.steady_speed([1.0, 1.0, 3.0, 3.0], [0.011, 0.009, -0.011, -0.009])
