@@ -111,7 +111,7 @@ io::Table table(const io::CampaignPlan& plan, const std::vector<Row>& rows) {
     all.columns.push_back(std::move(column));
   }
   for (std::size_t c = 0; c < plan.columns.size(); ++c) {
-    io::TableColumn column{plan.columns[c], "", "of the summary of each run, SI", {}};
+    io::TableColumn column{plan.columns[c], unit_of(plan.columns[c]), "of the summary of each run", {}};
     for (const Row& row : rows) column.values.push_back(row.values[c]);
     all.columns.push_back(std::move(column));
   }

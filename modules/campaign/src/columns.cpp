@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "brash/campaign/campaign.hpp"
@@ -80,6 +82,22 @@ const std::vector<std::string>& known_columns() {
     return names_in(summary);
   }();
   return names;
+}
+
+std::string unit_of(const std::string& column) {
+  // The first that fits: numbers of a load without the unit of a load come before the loads.
+  constexpr std::pair<std::string_view, const char*> kUnits[] = {
+      {".skewness", "1"},        {".effective_sample_size", "1"},
+      {".long_enough", "1"},     {"_time", "s"},
+      {"statistics_from", "s"},  {"breaking_frequency", "s-1"},
+      {"breaking_length", "m"},  {"size_quantiles", "m"},
+      {"piece_area", "m2"},      {"energy.", "J"},
+      {"fastest_floe", "m s-1"}, {"contact_iterations.", "m s-1"},
+      {"horizontal", "N"},       {"vertical", "N"},
+      {"mean_by_region.", "N"}};
+  for (const auto& [part, unit] : kUnits)
+    if (column.find(part) != std::string::npos) return unit;
+  return "1";
 }
 
 std::vector<std::string> warnings_in(const std::string& summary) {

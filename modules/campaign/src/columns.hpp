@@ -11,6 +11,9 @@ namespace brash::campaign {
 /// @throws InputError naming `path` when the text is no JSON.
 std::map<std::string, double> columns_of(const std::string& path, const std::string& summary);
 
+/// The unit of a known column (UDUNITS); 1 for counts, ratios, and yes or no.
+std::string unit_of(const std::string& column);
+
 /// The ids of the warnings in a run's summary.
 std::vector<std::string> warnings_in(const std::string& summary);
 

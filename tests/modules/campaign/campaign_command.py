@@ -244,6 +244,7 @@ class Command(unittest.TestCase):
             for name in ("horizontal.mean", "structure.speed", "replicate"):
                 np.testing.assert_array_equal(table[name][:], [float(row[name]) for row in rows])
             self.assertEqual(table["structure.speed"].units, "m s-1")
+            self.assertEqual(table["horizontal.mean"].units, "N")
         for setting in summary["settings"]:
             values = [float(row["horizontal.mean"]) for row in rows if row["setting"] == setting["setting"]]
             interval = stats.t.interval(0.95, len(values) - 1, np.mean(values), stats.sem(values))

@@ -51,6 +51,35 @@ BOOST_AUTO_TEST_CASE(numbers_of_ships_and_fields_are_known_and_wait_to_be_named)
   for (const std::string& name : default_columns()) BOOST_TEST(std::ranges::count(known_columns(), name) == 1, name);
 }
 
+BOOST_AUTO_TEST_CASE(each_known_column_has_its_unit) {
+  const std::map<std::string, std::string> expected{{"horizontal.mean", "N"},
+                                                    {"horizontal.mean_95.lower", "N"},
+                                                    {"horizontal.autocorrelation_time", "s"},
+                                                    {"vertical.skewness", "1"},
+                                                    {"mean_whole_history.vertical", "N"},
+                                                    {"mean_by_region.leg_4.total.Fx", "N"},
+                                                    {"statistics_from", "s"},
+                                                    {"breaking_frequency", "s-1"},
+                                                    {"breaking_length_quantiles.05", "m"},
+                                                    {"piece_area_quantiles.95", "m2"},
+                                                    {"initial_floes.size_quantiles.50", "m"},
+                                                    {"contact_iterations.mean_last_change", "m s-1"},
+                                                    {"fastest_floe", "m s-1"},
+                                                    {"energy.losses.bending", "J"}};
+  for (const auto& [name, unit] : expected) {
+    BOOST_TEST(unit_of(name) == unit, name);
+    BOOST_TEST(std::ranges::count(known_columns(), name) == 1, name);
+  }
+  // The others are counts, ratios, and yes or no.
+  for (const std::string& name : known_columns()) {
+    const std::string last = name.substr(name.rfind('.') + 1);
+    const bool has_none = last == "n" || last.starts_with("n_") || name.starts_with("breaks_decided.") ||
+                          last == "skewness" || last == "effective_sample_size" || last == "long_enough" ||
+                          last == "concentration" || name == "ledger.closes";
+    BOOST_TEST((unit_of(name) == "1") == has_none, name);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_summary_that_is_cut_short_is_refused_by_name) {
   BOOST_CHECK_EXCEPTION(columns_of("cases/a/summary.json", "{\"n\": "), InputError, [](const InputError& error) {
     return std::string(error.what()).starts_with("cases/a/summary.json: cannot be read");
