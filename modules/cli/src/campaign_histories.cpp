@@ -12,6 +12,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
+#include "run_summary.hpp"
 #include "text_table.hpp"
 
 namespace brash::cli {
@@ -38,14 +39,6 @@ ordered_json read_settings(const std::string& folder) {
   return json["settings"];
 }
 
-/// The number `statistics_from` of a summary, if it has one.
-std::optional<double> start_in(const std::string& summary) {
-  const auto json = nlohmann::json::parse(read_json_text(summary, kRunSummary), nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("statistics_from") || !json["statistics_from"].is_number())
-    return std::nullopt;
-  return json["statistics_from"].get<double>();
-}
-
 LoadHistory replicate(const fs::path& run, HistoryChoice choice) {
   begin_as_summary(choice, (run / "summary.json").string());
   for (const char* name : {"history.csv", "run.nc"})
@@ -69,14 +62,6 @@ void begin_as_summary(HistoryChoice& choice, const std::string& summary) {
         Complaint{summary, "holds no number `statistics_from`", kRunSummary, "copy it again, or give --from"});
   choice.from = *start;
   choice.has_from = choice.after = true;
-}
-
-std::optional<double> start_beside(const std::string& history) {
-  const fs::path file = history, summary = file.parent_path() / "summary.json";
-  std::error_code ignored;
-  if ((file.filename() != "history.csv" && file.filename() != "run.nc") || !fs::exists(summary, ignored))
-    return std::nullopt;
-  return start_in(summary.string());
 }
 
 void begin_as_run(HistoryChoice& choice, const std::string& history) {

@@ -3,7 +3,6 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +23,6 @@ bool is_campaign(const std::string& folder);
 /// Without a `from` of its own, `choice` takes the samples that the statistics in the `summary.json` of a run are of.
 /// @throws InputError when the file does not say where they begin.
 void begin_as_summary(HistoryChoice& choice, const std::string& summary);
-
-/// The start of the statistics [s] in the `summary.json` beside the history.csv or run.nc of a run; nothing where no
-/// summary has one, and beside files with other names.
-std::optional<double> start_beside(const std::string& history);
 
 /// Without a `from` of its own, `choice` takes the samples from start_beside() on, if there is one.
 void begin_as_run(HistoryChoice& choice, const std::string& history);

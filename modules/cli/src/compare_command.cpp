@@ -60,8 +60,11 @@ std::vector<LoadHistory> replicates(const std::string& campaign, const HistoryCh
                              "one setting", fmt::format("choose one with --where: {}", fmt::join(names, ", "))});
 }
 
-/// A history whose gaps are doubtful is named, so that its numbers are read with care.
-void note_gaps(const std::vector<LoadHistory>& loads) {
+/// Histories with doubtful gaps and runs with warnings are named, so that their numbers are read with care.
+void note_doubts(const std::vector<LoadHistory>& loads) {
+  const std::string& file = loads.front().file;
+  const std::string name = loads.size() == 1 ? file : fmt::format("{} and {} more", file, loads.size() - 1);
+  for (const std::string& warning : run_warnings(loads)) say("note: {}: {}\n", name, warning);
   for (const LoadHistory& load : loads)
     if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
       say("note: {}: {}\n", load.file, gaps);
@@ -129,8 +132,8 @@ void compare(CompareOptions& options) {
   } else {
     print("{}picture in {}\n", comparison_text(comparison), options.picture);
   }
-  note_gaps(runs);
-  note_gaps(measured);
+  note_doubts(runs);
+  note_doubts(measured);
   if (measured.front().unit.empty() && !fs::is_directory(options.measured.front()))
     say("note: the measured '{}' states no unit and was taken to be in {}\n", printable(measured.front().column),
         runs.front().unit.empty() ? "that of the run" : runs.front().unit);

@@ -78,6 +78,7 @@ ordered_json state_json(const DesignState& state, const DesignSettings& asked) {
   if (e.values.clipping) out["warnings"].push_back("a sensor seems to clip: larger loads are lost");
   if (const std::string correlated = correlation_warning(e.values); !correlated.empty())
     out["warnings"].push_back(correlated);
+  for (const std::string& warning : run_warnings(state.setting->replicates)) out["warnings"].push_back(warning);
   return out;
 }
 

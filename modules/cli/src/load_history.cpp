@@ -8,12 +8,14 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <string_view>
 #include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/series.hpp"
+#include "run_summary.hpp"
 
 namespace brash::cli {
 namespace {
@@ -209,7 +211,22 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
   std::vector<LoadHistory> loads;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     loads.push_back(history_of(series, path, wanted[i], choice, i + 1 == wanted.size()));
+  for (LoadHistory& load : loads) load.warnings = warnings_beside(path);
   return loads;
+}
+
+std::vector<std::string> run_warnings(std::span<const LoadHistory> loads) {
+  std::vector<model::Warning> first;  // of each id
+  std::map<std::string, std::size_t> runs;
+  for (const LoadHistory& load : loads)
+    for (const model::Warning& warning : load.warnings)
+      if (++runs[warning.id] == 1) first.push_back(warning);
+  std::vector<std::string> texts;
+  for (const model::Warning& warning : first) {
+    const std::string of = loads.size() == 1 ? "the run" : fmt::format("{} of {} runs", runs[warning.id], loads.size());
+    texts.push_back(fmt::format("of {}: {}: {}", of, printable(warning.id), printable(warning.text)));
+  }
+  return texts;
 }
 
 }  // namespace brash::cli

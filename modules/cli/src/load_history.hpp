@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "brash/model/warning.hpp"
 #include "brash/statistics/events.hpp"
 #include "brash/statistics/history.hpp"
 
@@ -21,6 +23,7 @@ struct LoadHistory {
   bool is_negated = false;    ///< the file has it with the other sign, under the column's name without its -
   /// Limit of the sensor, found in the samples before a filter or a new step hid it; absent: look at `history`.
   std::optional<statistics::Clipping> clipping{};
+  std::vector<model::Warning> warnings{};  ///< in the summary.json beside the file; none beside a measurement
 };
 
 /// Which column to read and how.
@@ -47,5 +50,8 @@ LoadHistory negated(LoadHistory load);
 /// Reads several columns of one file, in the order of `columns`; without any, the column of `choice`.
 std::vector<LoadHistory> read_histories(const std::string& path, const HistoryChoice& choice,
                                         const std::vector<std::string>& columns);
+
+/// The warnings of the runs that histories are of, each once: "of 3 of 20 runs: few-samples: ...".
+std::vector<std::string> run_warnings(std::span<const LoadHistory> loads);
 
 }  // namespace brash::cli

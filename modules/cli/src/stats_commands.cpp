@@ -15,6 +15,7 @@
 #include "brash/core/text.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/results.hpp"
+#include "brash/simulation/warnings.hpp"
 #include "campaign_histories.hpp"
 #include "file_name.hpp"
 #include "history_statistics.hpp"
@@ -22,6 +23,7 @@
 #include "messages.hpp"
 #include "picture_file.hpp"
 #include "prepared_history.hpp"
+#include "run_summary.hpp"
 #include "stats_picture.hpp"
 #include "time_span.hpp"
 
@@ -112,7 +114,11 @@ void run_stats(const StatsOptions& o) {
   for (const LoadHistory& load : loads) {
     ordered_json out = statistics_of(load, o.settings);
     if (o.preparation.any()) out["preparation"] = preparation_json(o.preparation);
-    if (const auto start = start_of_summary(o, load.file)) out["statistics_from"] = *start;
+    if (const auto start = start_of_summary(o, load.file)) {
+      out["statistics_from"] = *start;
+      if (!simulation::bear_interval(load.warnings)) out["mean_95"] = {nullptr, nullptr};  // as in the summary
+    }
+    for (const std::string& warning : run_warnings({&load, 1})) out["warnings"].push_back(warning);
     if (loads.size() > 1) text += load.file + "\n";
     text += statistics_text(out);
     if (loads.size() > 1) out = ordered_json{{"file", load.file}, {"statistics", out}};

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -219,6 +220,19 @@ void adjust(ordered_json& trends) {
   }
 }
 
+/// How many of the chosen cases have each warning.
+std::map<std::string, std::size_t> count_warnings(const TextTable& table, const std::string& where) {
+  std::map<std::string, std::size_t> counts;
+  if (std::ranges::find(table.names, "warnings") == table.names.end()) return counts;
+  const std::size_t setting = table.column("setting"), warnings = table.column("warnings");
+  for (const TextTable::Row& row : table.rows) {
+    if (!where.empty() && fnmatch(where.c_str(), row[setting].c_str(), 0) != 0) continue;
+    std::istringstream ids(row[warnings]);
+    for (std::string id; ids >> id;) ++counts[id];
+  }
+  return counts;
+}
+
 std::string settings_text(const ordered_json& settings) {
   std::string text;
   for (const ordered_json& s : settings)
@@ -264,6 +278,9 @@ std::string trend_text(const ordered_json& out) {
                     trend["p_adjusted"].get<double>(), trend["kendall"]["tau"].get<double>());
     text += ends_text(trend);
   }
+  for (const auto& [id, n] : out["warnings"].items())
+    text += fmt::format("warning: {} of the cases {} '{}' (docs/reference/warnings.md)\n", n.get<std::size_t>(),
+                        n == 1 ? "has" : "have", id);
   return text;
 }
 
@@ -296,7 +313,10 @@ void add_trend_command(CLI::App& app) {
     for (const std::string& of : options->of)
       trends.push_back(trend_of(strata_of(table, keys, options->along, of, options->where), of, confidence));
     adjust(trends);
-    const ordered_json out{{"along", options->along}, {"where", options->where}, {"trends", trends}};
+    const ordered_json out{{"along", options->along},
+                           {"where", options->where},
+                           {"trends", trends},
+                           {"warnings", count_warnings(table, options->where)}};
     print_data(options->json ? out.dump(2) + "\n" : escaped_lines(trend_text(out)));
   });
 }

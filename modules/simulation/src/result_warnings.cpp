@@ -66,11 +66,14 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
   return warnings;
 }
 
+bool bear_interval(std::span<const model::Warning> warnings) {
+  return std::ranges::none_of(warnings, [](const model::Warning& w) {
+    return w.id == "short-run" || w.id == "no-breaks" || w.id == "no-load";
+  });
+}
+
 bool bears_interval(const RunSummary& summary, const statistics::Summary& load) {
-  return load.effective_sample_size >= kFewSamples &&
-         std::ranges::none_of(summary.warnings, [](const model::Warning& w) {
-           return w.id == "short-run" || w.id == "no-breaks" || w.id == "no-load";
-         });
+  return load.effective_sample_size >= kFewSamples && bear_interval(summary.warnings);
 }
 
 }  // namespace brash::simulation

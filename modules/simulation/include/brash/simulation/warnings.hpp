@@ -20,6 +20,10 @@ inline constexpr double kFewSamples = 10.0;
 std::vector<model::Warning> warnings_of(const RunSummary& summary, std::span<const model::LoadRow> loads,
                                         const model::ReferenceSection& reference);
 
+/// Whether the loads of a run with these warnings get intervals: the run is long enough, and ice bore on the structure
+/// and broke.
+bool bear_interval(std::span<const model::Warning> warnings);
+
 /// Whether a mean of `summary` gets an interval: enough independent samples, of a run that is long enough and in which
 /// ice bore on the structure and broke.
 bool bears_interval(const RunSummary& summary, const statistics::Summary& load);

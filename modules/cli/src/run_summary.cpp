@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_summary.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "brash/core/input_file.hpp"
+
+namespace brash::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json read_summary(const std::string& path) {
+  constexpr const char* kRunSummary = "the summary.json of a run";
+  return json::parse(read_json_text(path, kRunSummary), nullptr, /*allow_exceptions=*/false);
+}
+
+/// The summary of the run that a history is of, if the file's name is of one and a summary is there.
+std::optional<std::string> summary_beside(const std::string& history) {
+  const fs::path file = history, summary = file.parent_path() / "summary.json";
+  std::error_code ignored;
+  if ((file.filename() != "history.csv" && file.filename() != "run.nc") || !fs::exists(summary, ignored))
+    return std::nullopt;
+  return summary.string();
+}
+
+bool is_warning(const json& warning) {
+  const auto has_text = [&](const char* key) { return warning.contains(key) && warning[key].is_string(); };
+  return warning.is_object() && has_text("id") && has_text("text");
+}
+
+}  // namespace
+
+std::optional<double> start_in(const std::string& summary) {
+  const json found = read_summary(summary);
+  if (!found.is_object() || !found.contains("statistics_from") || !found["statistics_from"].is_number())
+    return std::nullopt;
+  return found["statistics_from"].get<double>();
+}
+
+std::optional<double> start_beside(const std::string& history) {
+  const auto summary = summary_beside(history);
+  return summary ? start_in(*summary) : std::nullopt;
+}
+
+std::vector<model::Warning> warnings_beside(const std::string& history) {
+  const auto path = summary_beside(history);
+  if (!path) return {};
+  const json summary = read_summary(*path);
+  std::vector<model::Warning> warnings;
+  if (!summary.is_object() || !summary.contains("warnings") || !summary["warnings"].is_array()) return warnings;
+  for (const json& warning : summary["warnings"])
+    if (is_warning(warning)) warnings.push_back({warning["id"].get<std::string>(), warning["text"].get<std::string>()});
+  return warnings;
+}
+
+}  // namespace brash::cli
