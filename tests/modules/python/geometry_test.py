@@ -116,6 +116,9 @@ class Maps(unittest.TestCase):
         for origin in (1, "ab", (1, 2, 3), ("x", 1), (float("nan"), 0)):
             with self.assertRaises(brash.InputError):
                 brash.read_map(FAR_MAP, origin=origin)
+        crossed = FAR_MAP.replace("[500011,9000000],", "[500012,9000000],[500010,9000001],")
+        with self.assertRaisesRegex(brash.InputError, "text: polygon 1: .*cross"):
+            brash.read_map(crossed)
 
     def test_a_sheet_leaves_the_floes_of_its_map_out(self):
         near = FAR_MAP.replace("5000", "1").replace("900000", "")
