@@ -15,6 +15,7 @@
 #include "brash/recording/recording.hpp"
 #include "brash/report/plan_view.hpp"
 #include "brash/report/report.hpp"
+#include "brash/simulation/initial_floes.hpp"
 #include "report_source.hpp"
 
 namespace brash::cli {
@@ -114,7 +115,8 @@ void remove_run(const std::string& directory) {
 }
 
 void write_run_folder(const std::string& directory, const recording::Inputs& inputs, const simulation::Run& run) {
-  write_file(directory + "/plan.svg", report::plan_view(inputs.resolved, run.results));
+  write_file(directory + "/plan.svg",
+             report::plan_view(inputs.resolved, run.results, simulation::land_outlines(inputs.resolved)));
   recording::write_run(directory, inputs, run, {"plan.svg"});
   if (report::has_page()) write_report(directory);
 }

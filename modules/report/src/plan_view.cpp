@@ -92,14 +92,15 @@ std::string scale_bar(const View& view) {
 }
 
 constexpr const char* kStyle =
-    "<style>.water{fill:#2c5f7c}.sheet{fill:#e9f1f5;stroke:#5b7c8d;stroke-width:1}"
+    "<style>.water{fill:#2c5f7c}.land{fill:#8a7f6a}.sheet{fill:#e9f1f5;stroke:#5b7c8d;stroke-width:1}"
     ".floe{fill:#bcd9e6;stroke:#1f3b4a;stroke-width:.8}.sunk{fill:#5d93ae;stroke:#1f3b4a;stroke-width:.8;opacity:.85}"
     ".structure{fill:#d98032;fill-opacity:.55;stroke:#7a3f0c;stroke-width:1.5}.break{fill:#b3261e}"
     ".label{font:15px sans-serif;fill:#000}</style>\n";
 
 }  // namespace
 
-std::string plan_view(const model::Case& resolved, const model::RunResults& results) {
+std::string plan_view(const model::Case& resolved, const model::RunResults& results,
+                      const std::vector<std::vector<std::vector<Vec2>>>& land) {
   const Pose& pose = results.frames.back().structure;
   const auto waterline = structure::make_hull(resolved.structure)->footprint(pose, 0.0, 0.0).leading;
   const View view = view_of(waterline, results);
@@ -108,6 +109,7 @@ std::string plan_view(const model::Case& resolved, const model::RunResults& resu
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
       "height=\"{1:.0f}\">\n{2}<rect class=\"water\" width=\"100%\" height=\"100%\"/>\n",
       size.x, size.y, kStyle);
+  for (const std::vector<std::vector<Vec2>>& rings : land) svg += rings_path(view, rings, "class=\"land\"");
   svg += rings_path(view, results.final_sheet, "class=\"sheet\"");
   svg += floes(view, resolved, results);
   svg += rings_path(view, waterline, "class=\"structure\"");

@@ -90,7 +90,8 @@ std::string description(const model::Case& resolved) {
   add("freeboard", scales.freeboard, "m");
   add("draft", scales.draft, "m");
   add("T_col of a piece l_c x l_c / 4", scales.collision_time, "s");
-  add("initial crack radius", scales.initial_crack_radius, "m");
+  if (resolved.field.kind == model::FieldKind::kLevelIce && resolved.field.initial_crack)
+    add("initial crack radius", scales.initial_crack_radius, "m");
   if (scales.correlation_length > 0.0) add("correlation length of the ice", scales.correlation_length, "m");
   for (const model::Warning& warning : scales.warnings)
     warnings.push_back({{"id", warning.id}, {"text", warning.text}});

@@ -21,6 +21,7 @@ Object.assign(globalThis, { matchMedia: () => ({ addEventListener: () => {} }), 
 const { csv } = await exported("modules/report/viewer/src/save.ts");
 const { duration } = await exported("modules/report/viewer/src/extremes.ts");
 const { piecesOfEvents } = await exported("modules/report/viewer/src/data.ts");
+const { resultOf, titleOf } = await exported("modules/report/viewer/src/campaign_names.ts");
 const { countsOf } = await exported("modules/report/viewer/src/statistics.ts");
 const { valueIn, withValue } = await exported("modules/simulator/page/src/case_text.ts");
 
@@ -32,7 +33,22 @@ test("texts with commas, quotes and line ends keep their cell of a CSV file", ()
 
 test("pieces are those of their event, also where ice was severed between two", () => {
   const births = [0, 0, 1, 1, 1.5, 2, 2, 2];  // two of the start, one severed at 1.5 s
-  assert.deepEqual(piecesOfEvents([1, 2, 2], [2, 1, 2], births), [[2, 3], [5], [6, 7]]);
+  assert.deepEqual(piecesOfEvents([1, 2, 2], [2, 1, 2], births, []), [[2, 3], [5], [6, 7]]);
+});
+
+test("pieces are those of their event, also where ice was severed or a sheet split in its step", () => {
+  const births = [1, 1, 1, 2, 2, 2];
+  assert.deepEqual(piecesOfEvents([1, 2, 2], [2, 1, 1], births, []), [[1, 2], [4], [5]]);  // the first of a step is severed
+  assert.deepEqual(piecesOfEvents([1, 2, 2], [2, 1, 1], births, [2]), [[1, 2], [3], [4]]);  // the last of 2 s is of a split
+});
+
+test("results of a campaign have their units", () => {
+  const titles = {
+    "mean_by_region.leg_1.total.Fx": "mean by region leg 1 total Fx [kN]", "initial_floes.size_quantiles.50": "initial floes size quantiles 50 [m]",
+    "contact_iterations.mean_last_change": "contact iterations mean last change [m/s]", "horizontal.mean_95.lower": "lower end of the interval of the mean horizontal load [kN]",
+    "piece_area_quantiles.50": "piece area quantiles 50 [m²]", "n_floes_broken": "n floes broken",
+  };
+  assert.deepEqual(Object.keys(titles).map((column) => titleOf(resultOf(column))), Object.values(titles));
 });
 
 test("a duration keeps the zeros of whole numbers", () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The land of field.shore in the report: in the replay, in the plan and in their legends.
 import assert from "node:assert/strict";
-import { rmSync, writeFileSync } from "node:fs";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { brash, browse, pixelsOf, scratch } from "./browser.mjs";
@@ -86,4 +86,9 @@ test("a run without a shore shows none and says nothing of it", async () => {
   const share = await landInReplay(plain);
   assert.ok(share < 0.005, `${share} of a replay without land has its colour`);
   assert.deepEqual(browser.complaints, []);
+});
+
+test("the picture of the end of the run has the land too", () => {
+  const count = (name) => [...readFileSync(join(folder, name, "plan.svg"), "utf8").matchAll(/class="land"/g)].length;
+  assert.deepEqual([count("shore"), count("plain")], [2, 0]);
 });

@@ -26,9 +26,9 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** Starts a run that is watched. `ended` becomes its exit code. */
-async function watched(name, ...options) {
-  const child = spawn(process.env.BRASH, ["run", kCase, "-o", join(folder, name), "--view", ...kSettings, ...options], { stdio: ["ignore", "ignore", "pipe"] });
+/** Starts a run of a case that is watched. `ended` becomes its exit code. */
+async function watchedCase(file, name, ...options) {
+  const child = spawn(process.env.BRASH, ["run", file, "-o", join(folder, name), "--view", ...options], { stdio: ["ignore", "ignore", "pipe"] });
   const run = { process: child, ended: new Promise((done) => child.on("close", done)), said: "" };
   running.push(run);
   await new Promise((done) => child.stderr.on("data", (text) => {
@@ -38,6 +38,8 @@ async function watched(name, ...options) {
   run.address = /watch at  (\S+)/.exec(run.said)[1];
   return run;
 }
+
+const watched = (name, ...options) => watchedCase(kCase, name, ...kSettings, ...options);
 
 /** The status of a request, without a browser. */
 const ask = (address, { method = "GET", headers = {} } = {}) => new Promise((done, fail) => {
@@ -135,6 +137,33 @@ test("two browsers see the run go on, and one pauses it for both", { timeout: kP
     assert.equal(seen.n, JSON.parse(readFileSync(join(folder, "pair", "summary.json"), "utf8")).n_floes_present);
     await page.close();
   }
+});
+
+test("a field of floes is seen, with the structure where it is now and the forces so far", { timeout: kPatience }, async () => {
+  const run = await watchedCase(join(process.env.BRASH_SOURCE, "experiments/fields/cone.toml"), "field", "--set", "time.duration=1");
+  await paused(run.address);
+  const page = await browser.open(run.address);
+  await until(page, () => window.brashReport?.report?.replay);
+  await page.locator("#colouring").selectOption("force");
+  await page.getByRole("button", { name: "Continue the run" }).click();
+  await until(page, () => /The run is done/.test(document.querySelector(".live").textContent));
+  assert.equal(await run.ended, 0);
+  const seen = await page.evaluate(() => {
+    const { run: r, report } = window.brashReport;
+    const corners = document.querySelector(".plan .structure").getAttribute("d").match(/-?[\d.]+ /g).map(Number);
+    return {
+      n: report.replay.scene.floes.nVisible, largest: report.replay.scene.floes.largestForce, forces: Math.max(...r.column("track.force")),
+      middle: 0.5 * (Math.min(...corners) + Math.max(...corners)), end: r.column("structure.end")[0],
+      legends: [...document.querySelectorAll(".legend")].map((e) => e.textContent).join(" "),
+    };
+  });
+  assert.equal(seen.n, JSON.parse(readFileSync(join(folder, "field", "summary.json"), "utf8")).n_floes_present);
+  assert.ok(seen.forces > 1e4 && seen.largest === seen.forces, JSON.stringify(seen));
+  assert.ok(Math.abs(seen.middle - seen.end) < 2e-3, JSON.stringify(seen));
+  assert.match(seen.legends, new RegExp(`contact force, 0 to ${(seen.largest / 1e3).toFixed(1)}`));
+  assert.match(seen.legends, /floe where it was at the start.*structure's waterline now/);
+  assert.doesNotMatch(seen.legends, /broke off/);
+  await page.close();
 });
 
 test("a page that nobody sees is not drawn until somebody does", { timeout: kPatience }, async () => {

@@ -40,6 +40,11 @@ export const kIso19906: Work = { kind: "techreport", key: "iso_19906", fields: {
   institution: "ISO", year: "2019", note: "A.8.2.4.4",
 } };
 
+export const kIso19906Of2010: Work = { ...kIso19906, key: "iso_19906_2010", fields: { ...kIso19906.fields, year: "2010", note: "A.8.2.4.3.3" } };
+export const kLindqvist: Work = { kind: "inproceedings", key: "lindqvist_1989", fields: {
+  author: "Lindqvist, G.", title: "A straightforward method for calculation of ice resistance of ships", booktitle: "POAC, Luleå", year: "1989",
+} };
+
 /** A program, with the version that the run used; "" where its manifest names none. */
 export function program(key: string, author: string, title: string, version: string): Work {
   return { kind: "software", key, fields: { author: `{${author}}`, title, ...(version && { version }) } };

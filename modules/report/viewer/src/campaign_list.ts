@@ -66,12 +66,16 @@ export function listChart(data: CampaignData, runs: Runs, column: string, nameOf
   }));
 }
 
-/** Names, means and intervals in SI. */
+/** Names, means and intervals in the unit of the chart. */
 function table(settings: CampaignSetting[], column: string, nameOf: (setting: CampaignSetting) => string): string {
-  const of = (value: (s: CampaignSetting) => number | null | undefined) => settings.map(value);
+  const result = resultOf(column);
+  const of = (value: (s: CampaignSetting) => number | null | undefined) => settings.map((s) => {
+    const number = value(s);
+    return typeof number === "number" ? number * result.scale : null;
+  });
   return csv([
-    ["setting", settings.map(nameOf)], ["mean", of((s) => s.statistics[column]?.mean)], ["low_95", of((s) => s.statistics[column]?.mean_95?.[0])],
-    ["high_95", of((s) => s.statistics[column]?.mean_95?.[1])], ["n", of((s) => s.statistics[column]?.n)],
+    ["setting", settings.map(nameOf)], [titleOf(result), of((s) => s.statistics[column]?.mean)], ["low_95", of((s) => s.statistics[column]?.mean_95?.[0])],
+    ["high_95", of((s) => s.statistics[column]?.mean_95?.[1])], ["n", settings.map((s) => s.statistics[column]?.n)],
   ]);
 }
 

@@ -54,6 +54,12 @@ const kOthers: Record<string, Quantity> = {
   fastest_floe: { name: "fastest floe", unit: "m/s", scale: 1 },
 };
 
+/** Units of the other results by parts of their names, and what an SI value is multiplied with. */
+const kUnits: [string, string, number][] = [
+  ["mean_by_region.", "kN", 1e-3], ["piece_area", "m²", 1], ["breaking_length", "m", 1], ["size_quantiles", "m", 1],
+  ["contact_iterations.", "m/s", 1], ["statistics_from", "s", 1],
+];
+
 /** A result: "mean horizontal load [kN]" for `horizontal.mean`. */
 export function resultOf(column: string): Quantity {
   const [load, statistic, cause] = column.split(".");
@@ -64,11 +70,11 @@ export function resultOf(column: string): Quantity {
     return { name: `${kStatistics[statistic]} ${kLoads[load]}`, unit: unit as string, scale: scale as number };
   }
   if (kLoads[load] && statistic === "mean_by_cause") return { name: `mean ${kLoads[load]} from ${spaced(cause ?? "")}`, unit: "kN", scale: 1e-3 };
+  if (kLoads[load] && statistic === "mean_95") return { name: `${cause} end of the interval of the mean ${kLoads[load]}`, unit: "kN", scale: 1e-3 };
   if (load === "mean_whole_history") return { name: `mean ${statistic} load, whole history`, unit: "kN", scale: 1e-3 };
   if (load === "energy") return { name: `energy: ${spaced(column.slice("energy.".length))}`, unit: "kJ", scale: 1e-3 };
-  if (column.startsWith("piece_area")) return { name: spaced(column), unit: "m²", scale: 1 };
-  if (column.startsWith("breaking_length")) return { name: spaced(column), unit: "m", scale: 1 };
-  return { name: spaced(column), unit: "", scale: 1 };
+  const [, unit, scale] = kUnits.find(([part]) => column.includes(part)) ?? ["", "", 1];
+  return { name: spaced(column), unit, scale };
 }
 
 /** The value of an input of a setting. */

@@ -4,10 +4,10 @@ import type { LoadName } from "./types";
 
 /** Name, what it is called, and the unit that it is shown in. */
 export const kLoads: Record<LoadName, { title: string; short: string; unit: "kN" | "kN m" }> = {
-  Fx: { title: "Fx, against the motion", short: "Fx, horizontal", unit: "kN" },
+  Fx: { title: "Fx, against the heading", short: "Fx, horizontal", unit: "kN" },
   Fy: { title: "Fy, to starboard", short: "Fy, lateral", unit: "kN" },
   Fz: { title: "Fz, upwards", short: "Fz, vertical", unit: "kN" },
-  Mx: { title: "Mx, about the track", short: "Mx", unit: "kN m" },
+  Mx: { title: "Mx, about the heading", short: "Mx", unit: "kN m" },
   My: { title: "My, about the beam", short: "My", unit: "kN m" },
   Mz: { title: "Mz, about the vertical", short: "Mz", unit: "kN m" },
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What to cite, for the features that this run used.
-import { bibtex, kHetenyi, kIso19906, kMorison, kNevel, kPaper, kSokal, kWelch, kWolff, program, type Work } from "./bibliography";
+import { bibtex, kHetenyi, kIso19906, kIso19906Of2010, kLindqvist, kMorison, kNevel, kPaper, kSokal, kWelch, kWolff, program, type Work } from "./bibliography";
 import type { Run } from "./data";
 import { el, section } from "./dom";
 
@@ -31,6 +31,8 @@ const kSources: Source[] = [
   { what: "spectrum", cite: "P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70", works: [kWelch], used: (run) => run.data.statistics?.Fx.spectrum != null },
   { what: "closed form: elastic beam", cite: "ISO 19906, A.8.2.4.4 (Croasdale)", works: [kIso19906], used: loads("Croasdale") },
   { what: "closed form: plastic cone", cite: "ISO 19906, A.8.2.4.4 (Ralston)", works: [kIso19906], used: loads("Ralston") },
+  { what: "closed form: crushing of a vertical face", cite: "ISO 19906:2010, A.8.2.4.3.3", works: [kIso19906Of2010], used: loads("A.8.2.4.3.3") },
+  { what: "closed form: resistance of a ship", cite: "G. Lindqvist, A straightforward method for calculation of ice resistance of ships, POAC, 1989", works: [kLindqvist], used: loads("Lindqvist") },
 ];
 
 /** The programs: their versions stand in the manifest. */

@@ -83,13 +83,25 @@ export function polygons(blocks: Blocks, name: string): Ring[][] {
 
 /**
  * Which floes each event made, by their places among those that broke off the level ice, in the order of their births.
- * Other floes come without an event: floes of the start, and ice that crushing severs.
+ * Other floes come without an event: floes of the start, ice that crushing severs, and parts of sheets that split.
+ * @param splits times at which sheets split.
  */
-export function piecesOfEvents(times: Numbers, pieces: Numbers, births: number[]): number[][] {
+export function piecesOfEvents(times: Numbers, pieces: Numbers, births: number[], splits: Numbers): number[][] {
   const rounding = 1e-9; // s
+  const isAt = (time: number, other: number | undefined) => other !== undefined && Math.abs(other - time) < rounding;
   let next = 0;
+  /** Floes severed in the step of an event: ice is severed first, then it breaks, and then sheets split. */
+  const severed = (event: number): number => {
+    const time = times[event];
+    if (splits.some((other) => isAt(time, other))) return 0;
+    let [made, born] = [0, 0];
+    for (let i = event; isAt(time, times[i]); ++i) made += pieces[i];
+    while (isAt(time, births[next + born])) ++born;
+    return Math.max(0, born - made);
+  };
   return Array.from(times, (time, event) => {
     while (next < births.length && births[next] < time - rounding) ++next;
+    if (!isAt(time, times[event - 1])) next += severed(event);
     const first = next;
     next = Math.min(first + pieces[event], births.length);
     return Array.from({ length: next - first }, (_, i) => first + i);
@@ -152,7 +164,7 @@ export class Run {
     const pieces = this.column("event.pieces");
     const births = this.column("floe.birth");
     this.offSheet = [...this.column("floe.parent")].flatMap((parent, floe) => (parent < 0 ? [floe] : []));
-    this.piecesOf = piecesOfEvents(this.column("event.time"), pieces, this.offSheet.map((floe) => births[floe]))
+    this.piecesOf = piecesOfEvents(this.column("event.time"), pieces, this.offSheet.map((floe) => births[floe]), this.column("split.time"))
       .map((places) => places.map((place) => this.offSheet[place]));
     this.madeBy = new Int32Array(this.nFloes).fill(-1);
     this.piecesOf.forEach((floes, event) => floes.forEach((floe) => (this.madeBy[floe] = event)));
@@ -189,11 +201,21 @@ export class Run {
     return placed(this.waterline, (name) => pose[["x", "y", "z", "qw", "qx", "qy", "qz"].indexOf(name)]);
   }
 
-  /** The event that broke a floe, or the floe that it is a piece of, off the level ice; -1: the initial crack. */
-  eventOf(floe: number): number {
+  /** A floe, or the one of the start or the level ice that it is a piece of. */
+  private ancestor(floe: number): number {
     const parents = this.column("floe.parent");
     while (parents[floe] >= 0) floe = parents[floe];
-    return this.madeBy[floe];
+    return floe;
+  }
+
+  /** The event that broke a floe, or the floe that it is a piece of, off the level ice; -1: none. */
+  eventOf(floe: number): number {
+    return this.madeBy[this.ancestor(floe)];
+  }
+
+  /** Whether a floe, or the floe that it is a piece of, was there at the start. */
+  wasThere(floe: number): boolean {
+    return this.column("floe.birth")[this.ancestor(floe)] === 0;
   }
 
   /** The sheet in whose time an event came: before its step, or after it. */

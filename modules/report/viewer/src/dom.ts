@@ -50,7 +50,7 @@ interface Group {
 }
 
 /** Said in a column of numbers in place of a number. */
-const kNoNumber = /^(none|too few samples)$/;
+const kNoNumber = /^(none|none: see the warnings|too few samples)$/;
 
 /** The head of a column; its unit stays in one line. */
 function headText(text: string): Child[] {

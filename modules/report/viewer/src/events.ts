@@ -26,7 +26,7 @@ const listOf = (numbers: Row[]): HTMLElement => el("dl", { class: "numbers" },
 
 export class EventCard {
   readonly element = el("div", { class: "event-card", "aria-live": "polite" });
-  private event = -1;
+  private shown = -1;
   private explains = false;
 
   constructor(
@@ -36,9 +36,14 @@ export class EventCard {
     this.show(-1);
   }
 
+  /** The event that it shows; -1: none. */
+  get event(): number {
+    return this.shown;
+  }
+
   /** @param peak the load peak that was clicked, if the event was chosen by one. */
   show(event: number, peak?: Peak): void {
-    this.event = event;
+    this.shown = event;
     if (event < 0) {
       const text = this.run.nEvents > 0 ? "Click a load peak, or a red point of the plan, to see the crack event behind it." : "The ice has not broken.";
       this.element.replaceChildren(el("p", { class: "hint do" }, text), ...(this.run.nEvents > 0 ? [this.steps()] : []));

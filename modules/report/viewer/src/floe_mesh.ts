@@ -66,9 +66,9 @@ export class FloeMesh {
     this.painted = new Int32Array(run.nFloes).fill(kMoves);
     this.cause = Int8Array.from(run.outlines, (_, i) => {
       if (run.column("floe.end")[i] === kCrushed) return 2;
-      return run.eventOf(i) < 0 ? 1 : 0;
+      return run.wasThere(i) ? 1 : 0;
     });
-    for (const force of run.column("track.force")) this.largestForce = Math.max(this.largestForce, force);
+    this.rescale();
     const faces = new BufferGeometry().setIndex(prisms.triangles).setAttribute("position", this.place);
     this.solid = new Mesh(faces.setAttribute("color", this.colour), materials.floes);
     this.solid.castShadow = this.solid.receiveShadow = true;
@@ -85,6 +85,13 @@ export class FloeMesh {
   dispose(): void {
     this.solid.geometry.dispose();
     this.lines.geometry.dispose();
+  }
+
+  /** Takes the largest force of all frames for the end of its colours. */
+  rescale(): void {
+    const before = this.largestForce;
+    for (const force of this.run.column("track.force")) this.largestForce = Math.max(this.largestForce, force);
+    if (this.largestForce !== before) this.repaint();
   }
 
   /** Paints every floe anew at the next time: the palette has changed. */

@@ -119,7 +119,8 @@ export class Growing {
 
   /** The newest sheet stands for the one at the end. */
   private putSheets(blocks: Blocks): void {
-    const all = this.sheets.length > 0 ? [...this.sheets, this.sheets[this.sheets.length - 1]] : [];
+    const sheets = this.sheets.length > 0 ? this.sheets : [{ time: 0, rings: [] }];  // of a field of floes
+    const all = [...sheets, sheets[sheets.length - 1]];
     const polygons = new Polygons();
     for (const { rings } of all) polygons.add(rings);
     polygons.into(blocks, "sheet");

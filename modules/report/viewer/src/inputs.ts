@@ -89,7 +89,7 @@ function energyTable(data: RunFiles): HTMLElement {
     ...Object.entries(losses as Record<string, number>).map(([name, value]) => row(kLosses[name] ?? name, value)),
     row("motion of the floes", energy.kinetic_energy as number),
     row("height of the floes", energy.potential_energy as number),
-    row("left with deleted floes", energy.removed_energy as number),
+    row("left with ice that was deleted, broke or fell asleep", energy.removed_energy as number),
     row("births (added to the work)", energy.birth_energy as number),
     row("error of the integration in time", energy.energy_error as number),
   ], { id: "energy-table" });

@@ -109,17 +109,18 @@ export class LiveView {
   private readonly loads: LoadHistory;
   private readonly channel = el("div");
   private plan: PlanView;
-  private nEvents = 0;
+  /** Cracks, floes and splits that the plan shows. */
+  private drawn: number[] = [];
 
-  constructor(private readonly run: Run, private readonly player: Player, parent: HTMLElement, onLook: () => void, report: LiveReport) {
-    this.card = new EventCard(run, (event) => this.choose(event, onLook));
+  constructor(private readonly run: Run, private readonly player: Player, parent: HTMLElement, private readonly onLook: () => void, report: LiveReport) {
+    this.card = new EventCard(run, (event) => this.choose(event));
     this.replay = report.replay = new Replay([run], player);
     this.loads = report.loads = new LoadHistory(run, player, this.choice, [], (peak) => {
       onLook();
       this.card.show(peak.event, peak);
       this.plan.select(peak.event);
     });
-    this.plan = this.makePlan(onLook);
+    this.plan = this.makePlan();
     this.channel.append(this.plan.element);
     this.replay.onTouch = onLook;
     bindKeys(player, this.replay, () => run.column("frame.time"), onLook, this.ended.signal);
@@ -138,30 +139,39 @@ export class LiveView {
     this.player.duration = this.run.duration;
     this.replay.renew();
     this.loads.renew();
-    if (this.run.nEvents !== this.nEvents) {
-      this.nEvents = this.run.nEvents;
-      this.plan = this.makePlan(() => {});
-      this.channel.replaceChildren(this.plan.element);
-      this.card.show(this.nEvents - 1);
-      this.plan.select(this.nEvents - 1);
-    }
+    this.renewPlan(toNewest);
     this.player.seek(toNewest ? this.run.duration : this.player.time);
   }
 
-  private makePlan(onLook: () => void): PlanView {
+  private renewPlan(toNewest: boolean): void {
+    const { nEvents, nFloes } = this.run;
+    const now = [nEvents, nFloes, this.run.column("split.time").length];
+    const isNewest = toNewest && nEvents !== this.drawn[0];
+    if (now.some((n, i) => n !== this.drawn[i]) || !this.plan.follow()) {
+      this.drawn = now;
+      this.plan = this.makePlan();
+      this.channel.replaceChildren(this.plan.element);
+      if (!isNewest) this.plan.select(this.card.event);
+    }
+    if (isNewest) this.choose(nEvents - 1, false);
+    else if (this.card.event < 0) this.card.show(-1);  // it tells whether the ice has broken
+  }
+
+  private makePlan(): PlanView {
     const splits = splitsOf(this.run);
-    const plan = new PlanView(this.run, (event) => this.choose(event, onLook), (split) => {
-      onLook();
+    const plan = new PlanView(this.run, (event) => this.choose(event), (split) => {
+      this.onLook();
       plan.selectSplit(split);
       this.player.seek(splits[split].time);
-    });
+    }, "now");
     return plan;
   }
 
-  private choose(event: number, onLook: () => void): void {
-    onLook();
+  /** @param byReader who then looks at this and not at the newest. */
+  private choose(event: number, byReader = true): void {
+    if (byReader) this.onLook();
     this.card.show(event);
     this.plan.select(event);
-    if (event >= 0) this.player.seek(this.run.column("event.time")[event]);
+    if (byReader && event >= 0) this.player.seek(this.run.column("event.time")[event]);
   }
 }

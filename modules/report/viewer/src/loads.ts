@@ -86,25 +86,25 @@ export class LoadHistory {
     if (!plot) return;
     const times = this.run.column("load.time");
     const span = Math.max(factor * (plot.scales.x.max! - plot.scales.x.min!), 4 * (times[1] - times[0]));
-    const min = Math.max(0, Math.min(this.player.time - 0.5 * span, this.run.duration - span));
-    plot.setScale("x", { min, max: Math.min(this.run.duration, min + span) });
+    const min = Math.max(0, Math.min(this.player.time - 0.5 * span, this.player.duration - span));
+    plot.setScale("x", { min, max: Math.min(this.player.duration, min + span) });
   }
 
   /** Follows a run that has grown; a view of all of it stays one. */
   renew(): void {
     const max = this.chart.plot?.scales.x.max ?? 0;
     const showsAll = max >= this.drawn - 1e-6;
-    this.drawn = this.run.duration;
+    this.drawn = this.player.duration;
     this.tell();
     this.chart.redraw();
     if (showsAll) this.showAll();
   }
 
-  /** Duration of the run when it was drawn last [s]. */
+  /** Duration of all runs when they were drawn last [s]. */
   private drawn = 0;
 
   showAll(): void {
-    this.chart.plot?.setScale("x", { min: 0, max: this.run.duration });
+    this.chart.plot?.setScale("x", { min: 0, max: this.player.duration });
   }
 
   /** The largest sample near a time, whichever way it acts, and the crack event that belongs to it. */
@@ -262,8 +262,8 @@ export class LoadHistory {
     if (!plot) return;
     const { min, max } = plot.scales.x as { min: number; max: number };
     const span = max - min;
-    if (span < this.run.duration - 1e-6 && (this.player.time < min || this.player.time > max)) {
-      const start = Math.max(0, Math.min(this.player.time - 0.1 * span, this.run.duration - span));
+    if (span < this.player.duration - 1e-6 && (this.player.time < min || this.player.time > max)) {
+      const start = Math.max(0, Math.min(this.player.time - 0.1 * span, this.player.duration - span));
       plot.setScale("x", { min: start, max: start + span });
     } else {
       this.placeNow(plot);

@@ -125,6 +125,9 @@ const kCircle: Swatch = { colour: "--red", text: "breaking length", kind: "dashe
 export class PlanView {
   readonly element: HTMLElement;
   private readonly drawing: SVGSVGElement;
+  private readonly box: Box;
+  private readonly sheet: SVGPathElement;
+  private readonly structure: SVGPathElement;
   private readonly overlay = svg("g");
   private readonly chosen = el("span", { class: "chosen-crack" });
   private readonly points: SVGCircleElement[] = [];
@@ -134,11 +137,12 @@ export class PlanView {
     private readonly run: Run,
     private readonly onChoose: (event: number) => void,
     onSplit: (split: number) => void,
+    private readonly moment = "at the end",
   ) {
     const structure = run.waterlineAtEnd();
     const splits = splitsOf(run);
     const places = splits.map(({ x, y }): Ring => [[x, y]]);
-    const box = around([...run.offSheet.flatMap((floe) => run.bornAt(floe)), ...structure, ...places].flat(), 2.5);
+    const box = this.box = around([...run.offSheet.flatMap((floe) => run.bornAt(floe)), ...structure, ...places].flat(), 2.5);
     const point = (box.x1 - box.x0) / 210;
     const land = landIn(box, run);
     this.splits = splitMarks(splits, point, onSplit);
@@ -146,9 +150,9 @@ export class PlanView {
       box,
       "Plan of the channel with all cracks",
       land,
-      svg("path", { class: "sheet", d: path(run.sheets.at(-1)!), "fill-rule": "evenodd" }),
+      this.sheet = svg("path", { class: "sheet", d: path(run.sheets.at(-1)!), "fill-rule": "evenodd" }),
       this.floes(),
-      svg("path", { class: "structure", d: path(structure) }),
+      this.structure = svg("path", { class: "structure", d: path(structure) }),
       this.overlay,
       this.splits,
       this.breaks(point),
@@ -165,6 +169,16 @@ export class PlanView {
         ]),
         drawingButtons("the plan", "channel", () => this.drawing)),
       this.chosen);
+  }
+
+  /** Follows a run that has grown by no floe, crack or split; false where the structure leaves the drawing. */
+  follow(): boolean {
+    const structure = this.run.waterlineAtEnd();
+    const { x0, x1, y0, y1 } = this.box;
+    if (structure.flat().some(([x, y]) => x < x0 || x > x1 || y < y0 || y > y1)) return false;
+    this.structure.setAttribute("d", path(structure));
+    this.sheet.setAttribute("d", path(this.run.sheets.at(-1)!));
+    return true;
   }
 
   select(event: number): void {
@@ -184,12 +198,13 @@ export class PlanView {
   private swatches(): Swatch[] {
     const { run } = this;
     const brokeOff: Swatch = { colour: ["--plan-young", "--plan-old"], text: "floe where it broke off: first to last of the run" };
-    const ofField: Swatch = { colour: "--plan-young", text: "floe where it was at the start" };
+    const ofStart: Swatch = { colour: "--plan-young", text: "floe where it was at the start" };
     return [
-      ...(run.isField ? [ofField] : []), ...(run.isField && run.nEvents === 0 ? [] : [brokeOff]),
-      ...(run.sheets.at(-1)!.length > 0 ? [{ colour: "--plan-sheet", text: "sheet at the end" }] : []),
+      ...(run.offSheet.some((floe) => run.wasThere(floe)) ? [ofStart] : []),
+      ...(run.offSheet.some((floe) => !run.wasThere(floe)) ? [brokeOff] : []),
+      ...(run.sheets.at(-1)!.length > 0 ? [{ colour: "--plan-sheet", text: `sheet ${this.moment}` }] : []),
       { colour: "--plan-open", text: "open water, or crushed" },
-      { colour: "--scene-structure", text: "structure's waterline at the end" }, ...(run.nEvents > 0 ? [kAtCrack] : []),
+      { colour: "--scene-structure", text: `structure's waterline ${this.moment}` }, ...(run.nEvents > 0 ? [kAtCrack] : []),
     ];
   }
 
@@ -201,14 +216,14 @@ export class PlanView {
   private floes(): SVGGElement {
     const { run } = this;
     const latest = Math.max(1e-9, run.duration);
-    const initial = run.offSheet.filter((i) => run.eventOf(i) < 0);
+    const initial = run.offSheet.filter((i) => run.wasThere(i));
     const together = initial.length > kMostApart ? new Set(initial) : new Set<number>();
     const field = together.size > 0 && svg("path", { d: initial.map((i) => path(run.bornAt(i))).join(""), "fill-rule": "evenodd", style: "--age: 0" },
       svg("title", {}, `${together.size} floes that were there at the start`));
     return svg("g", { class: "floes" }, field, ...run.offSheet.filter((i) => !together.has(i)).map((i) => {
       const [id, area, birth] = ["id", "area", "birth"].map((name) => run.column(`floe.${name}`)[i]);
       return svg("path", { d: path(run.bornAt(i)), "fill-rule": "evenodd", style: `--age: ${(birth / latest).toFixed(3)}` },
-        svg("title", {}, `floe ${id}, ${area.toFixed(2)} m², born at ${birth.toFixed(2)} s`));
+        svg("title", {}, `floe ${id}, ${area.toFixed(2)} m², ${run.wasThere(i) ? "there at the start" : `born at ${birth.toFixed(2)} s`}`));
     }));
   }
 

@@ -61,7 +61,7 @@ export class Replay {
   /** Follows runs that have grown. */
   renew(): void {
     this.slider.max = String(this.player.duration);
-    for (const scene of this.scenes) scene.renew();
+    for (const stage of this.stages) stage.renew();
   }
 
   /** Gives back what the browser holds for the pictures; the replay is of no further use. */

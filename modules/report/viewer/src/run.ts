@@ -39,10 +39,11 @@ function makeReplay(runs: Run[], player: Player, names: string[]): Replay {
   return replay;
 }
 
-/** Says why there is no replay. Poses made up from the start alone would look like the run. */
-function noReplay(run: Run): HTMLElement {
+/** Says why there is no replay. Poses made up from the start alone would look like the run.
+ * @param name of the run, if there are several. */
+function noReplay(run: Run, name = ""): HTMLElement {
   const rate = number(run.input("output", "frames_per_second"));
-  return el("p", { class: "note" }, `No frames recorded after the start (output.frames_per_second = ${rate}), so there is no replay. ` +
+  return el("p", { class: "note" }, `No frames ${name && `of ${name} `}recorded after the start (output.frames_per_second = ${rate}), so there is no replay. ` +
     "Loads, cracks and the places where floes broke off are complete.");
 }
 
@@ -80,7 +81,8 @@ export function showRun(run: Run, other: Run | null, data: RunData, parent: HTML
   };
   const card = new EventCard(run, choose);
   const plan = new PlanView(run, choose, chooseSplit);
-  const replay = runs.every(({ hasReplay }) => hasReplay) ? makeReplay(runs, player, names) : null;
+  const still = runs.findIndex(({ hasReplay }) => !hasReplay);
+  const replay = still < 0 ? makeReplay(runs, player, names) : null;
   const loads = new LoadHistory(run, player, choice, overlaysOf(run, other, names, data.measured), (peak) => choose(peak.event, peak));
 
   parent.append(...runs.map((each, i) => warnings(each, names[i])).filter((flagged) => flagged !== null));
@@ -88,7 +90,7 @@ export function showRun(run: Run, other: Run | null, data: RunData, parent: HTML
   const beside = replay !== null && !other;
   parent.append(
     other ? comparedFigures(runs, names) : keyFigures(run),
-    replay ? el("div", { class: beside ? "stage-row" : "stage-column" }, replay.element, side) : noReplay(run),
+    replay ? el("div", { class: beside ? "stage-row" : "stage-column" }, replay.element, side) : noReplay(runs[still], names[still]),
     ...(replay ? [] : [el("div", { class: "stage-row" }, loads.element, card.element)]),
     ...(other ? [differencesSection(runs, names), el("p", { class: "note" }, `From here on: ${names[0]}.`)] : []),
     section("channel", "Channel and cracks",

@@ -107,12 +107,12 @@ export class ReplayScene {
     this.setSeeThrough(true);
   }
 
-  /** Follows a run that has grown: its newest sheet, and the floes that were born. */
+  /** Follows a run that has grown: its newest sheet, the floes that were born, and their forces. */
   renew(): void {
     this.sheetShown = -1;
     this.forgetSheets();
     const { colouring, nFloes } = this.floes;
-    if (nFloes === this.run.nFloes) return;
+    if (nFloes === this.run.nFloes) return this.floes.rescale();
     this.scene.remove(this.floes.solid, this.floes.lines);
     this.floes.dispose();
     this.floes = new FloeMesh(this.run, this.palette, { floes: this.materials.floes, edges: this.materials.edges });

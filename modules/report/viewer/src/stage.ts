@@ -51,6 +51,12 @@ export class Stage {
     this.legend = next;
   }
 
+  /** Follows a run that has grown. */
+  renew(): void {
+    this.scene?.renew();
+    if (this.scene) this.setColouring(this.scene.floes.colouring);  // its legend has the largest force
+  }
+
   /** Draws into an image. */
   picture(): string {
     this.scene?.drawNow();

@@ -17,7 +17,7 @@ function moments(run: Run, measured: RunData["measured"]): HTMLElement {
   const columns = measured ? [first, ["Fx measured [kN]", measured.statistics] as [string, LoadStatistics], ...rest] : [first, ...rest];
   const anyLower = columns.some(([, s]) => s.lower_end);
   const row = (name: string, value: (s: LoadStatistics) => string) => [name, ...columns.map(([, s]) => value(s))];
-  const interval = ({ mean_95: [low, high] }: LoadStatistics) => (low === null || high === null ? kNoInterval : `${kN(low)} to ${kN(high)}`);
+  const interval = ({ mean_95: [low, high], effective_sample_size }: LoadStatistics) => (low === null || high === null ? noInterval(effective_sample_size) : `${kN(low)} to ${kN(high)}`);
   return table(
     ["", ...columns.map(([name]) => name)],
     [
@@ -41,8 +41,8 @@ function moments(run: Run, measured: RunData["measured"]): HTMLElement {
 /** Of loads whose mean is negative. */
 const kLowerEnd = "A load whose larger end is the lower one has its quantiles, load events and extremes there: 99 % of the time it is above its 99 % quantile. ";
 
-/** Below ten independent samples there is none. */
-const kNoInterval = "too few samples";
+/** Below ten independent samples there is none, nor in a run that is too short or in which no ice broke or bore. */
+const noInterval = (samples: number): string => (samples < 10 ? "too few samples" : "none: see the warnings");
 
 function causes(run: Run): HTMLElement | false {
   const { horizontal: h, vertical: v } = run.data.summary;

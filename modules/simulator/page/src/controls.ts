@@ -2,11 +2,14 @@
 // The few inputs that change a simulation most. They write into the text of the case.
 import { el } from "../../../report/viewer/src/dom";
 import { number } from "../../../report/viewer/src/format";
+import { valueIn } from "./case_text";
 import type { CaseStore } from "./store";
 
 interface Control {
   section: string;
   key: string;
+  /** Section in which a case may write the key instead. */
+  longForm?: string;
   label: string;
   unit: string;
   /** SI of one unit. */
@@ -21,7 +24,7 @@ const kControls: Control[] = [
   { section: "ice", key: "flexural_strength", label: "Flexural strength", unit: "kPa", size: 1e3, least: 50, most: 1500, step: 1 },
   { section: "structure", key: "angle", label: "Angle of the structure", unit: "deg", size: Math.PI / 180, least: 20, most: 85, step: 0.1 },
   { section: "structure", key: "waterline_width", label: "Width at the waterline", unit: "m", size: 1, least: 1, most: 30, step: 0.1 },
-  { section: "structure", key: "speed", label: "Speed", unit: "m/s", size: 1, least: 0.05, most: 4, step: 0.001 },
+  { section: "structure", key: "speed", longForm: "structure.motion", label: "Speed", unit: "m/s", size: 1, least: 0.05, most: 4, step: 0.001 },
   { section: "ice", key: "friction_structure", label: "Friction, ice on structure", unit: "", size: 1, least: 0, most: 1, step: 0.001 },
 ];
 
@@ -37,9 +40,10 @@ function choice(store: CaseStore, section: string, key: string, label: string, n
 }
 
 function slider(store: CaseStore, control: Control): HTMLElement {
-  const { section, key, label, unit, size, least, most, step } = control;
+  const { section, key, longForm, label, unit, size, least, most, step } = control;
   const name = `${label}${unit && ` [${unit}]`}`;
-  const write = (typed: string) => store.setKey(section, key, unit === "" ? typed : JSON.stringify(`${typed} ${unit}`));
+  const place = () => (longForm && valueIn(store.text, longForm, key) !== null ? longForm : section);
+  const write = (typed: string) => store.setKey(place(), key, unit === "" ? typed : JSON.stringify(`${typed} ${unit}`));
   const range = el("input", { type: "range", min: least, max: most, step, "aria-label": name, input: () => {
     field.value = range.value;
     write(range.value);

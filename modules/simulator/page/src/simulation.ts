@@ -30,6 +30,8 @@ export class Simulation {
   private shown: LiveView | null = null;
   private made = "";
   private busy = false;
+  /** The last act met an error: of the case where it cannot be begun, else of the run. */
+  private failed = false;
   private wall = 0;
   private steps = 1;
 
@@ -55,6 +57,7 @@ export class Simulation {
       this.speed = NaN;
       this.done = false;
       this.begin(made);
+      await this.store.check();  // the message of a run that failed goes
     });
   }
 
@@ -101,8 +104,10 @@ export class Simulation {
     this.tell();
     try {
       await act();
+      this.failed = false;
     } catch (error) {
       this.running = false;
+      this.failed = true;
       this.store.fail(error);
     } finally {
       this.busy = false;
@@ -145,7 +150,7 @@ export class Simulation {
     this.play.textContent = this.running ? "Pause" : this.isStale ? "Run anew" : "Run";
     this.play.disabled = (refused && !this.running) || (this.done && !this.isStale);
     this.once.disabled = refused || this.busy || this.done || this.isStale;
-    this.again.disabled = refused || (this.busy && !this.running);
+    this.again.disabled = (refused && !this.failed) || (this.busy && !this.running);
     const run = this.report?.run;
     if (!run) return;
     const pace = Number.isFinite(this.speed) && this.speed > 0 ? ` · ${number(this.speed, 2)} × real time` : "";
