@@ -30,13 +30,26 @@ double share(const ChartAxis& axis, double value) {
   return std::log(value / axis.lower) / std::log(axis.upper / axis.lower);
 }
 
-/// Powers of ten, or two to six round numbers.
+/// Powers of ten, and two and five times them on an axis of less than two.
+std::vector<double> logarithmic_ticks(const ChartAxis& axis) {
+  const double first = std::log10(axis.lower), last = std::log10(axis.upper);
+  std::vector<double> values;
+  for (double power = std::floor(first); power <= last + 1e-9; power += 1.0)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double at = power + std::log10(factor);
+      if (at >= first - 1e-9 && at <= last + 1e-9 && (factor == 1.0 || last - first < 2.0))
+        values.push_back(factor * std::pow(10.0, power));
+    }
+  return values;
+}
+
+/// Two to six round numbers; on a logarithmic axis its own ticks, where it has two at least.
 std::vector<double> ticks(const ChartAxis& axis) {
   std::vector<double> values;
   if (axis.logarithmic) {
-    for (double power = std::ceil(std::log10(axis.lower) - 1e-9); power <= std::log10(axis.upper) + 1e-9; power += 1.0)
-      values.push_back(std::pow(10.0, power));
-    return values;
+    values = logarithmic_ticks(axis);
+    if (values.size() >= 2) return values;
+    values.clear();
   }
   const double span = axis.upper - axis.lower, decade = std::pow(10.0, std::floor(std::log10(span)));
   const double step = decade * (span / decade >= 5.0 ? 2.0 : span / decade >= 2.5 ? 1.0 : 0.5);
@@ -58,6 +71,10 @@ std::string text_at(double x, double y, const std::string& text, const std::stri
 }
 
 }  // namespace
+
+double upper_end(double lower, double highest) {
+  return highest > lower ? highest + 0.05 * (highest - lower) : highest + std::max(1.0, 0.05 * std::abs(highest));
+}
 
 Chart::Chart(double left, double top, double width, double height, std::string title, ChartAxis x, ChartAxis y)
     : left_(left),

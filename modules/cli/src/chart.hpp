@@ -15,6 +15,9 @@ struct ChartAxis {
   bool logarithmic = false;  ///< then lower > 0
 };
 
+/// The upper end of an axis that begins at `lower`: a little above the highest value on it.
+double upper_end(double lower, double highest);
+
 /// Axes with lines on them, as part of an SVG picture. Lengths in pixels, y downwards.
 class Chart {
  public:

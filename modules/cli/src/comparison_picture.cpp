@@ -28,6 +28,10 @@ double smallest_of(const Samples& a, const Samples& b) {
   return std::min(*std::ranges::min_element(a), *std::ranges::min_element(b));
 }
 
+std::string label(const char* name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
 void draw_history(const LoadHistory& load, double origin, const char* colour, Chart& chart) {
   Samples times = load.history.times;
   for (double& time : times) time -= origin;
@@ -38,12 +42,11 @@ std::string histories(const LoadHistory& run, const LoadHistory& measured) {
   const double start_a = run.history.times.front(), start_b = measured.history.times.front();
   const double end = std::max(run.history.times.back() - start_a, measured.history.times.back() - start_b);
   const double low = std::min(0.0, smallest_of(run.history.values, measured.history.values));
-  const double high = 1.05 * largest_of(run.history.values, measured.history.values);
+  const double high = upper_end(low, std::max(0.0, largest_of(run.history.values, measured.history.values)));
   std::string svg;
   const auto panel = [&](const LoadHistory& load, double start, double top, const char* name, const char* colour) {
     Chart chart(75.0, top, 900.0, 110.0, fmt::format("{}: {}", name, load.column),
-                {top > 100.0 ? "time from the start [s]" : "", 0.0, end},
-                {load.unit.empty() ? "load" : fmt::format("load [{}]", load.unit), low, high});
+                {top > 100.0 ? "time from the start [s]" : "", 0.0, end}, {label("load", load.unit), low, high});
     draw_history(load, start, colour, chart);
     svg += chart.svg();
   };
@@ -95,9 +98,9 @@ void draw_exceedance(const LoadHistory& load, const char* colour, Chart& chart) 
 }
 
 std::string distributions(const LoadHistory& run, const LoadHistory& measured) {
-  const double low = smallest_of(run.history.values, measured.history.values);
-  const double high = largest_of(run.history.values, measured.history.values);
-  Chart chart(405.0, 375.0, 235.0, 260.0, "share of time above a load", {"load", std::min(0.0, low), 1.05 * high},
+  const double low = std::min(0.0, smallest_of(run.history.values, measured.history.values));
+  const double high = upper_end(low, std::max(0.0, largest_of(run.history.values, measured.history.values)));
+  Chart chart(405.0, 375.0, 235.0, 260.0, "share of time above a load", {label("load", run.unit), low, high},
               {"share", 1e-4, 1.0, true});
   draw_exceedance(run, kRun, chart);
   draw_exceedance(measured, kMeasured, chart);
@@ -123,7 +126,7 @@ std::string spectra(const LoadHistory& run, const LoadHistory& measured, const o
   Chart chart(730.0, 375.0, 245.0, 260.0, "spectra with 95 % bands",
               {"frequency [Hz]", std::min(a.frequency[1], b.frequency[1]),
                std::max(a.frequency.back(), b.frequency.back()), true},
-              {"density", 1e-7 * high, high, true});
+              {label("density", run.unit.empty() ? "" : fmt::format("({})²/Hz", run.unit)), 1e-7 * high, high, true});
   draw_spectrum(a, kRun, chart);
   draw_spectrum(b, kMeasured, chart);
   return chart.svg();

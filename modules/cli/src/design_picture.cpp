@@ -43,13 +43,20 @@ Levels levels_of(const ExtremeAnalysis& e, double last) {
   return out;
 }
 
+/// Where the curve of a state ends: no level is given beyond what its record can bear.
+double last_hours(const DesignState& state, const DesignSettings& asked) {
+  const double wanted = 1.5 * *std::ranges::max_element(asked.hours);
+  return asked.extremes.extrapolate ? wanted
+                                    : std::min(wanted, kLongestPeriod * state.extremes.values.duration / kHour);
+}
+
 std::string exposure_chart(const Design& design, const DesignSettings& asked) {
-  const double last = 1.5 * *std::ranges::max_element(asked.hours);
   std::vector<Levels> all;
-  double first = last, low = INFINITY, high = 0.0;
+  double first = INFINITY, last = 0.0, low = INFINITY, high = 0.0;
   for (const DesignState& state : design.states) {
-    all.push_back(levels_of(state.extremes, last));
+    all.push_back(levels_of(state.extremes, last_hours(state, asked)));
     if (all.back().hours.empty()) continue;
+    last = std::max(last, all.back().hours.back());
     first = std::min(first, all.back().hours.front());
     low = std::min(low, all.back().lower.front());
     high = std::max(high, 1.3 * all.back().level.back());

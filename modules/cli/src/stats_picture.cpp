@@ -70,14 +70,15 @@ std::string level_chart(const ExtremeAnalysis& analysis, const ExtremeEstimate& 
   }
   double high = e.fit->values.back();
   for (std::size_t i = 0; i < upper.size(); ++i) high = std::max(high, std::isfinite(upper[i]) ? upper[i] : levels[i]);
-  for (double& end : upper) end = std::min(end, 2.0 * high);
   const double low = std::min(e.fit->values.front(), lower.empty() ? e.fit->values.front() : lower.front());
+  const double top_level = upper_end(low, high);
+  for (double& end : upper) end = std::min(end, 2.0 * top_level - low);  // beyond the drawing
   Chart chart(left, top, kChartWidth, kChartHeight, "level once in a return period",
-              {"return period [s]", first, last, true}, {label(unit), low, 1.05 * high});
+              {"return period [s]", first, last, true}, {label(unit), low, top_level});
   chart.band(periods, lower, upper, kLoad);
   chart.line(periods, levels, kLoad, 1.5);
   draw_values(e, chart);
-  if (e.level) chart.line({analysis.return_period, analysis.return_period}, {low, 1.05 * high}, kMark);
+  if (e.level) chart.line({analysis.return_period, analysis.return_period}, {low, top_level}, kMark);
   return chart.svg();
 }
 
@@ -109,10 +110,10 @@ std::string threshold_chart(const ExtremeAnalysis& analysis, const std::string& 
 
 std::string history_chart(const LoadHistory& load, const ExtremeAnalysis& analysis,
                           const std::vector<LoadEvent>& events) {
-  const auto [low, high] = std::ranges::minmax(load.history.values);
+  const auto [smallest, largest] = std::ranges::minmax(load.history.values);
+  const double low = std::min(0.0, smallest), high = upper_end(low, std::max(0.0, largest));
   Chart chart(75.0, 30.0, 900.0, 130.0, fmt::format("{} with {} load events", load.column, events.size()),
-              {"time [s]", load.history.times.front(), load.history.times.back()},
-              {label(load.unit), std::min(0.0, low), 1.05 * high});
+              {"time [s]", load.history.times.front(), load.history.times.back()}, {label(load.unit), low, high});
   chart.history(load.history.times, load.history.values, load.even.cuts, kLoad);
   for (const LoadEvent& event : events) chart.point(event.peak_time, event.peak, kMark, 2.0);
   chart.line({load.history.times.front(), load.history.times.back()}, {analysis.values.mean, analysis.values.mean},

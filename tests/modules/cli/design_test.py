@@ -5,6 +5,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import shutil
 import struct
 import subprocess
@@ -164,6 +165,14 @@ class Design(unittest.TestCase):
         picture = self.folder / "design.svg"
         self.design("--scatter", self.scatter("ice.thickness,hours\n0.3,5\n0.6,1\n"), "--extrapolate", "-o", picture)
         self.assertIn("level of an annual probability", picture.read_text())
+
+    def test_the_picture_has_no_level_that_the_text_refuses(self):
+        picture = self.folder / "refused.svg"
+        self.assertIn("no level: ", self.design("--hours", 1000, "-o", picture))
+        exposures = [float(text) for text in re.findall(r'text-anchor="middle">([0-9.]+)</text>', picture.read_text())]
+        self.assertEqual(max(exposures), 10)  # 30 times the 1200 s of three runs
+        self.design("--hours", 1000, "--extrapolate", "-o", picture)
+        self.assertIn(">1000</text>", picture.read_text())
 
     @unittest.skipUnless(shutil.which("rsvg-convert"), "rsvg-convert is not installed")
     def test_a_picture_may_be_png(self):
