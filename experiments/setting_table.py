@@ -51,7 +51,8 @@ def table(rows, columns):
              "|---" * (len(columns) + 3) + "|"]
     for setting in settings:
         found = [values_of(rows, setting, column) for column in columns]
-        cells = [cell(*study.mean_interval(values)) if len(values) > 1 else cell(values[0], math.nan) for values in found]
+        cells = [cell(*study.mean_interval(values)) if len(values) > 1 else cell(*values, math.nan) if len(values) else "-"
+                 for values in found]
         difference = "" if setting == settings[0] or min(len(base), len(found[0])) < 2 else cell(*welch(found[0], base))
         lines.append("| " + " | ".join([setting, str(len(found[0])), cells[0], difference, *cells[1:]]) + " |")
     return "\n".join(lines)

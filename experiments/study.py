@@ -24,9 +24,14 @@ QUICK_SEEDS = 8  # recorded for the quick mode
 PRESETS = ["paper", "brash"]
 
 
+def program(text):
+    """The path of a program that is named as in a shell."""
+    return Path(shutil.which(text) or text).absolute()
+
+
 def arguments(description, presets=False):
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--brash", type=Path, default=ROOT / "build" / "release" / "bin" / "brash")
+    parser.add_argument("--brash", type=program, default=ROOT / "build" / "release" / "bin" / "brash")
     parser.add_argument("-o", "--output", type=Path, help="folder of the campaign [results/<experiment>]")
     parser.add_argument("--jobs", type=int, help="workers [one a core]")
     parser.add_argument("--quick", action="store_true", help="the plan's small variant, compared with quick.csv")
@@ -174,8 +179,8 @@ def print_table(rows, columns):
         chosen = [row for row in rows if row["setting"] == setting]
         cells = []
         for column in columns:
-            values = [row[column] / unit_of(column) for row in chosen]
-            mean, half = mean_interval(values) if len(values) > 1 else (values[0], math.nan)
+            values = [row[column] / unit_of(column) for row in chosen if row[column] != ""]
+            mean, half = mean_interval(values) if len(values) > 1 else (*values, math.nan, math.nan)[:2]
             cells.append(f"{mean:14.2f} [{mean - half:7.2f}, {mean + half:7.2f}]")
         print(f"{setting:28s}{len(chosen):3d} " + "".join(f"{cell:>34s}" for cell in cells))
 
@@ -189,8 +194,9 @@ QUICK_DEVIATIONS, QUICK_SHARE = 4.0, 0.02
 
 
 def check_quick(rows, recorded):
-    """Lines that name numbers outside four recorded deviations. Empty if there are none."""
-    wrong = []
+    """Lines that name numbers outside four recorded deviations, and settings without any. Empty if there are none."""
+    ran = {row["setting"] for row in rows}
+    wrong = [f"{setting}: did not run" for setting in dict.fromkeys(r["setting"] for r in recorded) if setting not in ran]
     for row in rows:
         known = [r for r in recorded if r["setting"] == row["setting"]]
         if not known:
@@ -218,11 +224,19 @@ def record_quick(brash, folder, output):
     write_rows(folder / "quick.csv", recorded)
 
 
+def quick_campaign(options, folder, output):
+    """Runs the small variant of the plan anew, whatever program ran it before. Its folder: `quick` within the user's."""
+    for name, default in (("preset", "paper"), ("replicates", None), ("plan", "plan.toml"), ("overrides", [])):
+        if getattr(options, name, default) != default:
+            sys.exit(f"--quick: compares the small variant of plan.toml with its record; leave --{name.replace('overrides', 'set')} out")
+    shutil.rmtree(output / "quick", ignore_errors=True)
+    campaign(options.brash, folder / "plan.toml", output / "quick", quick=True, jobs=options.jobs)
+    return output / "quick"
+
+
 def quick(options, folder, output):
     """Runs the small variant of the plan; 0 when it is within the recorded deviations."""
-    shutil.rmtree(output, ignore_errors=True)  # of another program
-    campaign(options.brash, folder / "plan.toml", output, quick=True, jobs=options.jobs)
-    rows = read_rows(output / "campaign.csv")
+    rows = read_rows(quick_campaign(options, folder, output) / "campaign.csv")
     wrong = check_quick(rows, read_rows(folder / "quick.csv"))
     print("\n".join(wrong) or f"{len(rows)} cases within {QUICK_DEVIATIONS:g} recorded deviations")
     return 1 if wrong else 0

@@ -9,7 +9,6 @@ recorded.csv, a row a case, spectra.csv, verdicts.csv and both pictures. --quick
 with quick.csv, and the energy of the lines by mooring.py with the program's.
 """
 import json
-import shutil
 import sys
 import tomllib
 from pathlib import Path
@@ -131,9 +130,7 @@ def spectra_rows(spectra, highest=0.5):
 
 
 def quick(options, output):
-    shutil.rmtree(output, ignore_errors=True)
-    study.campaign(options.brash, HERE / "plan.toml", output, quick=True, jobs=options.jobs)
-    rows, cases, _ = collect(options.brash, output)
+    rows, cases, _ = collect(options.brash, study.quick_campaign(options, HERE, output))
     wrong = study.check_quick(rows, study.read_rows(HERE / "quick.csv"))
     for row, case in zip(rows, cases):
         if not case.energy_error() < ENERGY_SHARE:

@@ -49,6 +49,9 @@ class Prediction:
             raise BadInput(f"{self.path}: {error}; correct the line") from error
         self.name = self.folder.relative_to(HERE).as_posix() if self.folder.is_relative_to(HERE) else self.folder.name
         self.claims = self.table.get("claim", [])
+        for key in ("title", "criterion"):
+            if key not in self.table:
+                self.refuse(key, "is missing", "add it; the other folders have examples")
         self.criterion = self.table["criterion"]
         self.arms = self.table.get("arm", {}) or {"": {}}
         self.unknowns = self.table.get("unknown", [])
@@ -71,6 +74,9 @@ class Prediction:
                 self.refuse(key, "a range without a source is a guess", "write source and why")
             if ("choices" in unknown) == ("low" in unknown):
                 self.refuse(key, "needs a range", "write low and high, or choices")
+            for name in ("low", "high"):
+                if not isinstance(unknown.get(name, 0.0), (int, float)):
+                    self.refuse(f"{key}.{name} = {unknown[name]!r}", "is no number", "write the number, and its unit as `unit`")
             if "low" in unknown and not unknown["low"] < unknown.get("high", -math.inf):
                 self.refuse(f"{key}.low = {unknown['low']}", "is not below high", "swap the two")
         if self.own_runs and not 1 <= self.ensemble["points"] <= self.ensemble["most_points"]:

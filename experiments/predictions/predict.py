@@ -150,7 +150,7 @@ def quick(options):
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--brash", type=Path, default=inputs.ROOT / "build" / "release" / "bin" / "brash")
+    parser.add_argument("--brash", type=study.program, default=inputs.ROOT / "build" / "release" / "bin" / "brash")
     parser.add_argument("-o", "--output", type=Path, help="folder of the campaigns [results/predictions]")
     commands = parser.add_subparsers(required=True)
 

@@ -308,22 +308,38 @@ def outcomes_of(prediction, rows, rows_elsewhere):
     return [tested(rows_elsewhere(claim["from"]) if "from" in claim else rows, claim) for claim in prediction.claims]
 
 
+NOT_RUN = "not run"
+
+
+def fewer_points(prediction, rows, rows_elsewhere):
+    """How many points are there of those that the folder, or the folders that its claims read, promise; "" if all are."""
+    needed = [(prediction, rows)] if prediction.own_runs else [
+        (inputs.Prediction(inputs.HERE / claim["from"]), rows_elsewhere(claim["from"])) for claim in prediction.claims]
+    if not all(found for _, found in needed):
+        return NOT_RUN
+    few = [f"{points_run(found)} of {of.ensemble['points']} points" + ("" if of is prediction else f" of {of.name}")
+           for of, found in needed if points_run(found) < of.ensemble["points"]]
+    return ", ".join(few)
+
+
 def verdict(prediction, rows, measured, rows_elsewhere):
     """The whole text of a folder."""
     if prediction.own_runs and not rows:
         return f"## {prediction.table['title']}\n\nNot run yet. The inputs are committed.\n"
     lines = heading(prediction, rows) if prediction.own_runs else [f"## {prediction.table['title']}", ""]
-    promised = not prediction.own_runs or points_run(rows) >= prediction.ensemble["points"]
+    fewer = fewer_points(prediction, rows, rows_elsewhere)
     kind = prediction.criterion["kind"]
-    if promised and kind == "upper-bound":
+    if fewer and not prediction.own_runs:
+        lines += [f"No verdict: {fewer}.", ""]
+    if not fewer and kind == "upper-bound":
         lines += bound_lines(prediction, rows)
     if kind == "exponents":
-        lines += exponent_lines(prediction, rows, promised)
-    if promised and kind == "claims":
+        lines += exponent_lines(prediction, rows, not fewer)
+    if not fewer and kind == "claims":
         outcomes = outcomes_of(prediction, rows, rows_elsewhere)
         (word, p), = judged({prediction.name: outcomes}).values()
         lines += [f"**{word}**, p = {p:.2g}, alone.", "", *claim_lines(outcomes)]
-    if promised and kind == "series":
+    if not fewer and kind == "series":
         for statistic in prediction.criterion["statistics"]:
             lines += series_lines(prediction, rows, measured, statistic)
         if not measured:
@@ -338,11 +354,11 @@ def signs(predictions, rows_elsewhere, family, preset):
     found, fewer, lines = {}, {}, []
     for name, prediction in predictions.items():
         rows = rows_elsewhere(f"m6/{name}") if prediction.own_runs else []
-        needed = [rows] if prediction.own_runs else [rows_elsewhere(claim["from"]) for claim in prediction.claims]
-        if rows and points_run(rows) < prediction.ensemble["points"]:
-            fewer[name] = f"{points_run(rows)} of {prediction.ensemble['points']} points"
-        elif all(needed):
+        too_few = fewer_points(prediction, rows, rows_elsewhere)
+        if not too_few:
             found[name] = outcomes_of(prediction, rows, rows_elsewhere)
+        elif too_few != NOT_RUN:
+            fewer[name] = too_few
     verdicts = judged(found, family) if found else {}
     table = ["| sign | statement | verdict | p, Holm | picture |", "|---|---|---|---|---|"]
     for name, prediction in predictions.items():

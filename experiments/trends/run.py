@@ -245,7 +245,7 @@ def table(brash):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--brash", type=Path, default=study.ROOT / "build" / "release" / "bin" / "brash")
+    parser.add_argument("--brash", type=study.program, default=study.ROOT / "build" / "release" / "bin" / "brash")
     parser.add_argument("--record", action="store_true", help="also rewrite trends.md")
     parser.add_argument("--check", action="store_true", help="fail when trends.md is not what the recorded numbers say")
     options = parser.parse_args()

@@ -346,6 +346,17 @@ class Texts(unittest.TestCase):
         self.assertRegex(text, r"\| S2 \|.*\| \*\*4 of 16 points\*\* \| - \| - \|")
         self.assertEqual(list(found), [])
 
+    def test_a_sign_that_reads_other_folders_needs_their_points(self):
+        prediction = predict.prediction_of("m6/s10")
+        few = lambda _: [{"arm": "", "point": i, "breaking_length_over_lc": 1.0} for i in range(4)]
+        text = tables.verdict(prediction, [], [], few)
+        self.assertIn("No verdict: 4 of 16 points of m6/s5, 4 of ", text)
+        self.assertNotIn("**", text)
+        text, found = tables.signs({"s10": prediction}, few, 10, "paper")
+        self.assertRegex(text, r"\| S10 \|.*\| \*\*4 of 16 points of m6/s5, .*\*\* \| - \| - \|")
+        self.assertEqual(found, {})
+        self.assertIn("No verdict: not run.", tables.verdict(prediction, [], [], lambda _: []))
+
     def test_fewer_points_than_promised_may_be_run(self):
         prediction = predict.prediction_of("m6/s2")
         with tempfile.TemporaryDirectory() as folder:

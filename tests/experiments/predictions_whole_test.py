@@ -58,6 +58,8 @@ class Inputs(unittest.TestCase):
         text = (PREDICTIONS / "m3" / "prediction.toml").read_text(encoding="utf-8")
         for old, new, message in ((text.split('source = "', 2)[1].split('"')[0], "", "source and why"),
                                   ("low = 0.9\nhigh = 1.1", "low = 1.9\nhigh = 1.1", "swap the two"),
+                                  ("low = 0.9\nhigh = 1.1", "low = \"90 cm\"\nhigh = 1.1", "is no number"),
+                                  ("[criterion]", "[criterium]", "criterion: is missing"),
                                   ("[ensemble]", "[ensembel]", "is not a known key")):
             with tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "prediction.toml").write_text(text.replace(old, new, 1), encoding="utf-8")
