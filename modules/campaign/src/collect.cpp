@@ -135,6 +135,7 @@ Json statistic(const std::vector<double>& values) {
 const char* stopped_by(const io::CampaignPlan& plan, std::size_t setting, const Schedule& schedule) {
   if (schedule.is_missing_cases(setting)) return "missing";
   if (!plan.stop) return "replicates";
+  if (!schedule.has_statistic(setting)) return "no_statistic";
   return schedule.is_narrow_enough(setting) ? "half_width" : "most_replicates";
 }
 

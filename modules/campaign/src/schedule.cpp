@@ -53,6 +53,10 @@ bool Schedule::is_narrow_enough(std::size_t setting) const {
   return plan_.stop && is_narrow(*plan_.stop, values);
 }
 
+bool Schedule::has_statistic(std::size_t setting) const {
+  return std::ranges::any_of(settings_[setting], [](const Replicate& r) { return r.value.has_value(); });
+}
+
 bool Schedule::is_missing_cases(std::size_t setting) const {
   return std::ranges::any_of(settings_[setting], [](const Replicate& r) { return r.state == CaseState::kMissing; });
 }
@@ -60,7 +64,7 @@ bool Schedule::is_missing_cases(std::size_t setting) const {
 void Schedule::extend(std::size_t setting) {
   if (!plan_.stop) return;
   // The replicates that a stopped campaign left behind may fulfil several batches at once.
-  while (!is_missing_cases(setting) && !is_narrow_enough(setting)) {
+  while (!is_missing_cases(setting) && !is_narrow_enough(setting) && has_statistic(setting)) {
     const int left = plan_.stop->most_replicates - static_cast<int>(settings_[setting].size());
     if (left <= 0) return;
     add_replicates(setting, std::min(left, plan_.stop->batch));

@@ -29,6 +29,8 @@ class Schedule {
   std::vector<std::pair<CaseKey, CaseState>> cases() const;
   /// Whether a case of `setting` is neither done nor failed.
   bool is_missing_cases(std::size_t setting) const;
+  /// Whether a case of `setting` has the number of the stop rule's statistic.
+  bool has_statistic(std::size_t setting) const;
   /// Whether the stop rule holds for the replicates of `setting`.
   bool is_narrow_enough(std::size_t setting) const;
 

@@ -179,9 +179,16 @@ SlurmJobs submit(const std::vector<Job>& jobs, const SlurmOptions& options) {
   submitted.array =
       sbatch(options, {fmt::format("--array=0-{}", n_tasks - 1), output_option(options.folder, "%A_%a.txt")},
              {options.program, "campaign-chunk", list_file});
-  submitted.collector =
-      sbatch(options, {"--dependency=afterany:" + submitted.array, output_option(options.folder, "%j.txt")},
-             options.collector);
+  try {
+    submitted.collector =
+        sbatch(options, {"--dependency=afterany:" + submitted.array, output_option(options.folder, "%j.txt")},
+               options.collector);
+  } catch (const std::exception& error) {
+    // Nobody would collect what it computes, and a next call would submit it again.
+    const bool cancelled = ask_slurm({"scancel", submitted.array}).code == 0;
+    throw RunError(fmt::format("{}\n  the array {} {}", error.what(), submitted.array,
+                               cancelled ? "was cancelled" : "is still in the queue: `scancel` it"));
+  }
   rounds.push_back(
       {{"array", submitted.array}, {"collector", submitted.collector}, {"n_jobs", jobs.size()}, {"idle_rounds", idle}});
   write_file(options.folder + "/submitted.json", rounds.dump(2) + "\n");

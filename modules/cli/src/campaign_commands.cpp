@@ -2,6 +2,7 @@
 #include "campaign_commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -196,6 +198,20 @@ Counts run_under_slurm(campaign::Campaign& campaign, const CampaignOptions& opti
   return options.wait ? wait_for_slurm(campaign) : counts;
 }
 
+/// Says when more than one program made the cases, as after an upgrade between two calls.
+void say_programs(const std::string& manifest_file) {
+  const auto manifest =
+      nlohmann::json::parse(read_json_text(manifest_file, "the manifest of a campaign"), nullptr, false);
+  std::map<std::string, int> cases;  // of each program
+  for (const auto& maker : manifest.value("cases_made_by", nlohmann::json::array()))
+    cases[maker.at("program").dump()] += maker.at("n_cases").get<int>();
+  if (cases.size() < 2) return;
+  std::vector<int> numbers;
+  for (const auto& [program, n] : cases) numbers.push_back(n);
+  say("warning: {} programs made the cases ({}), and their results may differ: {} names them under cases_made_by\n",
+      cases.size(), fmt::join(numbers, " and "), manifest_file);
+}
+
 /// Prints the tables of a campaign and makes its page.
 void show_results(const campaign::Campaign& campaign, const CampaignOptions& options, const Counts& counts) {
   if (!options.json) print("{}\n", means_table(campaign.directory + "/summary.json"));
@@ -206,6 +222,7 @@ void show_results(const campaign::Campaign& campaign, const CampaignOptions& opt
   if (const int n = campaign::count_beyond(campaign.plan, campaign.directory); n > 0)
     say("warning: {}/cases has {} done cases that the plan does not have now: no table counts them\n",
         options.directory, n);
+  say_programs(campaign.directory + "/manifest.json");
   if (counts.n_failed > 0)
     throw RunError(fmt::format("{} cases failed; {}/cases/*.failed say why", counts.n_failed, options.directory));
 }

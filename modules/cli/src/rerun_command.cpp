@@ -243,17 +243,21 @@ bool rerun_run(const RerunOptions& options) {
 }
 
 /// The file of a setting in the folder of a campaign; empty: there is none. All have the name of the base case before
-/// the setting's, so that the shortest of the names that fit is the setting's own.
+/// the setting's, so that the shortest of the names that fit is the setting's own. A campaign without a grid has one file
+/// with the name of the case alone, and its setting is called base.
 fs::path setting_file(const fs::path& campaign, const std::string& setting) {
   const std::string end = "_" + setting + ".toml";
-  fs::path found;
+  fs::path found, shortest;
+  const auto take = [](fs::path& best, const fs::path& path) {
+    if (best.empty() || path.filename().string().size() < best.filename().string().size()) best = path;
+  };
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(campaign / "settings", missing)) {
     const std::string name = entry.path().filename().string();
-    const bool fits = name.ends_with(end) || (setting == "base" && name.ends_with(".toml"));
-    if (fits && (found.empty() || name.size() < found.filename().string().size())) found = entry.path();
+    if (name.ends_with(end)) take(found, entry.path());
+    if (name.ends_with(".toml")) take(shortest, entry.path());
   }
-  return found;
+  return found.empty() && setting == "base" ? shortest : found;
 }
 
 /// The first line of each of two texts in which they differ.

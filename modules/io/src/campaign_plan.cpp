@@ -57,9 +57,10 @@ SettingValue value_of(const std::vector<Row>& rows) {
 }
 
 SettingValue value_in(const model::Case& resolved, const std::string& name) {
+  const std::string known = name == model::kLongSpeed ? model::kSpeed : name;
   SettingValue found;
   model::visit_keys(resolved, [&](const std::string& section, const std::string& key, const auto& value) {
-    if (section + "." + key == name) found = value_of(value);
+    if (section + "." + key == known) found = value_of(value);
   });
   return found;
 }
@@ -113,6 +114,10 @@ class PlanReader {
     plan_.keep = document.at("output").at("keep").get<std::string>();
     plan_.columns = document.at("output").value("columns", options_.default_columns);
     for (const std::string& column : plan_.columns) check_column("output", "columns", column);
+    for (auto at = plan_.columns.begin(); at != plan_.columns.end(); ++at)
+      if (std::find(plan_.columns.begin(), at, *at) != at)
+        report(place_of(source_, "output", "columns"), "output.columns", toml_string(*at), "is named twice",
+               "each column once", "", "name it once");
     if (!source_.tree.contains("stop")) return;
     const Json& stop = document.at("stop");
     const StopRule rule{stop.at("statistic"), stop.at("half_width"), stop.at("confidence"), stop.at("most_replicates"),

@@ -11,6 +11,7 @@
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
+#include "brash/model/case_keys.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/structure/hull.hpp"
 #include "convert.hpp"
@@ -80,7 +81,8 @@ py::object value_of(const Case& c, const std::string& name) {
   if (name == "structure.motion.kind")
     return py::str(std::string(model::name_of(model::kind_of(c.resolved.structure.motion))));
   py::object found = to_dict(c);
-  for (const py::handle part : py::str(name).attr("split")(".")) {
+  const std::string known = name == model::kLongSpeed ? model::kSpeed : name;
+  for (const py::handle part : py::str(known).attr("split")(".")) {
     if (!py::isinstance<py::dict>(found) || !found.contains(part)) throw py::key_error(name);
     found = found[part];
   }
@@ -157,9 +159,9 @@ void add_case(py::module_& m) {
             return read(text, name, false, changed({}, changes));
           },
           py::arg("text"), py::arg("name") = "case", py::arg("changes") = py::dict(),
-          "Reads the text of a case file (TOML); `name` stands for the file in messages. Names of files in the text "
-          "are "
-          "relative to the current folder, also when the case is changed.")
+          "Reads the text of a case file (TOML). `name` stands for the file's name: in messages, and in the key of the "
+          "random numbers. Names of files in the text are relative to the current folder, also when the case is "
+          "changed.")
       .def("update", &update, py::arg("changes"), "Changes several keys at once; on InputError nothing is changed.")
       .def("__setitem__",
            [](Case& c, const std::string& key, const py::object& value) {

@@ -198,6 +198,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
   if (resume && output.is_none()) throw InputError("resume: name the folder of the interrupted run as output");
   const std::string directory =
       output.is_none() ? "" : py::module_::import("os").attr("fspath")(output).cast<std::string>();
+  if (directory.empty() && !output.is_none()) throw InputError("output: is an empty name; name a folder, or give None");
   const recording::Inputs inputs = inputs_of(c);
   const std::string checkpoint = directory + "/checkpoint.nc";
   bool goes_on = false;

@@ -170,7 +170,11 @@ class Driven final : public Motion {
     if (!(std::abs(size - 1.0) < kUnit))
       throw InputError("a rotation that drives the structure is no unit quaternion: its norm is " +
                        std::to_string(size));
-    way_ = {goal.pose.position - now_.pose.position, turn_between(now_.pose.rotation, q)};
+    const Twist way{goal.pose.position - now_.pose.position, turn_between(now_.pose.rotation, q)};
+    if (norm(way.linear) > kFastest * time_step_)
+      throw InputError("a pose that drives the structure lies " + std::to_string(norm(way.linear)) +
+                       " m away after a step: more than 50 m/s; give metres, and the pose at the end of the step");
+    way_ = way;
     now_.twist = goal.twist;
   }
   void bear(const Wrench& /*load*/) override { go_on(); }
@@ -195,6 +199,7 @@ class Driven final : public Motion {
 
   /// A quaternion that is farther than this from a unit one is a mistake; nearer ones are rounded [-].
   static constexpr double kUnit = 1e-6;
+  static constexpr double kFastest = 50.0;  // m/s, as the most of structure.speed
 
   double time_step_;  ///< [s]
   Twist way_{};       ///< of the coming step [m], [rad]

@@ -100,6 +100,17 @@ BOOST_AUTO_TEST_CASE(replicates_come_in_batches_up_to_the_most) {
   BOOST_TEST(!schedule.is_narrow_enough(0));
 }
 
+BOOST_AUTO_TEST_CASE(a_rule_about_a_number_that_no_case_has_adds_none) {
+  io::CampaignPlan plan = plan_with_rule(1, 0.1);
+  plan.stop->statistic = "y";
+  const Scratch scratch;
+  const Folder folder(plan, scratch.folder().string());
+  Schedule schedule(plan, folder);
+  run(schedule, folder, 2, 1);
+  BOOST_TEST(schedule.counts().n_cases == 3);
+  BOOST_TEST(!schedule.has_statistic(0));
+}
+
 BOOST_AUTO_TEST_CASE(failed_replicates_count_as_there_and_not_in_the_mean) {
   const io::CampaignPlan plan = plan_with_rule(1, 10.0);
   const Scratch scratch;

@@ -72,6 +72,20 @@ class Rounds(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("3 rounds under Slurm", done.stderr)
 
+    def test_an_array_without_a_collector_is_cancelled(self):
+        sbatch = self.path / "bin/sbatch"
+        sbatch.write_text("#!/bin/sh\ncase \"$*\" in *--dependency*) echo no more jobs >&2; exit 1;; esac\necho 101\n")
+        scancel = self.path / "bin/scancel"
+        scancel.write_text(f"#!/bin/sh\necho $1 > {self.path / 'cancelled'}\n")
+        scancel.chmod(0o755)
+        done = self.campaign(PLAN, "--on", "slurm")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("the array 101 was cancelled", done.stderr)
+        self.assertEqual((self.path / "cancelled").read_text(), "101\n")
+        scancel.write_text("#!/bin/sh\nexit 1\n")
+        self.assertIn("the array 101 is still in the queue: `scancel` it",
+                      self.campaign(PLAN, "--on", "slurm", "--resume").stderr)
+
     def test_a_submission_answers_in_json_where_it_is_asked_to(self):
         done = self.campaign(PLAN, "--quick", "--on", "slurm", "--json")
         self.assertEqual(done.returncode, 0, done.stderr)

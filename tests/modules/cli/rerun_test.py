@@ -117,6 +117,15 @@ class Rerun(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("2 of 2 cases identical", done.stdout)
 
+    def test_a_campaign_with_a_setting_called_base_is_repeated(self):
+        plan = self.path / "plan.toml"
+        plan.write_text('[campaign]\ncase = "mine.toml"\n[set]\ntime.duration = 0.1\nfailure.model = "wedge"\n'
+                        '[[grid]]\nlabels = ["base", "mu"]\nice.friction_ice = [0.3, 0.1]\n')
+        self.assertEqual(brash("campaign", plan, "-o", self.path / "c").returncode, 0)
+        done = brash("rerun", self.path / "c/manifest.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 of 2 cases identical", done.stdout)
+
     def test_a_run_resumes_with_its_own_model_only(self):
         model = self.path / "mine.json"
         shutil.copy(MODELS / "cone_network.json", model)

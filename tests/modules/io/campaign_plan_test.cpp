@@ -86,6 +86,13 @@ BOOST_AUTO_TEST_CASE(the_settings_are_all_combinations_the_last_axis_fastest) {
   BOOST_TEST(setting.values[2].text == "8");
 }
 
+BOOST_AUTO_TEST_CASE(a_speed_by_its_long_name_has_its_value) {
+  const CampaignPlan plan = read(kBase + "[[grid]]\nstructure.motion.speed = [0.5, \"2 m/s\"]\n");
+  BOOST_TEST(plan.keys.at(0).name == "structure.motion.speed");
+  BOOST_TEST(*plan.settings.at(0).values.at(0).number == 0.5);
+  BOOST_TEST(*plan.settings.at(1).values.at(0).number == 2.0);
+}
+
 BOOST_AUTO_TEST_CASE(the_base_case_may_stand_in_the_plan) {
   std::string inside;
   for (std::string rest = kLeastCase; !rest.empty();) {
@@ -222,6 +229,8 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_place_value_what_is_allowed_and_the_r
   check_has(message_of(kBase, {"random.replicate=3"}), {"random.replicate: is counted by the campaign"});
   check_has(message_of(kBase + "[output]\ncolumns = [\"horizontal.men\"]\n"),
             {"output.columns = \"horizontal.men\": is not a column", "nearest: horizontal.mean"});
+  check_has(message_of(kBase + "[output]\ncolumns = [\"n_breaks\", \"n_breaks\"]\n"),
+            {"output.columns = \"n_breaks\": is named twice"});
   check_has(
       message_of(kBase + "[stop]\nhalf_width = 0.1\nmost_replicates = 9\n"),
       {"campaign.replicates = 1: is no least number of replicates for [stop]", "from 2 to stop.most_replicates = 9"});

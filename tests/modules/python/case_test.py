@@ -40,6 +40,10 @@ class Cases(unittest.TestCase):
         with self.assertRaises(KeyError):
             self.case["structure.motion.mass"]
 
+    def test_the_speed_is_read_by_both_of_its_names(self):
+        case = brash.Case.from_file(CONE)
+        self.assertEqual(case["structure.motion.speed"], case["structure.speed"])
+
     def test_a_key_is_set_with_a_unit_or_as_a_number(self):
         self.case["ice.thickness"] = "40 cm"
         self.assertEqual(self.case["ice.thickness"], 0.4)

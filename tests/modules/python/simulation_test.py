@@ -52,7 +52,7 @@ class Steps(unittest.TestCase):
         simulation.step(pose=([-6.98, 0, 0], [1, 0, 0, 0]), twist=still)
         np.testing.assert_allclose(place(), [-6.98, 0, 0, 1, 0, 0, 0], atol=1e-14)
         for wrong in ({"n": 2, "pose": ([0, 0, 0], [1, 0, 0, 0])}, {"pose": [0, 0, 0]}, {"twist": ([0, 0], [0, 0, 0])},
-                      {"pose": ([0, 0, 0], [0, 0, 0, 0])}, {"twist": ([np.nan, 0, 0], [0, 0, 0])}):
+                      {"pose": ([0, 0, 0], [0, 0, 0, 0])}, {"pose": ([-6.0, 0, 0], [1, 0, 0, 0])}, {"twist": ([np.nan, 0, 0], [0, 0, 0])}):
             with self.assertRaises(brash.InputError):
                 simulation.step(**wrong)
         with self.assertRaises(brash.InputError):
@@ -231,6 +231,8 @@ class Runs(unittest.TestCase):
         case = brash.Case.from_file(CONE, {"time.duration": 0.1})
         with self.assertRaises(brash.InputError):
             case.run(resume=True)
+        with self.assertRaisesRegex(brash.InputError, "output: is an empty name"):
+            case.run("")
         blocked = self.path / "blocked"
         blocked.write_text("a file")
         with self.assertRaisesRegex(brash.InputError, "blocked"):

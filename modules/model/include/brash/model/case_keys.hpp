@@ -116,6 +116,10 @@ inline bool has_path(const StructureSection& structure) {
   return towed != nullptr && !towed->path.empty();
 }
 
+/// The speed of a structure has two names in case files; cases are written with the short one.
+inline constexpr const char* kSpeed = "structure.speed";
+inline constexpr const char* kLongSpeed = "structure.motion.speed";
+
 /// Calls `visit(section, key, value)` for every key of a case: the one list that joins names in files to members. The
 /// keys of an alternative come after its name.
 template <typename AnyCase, typename Visitor>
