@@ -7,7 +7,7 @@ class App;
 
 namespace brash::cli {
 
-/// As those of commands.hpp.
+/// As in commands.hpp.
 void add_new_command(CLI::App& app);
 
 }  // namespace brash::cli

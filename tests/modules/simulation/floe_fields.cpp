@@ -35,9 +35,8 @@ model::Case field_case(const std::vector<std::string>& more = {}) {
   return io::read_case(BRASH_SOURCE_DIR "/experiments/fields/cone.toml", overrides);
 }
 
-/// A square floe of side `l` that a wind U and a current along it drive: where water and wind balance,
-/// floe-fields.md, (F9). Besides
-/// friction on the bottom and two sides there is form drag on one end.
+/// A square floe of side `l` that a wind U and a current along it drive: where water and wind balance, floe-fields.md,
+/// (F9). Besides friction on the bottom and two sides there is form drag on one end.
 double free_drift(const model::Case& c, double l, double wind, double current) {
   const double draught = c.ice.thickness * c.ice.density / c.water.density;
   const model::HydrodynamicsSection& h = c.hydrodynamics;

@@ -17,9 +17,8 @@ namespace brash::geometry {
 /// POLYGON for one polygon, else MULTIPOLYGON, in metres. from_wkt() with the same origin gives back the same grid
 /// points in the same order.
 ///
-/// @param origin  where the grid has its zero in the coordinates of the text; numbers have 17 significant digits
-/// without
-///                one, else the fewest decimals that read to the same grid point.
+/// @param origin  where the grid has its zero in the coordinates of the text. Without one, numbers have 17 significant
+///                digits, else the fewest decimals that read to the same grid point.
 std::string to_wkt(std::span<const Polygon> polygons, const Origin& origin = {});
 
 /// Reads POLYGON and MULTIPOLYGON geometries, one or several after one another; lower case and EMPTY too.

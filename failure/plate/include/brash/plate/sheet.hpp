@@ -97,9 +97,8 @@ class SheetSolution {
 
   /// The fields at even distances along a line. It ends where the line leaves the ice, or after `length`.
   ///
-  /// @param from        in the ice, or off it by at most 0.05, because the edge is simplified [l_c]; the stations
-  /// before
-  ///                    the ice have the state of its edge.
+  /// @param from        in the ice, or off it by at most 0.05, because the edge is simplified [l_c]; the
+  ///                    stations before the ice have the state of its edge.
   /// @param direction   of any length > 0.
   /// @param length      over l_c, > 0.
   /// @param n_stations  at least 2.

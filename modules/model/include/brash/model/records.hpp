@@ -128,7 +128,9 @@ struct LoadRow {
   double work = 0.0;              ///< done by the structure on the ice since the start [J]
   /// Energy of floes at their birth, and their gain in their first step that no load explains, since the start [J].
   double birth_energy = 0.0;
-  double removed_energy = 0.0;  ///< kinetic and potential energy of deleted floes since the start [J]
+  /// Energy since the start of ice that was deleted, became brash, fell asleep or left a sheet, and of the added mass
+  /// that pieces have less than their floe [J].
+  double removed_energy = 0.0;
   EnergyLosses losses;
   /// Residual of the balance: errors of the integration in time since the start; positive where energy vanished [J].
   double energy_error = 0.0;

@@ -44,9 +44,8 @@ struct RunSource {
 /// network.
 ///
 /// @return the path of the report.
-/// @throws InputError naming the file that is missing or unreadable. @throws RunError without a page, or when the
-/// report
-///         cannot be written.
+/// @throws InputError naming the file that is missing or unreadable.
+/// @throws RunError without a page, or when the report cannot be written.
 std::string write_run_report(const RunSource& run);
 
 /// Writes the page of a run with another beside it, under one slider, as `path`. Errors as of write_run_report().
