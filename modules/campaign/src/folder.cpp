@@ -151,7 +151,8 @@ void Folder::prepare(bool resume) {
                                  cases.string(), reason.message()));
   if (!resume && !fs::is_empty(cases))
     throw InputError(
-        fmt::format("{}: holds the cases of a campaign already\n  remedy:  `--resume` goes on with them; or "
+        fmt::format("{}: holds the cases of a campaign already\n  remedy:  `--resume`, in Python resume=True, goes on "
+                    "with them; or "
                     "give another folder",
                     directory_));
   refuse_other_keep();

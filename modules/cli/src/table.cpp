@@ -38,7 +38,8 @@ std::string loads(const simulation::RunSummary& s) {
   text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
   text += load_row(s, "horizontal", s.horizontal, s.horizontal_split);
   text += load_row(s, "vertical", s.vertical, s.vertical_split);
-  if (!s.horizontal.long_enough) text += fmt::format("  note: the history is {}\n", kTooShort);
+  if (!s.horizontal.long_enough && simulation::bears_interval(s, s.horizontal))
+    text += fmt::format("  note: the history is {}\n", kTooShort);
   return text + whole;
 }
 
@@ -73,8 +74,9 @@ std::string quantile_row(const char* name, const std::vector<double>& q) {
 
 std::string ice(const simulation::RunSummary& s) {
   std::string text = "ice\n";
-  const std::string rate =
-      std::isnan(s.breaking_frequency) ? "" : fmt::format(" ({:.2f} a second)", s.breaking_frequency);
+  const std::string rate = std::isnan(s.breaking_frequency) ? ""
+                                                            : fmt::format(" ({:.2f} a second from {:.2f} s on)",
+                                                                          s.breaking_frequency, s.statistics_from);
   text += fmt::format("  {} breaks{}, {} floes born, {} present, {} crushed, {} broken again", s.n_breaks, rate,
                       s.n_floes_born, s.n_floes_present, s.n_floes_crushed, s.n_floes_broken);
   text += s.fastest_floe ? fmt::format("; fastest floe {:.2f} m/s\n", *s.fastest_floe) : "\n";

@@ -80,7 +80,11 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
   const std::string word = first_unknown(unknown);
   const std::string shown = printable(word);
   if (word.starts_with('-')) {
-    const std::string nearest = nearest_option(word.substr(0, word.find('=')), options_of(*command.app));
+    const std::vector<std::string> options = options_of(*command.app);
+    // Only `run` has a short form of it.
+    if (word.starts_with("--seed") && std::ranges::find(options, "--set") != options.end())
+      return message(command, fmt::format("{} is no option", shown), "--set", "write --set random.seed=N");
+    const std::string nearest = nearest_option(word.substr(0, word.find('=')), options);
     return message(command, fmt::format("{} is no option", shown), nearest,
                    nearest.empty() ? fmt::format("`{} --help` lists the options", command.name)
                                    : fmt::format("write {}", nearest));
