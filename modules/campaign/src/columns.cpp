@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -86,15 +87,22 @@ const std::vector<std::string>& known_columns() {
 
 std::string unit_of(const std::string& column) {
   // The first that fits: numbers of a load without the unit of a load come before the loads.
-  constexpr std::pair<std::string_view, const char*> kUnits[] = {
-      {".skewness", "1"},        {".effective_sample_size", "1"},
-      {".long_enough", "1"},     {"_time", "s"},
-      {"statistics_from", "s"},  {"breaking_frequency", "s-1"},
-      {"breaking_length", "m"},  {"size_quantiles", "m"},
-      {"piece_area", "m2"},      {"energy.", "J"},
-      {"fastest_floe", "m s-1"}, {"contact_iterations.", "m s-1"},
-      {"horizontal", "N"},       {"vertical", "N"},
-      {"mean_by_region.", "N"}};
+  using Unit = std::pair<std::string_view, const char*>;
+  constexpr auto kUnits = std::to_array<Unit>({{".skewness", "1"},
+                                               {".effective_sample_size", "1"},
+                                               {".long_enough", "1"},
+                                               {"_time", "s"},
+                                               {"statistics_from", "s"},
+                                               {"breaking_frequency", "s-1"},
+                                               {"breaking_length", "m"},
+                                               {"size_quantiles", "m"},
+                                               {"piece_area", "m2"},
+                                               {"energy.", "J"},
+                                               {"fastest_floe", "m s-1"},
+                                               {"contact_iterations.", "m s-1"},
+                                               {"horizontal", "N"},
+                                               {"vertical", "N"},
+                                               {"mean_by_region.", "N"}});
   for (const auto& [part, unit] : kUnits)
     if (column.find(part) != std::string::npos) return unit;
   return "1";
