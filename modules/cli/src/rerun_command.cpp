@@ -243,8 +243,8 @@ bool rerun_run(const RerunOptions& options) {
 }
 
 /// The file of a setting in the folder of a campaign; empty: there is none. All have the name of the base case before
-/// the setting's, so that the shortest of the names that fit is the setting's own. A campaign without a grid has one file
-/// with the name of the case alone, and its setting is called base.
+/// the setting's, so that the shortest of the names that fit is the setting's own. A campaign without a grid has one
+/// file with the name of the case alone, and its setting is called base.
 fs::path setting_file(const fs::path& campaign, const std::string& setting) {
   const std::string end = "_" + setting + ".toml";
   fs::path found, shortest;
