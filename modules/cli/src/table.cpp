@@ -110,8 +110,7 @@ std::string energy(const simulation::EnergyBalance& e) {
   std::string text = fmt::format(
       "energy [kJ]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} "
       "crushing the\n    sheet's edge + {:.1f} bending it + contacts and water below + {:.1f} with ice that was "
-      "deleted, "
-      "broke or\n    fell asleep; error {:.2f} ({:.3f} %), births {:.2g}\n",
+      "deleted, broke or\n    fell asleep; error {:.2f} ({:.3f} %), births {:.2g}\n",
       e.work / kKilo, e.kinetic_energy / kKilo, e.potential_energy / kKilo, l.edge / kKilo, l.bending / kKilo,
       e.removed_energy / kKilo, e.error / kKilo, share, e.birth_energy / kKilo);
   text += "  floes against          structure     sheet     floes     water\n";
