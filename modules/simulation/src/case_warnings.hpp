@@ -15,7 +15,8 @@ using Warnings = std::vector<model::Warning>;
 /// The body of a structure afloat; null for any other.
 const model::FloatingBody* afloat(const model::Motion& motion);
 
-/// Properties outside the measured ranges of ice, with the unit that was probably meant; of the floes of a file too.
+/// Properties outside the measured ranges of ice, with the unit that was probably meant, of the floes of a file too;
+/// strengths that may be swapped, ice that hardly floats, and a current faster than any among ice.
 void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
 
 /// Files of openings, cracks and land that lie off the ice.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs outside the measured ranges of ice: most often a wrong unit.
+// Ice and water outside their measured ranges: most often a wrong unit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,6 +132,25 @@ void add_floe_ice_warnings(const model::Case& c, Warnings& warnings) {
 /// The share of the thickness above water below which a percent of error in a density is half of the freeboard [-].
 constexpr double kLeastFreeboard = 0.02;
 
+/// Ice bears less in bending than in compression: its tensile side fails first.
+void add_order_warning(const model::IceSection& ice, Warnings& warnings) {
+  if (ice.compressive_strength >= ice.flexural_strength) return;
+  warnings.push_back(
+      {"strengths", fmt::format("ice.compressive_strength = {} is less than ice.flexural_strength = {}, "
+                                "where measured ice bears more in compression: were they swapped?",
+                                in_words(ice.compressive_strength, "Pa"), in_words(ice.flexural_strength, "Pa"))});
+}
+
+/// Tidal currents among ice reach 8 knots in Cook Inlet (Mulherin and others 2001, ERDC/CRREL TR-01-10) [m/s].
+constexpr double kFastestCurrent = 5.0;
+
+void add_current_warning(Vec2 current, Warnings& warnings) {
+  if (norm(current) <= kFastestCurrent) return;
+  warnings.push_back({"fast-current", fmt::format("water.current = [{}, {}] m/s is faster than any that ice is known "
+                                                  "in, some 4 m/s in Cook Inlet: check its unit",
+                                                  current.x, current.y)});
+}
+
 }  // namespace
 
 void add_ice_warnings(const model::Case& c, Warnings& warnings) {
@@ -140,7 +159,9 @@ void add_ice_warnings(const model::Case& c, Warnings& warnings) {
   check(kFlexural, kFlexural.key, c.ice.flexural_strength, warnings);
   check(kCompressive, kCompressive.key, c.ice.compressive_strength, warnings);
   check(kModulus, kModulus.key, c.ice.youngs_modulus, warnings);
+  add_order_warning(c.ice, warnings);
   add_floe_ice_warnings(c, warnings);
+  add_current_warning(c.water.current, warnings);
   const double freeboard = 1.0 - c.ice.density / c.water.density;
   if (freeboard < kLeastFreeboard)
     warnings.push_back(
