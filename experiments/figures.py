@@ -34,7 +34,7 @@ def means(axis, values, key, colour, label, unit=1e3):
     x = [shown(key, value) for value in values]
     centre, half = zip(*(study.mean_interval(np.array(v) / unit) for v in values.values()))
     for at, sample in zip(x, values.values()):
-        axis.plot([at] * len(sample), np.array(sample) / unit, ".", color=colour, alpha=0.25, ms=4, mew=0)
+        axis.plot([at] * len(sample), np.array(sample) / unit, ".", color=colour, alpha=0.5, ms=5, mew=0)
     axis.errorbar(x, centre, half, color=colour, marker="o", ms=4, lw=1.2, capsize=3, label=label)
 
 

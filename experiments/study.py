@@ -59,13 +59,16 @@ def brash_module():
 
 # Running and collecting.
 
-def campaign(brash, plan, output, quick=False, jobs=None, overrides=(), replicates=None):
+def campaign(brash, plan, output, quick=False, jobs=None, overrides=(), replicates=None, may_fail=False):
+    """Runs or resumes a campaign. With `may_fail`, it goes on without the cases that the program refuses."""
     command = [brash, "campaign", plan, "-o", output]
     command += ["--quick"] * quick + (["--jobs", str(jobs)] if jobs else [])
     command += ["--resume"] * output.exists() + (["--replicates", str(replicates)] if replicates else [])
     for override in overrides:
         command += ["--set", override]
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.DEVNULL)
+    if not (may_fail and done.returncode == 1):  # 1: cases failed, and the others are done
+        done.check_returncode()
 
 
 def preset_campaign(options, plan, output):

@@ -313,7 +313,8 @@ def main():
     options = parser.parse_args()
     output = options.done or options.output or Path("results") / name
     if not options.done:
-        study.campaign(options.brash, HERE / f"{name}.toml", output, options.quick, options.jobs, (), options.replicates)
+        study.campaign(options.brash, HERE / f"{name}.toml", output, options.quick, options.jobs, (), options.replicates,
+                       may_fail=name == "floe_sizes")  # not every field of large floes can be 70 % full
     rows = rows_of(output, name)
     table, draw = STUDIES[name](options, output, rows)
     print(table)

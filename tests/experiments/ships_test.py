@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -53,6 +54,18 @@ class Ships(unittest.TestCase):
                 for speed, load in ((0.2, 390e3), (1.0, 300e3), (2.0, 380e3), (4.0, 500e3))]
         # 320 kN at 1 m/s and 420 kN at 2 m/s with the damping.
         self.assertAlmostEqual(run.towed_speed(rows), 1.8, 12)
+
+    def test_a_study_goes_on_without_refused_cases_where_it_expects_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder) / "brash"
+            for code, may_fail, is_fine in ((0, False, True), (1, True, True), (1, False, False), (3, True, False)):
+                program.write_text(f"#!/bin/sh\nexit {code}\n")
+                program.chmod(0o755)
+                try:
+                    study.campaign(program, "plan.toml", Path(folder) / "none", may_fail=may_fail)
+                    self.assertTrue(is_fine, code)
+                except subprocess.CalledProcessError:
+                    self.assertFalse(is_fine, code)
 
     def test_a_ride_is_taken_over_its_way_alone(self):
         with tempfile.TemporaryDirectory() as folder:
