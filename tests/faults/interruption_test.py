@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ctrl-C, requests to end, closed terminals, kills, and two processes on one folder."""
+import json
 import shutil
 import signal
 import unittest
 
-from program import (FaultTest, call, campaign_command, database_command, run_command, start, wait_for)
+from program import (BRASH, FaultTest, call, campaign_command, database_command, run_command, start, wait_for)
 
 
 class Interruption(FaultTest):
@@ -34,6 +35,35 @@ class Interruption(FaultTest):
             self.succeeds(run_command(self.folder, "--resume"))
             self.assertEqual(self.bytes_of(self.folder), whole)
             shutil.rmtree(self.folder)
+
+    def test_a_run_that_another_program_goes_on_with_says_so_for_good(self):
+        other = self.path / "brash"
+        shutil.copy(BRASH, other)
+        with open(other, "ab") as program:
+            program.write(b"\0")
+
+        def stopped(command):
+            checkpoint = self.folder / "checkpoint.nc"
+            before = checkpoint.stat().st_mtime_ns if checkpoint.exists() else 0
+            process = start(command)
+            self.assertTrue(wait_for(lambda: checkpoint.exists() and checkpoint.stat().st_mtime_ns > before, process))
+            process.send_signal(signal.SIGINT)
+            _, said = process.communicate()
+            self.assertEqual(process.returncode, 3, said)
+
+        def warnings():
+            return [w for w in json.loads((self.folder / "summary.json").read_text())["warnings"] if w["id"] == "several-programs"]
+
+        others_command = [other, *run_command(self.folder)[1:]]
+        stopped(others_command)
+        self.succeeds([*others_command, "--resume"])
+        self.assertEqual(warnings(), [])
+        shutil.rmtree(self.folder)
+        stopped(others_command)
+        stopped(run_command(self.folder, "--resume"))
+        done = self.succeeds(run_command(self.folder, "--resume"))
+        self.assertIn("several-programs: another program (sha256 ", done.stdout)
+        self.assertEqual(len(warnings()), 1)
 
     def test_what_ignores_a_closed_terminal_runs_on(self):
         process = self.begun(["nohup", *run_command(self.folder)])

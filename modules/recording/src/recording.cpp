@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/recording/recording.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -42,6 +44,30 @@ model::Table models_of(const Inputs& inputs) {
   return {kInputs, {{"sha256", "1", "SHA-256 of a model file", std::move(digests)}}};
 }
 
+constexpr const char* kProgram = "program";
+
+/// The hash of this program, as a table of a state.
+model::Table this_program() {
+  static const std::string digest = io::sha256_of_program();
+  return {kProgram, {{"sha256", "1", "SHA-256 of the program that kept the state", std::vector<std::string>{digest}}}};
+}
+
+/// Adds a warning to a state that another program kept: no run of one program gives such results.
+void tell_of_another_program(model::Checkpoint& checkpoint) {
+  const auto kept = std::ranges::find(checkpoint.tables, kProgram, &model::Table::name);
+  if (kept == checkpoint.tables.end() || *kept == this_program()) return;
+  const auto digest = [](const model::Table& program) {
+    return std::get<std::vector<std::string>>(program.column("sha256").values).at(0).substr(0, 8);
+  };
+  simulation::add_warning(
+      checkpoint,
+      {"several-programs",
+       fmt::format("another program (sha256 {}...) went as far as {:.9g} s, and this one ({}...) "
+                   "went on: no run of either need give these results; begin it again",
+                   digest(*kept), checkpoint.results.loads.empty() ? 0.0 : checkpoint.results.loads.back().time,
+                   digest(this_program()))});
+}
+
 }  // namespace
 
 simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume, const Inputs& inputs) {
@@ -50,6 +76,7 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
   store.keep = [keep = store.keep, models](model::Checkpoint checkpoint) {
     checkpoint.resolved = nameless(std::move(checkpoint.resolved));
     checkpoint.tables.push_back(models);
+    checkpoint.tables.push_back(this_program());
     keep(checkpoint);
   };
   if (!store.newest) return store;
@@ -64,6 +91,7 @@ simulation::CheckpointStore checkpoint_file(const std::string& path, bool resume
                                  "a checkpoint of this case with the same files, by this version",
                                  "put the file back, or start again without --resume"});
     if (checkpoint->resolved == nameless(inputs.resolved)) checkpoint->resolved = inputs.resolved;
+    tell_of_another_program(*checkpoint);
     return checkpoint;
   };
   return store;

@@ -107,6 +107,7 @@ struct Progress {
   Simulation simulation;
   Recorder recorder;
   Counts counts;
+  std::vector<model::Warning> earlier_warnings{};  ///< that the state to go on from brought along
   double recording_seconds = 0.0;
   double checkpoint_seconds = 0.0;       ///< of the recording
   double last_checkpoint_seconds = 0.0;  ///< of them
@@ -115,6 +116,19 @@ struct Progress {
   std::optional<model::Checkpoint> known{};  ///< a state of some steps ago, without results
   std::int64_t known_steps = 0;              ///< done in that state
 };
+
+constexpr const char* kWarnings = "warnings";  ///< the table of a checkpoint
+
+/// The warnings in a table of a checkpoint: a column of their kinds, one of their texts.
+std::vector<model::Warning> warnings_in(const model::Checkpoint& checkpoint) {
+  const auto table = std::ranges::find(checkpoint.tables, kWarnings, &model::Table::name);
+  if (table == checkpoint.tables.end()) return {};
+  const auto& ids = std::get<std::vector<std::string>>(table->column("id").values);
+  const auto& texts = std::get<std::vector<std::string>>(table->column("text").values);
+  std::vector<model::Warning> warnings;
+  for (std::size_t i = 0; i < ids.size(); ++i) warnings.push_back({ids[i], texts[i]});
+  return warnings;
+}
 
 /// So many steps at most are made again to find the state before one that failed.
 constexpr std::int64_t kStepsAgain = 100;
@@ -129,6 +143,7 @@ Progress begin(const model::Case& resolved, const RunOptions& options) {
   try {
     Progress progress{Simulation(resolved, *saved, options.threads), Recorder(resolved, std::move(saved->results)), {}};
     model::restore(*saved, "counts", progress.counts);
+    progress.earlier_warnings = warnings_in(*saved);
     return progress;
   } catch (const InputError& error) {
     throw InputError(options.checkpoint.name + ": " + error.what());
@@ -151,6 +166,7 @@ bool may_take_checkpoint(const Progress& progress) {
 void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, const Progress& progress) {
   saved.results = progress.recorder.so_far();
   model::save(saved, "counts", progress.counts);
+  for (const model::Warning& warning : progress.earlier_warnings) add_warning(saved, warning);
   store.keep(saved);
 }
 
@@ -225,6 +241,16 @@ bool advance(const model::Case& resolved, const RunOptions& options, Progress& p
 
 }  // namespace
 
+void add_warning(model::Checkpoint& checkpoint, const model::Warning& warning) {
+  auto table = std::ranges::find(checkpoint.tables, kWarnings, &model::Table::name);
+  if (table == checkpoint.tables.end())
+    table = checkpoint.tables.insert(table, {kWarnings,
+                                             {{"id", "1", "kind of a warning", std::vector<std::string>{}},
+                                              {"text", "1", "text of a warning", std::vector<std::string>{}}}});
+  std::get<std::vector<std::string>>(table->column("id").values).push_back(warning.id);
+  std::get<std::vector<std::string>>(table->column("text").values).push_back(warning.text);
+}
+
 Run run(const model::Case& resolved, const RunOptions& options) {
   Run finished;
   finished.started_at = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
@@ -239,6 +265,7 @@ Run run(const model::Case& resolved, const RunOptions& options) {
   if (finished.complete) {
     finished.summary = summarise(resolved, finished.results, water, progress.counts.summary);
     finished.summary.warnings = progress.simulation.warnings();
+    std::ranges::copy(progress.earlier_warnings, std::back_inserter(finished.summary.warnings));
     std::ranges::move(warnings_of(finished.summary, finished.results.loads, resolved.reference),
                       std::back_inserter(finished.summary.warnings));
   }

@@ -99,6 +99,9 @@ struct CheckpointStore {
   std::function<std::optional<model::Checkpoint>()> newest{};  ///< to go on from; nothing: start at 0 s
 };
 
+/// Adds a warning to a state. A run that goes on from there has the warning too, and so have its own states.
+void add_warning(model::Checkpoint& checkpoint, const model::Warning& warning);
+
 /// Options around the loop of a run.
 struct RunOptions {
   /// Called once, when the state that the run begins with is there and before its first step.
