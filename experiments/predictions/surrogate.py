@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sobol indices: a polynomial chaos that stands in for the program, and the estimators that need no surrogate.
 
-Inputs are independent and uniform on the unit cube. y = sum_a c_a psi_a(x) with products psi_a of Legendre polynomials that
-are orthonormal there. Then the variance is the sum of c_a^2 over all a but 0, and each index is a part of it
-(B. Sudret, Reliab. Eng. Syst. Saf. 93 (2008) 964).
+Inputs are independent and uniform on the unit cube. y = sum_a c_a psi_a(x) with products psi_a of polynomials that are
+orthonormal there: Legendre's over a range, Gram's over equally likely choices. Then the variance is the sum of c_a^2 over all a but
+0, and each index is a part of it (B. Sudret, Reliab. Eng. Syst. Saf. 93 (2008) 964).
 """
 import itertools
 
@@ -11,68 +11,86 @@ import numpy as np
 from numpy.polynomial import legendre
 
 MOST_TERMS_SHARE = 0.5  # of the number of points: a fit with more terms than that is no longer checked by them
+FOLDS = 10
 
 
-def exponents(n_inputs, degree, interaction=2):
-    """Multi-indices of total degree up to `degree`, at most `interaction` inputs in each; shape=(n_terms, n_inputs)."""
-    found = [np.zeros(n_inputs, dtype=int)]
-    for size in range(1, min(interaction, n_inputs) + 1):
-        for inputs in itertools.combinations(range(n_inputs), size):
-            for powers in itertools.product(range(1, degree + 1), repeat=size):
+def exponents(choices, degree, interaction=2):
+    """Multi-indices of total degree up to `degree`, at most `interaction` inputs in each; shape=(n_terms, n_inputs).
+
+    choices: for each input the number of its choices, or 0 for a range. m choices bear polynomials up to the degree m - 1.
+    """
+    most = [min(degree, m - 1) if m else degree for m in choices]
+    found = [np.zeros(len(choices), dtype=int)]
+    for size in range(1, min(interaction, len(choices)) + 1):
+        for inputs in itertools.combinations(range(len(choices)), size):
+            for powers in itertools.product(*(range(1, most[j] + 1) for j in inputs)):
                 if sum(powers) <= degree:
-                    row = np.zeros(n_inputs, dtype=int)
+                    row = np.zeros(len(choices), dtype=int)
                     row[list(inputs)] = powers
                     found.append(row)
     return np.array(found)
 
 
-def basis(points, terms):
+def orthonormal(places, degree, n_choices):
+    """Polynomials of one input at its places in the unit interval; shape=(n_points, degree + 1), zero beyond what choices bear."""
+    if n_choices == 0:
+        return legendre.legvander(2.0 * places - 1.0, degree) * np.sqrt(2.0 * np.arange(degree + 1) + 1.0)
+    q, r = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, n_choices), increasing=True))
+    values = np.zeros((n_choices, max(degree + 1, n_choices)))
+    values[:, :n_choices] = q * np.sign(np.diag(r)) * np.sqrt(n_choices)
+    return values[(places * n_choices).astype(int), :degree + 1]
+
+
+def basis(points, terms, choices):
     """Values of the orthonormal products at points of the unit cube; shape=(n_points, n_terms)."""
-    degree = int(terms.max(initial=0))
-    one = legendre.legvander(2.0 * np.asarray(points) - 1.0, degree) * np.sqrt(2.0 * np.arange(degree + 1) + 1.0)
+    degree, points = int(terms.max(initial=0)), np.asarray(points)
     values = np.ones((len(points), len(terms)))
-    for j in range(terms.shape[1]):
-        values *= one[:, j, terms[:, j]]
+    for j, n_choices in enumerate(choices):
+        values *= orthonormal(points[:, j], degree, n_choices)[:, terms[:, j]]
     return values
 
 
+def fits(matrix, values):
+    """(terms, coefficients) of fits that grow by a term each, the one that the rest of the last fit asks for most."""
+    chosen, size = [0], np.linalg.norm(matrix, axis=0)
+    for _ in range(max(1, min(int(MOST_TERMS_SHARE * len(values)), matrix.shape[1]))):
+        coefficients = np.linalg.lstsq(matrix[:, chosen], values, rcond=None)[0]
+        yield list(chosen), coefficients
+        gain = np.abs(matrix.T @ (values - matrix[:, chosen] @ coefficients)) / np.maximum(size, 1e-12)
+        gain[chosen] = -1.0
+        chosen.append(int(np.argmax(gain)))
+
+
+def left_out_errors(matrix, values):
+    """Mean square error of fits of 1, 2, ... terms on parts of the samples that they leave out, their choice of terms included."""
+    parts = np.array_split(np.random.default_rng(1).permutation(len(values)), FOLDS)
+    errors = []
+    for part in parts:
+        kept = np.setdiff1d(np.arange(len(values)), part)
+        errors.append([np.sum((matrix[np.ix_(part, chosen)] @ coefficients - values[part]) ** 2)
+                       for chosen, coefficients in fits(matrix[kept], values[kept])])
+    shortest = min(len(error) for error in errors)
+    return np.sum([error[:shortest] for error in errors], axis=0) / len(values)
+
+
 class Chaos:
-    """A sparse polynomial chaos: terms enter one after the other, and their number is chosen by the leave-one-out error."""
+    """A sparse polynomial chaos. Cross-validation chooses its degree and the number of its terms."""
 
-    def __init__(self, points, values, degree=4, interaction=2):
+    def __init__(self, points, values, degree=4, interaction=2, choices=None):
         points, values = np.asarray(points, dtype=float), np.asarray(values, dtype=float)
-        self.terms = exponents(points.shape[1], degree, interaction)
-        matrix = basis(points, self.terms)
-        best, self.error = [0], np.inf
-        chosen, rest = [0], values - values.mean()
-        size = np.linalg.norm(matrix, axis=0)
-        for _ in range(max(1, int(MOST_TERMS_SHARE * len(values)))):
-            error, fit = self.leave_one_out(matrix[:, chosen], values)
-            if error < self.error:
-                best, self.error = list(chosen), error
-            rest = values - fit
-            gain = np.abs(matrix.T @ rest) / size
-            gain[chosen] = -1.0
-            if len(chosen) == len(self.terms):
-                break
-            chosen.append(int(np.argmax(gain)))
-        self.terms = self.terms[best]
-        self.coefficients = np.linalg.lstsq(basis(points, self.terms), values, rcond=None)[0]
-
-    @staticmethod
-    def leave_one_out(matrix, values):
-        """Error over the variance, corrected for small samples (Blatman and Sudret, J. Comput. Phys. 230 (2011) 2345), and fit."""
-        q, r = np.linalg.qr(matrix)
-        fit = q @ (q.T @ values)
-        leverage = np.minimum(np.sum(q**2, axis=1), 1.0 - 1e-9)
-        n, p = matrix.shape
-        inverse = np.linalg.pinv(r.T @ r / n)
-        correction = n / (n - p) * (1.0 + np.trace(inverse) / n) if n > p else np.inf
-        variance = values.var(ddof=1)
-        return correction * np.mean(((values - fit) / (1.0 - leverage)) ** 2) / (variance or 1.0), fit
+        self.choices = [0] * points.shape[1] if choices is None else list(choices)
+        least = np.inf
+        for most in range(1, degree + 1):
+            terms = exponents(self.choices, most, interaction)
+            matrix = basis(points, terms, self.choices)
+            errors = left_out_errors(matrix, values)
+            if errors.min() < least:
+                least = errors.min()
+                chosen, self.coefficients = next(itertools.islice(fits(matrix, values), int(errors.argmin()), None))
+                self.terms = terms[chosen]
 
     def __call__(self, points):
-        return basis(np.asarray(points), self.terms) @ self.coefficients
+        return basis(points, self.terms, self.choices) @ self.coefficients
 
     def indices(self):
         """First-order and total Sobol indices, shape=(n_inputs,) each."""

@@ -17,7 +17,7 @@ from verdicts import points_and_values, prediction_interval, series, upper_bound
 
 # Printed of every study, whatever its verdict is about; unit of the table, and its divisor.
 ALWAYS = {"mean": ("kN", 1e3), "deviation": ("kN", 1e3), "quantile_50": ("kN", 1e3), "quantile_99": ("kN", 1e3),
-          "largest": ("kN", 1e3), "smallest": ("kN", 1e3), "mean_1s": ("kN", 1e3), "deviation_1s": ("kN", 1e3),
+          "quantile_99_0.1s": ("kN", 1e3), "largest": ("kN", 1e3), "smallest": ("kN", 1e3), "mean_1s": ("kN", 1e3), "deviation_1s": ("kN", 1e3),
           "largest_1s": ("kN", 1e3), "smallest_1s": ("kN", 1e3), "crushing": ("kN", 1e3), "floes": ("kN", 1e3),
           "breaking_frequency": ("1/s", 1.0), "breaking_length": ("m", 1.0), "breaking_length_over_lc": ("-", 1.0),
           "piece_size_05": ("m", 1.0), "piece_size": ("m", 1.0), "piece_size_95": ("m", 1.0)}
@@ -325,7 +325,9 @@ def fewer_points(prediction, rows, rows_elsewhere):
 def verdict(prediction, rows, measured, rows_elsewhere):
     """The whole text of a folder."""
     if prediction.own_runs and not rows:
-        return f"## {prediction.table['title']}\n\nNot run yet. The inputs are committed.\n"
+        others = sorted(path.stem.removeprefix("recorded-") for path in prediction.folder.glob("recorded-*.csv"))
+        hint = "".join(f" Recorded with --preset {preset}." for preset in others)
+        return f"## {prediction.table['title']}\n\nNot run yet with this preset. The inputs are committed.{hint}\n"
     lines = heading(prediction, rows) if prediction.own_runs else [f"## {prediction.table['title']}", ""]
     fewer = fewer_points(prediction, rows, rows_elsewhere)
     kind = prediction.criterion["kind"]
@@ -387,15 +389,16 @@ def indices(prediction, rows, statistic, degree):
         numbers = sorted(groups)
         points = inputs.points_of(prediction, numbers[-1])[np.array(numbers) - 1]
         values = np.array([np.mean(groups[i]) for i in numbers])
-        lines += arm_indices(arm, names, points, values, degree, noise_share([groups[i] for i in numbers]))
+        lines += arm_indices(arm, prediction, points, values, degree, noise_share([groups[i] for i in numbers]))
     return "\n".join(lines).rstrip() + "\n"
 
 
-def arm_indices(arm, names, points, values, degree, noise):
-    chaos = Chaos(points, values, degree)
+def arm_indices(arm, prediction, points, values, degree, noise):
+    names, options = prediction.names(), {"degree": degree, "choices": [len(u.get("choices", [])) for u in prediction.unknowns]}
+    chaos = Chaos(points, values, **options)
     first, total = chaos.indices()
-    errors = jackknife_indices(points, values, degree=degree)
-    unseen = held_back_error(points, values, degree=degree)
+    errors = jackknife_indices(points, values, **options)
+    unseen = held_back_error(points, values, **options)
     lines = [f"### {arm or 'all runs'}", "",
              f"{len(values)} points, {len(chaos.terms)} terms. Error on samples held back: {unseen:.0%} of the variance. Between "
              f"replicates: {'not known' if math.isnan(noise) else f'{noise:.0%}'} of the variance of single runs.", ""]

@@ -57,6 +57,18 @@ class Indices(unittest.TestCase):
         sample = brash.sobol(2048, 6, seed=2)
         np.testing.assert_allclose(surrogate.saltelli_jansen(chaos, sample[:, :3], sample[:, 3:])[1], total, atol=0.02)
 
+    def test_a_choice_has_polynomials_on_its_values_alone(self):
+        middle = (np.arange(3) + 0.5) / 3
+        values = surrogate.orthonormal(middle, 4, 3)
+        np.testing.assert_allclose(values.T @ values / 3, np.diag([1, 1, 1, 0, 0]), atol=1e-12)
+        # A choice of three values and an input of variance 1/12 with a factor of 6: shares of 14/9 and 3 of the variance.
+        points = brash.sobol(32, 2, seed=1)
+        y = np.array([0.0, 3.0, 1.0])[(3 * points[:, 0]).astype(int)] + 6.0 * points[:, 1]
+        chaos = surrogate.Chaos(points, y, degree=3, choices=[3, 0])
+        np.testing.assert_allclose(chaos.indices(), [[14 / 41, 27 / 41]] * 2, atol=1e-6)
+        self.assertLess(surrogate.held_back_error(points, y, degree=3, choices=[3, 0]), 1e-9)
+        self.assertGreater(surrogate.held_back_error(points, y, degree=3), 0.02)
+
     def test_the_error_on_held_back_samples_is_the_error_on_fresh_ones(self):
         points, fresh = brash.sobol(128, 3, seed=1), np.random.default_rng(3).random((2000, 3))
         chaos = surrogate.Chaos(points, ishigami(points), degree=4)
