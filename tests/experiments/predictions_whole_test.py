@@ -44,6 +44,16 @@ class Inputs(unittest.TestCase):
                     done = subprocess.run(command, capture_output=True, text=True)
                     self.assertEqual(done.returncode, 0, f"{name}: {done.stderr}")
 
+    def test_the_verdicts_are_those_of_the_recorded_numbers(self):
+        found = sorted(PREDICTIONS.glob("**/verdict-*.md"))
+        self.assertGreater(len(found), 15)
+        for path in found:
+            name, preset = path.parent.relative_to(PREDICTIONS).as_posix(), path.stem.removeprefix("verdict-")
+            arguments = ["-o", str(FOLDER / "none"), "verdict", name, "--preset", preset]
+            with contextlib.redirect_stdout(io.StringIO()) as text:
+                predict.verdict(predict.arguments().parse_args(arguments))
+            self.assertEqual(text.getvalue(), path.read_text(encoding="utf-8") + "\n", path)
+
     def test_every_range_has_a_source_and_every_claim_a_known_kind(self):
         kinds = {"rises", "falls", "differs", "same", "within", "ratio-within", "exceeds", "rises-beyond", "share"}
         for name in predict.ALL:
@@ -150,7 +160,7 @@ class WholeWay(unittest.TestCase):
                 self.assertEqual(options.action(options), 0)
             return said.getvalue()
 
-        self.assertIn("Not run yet", call("verdict", str(case), "--preset", "paper"))
+        self.assertIn("Not run yet with this preset. The inputs are committed.\n", call("verdict", str(case), "--preset", "paper"))
         call("run", str(case), "--preset", "paper", "--jobs", "1")
         text = call("verdict", str(case), "--preset", "paper", "--record")
         self.assertIn("Points of the unknowns: 4. Runs: 8.", text)
