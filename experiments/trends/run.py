@@ -27,6 +27,7 @@ NEARLY = 0.10  # "nearly independent"
 PAPER_RATIO = 0.491
 ANGLE, SPEED, WIDTH, THICKNESS = "structure.angle", "structure.speed", "structure.waterline_width", "ice.thickness"
 FORCE, VERTICAL = "horizontal.mean", "vertical.mean"
+LENGTH, AREA = "breaking_length_quantiles.50", "piece_area_quantiles.50"
 FREQUENCY, CONTENT = "mean_frequency", "high_frequency_deviation"
 
 
@@ -219,6 +220,13 @@ def exponent_rows(run):
         yield f"| {name} | {' | '.join(cells)} |"
 
 
+def ice_rows(run):
+    """A row an input: the exponents of the median breaking length and of the median area of a piece, of each preset."""
+    for experiment, along, name in EXPONENTS:
+        cells = ["{:.2f} ± {:.2f}".format(*exponent(runs.rows(experiment), along, of)) for of in (LENGTH, AREA) for runs in run]
+        yield f"| {name} | {' | '.join(cells)} |"
+
+
 def cells(listed):
     """Verdict, size and p of each claim, the p-values adjusted together."""
     adjusted = holm([claim.p for claim in listed])
@@ -235,12 +243,15 @@ def table(brash):
     lines += ["", "The next table compares the load at 50 degrees with the load at 70 degrees, at 2.0 m/s.", "",
               f"| preset | ratio | 95 % interval | the paper's {PAPER_RATIO} |", "|---|---|---|---|"]
     lines += [ratio_row(runs) for runs in run]
-    lines += ["", "The last table has exponents: the slope of the logarithm of the mean load along each input, over all",
+    lines += ["", "The next table has exponents: the slope of the logarithm of the mean load along each input, over all",
               "replicates. The closed forms have exponents of their peaks.", "",
               "| input |" + "".join(f" `{runs.preset}` |" for runs in run)
               + "".join(f" {label} |" for label, _, _ in figures.CLOSED.values()),
               "|---|" + "---|" * (len(run) + len(figures.CLOSED))]
-    return "\n".join([*lines, *exponent_rows(run)]) + "\n"
+    lines += [*exponent_rows(run), "", "The medians of the breaking length and of the area of a piece have these exponents:", "",
+              "| input |" + "".join(f" {of}, `{runs.preset}` |" for of in ("length", "area") for runs in run),
+              "|---|" + "---|" * (2 * len(run)), *ice_rows(run)]
+    return "\n".join(lines) + "\n"
 
 
 def main():
