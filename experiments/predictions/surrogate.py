@@ -137,7 +137,7 @@ def saltelli_jansen(function, a, b):
 def jackknife_indices(points, values, groups=10, seed=1, **options):
     """Standard errors of first and total indices: the fit is repeated without each of `groups` parts; shape=(2, n_inputs).
 
-    A bootstrap would draw points twice, and a leave-one-out error does not see a fit to a point whose twin it keeps.
+    A bootstrap would draw points twice, and an error on samples left out does not see a fit to a point whose twin it keeps.
     """
     points, values = np.asarray(points), np.asarray(values)
     order = np.random.default_rng(seed).permutation(len(values))
