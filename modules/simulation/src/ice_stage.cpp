@@ -73,7 +73,7 @@ void Simulation::Impl::let_go(int level_ice, const geometry::Extent& box) {
 Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report) {
   const StageTimer::Scope clock(timer, times.cutting);
   ice::Plate& plate = field.level_ice(contact.level_ice);
-  statistics::RandomStream random(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
+  statistics::RandomStream random(resolved.random.seed, resolved.random.replicate, "wedges", n_breaks++);
   const EdgeContact placed = before_the_notch(contact);
   const ice::CrackPlan plan = pattern->plan(plate, placed.region, placed.assessment, random);
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
