@@ -28,12 +28,15 @@ struct Foot {
 };
 
 /// The place nearest to `point` on the segments `first` to `last` of `line`; the first of several.
-Foot nearest(const Polyline& line, Vec2 point, std::size_t first, std::size_t last) {
+/// @param side  unless zero: only segments that have this direction on their left side.
+Foot nearest(const Polyline& line, Vec2 point, std::size_t first, std::size_t last, Vec2 side = {}) {
   constexpr double kRounding = 1.0 + 1e-12;
+  const bool any = side == Vec2{};
   Foot best;
   double reach2 = best.distance;  // most segments lie farther off: they need no root
   for (std::size_t i = first; i <= last; ++i) {
     const Vec2 along = line[i + 1] - line[i];
+    if (!any && !(cross(along, side) > 0.0)) continue;
     const double square = dot(along, along);
     const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
     const Vec2 place = line[i] + s * along;
@@ -166,24 +169,37 @@ class Resultant {
   double eccentricity_;
 };
 
+/// The stretch of an edge that a floe presses on: it faces the push, and lies within the floe's own reach. No contact
+/// can push a floe's load out of the ice, so an edge that faces the other way belongs to other ice.
+/// @param side  the floe's push as the line has it on its left side.
+std::optional<std::pair<Vec2, Vec2>> pressed_stretch(const Polyline& line, Vec2 middle, Vec2 side, double length,
+                                                     double thickness) {
+  const Foot foot = nearest(line, middle, 0, line.size() - 2, side);
+  const double half = 0.5 * length;
+  if (!(foot.distance <= half + thickness)) return std::nullopt;
+  const Vec2 along = half * normalized(line[foot.segment + 1] - line[foot.segment]);
+  const Vec2 from = nearest(line, foot.place - along, 0, foot.segment).place;
+  const Vec2 to = nearest(line, foot.place + along, foot.segment, line.size() - 2).place;
+  if (norm(to - from) <= kOnTheEdge || !(cross(to - from, side) > 0.0)) return std::nullopt;
+  return std::pair{from, to};
+}
+
 /// The load of a floe: on the edge, or on a disc where it presses inside the ice. Left out beyond the outline's ends,
 /// and on an edge that the outline leaves out.
 void place_floe(const EdgeContact& contact, const Resultant& load, const Frame& frame, const Outline& outline,
                 double thickness, std::vector<failure::SheetLoad>& loads) {
   const Vec2 middle = frame.place(contact.region.midpoint);
   if (outline.ends_before(middle)) return;
-  const Polyline& line = outline.line;
-  const Foot foot = nearest(line, middle);
-  const double half = 0.5 * contact.region.contact_length;
-  if (foot.distance > 0.5 * thickness && outline.has_inside(middle)) {
-    loads.push_back(load.on_disc(middle, half));
+  const double length = contact.region.contact_length;
+  if (nearest(outline.line, middle).distance > 0.5 * thickness && outline.has_inside(middle)) {
+    loads.push_back(load.on_disc(middle, 0.5 * length));
     return;
   }
-  if (nearest(outline.whole, middle).distance < foot.distance - kOnTheEdge) return;
-  const Vec2 side = half * normalized(line[foot.segment + 1] - line[foot.segment]);
-  const Vec2 from = nearest(line, foot.place - side, 0, foot.segment).place;
-  const Vec2 to = nearest(line, foot.place + side, foot.segment, line.size() - 2).place;
-  if (norm(to - from) > kOnTheEdge) loads.push_back(load.on_edge(from, to));
+  const Vec2 out = -1.0 * frame.turned(contact.region.normal);  // the ice is on the right of the outline
+  const Foot foot = nearest(outline.line, middle, 0, outline.line.size() - 2, out);
+  if (nearest(outline.whole, middle, 0, outline.whole.size() - 2, out).distance < foot.distance - kOnTheEdge) return;
+  if (const auto stretch = pressed_stretch(outline.line, middle, out, length, thickness))
+    loads.push_back(load.on_edge(stretch->first, stretch->second));
 }
 
 /// How much a load bends the ice near B, about [N].
