@@ -8,6 +8,7 @@
 #include "crack_path.hpp"
 #include "criteria.hpp"
 #include "outline_sheet.hpp"
+#include "own_places.hpp"
 #include "weak_places.hpp"
 
 namespace brash::failure {
@@ -19,9 +20,6 @@ constexpr double kMargin = 6.0;
 constexpr double kSplitMargin = 2.2;
 /// A sheet is solved again, with cubic elements, where quadratic ones find more than the strength over this.
 constexpr double kCoarseMargin = 1.25;
-
-/// How much a load on a straight edge, `s` l_c along it from B, bends the ice ahead of B, over the same load at B.
-double share_at(double s) { return std::exp(-std::pow(s / 1.75, 1.4)); }
 
 /// The floating sheet with its free edge as it is, under all loads on it, solved for each load case.
 class OutlineCriterion final : public BendingCriterion {
@@ -172,11 +170,13 @@ class OutlineCriterion final : public BendingCriterion {
       solution = plate::solve(sheet);
     }
     if (!solution) return std::nullopt;
-    const auto stresses = stresses_ahead(sheet, *solution, ice);
-    if (!stresses) return std::nullopt;
-    const WeakPlaces beside = options_.anywhere ? weak_places(sheet, *solution, ice) : WeakPlaces{};
-    const double radial = motion.radial / motion.stress * stresses->radial_bending + stresses->radial_membrane;
-    return Solved{std::move(sheet), std::move(*solution), *stresses, beside, characteristic_length(ice), radial};
+    const OwnPlaces own(loads_of(load, ice_.thickness), ice_);
+    const auto on_line = stresses_ahead(sheet, *solution, ice, own);
+    if (!on_line && !options_.anywhere) return std::nullopt;
+    const Stresses stresses = on_line.value_or(Stresses{});
+    const WeakPlaces beside = options_.anywhere ? weak_places(sheet, *solution, ice, own) : WeakPlaces{};
+    const double radial = motion.radial / motion.stress * stresses.radial_bending + stresses.radial_membrane;
+    return Solved{std::move(sheet), std::move(*solution), stresses, beside, characteristic_length(ice), radial};
   }
 
   std::unique_ptr<BendingCriterion> screen_;

@@ -317,9 +317,11 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     std::optional<Frame> frame;
   };
   const bool joint = model.resolved.failure.joint_loads;
+  for (EdgeContact& contact : contacts)
+    contact.has_verdict = contact.load.pressure > 0.0 && !(joint && is_outweighed(model, contacts, contact));
   std::vector<Question> questions;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!(contacts[i].load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
+    if (!contacts[i].has_verdict) continue;
     Question asked{i, LocalIce(model, contacts[i]), contacts[i].load, {}};
     const EdgeModel local = asked.local.model();
     if (local.criterion.needs_outline())

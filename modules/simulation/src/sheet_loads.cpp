@@ -149,7 +149,8 @@ class Resultant {
       : in_plane_(frame.turned(plan(contact.on_ice))),
         out_of_plane_(own_way * contact.on_ice.z),
         // N above mid-thickness bends the edge up, N below it down. The plate knows how far the edge has given way.
-        eccentricity_(own_way * (contact.point.z - mid_height - contact.shift)) {}
+        eccentricity_(own_way * (contact.point.z - mid_height - contact.shift)),
+        has_verdict_(contact.has_verdict) {}
 
   failure::SheetLoad on_edge(Vec2 from, Vec2 to) const {
     const Vec2 inwards = -1.0 * perpendicular(normalized(to - from));
@@ -157,16 +158,18 @@ class Resultant {
             .to = to,
             .in_plane = in_plane_,
             .out_of_plane = out_of_plane_,
-            .moment = eccentricity_ * dot(in_plane_, inwards)};
+            .moment = eccentricity_ * dot(in_plane_, inwards),
+            .has_verdict = has_verdict_};
   }
   failure::SheetLoad on_disc(Vec2 centre, double radius) const {
-    return {.from = centre, .to = centre, .radius = radius, .out_of_plane = out_of_plane_};
+    return {.from = centre, .to = centre, .radius = radius, .out_of_plane = out_of_plane_, .has_verdict = has_verdict_};
   }
 
  private:
   Vec2 in_plane_;
   double out_of_plane_;
   double eccentricity_;
+  bool has_verdict_;
 };
 
 /// A stretch of a line.

@@ -65,6 +65,8 @@ struct SheetLoad {
   /// Of the in-plane force about the edge, because it acts above or below mid-thickness [N m]. Positive where it bends
   /// the ice ahead as the contact's own P does.
   double moment = 0.0;
+  /// Whether the criterion is asked about this load too, as the own one of another load case.
+  bool has_verdict = true;
 };
 
 /// A sheet that moves, as one at rest under the same loads: its D is kept, its lengths and moments are not. All 1: at
@@ -93,8 +95,7 @@ struct LoadCase {
   /// the middle of the tip edge (x into the ice, y along the tip edge), ice on its right. (0, -c/2) and (0, c/2) are
   /// points of it, one after the other. f acts along y.
   std::vector<Vec2> outline{};
-  /// The loads on that edge that are to act together, the contact's own among them. Empty: the contact's own load
-  /// alone.
+  /// The loads on that edge that are to act together, the contact's own first. Empty: the contact's own load alone.
   std::vector<SheetLoad> loads{};
   EdgeMotion motion{};  ///< `plate-outline`
 };
