@@ -134,25 +134,29 @@ class OutlineCriterion final : public BendingCriterion {
     return answer;
   }
 
-  /// The crack, and the breaking length where it is not on the line already.
+  /// The crack, and the breaking length where it is not on the line already. Without a crack that cuts B off the ice
+  /// does not fail.
   void trace(const Solved& solved, Assessment& answer) const {
     const auto& [sheet, solution, stresses, halves, l_c, radial] = solved;
     std::vector<Vec2> crack;
     if (const auto place = solved.decisive()) {
-      if (!sheet.split)
-        crack = crack_through(solution, place->at, 1.0, sheet.thickness);
-      else if (halves.below && halves.above)
-        crack = crack_through_halves(solution, halves.below->at, halves.above->at, 1.0, sheet.thickness);
+      const auto at = [](const std::optional<WeakPlace>& weak) {
+        return weak ? std::optional(weak->at) : std::nullopt;
+      };
+      crack = sheet.split ? crack_through_halves(solution, at(halves.below), at(halves.above), 1.0, sheet.thickness)
+                          : crack_through(solution, place->at, 1.0, sheet.thickness);
       if (const auto ahead = distance_ahead(crack))
         answer.breaking_length = l_c * *ahead;
       else
         crack.clear();  // it does not cut B off
     }
-    if (crack.empty()) {
+    if (crack.empty() && stresses.largest > 1.0) {
       crack = crack_from_line(solution, stresses.place, stresses.side, sheet.thickness);
       if (!crack.empty()) answer.breaking_length = l_c * stresses.place;
     }
     for (const Vec2 point : crack) answer.crack.push_back(l_c * point);
+    answer.holds_together = crack.empty();
+    answer.fails = !crack.empty();
   }
 
   /// To first order if the plate buckles.

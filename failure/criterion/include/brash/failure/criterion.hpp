@@ -110,6 +110,8 @@ struct Assessment {
   bool outline_refused = false;  ///< the outline could not be meshed; the answer holds for the trapezoid
   bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are of first order
   bool split = false;            ///< a radial crack came first: stress and place belong to the split sheet
+  /// The stress exceeds the strength, but no crack cuts B off: the ice does not fail; BendingOptions::trace_crack.
+  bool holds_together = false;
   /// The circumferential crack along the stress, if the ice fails and BendingOptions::trace_crack asks for it: from one
   /// free edge to the other, frame of LoadCase::outline [m]. Empty where it does not reach the edge.
   std::vector<Vec2> crack{};
