@@ -16,8 +16,6 @@ namespace {
 
 /// A sheet is solved where the screen says more than the strength over this: docs/theory/simulation.md.
 constexpr double kMargin = 6.0;
-/// A split sheet has up to 1.9 times the stress of a whole one.
-constexpr double kSplitMargin = 2.2;
 /// A sheet is solved again, with cubic elements, where quadratic ones find more than the strength over this.
 constexpr double kCoarseMargin = 1.25;
 
@@ -85,11 +83,6 @@ class OutlineCriterion final : public BendingCriterion {
       return weakest && weakest->stress > stresses.largest ? weakest : std::nullopt;
     }
     double largest() const { return decisive() ? decisive()->stress : stresses.largest; }
-    /// Whether the sheet may fail, whole or split, if its stresses are `margin` times as large.
-    bool may_fail(double margin) const {
-      const bool may_split = margin * radial > 1.0 && margin * kSplitMargin * largest() > 1.0;
-      return margin * largest() > 1.0 || may_split;
-    }
     double breaking_length() const {
       const std::optional<WeakPlace> place = decisive();
       return l_c * (place ? norm(place->at) : stresses.place);
@@ -104,16 +97,28 @@ class OutlineCriterion final : public BendingCriterion {
     return {.breaking_length = answer.breaking_length};
   }
 
-  /// As `judge`, with coarse elements where they can tell that the ice holds.
+  /// As `judge`, with coarse elements where they show that the ice holds.
   std::optional<Assessment> screened(const LoadCase& load) const {
-    if (options_.coarse_first) {
-      Assessment answer;
-      const auto coarse = solve(load, {.accuracy = plate::Accuracy::kCoarse}, answer);
-      if (coarse && !answer.buckled && !coarse->may_fail(kCoarseMargin))
-        return Assessment{.sigma_max = coarse->largest() * ice_.flexural_strength,
-                          .breaking_length = coarse->breaking_length()};
-    }
+    if (options_.coarse_first)
+      if (const auto holds = dismiss_coarsely(load)) return holds;
     return judge(load);
+  }
+
+  /// The answer of coarse elements where it stays below the strength, whole and, if a radial crack may come first,
+  /// split. A split sheet has up to four times the stress of the whole one, so it is solved.
+  std::optional<Assessment> dismiss_coarsely(const LoadCase& load) const {
+    Assessment answer;
+    How how{.accuracy = plate::Accuracy::kCoarse};
+    std::optional<Solved> coarse = solve(load, how, answer);
+    if (coarse && options_.radial_first && kCoarseMargin * coarse->radial > 1.0 &&
+        kCoarseMargin * coarse->largest() <= 1.0) {
+      how.split = answer.split = true;
+      coarse = solve(load, how, answer);
+    }
+    if (!coarse || answer.buckled || kCoarseMargin * coarse->largest() > 1.0) return std::nullopt;
+    answer.sigma_max = coarse->largest() * ice_.flexural_strength;
+    answer.breaking_length = coarse->breaking_length();
+    return answer;
   }
 
   /// Nothing where the sheet cannot be meshed.
@@ -121,7 +126,7 @@ class OutlineCriterion final : public BendingCriterion {
     Assessment answer;
     std::optional<Solved> solved = solve(load, {}, answer);
     if (!solved) return std::nullopt;
-    if (options_.radial_first && solved->radial > 1.0 && solved->may_fail(1.0)) {
+    if (options_.radial_first && solved->radial > 1.0) {
       if (auto split = solve(load, {.split = true}, answer)) {
         answer.split = true;
         solved = std::move(split);
