@@ -31,15 +31,24 @@ class OutlineCriterion final : public BendingCriterion {
     expect_valid(load);
     if (load.pressure == 0.0) return unloaded(load);
     if (const auto harmless = dismiss(load)) return *harmless;
+    model::SheetSolves solves;
     std::optional<Assessment> answer;
-    if (!load.outline.empty()) answer = screened(load);
-    if (answer) return *answer;
-    LoadCase alone = load;
-    alone.outline.clear();
-    alone.loads.clear();
-    answer = screened(alone);
-    if (!answer) answer = screen_->assess(load);
-    answer->outline_refused = true;
+    if (load.outline.empty()) {
+      ++solves.without_edge;
+    } else {
+      answer = screened(load, solves);
+      if (!answer) ++solves.unsolved;
+    }
+    const bool refused = !answer;
+    if (refused) {
+      LoadCase alone = load;
+      alone.outline.clear();
+      alone.loads.clear();
+      answer = screened(alone, solves);
+      if (!answer) answer = screen_->assess(load);
+    }
+    answer->outline_refused = refused;
+    answer->solves = solves;
     return *answer;
   }
 
@@ -93,27 +102,28 @@ class OutlineCriterion final : public BendingCriterion {
   Assessment unloaded(LoadCase load) const {
     load.pressure = 1.0;
     load.loads.clear();
-    Assessment answer = judge(load).value_or(screen_->assess(load));
+    model::SheetSolves solves;
+    Assessment answer = judge(load, solves).value_or(screen_->assess(load));
     return {.breaking_length = answer.breaking_length};
   }
 
   /// As `judge`, with coarse elements where they show that the ice holds.
-  std::optional<Assessment> screened(const LoadCase& load) const {
+  std::optional<Assessment> screened(const LoadCase& load, model::SheetSolves& solves) const {
     if (options_.coarse_first)
-      if (const auto holds = dismiss_coarsely(load)) return holds;
-    return judge(load);
+      if (const auto holds = dismiss_coarsely(load, solves)) return holds;
+    return judge(load, solves);
   }
 
   /// The answer of coarse elements where it stays below the strength, whole and, if a radial crack may come first,
   /// split. A split sheet has up to four times the stress of the whole one, so it is solved.
-  std::optional<Assessment> dismiss_coarsely(const LoadCase& load) const {
+  std::optional<Assessment> dismiss_coarsely(const LoadCase& load, model::SheetSolves& solves) const {
     Assessment answer;
     How how{.accuracy = plate::Accuracy::kCoarse};
-    std::optional<Solved> coarse = solve(load, how, answer);
+    std::optional<Solved> coarse = solve(load, how, answer, solves);
     if (coarse && options_.radial_first && kCoarseMargin * coarse->radial > 1.0 &&
         kCoarseMargin * coarse->largest() <= 1.0) {
       how.split = answer.split = true;
-      coarse = solve(load, how, answer);
+      coarse = solve(load, how, answer, solves);
     }
     if (!coarse || answer.buckled || kCoarseMargin * coarse->largest() > 1.0) return std::nullopt;
     answer.sigma_max = coarse->largest() * ice_.flexural_strength;
@@ -122,25 +132,30 @@ class OutlineCriterion final : public BendingCriterion {
   }
 
   /// Nothing where the sheet cannot be meshed.
-  std::optional<Assessment> judge(const LoadCase& load) const {
+  std::optional<Assessment> judge(const LoadCase& load, model::SheetSolves& solves) const {
     Assessment answer;
-    std::optional<Solved> solved = solve(load, {}, answer);
+    std::optional<Solved> solved = solve(load, {}, answer, solves);
     if (!solved) return std::nullopt;
     if (options_.radial_first && solved->radial > 1.0) {
-      if (auto split = solve(load, {.split = true}, answer)) {
+      if (auto split = solve(load, {.split = true}, answer, solves)) {
         answer.split = true;
         solved = std::move(split);
+      } else {
+        ++solves.split_unsolved;
       }
     }
     answer.sigma_max = solved->largest() * ice_.flexural_strength;
     answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
     answer.breaking_length = solved->breaking_length();
-    if (answer.fails && options_.trace_crack) trace(*solved, answer);
+    if (answer.fails && options_.trace_crack) {
+      trace(*solved, answer);
+      answer.fails = !answer.crack.empty();
+      solves.holding_together += answer.fails ? 0 : 1;
+    }
     return answer;
   }
 
-  /// The crack, and the breaking length where it is not on the line already. Without a crack that cuts B off the ice
-  /// does not fail.
+  /// The crack, and the breaking length where it is not on the line already. Empty where no crack cuts B off.
   void trace(const Solved& solved, Assessment& answer) const {
     const auto& [sheet, solution, stresses, halves, l_c, radial] = solved;
     std::vector<Vec2> crack;
@@ -160,18 +175,18 @@ class OutlineCriterion final : public BendingCriterion {
       if (!crack.empty()) answer.breaking_length = l_c * stresses.place;
     }
     for (const Vec2 point : crack) answer.crack.push_back(l_c * point);
-    answer.holds_together = crack.empty();
-    answer.fails = !crack.empty();
   }
 
   /// To first order if the plate buckles.
-  std::optional<Solved> solve(const LoadCase& load, How how, Assessment& answer) const {
+  std::optional<Solved> solve(const LoadCase& load, How how, Assessment& answer, model::SheetSolves& solves) const {
     const SheetMotion& motion = how.split ? load.motion.split : load.motion.whole;
     IceProperties ice = ice_;
     ice.water_density /= std::pow(motion.length, 4);  // l_c is shorter by `length`, and D stays
     plate::LoadedSheet sheet = loaded_sheet(load, ice, options_.second_order, motion.stress);
     sheet.split = how.split;
     sheet.accuracy = how.accuracy;
+    ++(how.accuracy == plate::Accuracy::kCoarse ? solves.coarse : solves.cubic);
+    solves.split += how.split ? 1 : 0;
     auto solution = plate::solve(sheet);
     if (!solution && solution.error().buckled) {
       answer.buckled = true;

@@ -324,8 +324,10 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     if (!contacts[i].has_verdict) continue;
     Question asked{i, LocalIce(model, contacts[i]), contacts[i].load, {}};
     const EdgeModel local = asked.local.model();
+    const geometry::ContactRegion& region = contacts[i].region;
+    const Frame of_trapezoid{0.5 * (region.chord_from + region.chord_to), region.normal};
     if (local.criterion.needs_outline())
-      asked.frame = place_loads(local, sheet, contacts, i, joint, asked.load);
+      asked.frame = place_loads(local, sheet, contacts, i, joint, asked.load).value_or(of_trapezoid);
     else if (presses_inside(sheet, contacts[i]))
       continue;
     questions.push_back(std::move(asked));

@@ -9,6 +9,7 @@
 
 #include "brash/core/vec.hpp"
 #include "brash/model/choices.hpp"
+#include "brash/model/records.hpp"
 
 namespace brash::failure {
 
@@ -107,11 +108,10 @@ struct Assessment {
   double breaking_length = 0.0;  ///< l_break [m]
   bool below_range = false;      ///< an input was clamped up to the model's range, or h / l_c lies outside it
   bool above_range = false;      ///< an input exceeds the model's range (and was clamped down)
-  bool outline_refused = false;  ///< the outline could not be meshed; the answer holds for the trapezoid
+  bool outline_refused = false;  ///< no edge, or a sheet that could not be solved; the answer holds for the trapezoid
   bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are of first order
   bool split = false;            ///< a radial crack came first: stress and place belong to the split sheet
-  /// The stress exceeds the strength, but no crack cuts B off: the ice does not fail; BendingOptions::trace_crack.
-  bool holds_together = false;
+  model::SheetSolves solves{};
   /// The circumferential crack along the stress, if the ice fails and BendingOptions::trace_crack asks for it: from one
   /// free edge to the other, frame of LoadCase::outline [m]. Empty where it does not reach the edge.
   std::vector<Vec2> crack{};
