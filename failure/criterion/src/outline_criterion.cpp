@@ -118,14 +118,19 @@ class OutlineCriterion final : public BendingCriterion {
   /// split. A split sheet has up to four times the stress of the whole one, so it is solved.
   std::optional<Assessment> dismiss_coarsely(const LoadCase& load, model::SheetSolves& solves) const {
     Assessment answer;
+    const auto holds = [&](const std::optional<Solved>& sheet) {
+      return sheet && !answer.buckled && kCoarseMargin * sheet->largest() <= 1.0;
+    };
     How how{.accuracy = plate::Accuracy::kCoarse};
     std::optional<Solved> coarse = solve(load, how, answer, solves);
-    if (coarse && options_.radial_first && kCoarseMargin * coarse->radial > 1.0 &&
-        kCoarseMargin * coarse->largest() <= 1.0) {
-      how.split = answer.split = true;
-      coarse = solve(load, how, answer, solves);
+    if (!holds(coarse)) return std::nullopt;
+    if (options_.radial_first && kCoarseMargin * coarse->radial > 1.0) {
+      how.split = true;
+      std::optional<Solved> split = solve(load, how, answer, solves);
+      if (!holds(split)) return std::nullopt;
+      answer.split = coarse->radial > 1.0;
+      if (answer.split) coarse = std::move(split);
     }
-    if (!coarse || answer.buckled || kCoarseMargin * coarse->largest() > 1.0) return std::nullopt;
     answer.sigma_max = coarse->largest() * ice_.flexural_strength;
     answer.breaking_length = coarse->breaking_length();
     return answer;
