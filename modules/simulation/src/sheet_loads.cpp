@@ -238,7 +238,7 @@ void drop_weak(double reach, double l_c, double own, std::vector<failure::SheetL
 struct OwnEdge {
   Frame frame;
   Polyline line;
-  std::optional<std::pair<Vec2, Vec2>> chord{};  ///< of a floe on the edge
+  std::optional<std::pair<Vec2, Vec2>> chord{};  ///< of a floe on the edge, its ends in the order of the outline
 };
 
 /// The edge under a floe: a chord takes the place of the stretch that it presses, as for the structure, and the frame
@@ -253,7 +253,7 @@ std::optional<OwnEdge> under_floe(const EdgeContact& own, const geometry::IceShe
   const auto stretch = pressed_stretch(edge, at, own.region.normal, own.region.contact_length, ice.thickness);
   if (!stretch) return std::nullopt;
   const Vec2 from = stretch->from.place, to = stretch->to.place;
-  OwnEdge result{{0.5 * (from + to), perpendicular(normalized(to - from))}, {}, std::pair{from, to}};
+  OwnEdge result{{0.5 * (from + to), perpendicular(normalized(to - from))}, {}, std::pair{to, from}};
   result.line.assign(edge.begin(), edge.begin() + static_cast<std::ptrdiff_t>(stretch->from.segment) + 1);
   result.line.insert(result.line.end(), {from, to});
   result.line.insert(result.line.end(), edge.begin() + static_cast<std::ptrdiff_t>(stretch->to.segment) + 1,
