@@ -72,6 +72,21 @@ std::string quantile_row(const char* name, const std::vector<double>& q) {
   return fmt::format("  {:<24}{:.3g}  {:.3g}  {:.3g}  {:.3g}  {:.3g}\n", name, q[0], q[1], q[2], q[3], q[4]);
 }
 
+/// Solutions of sheets, and the verdicts that they could not give, by reason.
+std::string sheets(const model::SheetSolves& s) {
+  if (s.coarse + s.cubic + s.without_edge == 0) return "";
+  std::string text = fmt::format("  sheets solved: {} coarse, {} fine; {} of them split by a radial crack\n", s.coarse,
+                                 s.cubic, s.split);
+  const auto row = [&](int n, const char* what) {
+    if (n > 0) text += fmt::format("  {:>10} {}\n", n, what);
+  };
+  row(s.without_edge, "contacts without an edge that faces them: the trapezoid was used");
+  row(s.unsolved, "sheets could not be solved: the trapezoid was used");
+  row(s.split_unsolved, "split sheets could not be solved: the whole sheet was used");
+  row(s.holding_together, "verdicts above the strength, but no crack cut the ice off: no break yet");
+  return text;
+}
+
 std::string ice(const simulation::RunSummary& s) {
   std::string text = "ice\n";
   const std::string rate = std::isnan(s.breaking_frequency) ? ""
@@ -88,11 +103,7 @@ std::string ice(const simulation::RunSummary& s) {
                   s.breaks.under_floes, s.breaks.radial_first, s.breaks.true_edge, s.breaks.along_stress);
   text += fmt::format("  failure model: {} steps shortened, {} inputs clamped below its range, {} above\n",
                       s.n_substepped, s.n_below_range, s.n_above_range);
-  if (s.n_outlines_refused > 0) {
-    text += fmt::format("  failure model: {} outlines could not be meshed and were assessed as trapezoids\n",
-                        s.n_outlines_refused);
-  }
-  return text;
+  return text + sheets(s.sheets);
 }
 
 std::string ledger(const geometry::Ledger& l) {

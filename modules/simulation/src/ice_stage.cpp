@@ -30,7 +30,7 @@ std::optional<double> meets_edge(Vec2 from, Vec2 course, double width) {
 void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.n_above_range += assessment.above_range ? 1 : 0;
   report.n_below_range += assessment.below_range ? 1 : 0;
-  report.n_outlines_refused += assessment.outline_refused ? 1 : 0;
+  report.sheets += assessment.solves;
 }
 
 }  // namespace
