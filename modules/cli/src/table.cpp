@@ -54,16 +54,29 @@ std::string regions(const simulation::RunSummary& s) {
   return text;
 }
 
+/// The mean of the run beside the measured one [N]. The mean over a short history depends on the seed.
+std::string difference(const simulation::RunSummary& s, double measured, double duration) {
+  if (std::isnan(s.horizontal.mean) || measured <= 0.0) return "";
+  const double percent = 100.0 * (s.horizontal.mean / measured - 1.0);
+  std::string text = fmt::format("  {:<43}{:>7.1f}  {:.1f} % {} the measured mean\n",
+                                 fmt::format("this run, mean over {:.1f} s", duration - s.statistics_from),
+                                 s.horizontal.mean / kKilo, std::abs(percent), percent < 0.0 ? "below" : "above");
+  if (!s.horizontal.long_enough)
+    text += "  note: a mean over so short a time is weak evidence, because each seed gives another mean\n";
+  return text;
+}
+
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
-std::string comparison(const model::Case& resolved) {
+std::string comparison(const model::Case& resolved, const simulation::RunSummary& s) {
   std::string text = fmt::format("for comparison, horizontal{} [kN]\n",
                                  resolved.structure.legs.size() < 2 ? "" : ", on one leg alone");
   if (const auto load = croasdale_of(resolved))
     text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
   if (const auto load = ralston_of(resolved, standards::Yield::kTresca))
     text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", load->horizontal / kKilo);
-  if (resolved.reference.mean_horizontal)
-    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *resolved.reference.mean_horizontal / kKilo);
+  if (const auto measured = resolved.reference.mean_horizontal)
+    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / kKilo) +
+            difference(s, *measured, resolved.time.duration);
   return text;
 }
 
@@ -158,8 +171,9 @@ void print_warnings(const std::vector<model::Warning>& warnings) {
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
-         warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) + comparison(resolved) +
-         ice(run.summary) + ledger(run.summary.ledger) + energy(run.summary.energy) + speed(resolved, run);
+         warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) +
+         comparison(resolved, run.summary) + ice(run.summary) + ledger(run.summary.ledger) +
+         energy(run.summary.energy) + speed(resolved, run);
 }
 
 }  // namespace brash::cli
