@@ -412,6 +412,47 @@ BOOST_AUTO_TEST_CASE(a_load_acts_on_the_edge_that_it_presses_and_not_on_the_othe
   }
 }
 
+BOOST_AUTO_TEST_CASE(weak_floes_with_long_stretches_on_a_cusped_edge_leave_the_stress_of_a_strong_one) {
+  Scene scene;
+  ice::Plate& level_ice = scene.field.level_ice(0);
+  for (const double y : {-9.0, -4.5, 0.0, 4.5, 9.0}) {  // five bays with cusps between them
+    const Vec2 centre{-1.0, y};
+    const ice::CrackPlan bay{geometry::circumferential(level_ice.sheet(), centre, 2.5, 3), centre, 2.5};
+    (void)scene.field.break_off(level_ice, bay, {}, 0.01);
+  }
+  const auto criterion =
+      failure::make_criterion(model::FailureModel::kPlateOutline, "", scene.ice,
+                              {.second_order = true, .radial_first = true, .anywhere = true, .trace_crack = true});
+  scene.resolved.failure.joint_loads = true;
+  const simulation::EdgeModel model{*scene.hull, scene.resolved, scene.ice, *criterion};
+  const auto floe = [&](Vec2 at, double reach, double force) {
+    simulation::Bearing bearing;
+    for (const double side : {-1.0, 1.0}) {
+      rigid_body::ContactLoad contact;
+      contact.point = {at.x, at.y + side * reach, -0.29};
+      contact.normal = normalized(Vec3{-1.0, 0.0, -0.5});
+      contact.normal_force = 0.5 * force;
+      simulation::add_contact(bearing, contact);
+    }
+    return simulation::bearing_contact(model, scene.sheet(), 7, bearing).value();
+  };
+  const auto largest = [&](std::vector<simulation::EdgeContact> contacts) {
+    simulation::assess(model, scene.sheet(), contacts);
+    double most = 0.0;
+    for (const simulation::EdgeContact& contact : contacts) {
+      BOOST_TEST(!contact.assessment.outline_refused);
+      most = std::max(most, contact.assessment.sigma_max);
+    }
+    return most;
+  };
+  constexpr double kStrong = 6e4;
+  const simulation::EdgeContact strong = floe({1.5, 0.0}, 0.5, kStrong);
+  std::vector<simulation::EdgeContact> all{strong};
+  for (const double y : {-5.0, -2.5, 2.5, 5.0}) all.push_back(floe({0.5, y}, 2.3, 0.03 * kStrong));  // 8 m
+  BOOST_TEST(all[1].region.contact_length > 7.9);
+  BOOST_TEST(largest(all) == largest({strong}), boost::test_tools::tolerance(0.05));
+}
+
 BOOST_AUTO_TEST_CASE(no_load_points_out_of_the_ice) {
   const Channel channel;
   // A floe on the far side of a slot that is narrower than the floe's contact is long.

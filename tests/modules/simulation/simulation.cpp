@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(ice_that_varies_breaks_where_it_is_thin_or_weak_and_its_run
     if (!saved && simulation.time() > 1.5) saved = simulation.checkpoint();
     BOOST_REQUIRE(simulation.ledger().closes());
   };
-  const model::Case resolved = short_case(settings, 2.0);
+  const model::Case resolved = short_case(settings, 2.8);
   const simulation::Run whole = simulation::run(resolved, {.observer = look});
   BOOST_REQUIRE(saved);
   simulation::Simulation rest(resolved, *saved);
