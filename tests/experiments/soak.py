@@ -5,10 +5,14 @@ that is written at the end, with nothing else.
 
 soak.py seeds BRASH CASE FOLDER [N [SECONDS]]    N [1000] seeds of the first SECONDS [3] of the case
 soak.py long BRASH CASE FOLDER [N [SECONDS]]     N [20] seeds of SECONDS [200], in a sheet as long as the way
+soak.py steps BRASH CASE FOLDER [N [SECONDS]]    N [200] generated cases of SECONDS [3] with large steps: no watchdog
+                                                 ends a legal run
 """
 import json
+import math
 import os
 import pty
+import random
 import re
 import shutil
 import statistics
@@ -119,9 +123,44 @@ def long(brash, case, folder, n=20, seconds=200):
     return faults
 
 
+def large_step(seed):
+    """Settings of a case whose structure or floes go far in a step: thin ice, fast, or a long step."""
+    draw = random.Random(seed)
+
+    def between(least, most):  # evenly by the logarithm
+        return round(least * (most / least) ** draw.random(), 4)
+    width, angle = between(2.0, 12.0), draw.randint(25, 80)
+    depth = round(min(0.4 * width * math.tan(math.radians(angle)), 4.0), 4)  # the cone keeps a keel and a top
+    reach = 0.5 * width + depth / math.tan(math.radians(angle))
+    return {"algorithm.preset": draw.choice(["paper", "paper", "paper", "brash"]), "random.seed": seed,
+              "ice.thickness": between(0.03, 0.6), "structure.speed": between(0.5, 4.0), "time.step": between(0.01, 0.05),
+              "ice.friction_ice": draw.choice([0.05, 0.3, 0.6]), "ice.friction_structure": draw.choice([0.0, 0.027, 0.1]),
+              "ice.flexural_strength": between(1e5, 1e6), "structure.angle": f"{angle} deg",
+              "structure.breaking": draw.choice(["downward", "upward"]), "contact.iterations": draw.choice([10, 30, 100]),
+              "structure.waterline_width": width, "structure.start_distance": round(reach + 0.1, 4),
+              "structure.height_under_water": depth, "structure.height": 2 * depth, "field.length": 25,
+              "field.width": 25, "field.initial_crack": draw.choice(["true", "false"]),
+              "water.current": draw.choice(["[0, 0]", "[0, 0]", "[0.5, 0.3]"])}
+    return values
+
+
+def steps(brash, case, folder, n=200, seconds=3):
+    faults = []
+    for seed in range(1, n + 1):
+        shutil.rmtree(folder, ignore_errors=True)
+        settings = [word for key, value in large_step(seed).items() for word in ("--set", f"{key}={value}")]
+        done = subprocess.run(command(brash, case, folder, seed, seconds, *settings), capture_output=True, text=True,
+                              check=False)
+        if fault := fault_of(folder, done.returncode, done.stderr.strip()):
+            faults.append(f"case {seed}: {fault}\n    {' '.join(settings)}")
+            print(faults[-1], flush=True)
+    print(f"{n} cases with large steps, {seconds} s: {len(faults)} failed")
+    return faults
+
+
 def main():
     what, brash, case, folder = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3], Path(sys.argv[4]).resolve()
-    faults = {"seeds": seeds, "long": long}[what](brash, case, folder, *map(int, sys.argv[5:7]))
+    faults = {"seeds": seeds, "long": long, "steps": steps}[what](brash, case, folder, *map(int, sys.argv[5:7]))
     print("\n".join(faults))
     return 1 if faults else 0
 

@@ -62,6 +62,7 @@ void Body::set_settled(bool value) {
   start_twist = {};
   mean_twist = {};
   loaded_twist = {};
+  gyroscopic_share = 0.0;
   load = {};
   stream = {};
   bullet->setMassProps(value ? 0.0 : mass.mass, value ? btVector3(0, 0, 0) : to_bullet(mass.inertia));
@@ -88,6 +89,11 @@ double Body::kinetic_energy() const {
   const double across = dot(rotate(pose.rotation, {0.0, 0.0, 1.0}), twist.linear);
   return 0.5 * mass.mass * dot(twist.linear, twist.linear) + 0.5 * mass.added_across * across * across +
          0.5 * (mass.inertia.x * w.x * w.x + mass.inertia.y * w.y * w.y + mass.inertia.z * w.z * w.z);
+}
+
+Vec3 Body::angular_momentum(Vec3 spin) const {
+  const Vec3 w = rotate(conjugate(pose.rotation), spin);
+  return rotate(pose.rotation, {mass.inertia.x * w.x, mass.inertia.y * w.y, mass.inertia.z * w.z});
 }
 
 Pose advanced(const Pose& pose, const Twist& twist, double dt) {

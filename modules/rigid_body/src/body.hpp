@@ -54,6 +54,8 @@ struct Body {
   Wrench load;                     ///< for the next step
   Vec3 stream;                     ///< velocity of the water around it
   double gained_by_turning = 0.0;  ///< World::gained_by_turning() [J]
+  Vec3 gyration;                   ///< angular velocity that the gyroscopic moment gave it in this step [rad/s]
+  double gyroscopic_share = 0.0;   ///< World::gyroscopic_share() [J]
   Pose next_pose;                  ///< of a structure or a sheet that moves as it is told
   bool moved = false;
   bool settled = false;           ///< a floe fixed where it is
@@ -89,6 +91,8 @@ struct Body {
   /// Brings the parts and Bullet's body to the present pose.
   void place();
   double kinetic_energy() const;
+  /// At its pose, with a spin [rad/s], in kg m2/s.
+  Vec3 angular_momentum(Vec3 spin) const;
 };
 
 /// Two bodies whose boxes overlap, in the order in which a contact between them is handled.

@@ -182,7 +182,7 @@ void count(RunSummary& counts, const StepReport& report) {
 }
 
 /// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
-/// it to the bit. @return the lines about it for the error message.
+/// it to the bit. @return the line about it for the error message.
 std::string keep_reproducer(const model::Case& resolved, const RunOptions& options, const Progress& progress,
                             std::int64_t n_steps) {
   if (!options.checkpoint.keep) return {};
@@ -193,7 +193,8 @@ std::string keep_reproducer(const model::Case& resolved, const RunOptions& optio
   } catch (const std::exception& error) {
     return fmt::format("\n  the state before it could not be kept: {}", error.what());
   }
-  return "\n  remedy:  the last good state is in " + options.checkpoint.name + ": --resume repeats the step";
+  return "\n  kept:    the state before the step, in " + options.checkpoint.name +
+         ": --resume repeats the failure, for a closer look";
 }
 
 /// One step. A step that fails leaves nothing that could pass for a result, and the state before it, which repeats it.
@@ -209,8 +210,11 @@ StepReport step(const model::Case& resolved, const RunOptions& options, Progress
   } catch (const std::bad_alloc&) {
     throw;  // the step is not at fault
   } catch (const std::exception& error) {
-    throw RunError(fmt::format("step {} failed, from t = {:.9g} s: {}{}", n_steps + 1, from, error.what(),
-                               keep_reproducer(resolved, options, progress, n_steps)));
+    throw RunError(fmt::format(
+        "step {} failed, from t = {:.9g} s: {}{}\n  remedy:  start the run again with a shorter step, such as "
+        "--set time.step={:.3g}",
+        n_steps + 1, from, error.what(), keep_reproducer(resolved, options, progress, n_steps),
+        0.5 * resolved.time.step));
   }
 }
 

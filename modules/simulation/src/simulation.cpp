@@ -236,6 +236,7 @@ void Simulation::Impl::remove_crushed_floes(StepReport& report) {
     bearings.forget(body);
     bending.forget(body);
     const Floe floe = floes.remove(world, body);
+    watchdog.remove(body, floe.weight);
     field.to_deleted(floe.plate);
     report.deaths.push_back({floe.id, model::FloeEnd::kCrushed, floe.stress.peak_compression});
   }

@@ -37,6 +37,7 @@ void Simulation::Impl::split(const Fracture& fracture, StepReport& report) {
     if (floes.at(born).collision_time < resolved.time.step) ++report.n_steps_too_long;
     report.births.push_back(std::move(*record));
   }
+  watchdog.remove(body, parent.weight);
 }
 
 /// Floes split whose bending tension exceeds the flexural strength.

@@ -67,6 +67,7 @@ void Watchdog::begin(const Watched& start, double births) {
 void Watchdog::look(const Watched& now) {
   see_structure(now.structure);
   open_accounts(now.floes);
+  explain_gyration(now.world);
   const std::vector<BodyId>& moving = now.world.moving();
   now.world.workers().each(moving.size(), kCheapFloes, [&](std::size_t i) {
     const Floe& floe = now.floes.at(moving[i]);
@@ -84,19 +85,21 @@ void Watchdog::open_accounts(const FloePopulation& floes) {
       if (floe.id >= next_id_) accounts_.try_emplace(body);
     next_id_ = floes.next_id();
   }
-  if (accounts_.size() > floes.floes().size())
-    std::erase_if(accounts_, [&](const auto& entry) { return !floes.floes().contains(entry.first); });
 }
 
 void Watchdog::add_piece(double energy, BodyId body, BodyId parent) {
   accounts_[body] = {.explained = energy, .travel = accounts_[parent].travel};
 }
 
+void Watchdog::remove(BodyId body, double weight) {
+  const auto account = accounts_.extract(body);
+  allowed_to_gone_ += allowance(weight, account.empty() ? 0.0 : account.mapped().travel);
+}
+
 void Watchdog::save(const FloePopulation& floes, model::Checkpoint& checkpoint) const {
   model::save(checkpoint, "watchdog", *this);
   model::Table table{"watched_floe", {}};
   for (const auto& [body, account] : accounts_) {
-    if (!floes.floes().contains(body)) continue;
     const SavedAccount saved{floes.at(body).id, account.explained, account.travel};
     model::SavedRow row(table);
     SavedAccount::visit(saved, row);
@@ -132,6 +135,15 @@ void Watchdog::look_at_place(const Floe& floe, Vec3 place, double time) const {
                              place.x, place.y, place.z));
 }
 
+/// In the order of the floes, so that the sum does not depend on the number of threads.
+void Watchdog::explain_gyration(const rigid_body::World& world) {
+  for (const BodyId body : world.moving()) {
+    const double share = world.gyroscopic_share(body);
+    accounts_.at(body).explained += share;
+    gyroscopic_ += share;
+  }
+}
+
 /// No floe has more energy than contacts, water and its height gave it. Its force F changes once, too: from nearly
 /// nothing afloat to its weight in air. So the errors of its steps, dt F (u' - u) / 2, add up to as much again.
 void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe) {
@@ -149,7 +161,7 @@ void Watchdog::look_at_energy(const Watched& now, BodyId body, const Floe& floe)
 }
 
 double Watchdog::allowance_of_all(const FloePopulation& floes, double enough) const {
-  double sum = 0.0;
+  double sum = allowed_to_gone_;
   for (const auto& [body, floe] : floes.floes()) {
     if (sum >= enough) break;
     const auto account = accounts_.find(body);
@@ -183,7 +195,7 @@ void Watchdog::look_at_balance(const Watched& now) const {
   if (now.floes.area() != now.area.floes)
     throw RunError("the ledger does not fit the floes: they lack " + (now.area.floes - now.floes.area()).to_string() +
                    " m2");
-  const double error = now.row.energy_error - booked_error_;
+  const double error = now.row.energy_error - booked_error_ + gyroscopic_;
   const double rounding = kRounding * (1.0 + std::abs(now.row.work));
   const double allowed = allowance_of_all(now.floes, std::abs(error)) + rounding;
   if (!(std::abs(error) <= allowed))

@@ -42,6 +42,9 @@ class Watchdog {
   /// The floe `body` was born with `energy` [J] when `parent` broke: it is explained by what explained the parent's.
   void add_piece(double energy, BodyId body, BodyId parent);
 
+  /// A floe of this weight [N] has gone. What the time step explains of its energy still counts in the balance.
+  void remove(BodyId body, double weight);
+
   void save(const FloePopulation& floes, model::Checkpoint& checkpoint) const;
   /// Goes on with the accounts of an earlier run, so that it passes or ends a resumed run as it would the whole one.
   void restore(const FloePopulation& floes, const model::Checkpoint& checkpoint);
@@ -51,6 +54,9 @@ class Watchdog {
   static void visit(Self& self, Visit&& visit) {
     visit("travel", "m", "longest travel that structure, rise and current give in a step", self.travel_);
     visit("booked_error", "J", "error of the energies at the start", self.booked_error_);
+    visit("gyroscopic", "J", "energy that loads and contacts gave through gyroscopic moments", self.gyroscopic_);
+    visit("allowed_to_gone", "J", "error that the time step may have left in floes that have gone",
+          self.allowed_to_gone_);
   }
 
  private:
@@ -73,14 +79,17 @@ class Watchdog {
 
   void look_at_place(const Floe& floe, Vec3 place, double time) const;
   void look_at_energy(const Watched& now, BodyId body, const Floe& floe);
+  void explain_gyration(const rigid_body::World& world);
   void look_at_losses(const Watched& now) const;
   void look_at_balance(const Watched& now) const;
 
   const model::Case* case_;
-  std::pair<Vec3, Vec3> hull_;  ///< least and largest coordinates, its frame [m]
-  double travel_ = 0.0;         ///< that structure, rise and current give in a step, at most until now [m]
-  double most_lift_;            ///< F over the weight
-  double booked_error_ = 0.0;   ///< of the energies at the start [J]
+  std::pair<Vec3, Vec3> hull_;    ///< least and largest coordinates, its frame [m]
+  double travel_ = 0.0;           ///< that structure, rise and current give in a step, at most until now [m]
+  double most_lift_;              ///< F over the weight
+  double booked_error_ = 0.0;     ///< of the energies at the start [J]
+  double gyroscopic_ = 0.0;       ///< World::gyroscopic_share() of all floes and steps [J]
+  double allowed_to_gone_ = 0.0;  ///< allowances of the floes that have gone [J]
   std::map<BodyId, Account> accounts_;
   std::int64_t next_id_ = 0;  ///< floes with lower ids have had their accounts opened
 };

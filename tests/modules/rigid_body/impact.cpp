@@ -273,6 +273,37 @@ BOOST_AUTO_TEST_CASE(Loads_contacts_and_a_moving_structure_work_at_the_mean_of_t
   BOOST_TEST(std::abs(world.kinetic_energy() - before - given + lost) < 1e-8);
 }
 
+BOOST_AUTO_TEST_CASE(A_floe_that_tumbles_by_more_than_a_radian_in_a_step_gains_no_energy) {
+  for (const double rate : {1.0, 10.0, 30.0, 60.0, 120.0}) {  // 0.05 to 6 rad in a step
+    World world(WorldSettings{});
+    const BodyId floe = add_floe(world, rectangle({0, 0}, {0.3, 0.15}), 0.05, {{}, rate * Vec3{0.6, 0.5, 0.4}});
+    double energy = world.kinetic_energy();
+    for (int i = 0; i < 100; ++i) {
+      world.step(0.05);
+      BOOST_TEST(world.kinetic_energy() <= energy * (1.0 + 1e-9));  // rounding
+      energy = world.kinetic_energy();
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(The_gyroscopic_moment_hands_on_what_loads_give_a_spinning_floe) {
+  World world(WorldSettings{});
+  const Vec3 moment{0.4, -0.3, 0.2};
+  const double dt = 0.05;
+  const BodyId free = add_floe(world, rectangle({0, 0}, {0.3, 0.15}), 0.05, {{}, {9.0, 6.0, -4.0}});
+  const BodyId loaded = add_floe(world, rectangle({9, 0}, {9.3, 0.15}), 0.05, {{}, {9.0, 6.0, -4.0}});
+  const double before = world.kinetic_energy(loaded);
+  world.apply(loaded, {{}, moment});
+  world.step(dt);
+  BOOST_TEST(world.gyroscopic_share(free) == 0.0);
+  // The floe without a load shows what the moment alone takes.
+  const double lost = before - world.kinetic_energy(free);
+  const double work = dt * dot(moment, world.mean_twist(loaded).angular);
+  BOOST_TEST(std::abs(world.gyroscopic_share(loaded)) > 0.01 * work);
+  BOOST_TEST(world.kinetic_energy(loaded) - before == work + world.gyroscopic_share(loaded) - lost,
+             boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(Contacts_between_floes_take_energy_and_leave_momentum) {
   for (const auto& [pressure, restitution] : {std::pair{0.05e6, 0.0}, {0.5e6, 0.0}, {0.05e6, 0.5}, {0.5e6, 0.5}}) {
     WorldSettings settings;

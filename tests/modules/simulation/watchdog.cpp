@@ -179,6 +179,26 @@ BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_ends_the_run) {
   BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("the energies do not close"));
 }
 
+BOOST_AUTO_TEST_CASE(the_error_that_a_floe_has_left_passes_after_the_floe_has_gone) {
+  Guarded pool;
+  pool.steps(50);
+  for (int i = 0; i < 2; ++i) {
+    const BodyId body = pool.bodies.back();
+    pool.bodies.pop_back();
+    const Floe& floe = pool.floes.at(body);
+    pool.area.floes -= floe.area;
+    pool.area.deleted += floe.area;
+    pool.watchdog.remove(body, floe.weight);
+    pool.ledger.remove(pool.world, pool.floes, body);
+    pool.remove(body);
+  }
+  model::LoadRow row = pool.step(kStep);
+  row.energy_error += 100.0;  // of three floes: 43 J each
+  BOOST_CHECK_NO_THROW(pool.look(row));
+  row.energy_error += 100.0;
+  BOOST_CHECK_EXCEPTION(pool.look(row), RunError, says("the energies do not close"));
+}
+
 /// A run of the validation case to 2.5 s, where floes move; then `spoil` alters its checkpoint, and it goes on.
 struct Spoilt {
   const model::Case resolved = io::read_case(kValidation, {"failure.model=wedge", "time.duration=3"});

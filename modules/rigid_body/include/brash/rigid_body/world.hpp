@@ -300,6 +300,10 @@ class World {
   Twist loaded_twist(BodyId id) const;
   /// Kinetic energy that the stream gave a body in the last step, because the body turned (M3) [J]; 0 in water at rest.
   double gained_by_turning(BodyId id) const;
+  /// What loads and contacts of the last step gave a floe through its gyroscopic moment [J]: they change the spin
+  /// within the step, so the moment works at the mean spin of (E2). It is large where a floe turns by a radian in a
+  /// step.
+  double gyroscopic_share(BodyId id) const;
   /// Kinetic energy of all floes, added mass included [J].
   double kinetic_energy() const;
   /// Kinetic energy of one floe, added mass included [J].
