@@ -7,7 +7,7 @@ setting_table.py laws.csv water.csv              of several files; settings of t
 setting_table.py FILE... --column NAME[/UNIT]    other columns; UNIT divides the numbers: horizontal.maximum/1e6
 
 An interval is Student's. The difference is the first column's, less that of the first setting. Its interval is
-Welch's: replicates of two settings share their seeds, but not their cracks.
+Welch's: settings have seeds of their own, so their replicates are independent.
 """
 import argparse
 import math

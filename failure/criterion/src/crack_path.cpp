@@ -56,6 +56,12 @@ class Tracer {
     return arm;
   }
 
+  /// From the centre line into the half y < 0 (`half` is -1) or y > 0 (1).
+  Arm arm_from_line(double from, double half) const {
+    constexpr double kBeside = 1e-3;  // a split sheet has its crack on the line
+    return arm({from, half * kBeside}, {0.0, half}, false);
+  }
+
   /// Both arms from a place.
   std::array<Arm, 2> arms(Vec2 start, bool crosses) const {
     const Vec2 way = way_at(start, {0.0, 1.0}).value_or(Vec2{0.0, 1.0});
@@ -75,9 +81,10 @@ std::vector<Vec2> joined(const Arm& one, const Arm& other) {
   return line;
 }
 
-/// The crack of one half, from outside to the centre line.
-std::vector<Vec2> half_crack(const Tracer& tracer, Vec2 place) {
-  auto [one, other] = tracer.arms(place, false);
+/// The crack of one half, from outside to the centre line; empty where there is no place, or it does not come so far.
+std::vector<Vec2> half_crack(const Tracer& tracer, const std::optional<Vec2>& place) {
+  if (!place) return {};
+  auto [one, other] = tracer.arms(*place, false);
   if (one.end == End::kCentreLine) std::swap(one, other);
   if (one.end != End::kOutside || other.end != End::kCentreLine) return {};
   return joined(one, other);
@@ -95,10 +102,7 @@ double principal(const plate::Tensor2& s) { return 0.5 * (s.xx + s.yy) + std::hy
 std::vector<Vec2> crack_from_line(const plate::SheetSolution& solution, double from, Surface side,
                                   double thickness_over_lc) {
   const Tracer tracer(solution, side, thickness_over_lc);
-  // Beside the centre line: a split sheet has its crack there.
-  constexpr double kBeside = 1e-3;
-  const Arm right = tracer.arm({from, -kBeside}, {0.0, -1.0}, false);
-  const Arm left = tracer.arm({from, kBeside}, {0.0, 1.0}, false);
+  const Arm right = tracer.arm_from_line(from, -1.0), left = tracer.arm_from_line(from, 1.0);
   if (right.end != End::kOutside || left.end != End::kOutside) return {};
   if (right.points.size() < 2 || left.points.size() < 2) return {};
   std::vector<Vec2> crack(right.points.rbegin(), right.points.rend() - 1);
@@ -116,12 +120,17 @@ std::vector<Vec2> crack_through(const plate::SheetSolution& solution, Vec2 place
   return crack;
 }
 
-std::vector<Vec2> crack_through_halves(const plate::SheetSolution& solution, Vec2 below, Vec2 above, Surface side,
-                                       double thickness_over_lc) {
+std::vector<Vec2> crack_through_halves(const plate::SheetSolution& solution, const std::optional<Vec2>& below,
+                                       const std::optional<Vec2>& above, Surface side, double thickness_over_lc) {
   const Tracer tracer(solution, side, thickness_over_lc);
-  std::vector<Vec2> crack = half_crack(tracer, below);
-  const std::vector<Vec2> rest = half_crack(tracer, above);
-  if (crack.empty() || rest.empty()) return {};
+  std::vector<Vec2> crack = half_crack(tracer, below), rest = half_crack(tracer, above);
+  if (crack.empty() && rest.empty()) return {};
+  if (crack.empty() || rest.empty()) {
+    const std::vector<Vec2>& found = crack.empty() ? rest : crack;
+    const Arm other = tracer.arm_from_line(found.back().x, crack.empty() ? -1.0 : 1.0);
+    if (other.end != End::kOutside || other.points.size() < 2) return {};
+    (crack.empty() ? crack : rest).assign(other.points.rbegin(), other.points.rend());
+  }
   crack.insert(crack.end(), rest.rbegin(), rest.rend());
   return crack;
 }

@@ -30,10 +30,10 @@ std::vector<Vec2> crack_through(const plate::SheetSolution& solution, Vec2 place
                                 double thickness_over_lc);
 
 /// The cracks of both halves of a split sheet, each through a place of its half. They run to the radial crack, which
-/// joins them. Nothing where one does not meet it.
+/// joins them. Where one half has no place, or no crack from there, it cracks from the end of the other half's crack.
 /// @param below, above  places with y < 0 and y > 0.
-std::vector<Vec2> crack_through_halves(const plate::SheetSolution& solution, Vec2 below, Vec2 above, Surface side,
-                                       double thickness_over_lc);
+std::vector<Vec2> crack_through_halves(const plate::SheetSolution& solution, const std::optional<Vec2>& below,
+                                       const std::optional<Vec2>& above, Surface side, double thickness_over_lc);
 
 /// Where a crack first crosses the centre line, x > 0; nothing where it does not.
 std::optional<double> distance_ahead(const std::vector<Vec2>& crack);

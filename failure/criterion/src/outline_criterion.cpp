@@ -8,6 +8,7 @@
 #include "crack_path.hpp"
 #include "criteria.hpp"
 #include "outline_sheet.hpp"
+#include "own_places.hpp"
 #include "weak_places.hpp"
 
 namespace brash::failure {
@@ -15,13 +16,8 @@ namespace {
 
 /// A sheet is solved where the screen says more than the strength over this: docs/theory/simulation.md.
 constexpr double kMargin = 6.0;
-/// A split sheet has up to 1.9 times the stress of a whole one.
-constexpr double kSplitMargin = 2.2;
 /// A sheet is solved again, with cubic elements, where quadratic ones find more than the strength over this.
 constexpr double kCoarseMargin = 1.25;
-
-/// How much a load on a straight edge, `s` l_c along it from B, bends the ice ahead of B, over the same load at B.
-double share_at(double s) { return std::exp(-std::pow(s / 1.75, 1.4)); }
 
 /// The floating sheet with its free edge as it is, under all loads on it, solved for each load case.
 class OutlineCriterion final : public BendingCriterion {
@@ -35,15 +31,24 @@ class OutlineCriterion final : public BendingCriterion {
     expect_valid(load);
     if (load.pressure == 0.0) return unloaded(load);
     if (const auto harmless = dismiss(load)) return *harmless;
+    model::SheetSolves solves;
     std::optional<Assessment> answer;
-    if (!load.outline.empty()) answer = screened(load);
-    if (answer) return *answer;
-    LoadCase alone = load;
-    alone.outline.clear();
-    alone.loads.clear();
-    answer = screened(alone);
-    if (!answer) answer = screen_->assess(load);
-    answer->outline_refused = true;
+    if (load.outline.empty()) {
+      ++solves.without_edge;
+    } else {
+      answer = screened(load, solves);
+      if (!answer) ++solves.unsolved;
+    }
+    const bool refused = !answer;
+    if (refused) {
+      LoadCase alone = load;
+      alone.outline.clear();
+      alone.loads.clear();
+      answer = screened(alone, solves);
+      if (!answer) answer = screen_->assess(load);
+    }
+    answer->outline_refused = refused;
+    answer->solves = solves;
     return *answer;
   }
 
@@ -87,11 +92,6 @@ class OutlineCriterion final : public BendingCriterion {
       return weakest && weakest->stress > stresses.largest ? weakest : std::nullopt;
     }
     double largest() const { return decisive() ? decisive()->stress : stresses.largest; }
-    /// Whether the sheet may fail, whole or split, if its stresses are `margin` times as large.
-    bool may_fail(double margin) const {
-      const bool may_split = margin * radial > 1.0 && margin * kSplitMargin * largest() > 1.0;
-      return margin * largest() > 1.0 || may_split;
-    }
     double breaking_length() const {
       const std::optional<WeakPlace> place = decisive();
       return l_c * (place ? norm(place->at) : stresses.place);
@@ -102,55 +102,80 @@ class OutlineCriterion final : public BendingCriterion {
   Assessment unloaded(LoadCase load) const {
     load.pressure = 1.0;
     load.loads.clear();
-    Assessment answer = judge(load).value_or(screen_->assess(load));
+    model::SheetSolves solves;
+    Assessment answer = judge(load, solves).value_or(screen_->assess(load));
     return {.breaking_length = answer.breaking_length};
   }
 
-  /// As `judge`, with coarse elements where they can tell that the ice holds.
-  std::optional<Assessment> screened(const LoadCase& load) const {
-    if (options_.coarse_first) {
-      Assessment answer;
-      const auto coarse = solve(load, {.accuracy = plate::Accuracy::kCoarse}, answer);
-      if (coarse && !answer.buckled && !coarse->may_fail(kCoarseMargin))
-        return Assessment{.sigma_max = coarse->largest() * ice_.flexural_strength,
-                          .breaking_length = coarse->breaking_length()};
+  /// As `judge`, with coarse elements where they show that the ice holds.
+  std::optional<Assessment> screened(const LoadCase& load, model::SheetSolves& solves) const {
+    if (options_.coarse_first)
+      if (const auto holds = dismiss_coarsely(load, solves)) return holds;
+    return judge(load, solves);
+  }
+
+  /// The answer of coarse elements where it stays below the strength, whole and, if a radial crack may come first,
+  /// split. A split sheet has up to four times the stress of the whole one, so it is solved.
+  std::optional<Assessment> dismiss_coarsely(const LoadCase& load, model::SheetSolves& solves) const {
+    Assessment answer;
+    const auto holds = [&](const std::optional<Solved>& sheet) {
+      return sheet && !answer.buckled && kCoarseMargin * sheet->largest() <= 1.0;
+    };
+    How how{.accuracy = plate::Accuracy::kCoarse};
+    std::optional<Solved> coarse = solve(load, how, answer, solves);
+    if (!holds(coarse)) return std::nullopt;
+    if (options_.radial_first && kCoarseMargin * coarse->radial > 1.0) {
+      how.split = true;
+      std::optional<Solved> split = solve(load, how, answer, solves);
+      if (!holds(split)) return std::nullopt;
+      answer.split = coarse->radial > 1.0;
+      if (answer.split) coarse = std::move(split);
     }
-    return judge(load);
+    answer.sigma_max = coarse->largest() * ice_.flexural_strength;
+    answer.breaking_length = coarse->breaking_length();
+    return answer;
   }
 
   /// Nothing where the sheet cannot be meshed.
-  std::optional<Assessment> judge(const LoadCase& load) const {
+  std::optional<Assessment> judge(const LoadCase& load, model::SheetSolves& solves) const {
     Assessment answer;
-    std::optional<Solved> solved = solve(load, {}, answer);
+    std::optional<Solved> solved = solve(load, {}, answer, solves);
     if (!solved) return std::nullopt;
-    if (options_.radial_first && solved->radial > 1.0 && solved->may_fail(1.0)) {
-      if (auto split = solve(load, {.split = true}, answer)) {
+    if (options_.radial_first && solved->radial > 1.0) {
+      if (auto split = solve(load, {.split = true}, answer, solves)) {
         answer.split = true;
         solved = std::move(split);
+      } else {
+        ++solves.split_unsolved;
       }
     }
     answer.sigma_max = solved->largest() * ice_.flexural_strength;
     answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
     answer.breaking_length = solved->breaking_length();
-    if (answer.fails && options_.trace_crack) trace(*solved, answer);
+    if (answer.fails && options_.trace_crack) {
+      trace(*solved, answer);
+      answer.fails = !answer.crack.empty();
+      solves.holding_together += answer.fails ? 0 : 1;
+    }
     return answer;
   }
 
-  /// The crack, and the breaking length where it is not on the line already.
+  /// The crack, and the breaking length where it is not on the line already. Empty where no crack cuts B off.
   void trace(const Solved& solved, Assessment& answer) const {
     const auto& [sheet, solution, stresses, halves, l_c, radial] = solved;
     std::vector<Vec2> crack;
     if (const auto place = solved.decisive()) {
-      if (!sheet.split)
-        crack = crack_through(solution, place->at, 1.0, sheet.thickness);
-      else if (halves.below && halves.above)
-        crack = crack_through_halves(solution, halves.below->at, halves.above->at, 1.0, sheet.thickness);
+      const auto at = [](const std::optional<WeakPlace>& weak) {
+        return weak ? std::optional(weak->at) : std::nullopt;
+      };
+      crack = sheet.split ? crack_through_halves(solution, at(halves.below), at(halves.above), 1.0, sheet.thickness)
+                          : crack_through(solution, place->at, 1.0, sheet.thickness);
       if (const auto ahead = distance_ahead(crack))
         answer.breaking_length = l_c * *ahead;
       else
         crack.clear();  // it does not cut B off
     }
-    if (crack.empty()) {
+    if (crack.empty() && stresses.largest > 1.0) {
       crack = crack_from_line(solution, stresses.place, stresses.side, sheet.thickness);
       if (!crack.empty()) answer.breaking_length = l_c * stresses.place;
     }
@@ -158,13 +183,15 @@ class OutlineCriterion final : public BendingCriterion {
   }
 
   /// To first order if the plate buckles.
-  std::optional<Solved> solve(const LoadCase& load, How how, Assessment& answer) const {
+  std::optional<Solved> solve(const LoadCase& load, How how, Assessment& answer, model::SheetSolves& solves) const {
     const SheetMotion& motion = how.split ? load.motion.split : load.motion.whole;
     IceProperties ice = ice_;
     ice.water_density /= std::pow(motion.length, 4);  // l_c is shorter by `length`, and D stays
     plate::LoadedSheet sheet = loaded_sheet(load, ice, options_.second_order, motion.stress);
     sheet.split = how.split;
     sheet.accuracy = how.accuracy;
+    ++(how.accuracy == plate::Accuracy::kCoarse ? solves.coarse : solves.cubic);
+    solves.split += how.split ? 1 : 0;
     auto solution = plate::solve(sheet);
     if (!solution && solution.error().buckled) {
       answer.buckled = true;
@@ -172,11 +199,13 @@ class OutlineCriterion final : public BendingCriterion {
       solution = plate::solve(sheet);
     }
     if (!solution) return std::nullopt;
-    const auto stresses = stresses_ahead(sheet, *solution, ice);
-    if (!stresses) return std::nullopt;
-    const WeakPlaces beside = options_.anywhere ? weak_places(sheet, *solution, ice) : WeakPlaces{};
-    const double radial = motion.radial / motion.stress * stresses->radial_bending + stresses->radial_membrane;
-    return Solved{std::move(sheet), std::move(*solution), *stresses, beside, characteristic_length(ice), radial};
+    const OwnPlaces own(loads_of(load, ice_.thickness), ice_);
+    const auto on_line = stresses_ahead(sheet, *solution, ice, own);
+    if (!on_line && !options_.anywhere) return std::nullopt;
+    const Stresses stresses = on_line.value_or(Stresses{});
+    const WeakPlaces beside = options_.anywhere ? weak_places(sheet, *solution, ice, own) : WeakPlaces{};
+    const double radial = motion.radial / motion.stress * stresses.radial_bending + stresses.radial_membrane;
+    return Solved{std::move(sheet), std::move(*solution), stresses, beside, characteristic_length(ice), radial};
   }
 
   std::unique_ptr<BendingCriterion> screen_;

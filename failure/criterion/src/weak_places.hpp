@@ -5,6 +5,7 @@
 
 #include "brash/failure/criterion.hpp"
 #include "brash/plate/sheet.hpp"
+#include "own_places.hpp"
 
 namespace brash::failure {
 
@@ -14,7 +15,7 @@ struct WeakPlace {
   double stress = 0.0;  ///< over the flexural strength
 };
 
-/// The weakest place of each half around B; nothing where no place of it is judged.
+/// The weakest place of each half around B; nothing where no place of it is checked.
 struct WeakPlaces {
   std::optional<WeakPlace> below, above;  ///< y < 0 and y > 0
 
@@ -22,9 +23,11 @@ struct WeakPlaces {
   std::optional<WeakPlace> weakest() const;
 };
 
-/// Looks within 2.5 l_c of B. Plate theory says nothing nearer than h to a load, the free edge or the radial crack. A
-/// place belongs to the load nearest to it; those of other loads than the one at B are left out.
+/// Looks within 2.5 l_c of B, at places of the contact's own load. Plate theory says nothing nearer than h to a load,
+/// the free edge or the radial crack.
+/// @param ice  of `sheet`: its l_c is the unit of the sheet's lengths.
 /// @see docs/theory/failure.md, (6).
-WeakPlaces weak_places(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution, const IceProperties& ice);
+WeakPlaces weak_places(const plate::LoadedSheet& sheet, const plate::SheetSolution& solution, const IceProperties& ice,
+                       const OwnPlaces& own);
 
 }  // namespace brash::failure

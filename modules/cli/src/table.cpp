@@ -54,22 +54,50 @@ std::string regions(const simulation::RunSummary& s) {
   return text;
 }
 
+/// The mean of the run beside the measured one [N]. The mean over a short history depends on the seed.
+std::string difference(const simulation::RunSummary& s, double measured, double duration) {
+  if (std::isnan(s.horizontal.mean) || measured <= 0.0) return "";
+  const double percent = 100.0 * (s.horizontal.mean / measured - 1.0);
+  std::string text = fmt::format("  {:<43}{:>7.1f}  {:.1f} % {} the measured mean\n",
+                                 fmt::format("this run, mean over {:.1f} s", duration - s.statistics_from),
+                                 s.horizontal.mean / kKilo, std::abs(percent), percent < 0.0 ? "below" : "above");
+  if (!s.horizontal.long_enough)
+    text += "  note: a mean over so short a time is weak evidence, because each seed gives another mean\n";
+  return text;
+}
+
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
-std::string comparison(const model::Case& resolved) {
+std::string comparison(const model::Case& resolved, const simulation::RunSummary& s) {
   std::string text = fmt::format("for comparison, horizontal{} [kN]\n",
                                  resolved.structure.legs.size() < 2 ? "" : ", on one leg alone");
   if (const auto load = croasdale_of(resolved))
     text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
   if (const auto load = ralston_of(resolved, standards::Yield::kTresca))
     text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", load->horizontal / kKilo);
-  if (resolved.reference.mean_horizontal)
-    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *resolved.reference.mean_horizontal / kKilo);
+  if (const auto measured = resolved.reference.mean_horizontal)
+    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / kKilo) +
+            difference(s, *measured, resolved.time.duration);
   return text;
 }
 
 std::string quantile_row(const char* name, const std::vector<double>& q) {
   if (q.empty()) return fmt::format("  {:<24}none\n", name);
   return fmt::format("  {:<24}{:.3g}  {:.3g}  {:.3g}  {:.3g}  {:.3g}\n", name, q[0], q[1], q[2], q[3], q[4]);
+}
+
+/// Solutions of sheets, and the verdicts that they could not give, by reason.
+std::string sheets(const model::SheetSolves& s) {
+  if (s.coarse + s.cubic + s.without_edge == 0) return "";
+  std::string text = fmt::format("  sheets solved: {} coarse, {} fine; {} of them split by a radial crack\n", s.coarse,
+                                 s.cubic, s.split);
+  const auto row = [&](int n, const char* what) {
+    if (n > 0) text += fmt::format("  {:>10} {}\n", n, what);
+  };
+  row(s.without_edge, "contacts without an edge that faces them: the trapezoid was used");
+  row(s.unsolved, "sheets could not be solved: the trapezoid was used");
+  row(s.split_unsolved, "split sheets could not be solved: the whole sheet was used");
+  row(s.holding_together, "verdicts above the strength, but no crack cut the ice off: no break yet");
+  return text;
 }
 
 std::string ice(const simulation::RunSummary& s) {
@@ -88,11 +116,7 @@ std::string ice(const simulation::RunSummary& s) {
                   s.breaks.under_floes, s.breaks.radial_first, s.breaks.true_edge, s.breaks.along_stress);
   text += fmt::format("  failure model: {} steps shortened, {} inputs clamped below its range, {} above\n",
                       s.n_substepped, s.n_below_range, s.n_above_range);
-  if (s.n_outlines_refused > 0) {
-    text += fmt::format("  failure model: {} outlines could not be meshed and were assessed as trapezoids\n",
-                        s.n_outlines_refused);
-  }
-  return text;
+  return text + sheets(s.sheets);
 }
 
 std::string ledger(const geometry::Ledger& l) {
@@ -147,8 +171,9 @@ void print_warnings(const std::vector<model::Warning>& warnings) {
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {
   return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
                      resolved.time.step, resolved.random.seed) +
-         warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) + comparison(resolved) +
-         ice(run.summary) + ledger(run.summary.ledger) + energy(run.summary.energy) + speed(resolved, run);
+         warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) +
+         comparison(resolved, run.summary) + ice(run.summary) + ledger(run.summary.ledger) +
+         energy(run.summary.energy) + speed(resolved, run);
 }
 
 }  // namespace brash::cli

@@ -70,9 +70,9 @@ double Variation::LogNormal::at(Vec2 place) const {
 std::optional<Variation::LogNormal> Variation::field(const model::Case& resolved, double coefficient,
                                                      const char* purpose) {
   if (coefficient == 0.0) return std::nullopt;
-  return LogNormal{GaussianField(correlation_length(resolved.ice),
-                                 {resolved.random.seed, resolved.name, resolved.random.replicate, purpose}),
-                   std::sqrt(std::log1p(coefficient * coefficient))};
+  return LogNormal{
+      GaussianField(correlation_length(resolved.ice), {resolved.random.seed, resolved.random.replicate, purpose}),
+      std::sqrt(std::log1p(coefficient * coefficient))};
 }
 
 Variation::Variation(const model::Case& resolved)

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "brash/core/error.hpp"
+#include "brash/core/sha256.hpp"
 #include "brash/core/text.hpp"
 #include "brash/model/case_keys.hpp"
 #include "plan_settings.hpp"
@@ -24,6 +25,12 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostSettings = 10'000;
+
+/// The seed of a setting, so that settings draw independently: 48 bits of a hash of its name and the plan's seed. A
+/// double holds them exactly, as in JSON.
+std::uint64_t seed_of(const std::string& setting, std::uint64_t seed) {
+  return std::stoull(sha256(fmt::format("{} {}", seed, setting)).substr(0, 12), nullptr, 16);
+}
 
 SettingValue value_of(double value) { return {fmt::format("{}", value), value}; }
 SettingValue value_of(bool value) { return {value ? "1" : "0", value ? 1.0 : 0.0}; }
@@ -256,7 +263,14 @@ class PlanReader {
     refuse_equal(setting);
     for (const Axis& axis : axes_)
       for (const std::string& name : axis.names) setting.values.push_back(value_in(setting.resolved, name));
+    if (!axes_.empty() && !varies("random.seed"))
+      setting.resolved.random.seed = seed_of(setting.name, setting.resolved.random.seed);
     plan_.settings.push_back(std::move(setting));
+  }
+
+  bool varies(std::string_view key) const {
+    return std::ranges::any_of(
+        axes_, [&](const Axis& axis) { return std::ranges::find(axis.names, key) != axis.names.end(); });
   }
 
   /// Two spellings of one value would be computed twice, and no table could tell them apart.

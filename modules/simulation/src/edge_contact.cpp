@@ -317,13 +317,17 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     std::optional<Frame> frame;
   };
   const bool joint = model.resolved.failure.joint_loads;
+  for (EdgeContact& contact : contacts)
+    contact.has_verdict = contact.load.pressure > 0.0 && !(joint && is_outweighed(model, contacts, contact));
   std::vector<Question> questions;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!(contacts[i].load.pressure > 0.0) || (joint && is_outweighed(model, contacts, contacts[i]))) continue;
+    if (!contacts[i].has_verdict) continue;
     Question asked{i, LocalIce(model, contacts[i]), contacts[i].load, {}};
     const EdgeModel local = asked.local.model();
+    const geometry::ContactRegion& region = contacts[i].region;
+    const Frame of_trapezoid{0.5 * (region.chord_from + region.chord_to), region.normal};
     if (local.criterion.needs_outline())
-      asked.frame = place_loads(local, sheet, contacts, i, joint, asked.load);
+      asked.frame = place_loads(local, sheet, contacts, i, joint, asked.load).value_or(of_trapezoid);
     else if (presses_inside(sheet, contacts[i]))
       continue;
     questions.push_back(std::move(asked));

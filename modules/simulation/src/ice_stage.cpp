@@ -30,7 +30,7 @@ std::optional<double> meets_edge(Vec2 from, Vec2 course, double width) {
 void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.n_above_range += assessment.above_range ? 1 : 0;
   report.n_below_range += assessment.below_range ? 1 : 0;
-  report.n_outlines_refused += assessment.outline_refused ? 1 : 0;
+  report.sheets += assessment.solves;
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ void Simulation::Impl::let_go(int level_ice, const geometry::Extent& box) {
 Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report) {
   const StageTimer::Scope clock(timer, times.cutting);
   ice::Plate& plate = field.level_ice(contact.level_ice);
-  statistics::RandomStream random(resolved.random.seed, resolved.name, resolved.random.replicate, "wedges", n_breaks++);
+  statistics::RandomStream random(resolved.random.seed, resolved.random.replicate, "wedges", n_breaks++);
   const EdgeContact placed = before_the_notch(contact);
   const ice::CrackPlan plan = pattern->plan(plate, placed.region, placed.assessment, random);
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);

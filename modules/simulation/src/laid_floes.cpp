@@ -85,8 +85,8 @@ std::vector<ice::GivenFloe> floes_of_file(const model::Case& resolved, const std
 }
 
 std::vector<ice::GivenFloe> packed_floes(const model::Case& resolved, const std::vector<Ring>& keep_out) {
-  auto packing = ice::pack_floes(resolved.field, keep_out,
-                                 {resolved.random.seed, resolved.name, resolved.random.replicate, "floe-field"});
+  auto packing =
+      ice::pack_floes(resolved.field, keep_out, {resolved.random.seed, resolved.random.replicate, "floe-field"});
   if (!packing) {
     const ice::FloeFieldError& error = packing.error();
     throw InputError(Complaint{fmt::format("{} = {}", error.key, resolved.field.floes.concentration.value_or(0.0)),

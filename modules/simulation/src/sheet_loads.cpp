@@ -28,12 +28,15 @@ struct Foot {
 };
 
 /// The place nearest to `point` on the segments `first` to `last` of `line`; the first of several.
-Foot nearest(const Polyline& line, Vec2 point, std::size_t first, std::size_t last) {
+/// @param side  unless zero: only segments that have this direction on their left side.
+Foot nearest(const Polyline& line, Vec2 point, std::size_t first, std::size_t last, Vec2 side = {}) {
   constexpr double kRounding = 1.0 + 1e-12;
+  const bool any = side == Vec2{};
   Foot best;
   double reach2 = best.distance;  // most segments lie farther off: they need no root
   for (std::size_t i = first; i <= last; ++i) {
     const Vec2 along = line[i + 1] - line[i];
+    if (!any && !(cross(along, side) > 0.0)) continue;
     const double square = dot(along, along);
     const double s = square > 0.0 ? std::clamp(dot(point - line[i], along) / square, 0.0, 1.0) : 0.0;
     const Vec2 place = line[i] + s * along;
@@ -146,7 +149,8 @@ class Resultant {
       : in_plane_(frame.turned(plan(contact.on_ice))),
         out_of_plane_(own_way * contact.on_ice.z),
         // N above mid-thickness bends the edge up, N below it down. The plate knows how far the edge has given way.
-        eccentricity_(own_way * (contact.point.z - mid_height - contact.shift)) {}
+        eccentricity_(own_way * (contact.point.z - mid_height - contact.shift)),
+        has_verdict_(contact.has_verdict) {}
 
   failure::SheetLoad on_edge(Vec2 from, Vec2 to) const {
     const Vec2 inwards = -1.0 * perpendicular(normalized(to - from));
@@ -154,17 +158,39 @@ class Resultant {
             .to = to,
             .in_plane = in_plane_,
             .out_of_plane = out_of_plane_,
-            .moment = eccentricity_ * dot(in_plane_, inwards)};
+            .moment = eccentricity_ * dot(in_plane_, inwards),
+            .has_verdict = has_verdict_};
   }
   failure::SheetLoad on_disc(Vec2 centre, double radius) const {
-    return {.from = centre, .to = centre, .radius = radius, .out_of_plane = out_of_plane_};
+    return {.from = centre, .to = centre, .radius = radius, .out_of_plane = out_of_plane_, .has_verdict = has_verdict_};
   }
 
  private:
   Vec2 in_plane_;
   double out_of_plane_;
   double eccentricity_;
+  bool has_verdict_;
 };
+
+/// A stretch of a line.
+struct Stretch {
+  Foot from, to;
+};
+
+/// The stretch of an edge that a floe presses on: it faces the push, and lies within the floe's own reach. No contact
+/// can push a floe's load out of the ice, so an edge that faces the other way belongs to other ice.
+/// @param side  the floe's push as the line has it on its left side.
+std::optional<Stretch> pressed_stretch(const Polyline& line, Vec2 middle, Vec2 side, double length, double thickness) {
+  const Foot foot = nearest(line, middle, 0, line.size() - 2, side);
+  const double half = 0.5 * length;
+  if (!(foot.distance <= half + thickness)) return std::nullopt;
+  const Vec2 along = half * normalized(line[foot.segment + 1] - line[foot.segment]);
+  const Stretch found{nearest(line, foot.place - along, 0, foot.segment),
+                      nearest(line, foot.place + along, foot.segment, line.size() - 2)};
+  const Vec2 chord = found.to.place - found.from.place;
+  if (norm(chord) <= kOnTheEdge || !(cross(chord, side) > 0.0)) return std::nullopt;
+  return found;
+}
 
 /// The load of a floe: on the edge, or on a disc where it presses inside the ice. Left out beyond the outline's ends,
 /// and on an edge that the outline leaves out.
@@ -172,18 +198,16 @@ void place_floe(const EdgeContact& contact, const Resultant& load, const Frame& 
                 double thickness, std::vector<failure::SheetLoad>& loads) {
   const Vec2 middle = frame.place(contact.region.midpoint);
   if (outline.ends_before(middle)) return;
-  const Polyline& line = outline.line;
-  const Foot foot = nearest(line, middle);
-  const double half = 0.5 * contact.region.contact_length;
-  if (foot.distance > 0.5 * thickness && outline.has_inside(middle)) {
-    loads.push_back(load.on_disc(middle, half));
+  const double length = contact.region.contact_length;
+  if (nearest(outline.line, middle).distance > 0.5 * thickness && outline.has_inside(middle)) {
+    loads.push_back(load.on_disc(middle, 0.5 * length));
     return;
   }
-  if (nearest(outline.whole, middle).distance < foot.distance - kOnTheEdge) return;
-  const Vec2 side = half * normalized(line[foot.segment + 1] - line[foot.segment]);
-  const Vec2 from = nearest(line, foot.place - side, 0, foot.segment).place;
-  const Vec2 to = nearest(line, foot.place + side, foot.segment, line.size() - 2).place;
-  if (norm(to - from) > kOnTheEdge) loads.push_back(load.on_edge(from, to));
+  const Vec2 out = -1.0 * frame.turned(contact.region.normal);  // the ice is on the right of the outline
+  const Foot foot = nearest(outline.line, middle, 0, outline.line.size() - 2, out);
+  if (nearest(outline.whole, middle, 0, outline.whole.size() - 2, out).distance < foot.distance - kOnTheEdge) return;
+  if (const auto stretch = pressed_stretch(outline.line, middle, out, length, thickness))
+    loads.push_back(load.on_edge(stretch->from.place, stretch->to.place));
 }
 
 /// How much a load bends the ice near B, about [N].
@@ -210,14 +234,31 @@ void drop_weak(double reach, double l_c, double own, std::vector<failure::SheetL
   std::erase_if(loads, [&](const failure::SheetLoad& load) { return weight(load) < least; });
 }
 
-/// The frame of a floe's load: from the nearest edge, along its thrust. A load inside the ice has none; there the axis
-/// goes through its middle.
-Frame under_floe(const EdgeContact& own, const geometry::IceSheet& sheet, const Polyline& edge,
-                 const failure::IceProperties& ice) {
-  const Vec2 at = 0.5 * (own.region.chord_from + own.region.chord_to);
+/// The edge around a contact, the ice on its left, with the contact's chord in it.
+struct OwnEdge {
+  Frame frame;
+  Polyline line;
+  std::optional<std::pair<Vec2, Vec2>> chord{};  ///< of a floe on the edge, its ends in the order of the outline
+};
+
+/// The edge under a floe: a chord takes the place of the stretch that it presses, as for the structure, and the frame
+/// is the chord's. A load inside the ice has none: there the frame goes from the nearest edge through its middle.
+/// Nothing if no edge here faces the floe's push.
+std::optional<OwnEdge> under_floe(const EdgeContact& own, const geometry::IceSheet& sheet, const Polyline& edge,
+                                  const failure::IceProperties& ice) {
+  const Vec2 at = own.region.midpoint;
   const Foot foot = nearest(edge, at);
-  const bool inside = foot.distance > 0.5 * ice.thickness && sheet.contains(at);
-  return {foot.place, inside ? normalized(at - foot.place) : own.region.normal};
+  if (foot.distance > 0.5 * ice.thickness && sheet.contains(at))
+    return OwnEdge{{foot.place, normalized(at - foot.place)}, edge};
+  const auto stretch = pressed_stretch(edge, at, own.region.normal, own.region.contact_length, ice.thickness);
+  if (!stretch) return std::nullopt;
+  const Vec2 from = stretch->from.place, to = stretch->to.place;
+  OwnEdge result{{0.5 * (from + to), perpendicular(normalized(to - from))}, {}, std::pair{to, from}};
+  result.line.assign(edge.begin(), edge.begin() + static_cast<std::ptrdiff_t>(stretch->from.segment) + 1);
+  result.line.insert(result.line.end(), {from, to});
+  result.line.insert(result.line.end(), edge.begin() + static_cast<std::ptrdiff_t>(stretch->to.segment) + 1,
+                     edge.end());
+  return result;
 }
 
 }  // namespace
@@ -230,30 +271,39 @@ std::optional<Frame> place_loads(const EdgeModel& model, const geometry::IceShee
   const Vec2 at = 0.5 * (own.region.chord_from + own.region.chord_to);
   for (const Polyline& chain : sheet.free_edge(at, reach)) {
     const Edge edge = with_chords(chain, all);
-    const bool has_chord = std::ranges::find(edge.chords, contact) != edge.chords.end();
-    if (edge.line.size() < 2 || (of_structure(own) && !has_chord)) continue;
-    const Frame frame = of_structure(own) ? Frame{at, own.region.normal} : under_floe(own, sheet, edge.line, model.ice);
-    const auto outline = outline_in(frame, edge.line);
+    const auto has_chord = [&](std::size_t i) { return std::ranges::find(edge.chords, i) != edge.chords.end(); };
+    if (edge.line.size() < 2 || (of_structure(own) && !has_chord(contact))) continue;
+    const auto here =
+        of_structure(own) ? OwnEdge{{at, own.region.normal}, edge.line} : under_floe(own, sheet, edge.line, model.ice);
+    if (!here) continue;
+    const Frame& frame = here->frame;
+    const auto outline = outline_in(frame, here->line);
     if (!outline) return std::nullopt;
 
     const Freeboard heights = freeboard(model.resolved);
     const double own_way = own.on_ice.z > 0.0 ? 1.0 : -1.0;
-    double own_weight = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto add = [&](std::size_t i) {
       const EdgeContact& other = all[i];
-      if (!presses(other) || (i != contact && !joint)) continue;
-      const std::size_t before = load.loads.size();
       const Resultant resultant(other, frame, 0.5 * (heights.top + heights.bottom), own_way);
-      const auto on_outline = [&](Vec2 end) { return nearest(outline->line, end).distance < kOnTheEdge; };
       if (of_structure(other)) {
-        const Vec2 from = frame.place(other.region.chord_from), to = frame.place(other.region.chord_to);
-        const bool is_there = std::ranges::find(edge.chords, i) != edge.chords.end();
-        if (is_there && on_outline(from) && on_outline(to)) load.loads.push_back(resultant.on_edge(from, to));
+        // The chord of a floe may have taken an end of the structure's chord along.
+        const double moved = here->chord ? own.region.contact_length : kOnTheEdge;
+        const Foot from = nearest(outline->line, frame.place(other.region.chord_from));
+        const Foot to = nearest(outline->line, frame.place(other.region.chord_to));
+        const bool is_there = has_chord(i) && from.distance < moved && to.distance < moved;
+        if (is_there && norm(to.place - from.place) > kOnTheEdge)
+          load.loads.push_back(resultant.on_edge(from.place, to.place));
+      } else if (i == contact && here->chord) {
+        load.loads.push_back(resultant.on_edge(frame.place(here->chord->first), frame.place(here->chord->second)));
       } else if (norm(frame.place(other.region.midpoint)) < reach) {
         place_floe(other, resultant, frame, *outline, model.ice.thickness, load.loads);
       }
-      if (i == contact && load.loads.size() > before) own_weight = weight_of(load.loads.back(), reach, l_c);
-    }
+    };
+    add(contact);
+    if (load.loads.empty()) return std::nullopt;
+    const double own_weight = weight_of(load.loads.front(), reach, l_c);
+    for (std::size_t i = 0; joint && i < all.size(); ++i)
+      if (i != contact && presses(all[i])) add(i);
     drop_weak(reach, l_c, own_weight, load.loads);
     load.outline = outline->line;
     return frame;

@@ -129,9 +129,10 @@ nlohmann::ordered_json json_of(const RunSummary& run, const statistics::Summary&
             {"floe_friction", by_cause.floe_friction}}}};
 }
 
-nlohmann::ordered_json json_of(BreakCounts breaks) {
-  nlohmann::ordered_json json;
-  BreakCounts::visit(breaks, [&](const char* name, const char*, const char*, int count) { json[name] = count; });
+template <typename Counts>
+nlohmann::ordered_json json_of_counts(const Counts& counts) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  Counts::visit(counts, [&](const char* name, const char*, const char*, int count) { json[name] = count; });
   return json;
 }
 
@@ -292,7 +293,7 @@ std::string to_json(const RunSummary& s) {
       {"vertical", json_of(s, s.vertical, s.vertical_split)},
       {"mean_whole_history", {{"horizontal", s.mean_horizontal_whole}, {"vertical", s.mean_vertical_whole}}},
       {"n_breaks", s.n_breaks},
-      {"breaks_decided", json_of(s.breaks)},
+      {"breaks_decided", json_of_counts(s.breaks)},
       {"breaking_frequency", s.breaking_frequency},
       {"breaking_length_quantiles", s.breaking_length_quantiles},
       {"n_floes_born", s.n_floes_born},
@@ -303,7 +304,8 @@ std::string to_json(const RunSummary& s) {
       {"quantile_levels", kQuantiles},
       {"failure_model_range",
        {{"n_substepped", s.n_substepped}, {"n_below", s.n_below_range}, {"n_above", s.n_above_range}}},
-      {"n_outlines_refused", s.n_outlines_refused},
+      {"n_outlines_refused", s.sheets.without_edge + s.sheets.unsolved},
+      {"sheets", json_of_counts(s.sheets)},
       {"n_steps_too_long", s.n_steps_too_long},
       {"contact_iterations",
        {{"mean_last_change", s.mean_last_change}, {"largest_last_change", s.largest_last_change}}},

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the page of the simulator, one HTML file: build.mjs PACKAGES_FOLDER PAGE.html [CORE_FOLDER]. Without a core the
+// Makes the page of the simulator, one HTML file: build.mjs ESBUILD PAGE.html [CORE_FOLDER]. Without a core the
 // page is the case builder alone; PAGE.cpp is that page as C++.
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { bundled, literal, uplotStyle } from "../../report/viewer/bundle.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = resolve(here, "../../..");
-const [packages, output, core] = [resolve(process.argv[2]), resolve(process.argv[3]), process.argv[4] && resolve(process.argv[4])];
-const { build } = createRequire(join(packages, "package.json"))("esbuild");
+const [esbuild, output, core] = process.argv.slice(2);
 const read = (...path) => readFileSync(join(root, ...path), "utf8");
-
-async function bundled(entry) {
-  const { outputFiles } = await build({
-    entryPoints: [join(here, "src", entry)], nodePaths: [join(packages, "node_modules")], bundle: true, minify: true, write: false,
-    outfile: "page.js", format: "iife", target: ["chrome103", "firefox113", "safari16.4"], legalComments: "eof",
-  });
-  return outputFiles[0].text;
-}
 
 /** The core and the failure models: a line with names and sizes, then all bytes; compressed, as base64. */
 function packedCore() {
@@ -34,15 +25,14 @@ function packedCore() {
 /** Text in a script element, which ends at its closing tag; the worker's scripts and JSON may have such a text in a string. */
 const inside = (text) => text.replace(/<\/(script)/gi, "<\\/$1").replace(/<!--/g, "<\\!--");
 
-const script = await bundled("main.ts");
-const style = read("modules/report/viewer/style.css") + readFileSync(join(here, "style.css"), "utf8");
-const uplot = readFileSync(join(packages, "node_modules/uplot/dist/uPlot.min.css"), "utf8");
+const script = bundled(esbuild, join(here, "src/main.ts"));
+const style = uplotStyle + read("modules/report/viewer/style.css") + readFileSync(join(here, "style.css"), "utf8");
 const parts = {
   "SCRIPT-HASH": `sha256-${createHash("sha256").update(script).digest("base64")}`,
-  "/*STYLE*/": uplot + style,
+  "/*STYLE*/": style,
   "BRASH-SCHEMA": inside(JSON.stringify(JSON.parse(read("modules/io/case.schema.json")))),
   "BRASH-TEMPLATE": read("experiments/validation/cone.toml").replace(/^# SPDX.*\n/, ""),
-  "BRASH-WORKER": core ? inside(readFileSync(join(core, "core.js"), "utf8") + (await bundled("worker.ts"))) : "",
+  "BRASH-WORKER": core ? inside(readFileSync(join(core, "core.js"), "utf8") + bundled(esbuild, join(here, "src/worker.ts"))) : "",
   "BRASH-CORE": core ? packedCore() : "",
   "/*SCRIPT*/": script,
 };
@@ -50,12 +40,8 @@ let page = readFileSync(join(here, "page.html"), "utf8");
 // The policy's hash would hold for the script alone; the parts come in one pass, so that none is sought in another.
 page = page.replace(/SCRIPT-HASH|\/\*STYLE\*\/|BRASH-(?:SCHEMA|TEMPLATE|WORKER|CORE)|\/\*SCRIPT\*\//g, (mark) => parts[mark]);
 if (output.endsWith(".cpp")) {
-  const kDelimiter = "BRASH_BUILDER";
-  if (page.includes(`)${kDelimiter}"`)) throw new Error("the page holds the delimiter of its C++ literal");
-  const pieces = [];
-  for (let i = 0; i < page.length; i += 8000) pieces.push(`R"${kDelimiter}(${page.slice(i, i + 8000)})${kDelimiter}"`);
   writeFileSync(output, `#include "brash/simulator/builder.hpp"\n\nusing namespace std::literals;\n\n` +
-    `const std::string_view brash::simulator::kBuilder =\n${pieces.join("\n")}sv;\n`);
+    `const std::string_view brash::simulator::kBuilder =\n${literal(page, "BRASH_BUILDER")};\n`);
   process.exit();
 }
 writeFileSync(output, page);

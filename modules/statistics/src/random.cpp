@@ -45,13 +45,17 @@ struct RandomStream::Impl {
   std::array<Generator, kGenerators> generators;
 };
 
-RandomStream::RandomStream(std::uint64_t seed, std::string_view case_name, std::uint64_t replicate,
-                           std::string_view purpose, std::uint64_t counter)
+RandomStream::RandomStream(std::uint64_t seed, std::uint64_t replicate, std::string_view purpose, std::uint64_t counter)
+    : RandomStream(seed, "cone", replicate, purpose, counter) {
+}  // runs of experiments/validation/cone.toml keep their draws
+
+RandomStream::RandomStream(std::uint64_t seed, std::string_view user, std::uint64_t replicate, std::string_view purpose,
+                           std::uint64_t counter)
     : impl_(std::make_unique<Impl>()) {
   quiet_gsl();
   std::string key;
   append(key, seed);
-  append(key, case_name);
+  append(key, user);
   append(key, replicate);
   append(key, purpose);
   append(key, counter);

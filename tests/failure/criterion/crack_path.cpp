@@ -31,7 +31,8 @@ Broken broken_by(const failure::LoadCase& load, plate::Accuracy accuracy) {
   sheet.accuracy = accuracy;
   const auto solution = plate::solve(sheet);
   BOOST_REQUIRE(solution.has_value());
-  const auto stresses = failure::stresses_ahead(sheet, *solution, kIce);
+  const auto stresses =
+      failure::stresses_ahead(sheet, *solution, kIce, {failure::loads_of(load, kIce.thickness), kIce});
   BOOST_REQUIRE(stresses.has_value());
   return {stresses->place, failure::crack_from_line(*solution, stresses->place, stresses->side, sheet.thickness)};
 }

@@ -63,7 +63,8 @@ std::optional<Json> drawn(const failure::LoadCase& load, const simulation::EdgeM
   sheet.split = assessment.split;
   const auto solution = plate::solve(sheet);
   if (!solution) return std::nullopt;
-  const auto stresses = failure::stresses_ahead(sheet, *solution, model.ice);
+  const auto stresses =
+      failure::stresses_ahead(sheet, *solution, model.ice, {failure::loads_of(load, model.ice.thickness), model.ice});
   if (!stresses) return std::nullopt;
   Json loads = Json::array();
   for (const failure::SheetLoad& one : load.loads)

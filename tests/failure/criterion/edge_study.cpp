@@ -47,10 +47,11 @@ std::optional<OnSheet> on_sheet(const failure::LoadCase& load, const failure::Ic
   sheet.accuracy = accuracy;
   const auto solution = plate::solve(sheet);
   if (!solution) return std::nullopt;
-  const auto stresses = failure::stresses_ahead(sheet, *solution, ice);
+  const failure::OwnPlaces own(failure::loads_of(load, ice.thickness), ice);
+  const auto stresses = failure::stresses_ahead(sheet, *solution, ice, own);
   if (!stresses) return std::nullopt;
   OnSheet result{{stresses->largest, stresses->place}, {stresses->largest, stresses->place}};
-  const auto weakest = failure::weak_places(sheet, *solution, ice).weakest();
+  const auto weakest = failure::weak_places(sheet, *solution, ice, own).weakest();
   if (weakest && weakest->stress > stresses->largest) result.anywhere = {weakest->stress, norm(weakest->at)};
   return result;
 }

@@ -2,6 +2,7 @@
 // Where a sheet is weakest beside its centre line, and the crack from there. Lengths over l_c.
 #include "weak_places.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -10,6 +11,7 @@
 
 #include "crack_path.hpp"
 #include "outline_sheet.hpp"
+#include "own_places.hpp"
 
 namespace {
 
@@ -41,11 +43,20 @@ struct Judged {
   failure::WeakPlaces beside;
 };
 
+/// The loads of a sheet, the first one the own.
+failure::OwnPlaces own_places(const plate::LoadedSheet& sheet) {
+  const double l_c = failure::characteristic_length(kIce);
+  std::vector<failure::SheetLoad> loads;
+  for (const plate::EdgeLoad& load : sheet.edge_loads)
+    loads.push_back({.from = l_c * load.from, .to = l_c * load.to, .out_of_plane = load.out_of_plane});
+  return {loads, kIce};
+}
+
 Judged judged(const plate::LoadedSheet& sheet) {
   const plate::SheetSolution solution = solved(sheet);
-  const auto line = failure::stresses_ahead(sheet, solution, kIce);
+  const auto line = failure::stresses_ahead(sheet, solution, kIce, own_places(sheet));
   BOOST_REQUIRE(line.has_value());
-  return {*line, failure::weak_places(sheet, solution, kIce)};
+  return {*line, failure::weak_places(sheet, solution, kIce, own_places(sheet))};
 }
 
 BOOST_AUTO_TEST_CASE(a_split_sheet_bends_as_two_corners_about_their_bisectors) {
@@ -104,18 +115,76 @@ BOOST_AUTO_TEST_CASE(no_place_is_judged_nearer_than_h_to_a_load_the_edge_or_the_
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_place_belongs_to_the_load_that_is_nearest) {
-  plate::LoadedSheet two = straight(0.3, false);
-  two.outline = {{0.0, -8.0}, {0.0, -0.15}, {0.0, 0.15}, {0.0, 0.85}, {0.0, 1.15}, {0.0, 8.0}};
-  two.edge_loads.push_back({{0.0, 0.85}, {0.0, 1.15}, {0.05, 0.0}, 0.0255, 0.0});
-  const failure::WeakPlaces beside = judged(two).beside;
-  BOOST_TEST(beside.above->at.y <= 0.5 + 1e-9);
+/// A straight edge with the loads `p` [k l_c^3] at the places `y`, each on 0.3 l_c, the first one the own.
+plate::LoadedSheet row(const std::vector<std::pair<double, double>>& loads) {
+  const double own = loads.front().first;
+  plate::LoadedSheet sheet{.outline = {{0.0, -8.0}, {0.0, 8.0}}, .thickness = kThickness};
+  for (const auto& [y, p] : loads)
+    sheet.edge_loads.push_back({{0.0, y - own - 0.15}, {0.0, y - own + 0.15}, {}, p, 0.0});
+  return sheet;
+}
+
+/// The larger stress of line and sheet in one verdict.
+double verdict(const plate::LoadedSheet& sheet) {
+  const Judged here = judged(sheet);
+  const auto weakest = here.beside.weakest();
+  return std::max(here.line.largest, weakest ? weakest->stress : 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_weak_load_does_not_break_the_ice_by_the_stress_of_a_strong_one) {
+  const double alone = verdict(row({{0.0, 0.01}}));
+  // The strong load acts upward, so it bends the other surface; and downward.
+  for (const double strong : {-1.0, 1.0})
+    BOOST_TEST(verdict(row({{0.0, 0.01}, {1.5, strong}})) < 3.0 * alone, "strong " << strong);
+  // Metres away all of the ice that is looked at belongs to the strong one.
+  BOOST_TEST(verdict(row({{0.0, 1e-4}, {1.5, 1.0}})) < 0.02 * verdict(row({{0.0, 1.0}})));
+}
+
+BOOST_AUTO_TEST_CASE(a_tiny_load_beside_a_strong_one_changes_no_answer) {
+  const double alone = verdict(row({{0.0, 1.0}}));
+  for (const double tiny : {-1e-9, 1e-9})
+    for (const double y : {0.4, 0.8, 1.5})
+      BOOST_TEST(verdict(row({{0.0, 1.0}, {y, tiny}})) == alone, tt::tolerance(0.03));
+}
+
+BOOST_AUTO_TEST_CASE(the_ice_beside_a_contact_without_a_verdict_is_checked_by_the_strong_one) {
+  const plate::LoadedSheet sheet = row({{0.0, 1.0}, {0.9, 0.9}});
+  const plate::SheetSolution solution = solved(sheet);
+  const double l_c = failure::characteristic_length(kIce);
+  std::vector<failure::SheetLoad> loads;
+  for (const plate::EdgeLoad& load : sheet.edge_loads)
+    loads.push_back({.from = l_c * load.from, .to = l_c * load.to, .out_of_plane = load.out_of_plane});
+  const failure::OwnPlaces both(loads, kIce);
+  loads[1].has_verdict = false;
+  const failure::OwnPlaces strong(loads, kIce);
+  const Vec2 beside{0.5 * l_c, 0.95 * l_c}, close{0.05 * l_c, 0.9 * l_c};
+  BOOST_TEST(strong.contain(beside));
+  BOOST_TEST(!both.contain(beside));
+  BOOST_TEST(!strong.contain(close));  // nearer than h to a load plate theory says nothing
+}
+
+BOOST_AUTO_TEST_CASE(each_place_of_a_row_of_contacts_is_checked_once) {
+  const std::vector<std::pair<double, double>> loads{{-2.0, 0.3}, {-0.7, 1.0}, {0.2, 0.6}, {1.1, 0.9}, {2.6, 0.5}};
+  const double l_c = failure::characteristic_length(kIce);
+  std::vector<failure::OwnPlaces> all;
+  for (std::size_t own = 0; own < loads.size(); ++own) {
+    std::vector<failure::SheetLoad> placed;
+    for (const auto& [y, p] : loads)
+      placed.push_back({.from = {0.0, l_c * (y - 0.15)}, .to = {0.0, l_c * (y + 0.15)}, .out_of_plane = p});
+    std::swap(placed[0], placed[own]);
+    all.emplace_back(placed, kIce);
+  }
+  for (double y = -4.0; y < 4.0; y += 0.11)
+    for (double x = 0.3; x < 2.5; x += 0.1) {
+      const auto has = [&](const failure::OwnPlaces& places) { return places.contain({l_c * x, l_c * y}); };
+      BOOST_TEST(std::ranges::count_if(all, has) == 1);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(both_halves_of_a_split_sheet_crack_from_the_free_edge_to_the_radial_crack) {
   const plate::LoadedSheet sheet = straight(0.3, true);
   const plate::SheetSolution solution = solved(sheet);
-  const failure::WeakPlaces beside = failure::weak_places(sheet, solution, kIce);
+  const failure::WeakPlaces beside = failure::weak_places(sheet, solution, kIce, own_places(sheet));
   const auto crack = failure::crack_through_halves(solution, beside.below->at, beside.above->at, 1.0, sheet.thickness);
   BOOST_REQUIRE(crack.size() > 10u);
   BOOST_TEST(crack.front().x < 0.0);
@@ -132,7 +201,7 @@ BOOST_AUTO_TEST_CASE(both_halves_of_a_split_sheet_crack_from_the_free_edge_to_th
 BOOST_AUTO_TEST_CASE(the_crack_through_a_place_of_a_whole_sheet_runs_from_edge_to_edge) {
   const plate::LoadedSheet sheet = straight(0.3, false);
   const plate::SheetSolution solution = solved(sheet);
-  const Vec2 place = failure::weak_places(sheet, solution, kIce).weakest()->at;
+  const Vec2 place = failure::weak_places(sheet, solution, kIce, own_places(sheet)).weakest()->at;
   const auto crack = failure::crack_through(solution, place, 1.0, sheet.thickness);
   BOOST_REQUIRE(crack.size() > 10u);
   BOOST_TEST(crack.front().x < 0.0);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/io/campaign_plan.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <set>
 
 #include "brash/core/error.hpp"
 #include "scratch.hpp"
@@ -95,6 +97,31 @@ BOOST_AUTO_TEST_CASE(the_settings_are_all_combinations_the_last_axis_fastest) {
   BOOST_TEST(plan.keys[1].name == "structure.speed");
   BOOST_TEST(*setting.values[0].number == std::get<model::Cone>(setting.resolved.structure.shape).angle);
   BOOST_TEST(setting.values[2].text == "8");
+}
+
+BOOST_AUTO_TEST_CASE(each_setting_has_a_seed_of_its_own_that_follows_from_the_plans_seed) {
+  BOOST_TEST(read(kBase).settings[0].resolved.random.seed == 1u);
+  const auto seeds = [](const std::string& plan) {
+    std::vector<std::uint64_t> all;
+    for (const Setting& setting : read(plan).settings) all.push_back(setting.resolved.random.seed);
+    return all;
+  };
+  const std::vector<std::uint64_t> all = seeds(kGrid);
+  BOOST_TEST(std::set(all.begin(), all.end()).size() == all.size());
+  BOOST_TEST(std::ranges::max(all) < (1ULL << 48));
+  BOOST_TEST(seeds(kGrid) == all, boost::test_tools::per_element());
+  const std::string grid = "[[grid]]\nstructure.speed = [0.5, 1.2]\n";
+  const auto first = seeds(kBase + "[set]\nrandom.seed = 1\n" + grid),
+             other = seeds(kBase + "[set]\nrandom.seed = 2\n" + grid);
+  BOOST_TEST(first[0] != other[0]);
+  BOOST_TEST(seeds(kBase + grid) == first, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_over_seeds_keeps_them) {
+  const CampaignPlan plan = read(kBase + "[[grid]]\nrandom.seed = [4, 5]\n[[grid]]\nstructure.speed = [0.5, 1.2]\n");
+  BOOST_TEST(plan.settings[0].resolved.random.seed == 4u);
+  BOOST_TEST(plan.settings[1].resolved.random.seed == 4u);
+  BOOST_TEST(plan.settings[3].resolved.random.seed == 5u);
 }
 
 BOOST_AUTO_TEST_CASE(a_speed_by_its_long_name_has_its_value) {

@@ -369,6 +369,59 @@ BOOST_AUTO_TEST_CASE(a_load_on_the_lip_of_a_narrow_mouth_runs_along_the_edge) {
   }
 }
 
+/// A floe that pushes the ice, mostly along the unit vector `push`, over 0.8 m of its edge.
+simulation::Bearing pushing_bearing(Vec2 at, Vec2 push, double force) {
+  simulation::Bearing bearing;
+  for (const double side : {-0.3, -0.1, 0.1, 0.3}) {
+    rigid_body::ContactLoad contact;
+    const Vec2 place = at + side * perpendicular(push);
+    contact.point = {place.x, place.y, -0.29};
+    contact.normal = normalized(Vec3{-push.x, -push.y, -0.3});
+    contact.normal_force = 0.25 * force;
+    simulation::add_contact(bearing, contact);
+  }
+  return bearing;
+}
+
+/// A channel whose ends lie farther than 5 l_c from its middle, with a floe on either side there.
+struct Channel : Scene {
+  static constexpr double kHalf = 5.0, kAt = 18.0;
+
+  Channel() {
+    const std::vector<Vec2> corners{{-1.0, -kHalf}, {40.0, -kHalf}, {40.0, kHalf}, {-1.0, kHalf}};
+    const geometry::Ring ring = geometry::ring(corners);
+    field.crush(field.level_ice(0), ring);
+    for (const double side : {-1.0, 1.0})
+      floes.push_back(
+          simulation::bearing_contact(model, sheet(), 7, pushing_bearing({kAt, side * kHalf}, {0.0, side}, 9e4))
+              .value());
+  }
+
+  Listening criterion{true};
+  simulation::EdgeModel model{*hull, resolved, ice, criterion};
+  std::vector<simulation::EdgeContact> floes;
+};
+
+BOOST_AUTO_TEST_CASE(a_load_acts_on_the_edge_that_it_presses_and_not_on_the_other_side_of_a_channel) {
+  const Channel channel;
+  for (const std::size_t own : {0u, 1u}) {
+    failure::LoadCase load = channel.floes[own].load;
+    BOOST_REQUIRE(simulation::place_loads(channel.model, channel.sheet(), channel.floes, own, true, load).has_value());
+    BOOST_REQUIRE_EQUAL(load.loads.size(), 1u);
+    BOOST_TEST(load.loads[0].in_plane.x > 8e4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_load_points_out_of_the_ice) {
+  const Channel channel;
+  // A floe on the far side of a slot that is narrower than the floe's contact is long.
+  simulation::EdgeContact near = channel.floes[1], far = channel.floes[1];
+  far.region.normal = {0.0, -1.0};
+  failure::LoadCase load = near.load;
+  BOOST_REQUIRE(simulation::place_loads(channel.model, channel.sheet(), {near, far}, 0, true, load).has_value());
+  BOOST_TEST(load.loads.size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(a_crack_inside_the_notch_that_was_cut_moves_to_the_ice_ahead) {
   simulation::EdgeContact contact;
   contact.region.chord_from = {2.0, -6.0};

@@ -52,6 +52,14 @@ BOOST_AUTO_TEST_CASE(one_seed_gives_one_history_and_another_seed_another) {
   BOOST_TEST((first != bytes_of(simulation::run(short_case({"random.seed=2"})))));
 }
 
+BOOST_AUTO_TEST_CASE(a_case_under_another_name_runs_the_same) {
+  for (const char* const preset : {"algorithm.preset=paper", "algorithm.preset=brash"}) {
+    model::Case first = short_case({preset, "ice.variation.thickness=0.1"}, 2.0), other = first;
+    other.name = "a copy";
+    BOOST_TEST((bytes_of(simulation::run(first)) == bytes_of(simulation::run(other))));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(only_the_water_tells_a_structure_that_moves_from_ice_that_drifts) {
   const auto drift = [](const std::string& frame) { return "structure.motion.frame=" + frame; };
   const Bytes moves = bytes_of(simulation::run(short_case()));

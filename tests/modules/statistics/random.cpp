@@ -35,6 +35,11 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_a_key_never_change) {
   BOOST_TEST(stream.uniform_int(3, 5) == 4);
 }
 
+BOOST_AUTO_TEST_CASE(the_numbers_of_a_run_never_change) {
+  RandomStream stream(1, 0, "wedges", 0);
+  BOOST_TEST(stream.uniform() == 0x1.e71823958da8p-3);
+}
+
 BOOST_AUTO_TEST_CASE(every_part_of_the_key_counts) {
   const auto first = [](RandomStream stream) { return stream.uniform(); };
   const double reference = first(RandomStream(1, "a", 2, "b", 3));

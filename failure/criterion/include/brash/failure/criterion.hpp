@@ -9,6 +9,7 @@
 
 #include "brash/core/vec.hpp"
 #include "brash/model/choices.hpp"
+#include "brash/model/records.hpp"
 
 namespace brash::failure {
 
@@ -65,6 +66,8 @@ struct SheetLoad {
   /// Of the in-plane force about the edge, because it acts above or below mid-thickness [N m]. Positive where it bends
   /// the ice ahead as the contact's own P does.
   double moment = 0.0;
+  /// Whether the criterion is asked about this load too, as the own one of another load case.
+  bool has_verdict = true;
 };
 
 /// A sheet that moves, as one at rest under the same loads: its D is kept, its lengths and moments are not. All 1: at
@@ -93,8 +96,7 @@ struct LoadCase {
   /// the middle of the tip edge (x into the ice, y along the tip edge), ice on its right. (0, -c/2) and (0, c/2) are
   /// points of it, one after the other. f acts along y.
   std::vector<Vec2> outline{};
-  /// The loads on that edge that are to act together, the contact's own among them. Empty: the contact's own load
-  /// alone.
+  /// The loads on that edge that are to act together, the contact's own first. Empty: the contact's own load alone.
   std::vector<SheetLoad> loads{};
   EdgeMotion motion{};  ///< `plate-outline`
 };
@@ -106,9 +108,10 @@ struct Assessment {
   double breaking_length = 0.0;  ///< l_break [m]
   bool below_range = false;      ///< an input was clamped up to the model's range, or h / l_c lies outside it
   bool above_range = false;      ///< an input exceeds the model's range (and was clamped down)
-  bool outline_refused = false;  ///< the outline could not be meshed; the answer holds for the trapezoid
+  bool outline_refused = false;  ///< no edge, or a sheet that could not be solved; the answer holds for the trapezoid
   bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are of first order
   bool split = false;            ///< a radial crack came first: stress and place belong to the split sheet
+  model::SheetSolves solves{};
   /// The circumferential crack along the stress, if the ice fails and BendingOptions::trace_crack asks for it: from one
   /// free edge to the other, frame of LoadCase::outline [m]. Empty where it does not reach the edge.
   std::vector<Vec2> crack{};

@@ -276,4 +276,36 @@ struct RunResults {
   friend bool operator==(const RunResults&, const RunResults&) = default;
 };
 
+/// How verdicts on solved sheets were found, and why some were not: `plate-outline`.
+struct SheetSolves {
+  int coarse = 0;            ///< solutions with quadratic elements, to screen
+  int cubic = 0;             ///< solutions with cubic elements
+  int split = 0;             ///< of both, of a sheet that a radial crack has split
+  int without_edge = 0;      ///< contacts that no free edge faces: the trapezoid took its place
+  int unsolved = 0;          ///< sheets that could not be solved: likewise
+  int split_unsolved = 0;    ///< split sheets that could not be solved: the verdict is of the whole one
+  int holding_together = 0;  ///< verdicts above the strength without a crack that cuts B off: no break
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("solved_coarse", "1", "solutions of sheets with quadratic elements", self.coarse);
+    visit("solved_cubic", "1", "solutions of sheets with cubic elements", self.cubic);
+    visit("solved_split", "1", "of these, of sheets that a radial crack had split", self.split);
+    visit("without_edge", "1", "contacts that no free edge faces", self.without_edge);
+    visit("unsolved", "1", "sheets that could not be solved", self.unsolved);
+    visit("split_unsolved", "1", "split sheets that could not be solved", self.split_unsolved);
+    visit("holding_together", "1", "verdicts above the strength without a crack", self.holding_together);
+  }
+  SheetSolves& operator+=(const SheetSolves& other) {
+    coarse += other.coarse;
+    cubic += other.cubic;
+    split += other.split;
+    without_edge += other.without_edge;
+    unsolved += other.unsolved;
+    split_unsolved += other.split_unsolved;
+    holding_together += other.holding_together;
+    return *this;
+  }
+};
+
 }  // namespace brash::model

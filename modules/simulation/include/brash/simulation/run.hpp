@@ -58,6 +58,7 @@ struct RunSummary {
   double mean_vertical_whole = 0.0;
   int n_breaks = 0;
   BreakCounts breaks;
+  model::SheetSolves sheets;
   double breaking_frequency = 0.0;  ///< breaks per second from statistics_from on [Hz]
   int n_floes_born = 0;
   int n_floes_present = 0;
@@ -67,7 +68,6 @@ struct RunSummary {
   std::vector<double> breaking_length_quantiles;  ///< 5, 25, 50, 75, 95 % [m]
   int n_substepped = 0;                           ///< steps that were cut into parts
   int n_below_range = 0;
-  int n_outlines_refused = 0;
   int n_above_range = 0;
   int n_steps_too_long = 0;
   double sum_of_last_changes = 0.0;    ///< StepReport::last_change over all steps [m/s]

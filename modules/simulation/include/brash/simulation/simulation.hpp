@@ -54,7 +54,7 @@ struct StepReport {
   std::vector<FloeDeath> deaths;
   int n_substeps = 1;  ///< parts the structure's move was cut into (Sec. 2.2.2)
   BreakCounts breaks;
-  int n_outlines_refused = 0;  ///< assessments of the trapezoid because the outline could not be meshed
+  model::SheetSolves sheets;  ///< of all verdicts
   int n_below_range = 0;       ///< assessments with an input clamped up to the failure model's range
   int n_above_range = 0;       ///< assessments that stayed above the range at the shortest substep
   int n_steps_too_long = 0;    ///< births with T_col (Eqs. 11, 12) below the time step

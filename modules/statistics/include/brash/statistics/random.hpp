@@ -14,12 +14,16 @@ namespace brash::statistics {
 /// chance of 5e-11. The seeds are taken from the SHA-256 of the whole key, whose texts are written with their lengths.
 class RandomStream {
  public:
+  /// A stream of a simulated run. Two runs with equal seed and replicate draw the same, whatever their files are
+  /// called.
   /// @param seed       of the case.
-  /// @param case_name  which case of a campaign.
   /// @param replicate  which repetition.
   /// @param purpose    e.g. "wedges".
   /// @param counter    which draw event, so that a stream can be reopened without replaying (restart).
-  RandomStream(std::uint64_t seed, std::string_view case_name, std::uint64_t replicate, std::string_view purpose,
+  RandomStream(std::uint64_t seed, std::uint64_t replicate, std::string_view purpose, std::uint64_t counter = 0);
+  /// A stream of anything else, e.g. of a bootstrap.
+  /// @param user  who draws.
+  RandomStream(std::uint64_t seed, std::string_view user, std::uint64_t replicate, std::string_view purpose,
                std::uint64_t counter = 0);
   RandomStream(RandomStream&&) noexcept;
   RandomStream& operator=(RandomStream&&) noexcept;
