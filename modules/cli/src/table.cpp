@@ -54,16 +54,14 @@ std::string regions(const simulation::RunSummary& s) {
   return text;
 }
 
-/// The mean of the run beside the measured one [N]. The mean over a short history depends on the seed.
+/// The mean of the run beside the measured one [N].
 std::string difference(const simulation::RunSummary& s, double measured, double duration) {
   if (std::isnan(s.horizontal.mean) || measured <= 0.0) return "";
   const double percent = 100.0 * (s.horizontal.mean / measured - 1.0);
-  std::string text = fmt::format("  {:<43}{:>7.1f}  {:.1f} % {} the measured mean\n",
-                                 fmt::format("this run, mean over {:.1f} s", duration - s.statistics_from),
-                                 s.horizontal.mean / kKilo, std::abs(percent), percent < 0.0 ? "below" : "above");
-  if (!s.horizontal.long_enough)
-    text += "  note: a mean over so short a time is weak evidence, because each seed gives another mean\n";
-  return text;
+  return fmt::format("  {:<43}{:>7.1f}  {:.1f} % {} the measured mean\n",
+                     fmt::format("this run, mean over {:.1f} s", duration - s.statistics_from),
+                     s.horizontal.mean / kKilo, std::abs(percent), percent < 0.0 ? "below" : "above") +
+         "  note: the mean of one run is weak evidence, because each seed gives another mean\n";
 }
 
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.

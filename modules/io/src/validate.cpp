@@ -4,16 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
 
-#include "brash/core/contract.hpp"
 #include "brash/core/text.hpp"
 #include "schema.hpp"
+#include "schema_check.hpp"
 #include "toml_value.hpp"
 #include "wrong_value.hpp"
 
@@ -32,23 +26,6 @@ std::vector<std::string> names(const OrderedJson& object) {
 }
 
 std::string list(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
-
-/// The schema as valijson checks it.
-const valijson::Schema& compiled(const io::Schema& schema) {
-  struct Compiled : valijson::Schema {
-    explicit Compiled(const io::Schema& listed) {
-      const Json text = Json::parse(listed.tree().dump());
-      valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-          .populateSchema(valijson::adapters::NlohmannJsonAdapter(text), *this);
-    }
-  };
-  if (&schema == &schema_of_plans()) {
-    static const Compiled plans(schema_of_plans());
-    return plans;
-  }
-  static const Compiled cases(schema_of_cases());
-  return cases;
-}
 
 /// Reads a tree section by section and collects the problems.
 class Reader {
@@ -276,23 +253,12 @@ class Reader {
             "remove one of the two"};
   }
 
-  /// Checks types and ranges with valijson and reports each faulty key once.
+  /// Checks types and ranges.
   void check_schema() {
-    valijson::Validator validator(valijson::Validator::kStrongTypes);
-    valijson::ValidationResults results;
-    if (validator.validate(compiled(schema_), valijson::adapters::NlohmannJsonAdapter(document_), &results)) return;
-
-    // The context is <root>, [section], [key], [index of an item]; shorter ones repeat problems that are reported
-    // already.
-    std::set<std::pair<std::string, std::string>> faulty;
-    for (const auto& error : results) {
-      if (error.context.size() < 3) continue;
-      const auto name = [&](std::size_t i) { return error.context[i].substr(1, error.context[i].size() - 2); };
-      if (faulty.emplace(name(1), name(2)).second)
-        problems_.push_back(
-            wrong_value(source_, name(1), name(2), schema_.keys(name(1)).at(name(2)), document_[name(1)][name(2)]));
-    }
-    BRASH_EXPECTS(!problems_.empty(), "the schema refuses what no key explains");
+    for (const auto& [section, keys] : document_.items())
+      for (const auto& [key, value] : keys.items())
+        if (const OrderedJson& key_schema = schema_.keys(section).at(key); !allows(key_schema, value))
+          problems_.push_back(wrong_value(source_, section, key, key_schema, value));
   }
 
   /// Reports names that only another kind of the section takes.

@@ -4,7 +4,7 @@
 
 # The folder holds the headers of these libraries alone: the machine's C library is another one.
 set(headers ${CMAKE_BINARY_DIR}/include)
-foreach(library boost CGAL eigen3 fmt gsl nettle nlohmann polyclipping bullet tl toml++ valijson)
+foreach(library boost CGAL eigen3 fmt gsl nettle nlohmann polyclipping bullet tl toml++)
   find_path(found_${library} NAMES ${library} PATHS /usr/include /usr/include/${CMAKE_LIBRARY_ARCHITECTURE} /usr/include/x86_64-linux-gnu
     /usr/include/aarch64-linux-gnu NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
   file(MAKE_DIRECTORY ${headers})
