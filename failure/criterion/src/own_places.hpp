@@ -16,7 +16,7 @@ double share_at(double distance);
 ///
 /// A load bends a place by (|P| + |M| / l_c) share_at(d / l_c), d away from it. Loads without a verdict of their own
 /// own no place.
-/// @see docs/theory/failure.md, "All loads on one sheet"
+/// @see docs/theory/failure.md, (8)
 class OwnPlaces {
  public:
   /// @param loads  the contact's own first, at least one; frame of LoadCase::outline.
