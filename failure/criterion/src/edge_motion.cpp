@@ -81,7 +81,7 @@ double EdgeHistory::Weights::of(const double* series, std::size_t stride, double
 EdgeHistory::Weights EdgeHistory::weights(const std::vector<double>& series_time, double period, double at) const {
   Weights sum{std::vector<double>(series_time.size(), 0.0), 0.0};
   if (knots_.size() < 2) return sum;
-  // t F(t) of a slope that began long ago grows by the static value, and keeps what it lagged behind at the end.
+  // t F(t) of a slope that began long ago grows by the static value, and keeps its lag at the end.
   const double lag = settled_.slope * period * series_time.back();
   sum.at_rest = settled_.slope * at - settled_.moment - lag;
   sum.of_time.back() = lag;

@@ -194,9 +194,9 @@ namespace {
 /// Share of its energy of rotation that the gyroscopic moment may seem to give a body [-]: rounding.
 constexpr double kGyroscopicGain = 1e-9;
 
-/// Angular velocity that the gyroscopic moment leaves a body in a step [rad/s]. Bullet takes one step of Newton's method
-/// towards the implicit Euler step, which loses energy. It may gain some where the body turns by a radian in the step.
-/// The step is then taken in so many parts that it does not.
+/// Angular velocity that the gyroscopic moment leaves a body in a step [rad/s]. Bullet takes one step of Newton's
+/// method towards the implicit Euler step, which loses energy. It may gain some where the body turns by a radian in the
+/// step. The step is then taken in so many parts that it does not.
 Vec3 after_gyroscopic_moment(Body& body, double dt) {
   const auto energy = [&](Vec3 spin) { return dot(body.angular_momentum(spin), spin); };
   const Vec3 start = body.twist.angular;

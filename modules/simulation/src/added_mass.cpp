@@ -8,7 +8,7 @@
 namespace brash::simulation {
 namespace {
 
-/// Below this share of the displacement at rest a floe loses its isotropic added mass, in proportion to what is wet.
+/// Below this share of the displacement at rest a floe loses its isotropic added mass, in proportion to its wet part.
 constexpr double kWellWet = 0.5;
 
 double share_now(const rigid_body::World& world, BodyId body, const Floe& floe, const model::Case& resolved) {

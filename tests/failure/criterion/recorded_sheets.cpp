@@ -78,9 +78,9 @@ std::vector<Recorded> recorded_sheets() {
 }
 
 failure::Assessment verdict(const failure::LoadCase& load) {
-  static const auto criterion = failure::make_criterion(
-      model::FailureModel::kPlateOutline, "", kIce,
-      {.second_order = true, .radial_first = true, .anywhere = true, .trace_crack = true});
+  static const auto criterion =
+      failure::make_criterion(model::FailureModel::kPlateOutline, "", kIce,
+                              {.second_order = true, .radial_first = true, .anywhere = true, .trace_crack = true});
   return criterion->assess(load);
 }
 

@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(The_gyroscopic_moment_hands_on_what_loads_give_a_spinning_f
   world.apply(loaded, {{}, moment});
   world.step(dt);
   BOOST_TEST(world.gyroscopic_share(free) == 0.0);
-  // The floe without a load shows what the moment alone takes.
+  // The floe without a load shows the effect of the moment alone.
   const double lost = before - world.kinetic_energy(free);
   const double work = dt * dot(moment, world.mean_twist(loaded).angular);
   BOOST_TEST(std::abs(world.gyroscopic_share(loaded)) > 0.01 * work);

@@ -55,10 +55,10 @@ struct StepReport {
   int n_substeps = 1;  ///< parts the structure's move was cut into (Sec. 2.2.2)
   BreakCounts breaks;
   model::SheetSolves sheets;  ///< of all verdicts
-  int n_below_range = 0;       ///< assessments with an input clamped up to the failure model's range
-  int n_above_range = 0;       ///< assessments that stayed above the range at the shortest substep
-  int n_steps_too_long = 0;    ///< births with T_col (Eqs. 11, 12) below the time step
-  double last_change = 0.0;    ///< rigid_body::World::last_change() [m/s]
+  int n_below_range = 0;      ///< assessments with an input clamped up to the failure model's range
+  int n_above_range = 0;      ///< assessments that stayed above the range at the shortest substep
+  int n_steps_too_long = 0;   ///< births with T_col (Eqs. 11, 12) below the time step
+  double last_change = 0.0;   ///< rigid_body::World::last_change() [m/s]
 };
 
 /// Where the wall time went, by stage [s]; no part of it is counted twice.
