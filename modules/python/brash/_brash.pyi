@@ -367,11 +367,11 @@ def croasdale(
     thickness: float,
     flexural_strength: float,
     youngs_modulus: float,
-    poisson_ratio: float = ...,
-    friction_structure: float = ...,
-    friction_ice: float = ...,
-    ice_density: float = ...,
-    water_density: float = ...,
+    poisson_ratio: float,
+    friction_structure: float,
+    friction_ice: float,
+    ice_density: float,
+    water_density: float,
     weight_density: float = ...,
     rubble_height: float = ...,
     rubble_porosity: float = ...,
@@ -382,7 +382,7 @@ def croasdale(
 ) -> CroasdaleLoad: ...
 def ralston(
     *,
-    breaking: str = "upward",
+    breaking: str,
     yield_criterion: str = "tresca",
     slope: float,
     waterline_width: float,
@@ -390,9 +390,9 @@ def ralston(
     thickness: float,
     flexural_strength: float,
     ride_thickness: float = ...,
-    friction_structure: float = ...,
-    ice_density: float = ...,
-    water_density: float = ...,
+    friction_structure: float,
+    ice_density: float,
+    water_density: float,
     gravity: float = ...,
 ) -> RalstonLoad: ...
 def nevel(
@@ -402,10 +402,10 @@ def nevel(
     thickness: float,
     flexural_strength: float,
     youngs_modulus: float,
-    water_density: float = ...,
+    water_density: float,
     gravity: float = ...,
 ) -> NevelLoad: ...
-def global_crushing(*, width: float, thickness: float, strength_coefficient: float = ...) -> CrushingLoad: ...
+def global_crushing(*, width: float, thickness: float, strength_coefficient: float) -> CrushingLoad: ...
 def lindqvist(
     *,
     length: float,
@@ -416,11 +416,11 @@ def lindqvist(
     thickness: float,
     flexural_strength: float,
     youngs_modulus: float,
-    speed: float = ...,
-    poisson_ratio: float = ...,
-    friction: float = ...,
-    ice_density: float = ...,
-    water_density: float = ...,
+    speed: float,
+    poisson_ratio: float,
+    friction: float,
+    ice_density: float,
+    water_density: float,
     gravity: float = ...,
 ) -> LindqvistLoad: ...
 def croasdale_of(case: Case) -> CroasdaleLoad: ...
@@ -429,6 +429,7 @@ def ralston_of(case: Case, yield_criterion: str = "tresca") -> RalstonLoad: ...
 class Interval:
     lower: float
     upper: float
+def lindqvist_of(case: Case) -> LindqvistLoad: ...
 
 class Summary:
     n: int
