@@ -9,6 +9,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/model/case_keys.hpp"
 #include "brash/report/case_picture.hpp"
 #include "brash/simulation/initial_floes.hpp"
@@ -75,6 +76,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
   print_data(io::to_toml(resolved));
   const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));
+  print("\n# {}", io::origin_line(io::origin_of(resolved)));
   print("\n# set by algorithm.preset = \"{}\": {}\n\n# derived\n", model::name_of(resolved.algorithm.preset),
         keys.empty() ? "nothing, each of its keys is written" : keys);
   print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);

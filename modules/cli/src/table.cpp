@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "brash/io/origin.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
@@ -145,8 +146,8 @@ void print_warnings(const std::vector<model::Warning>& warnings) {
 }
 
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {
-  return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
-                     resolved.time.step, resolved.random.seed) +
+  return fmt::format("{}: {} s in steps of {} s, seed {}\n{}\n\n", resolved.name, resolved.time.duration,
+                     resolved.time.step, resolved.random.seed, io::origin_line(io::origin_of(resolved))) +
          warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) + comparison(resolved) +
          ice(run.summary) + ledger(run.summary.ledger) + energy(run.summary.energy) + speed(resolved, run);
 }

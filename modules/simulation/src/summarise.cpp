@@ -295,6 +295,7 @@ std::string to_json(const RunSummary& s) {
       {"breaks_decided", json_of(s.breaks)},
       {"breaking_frequency", s.breaking_frequency},
       {"breaking_length_quantiles", s.breaking_length_quantiles},
+      {"origin", s.origin},
       {"n_floes_born", s.n_floes_born},
       {"n_floes_present", s.n_floes_present},
       {"n_floes_crushed", s.n_floes_crushed},

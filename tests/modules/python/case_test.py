@@ -140,6 +140,12 @@ class Cases(unittest.TestCase):
     def test_template_and_schema_are_there(self):
         self.assertIn("[ice]", brash.template())
         brash.Case.from_text(brash.template())
+
+    def test_a_case_names_its_preset_and_the_program(self):
+        program = f"program: brash {brash.__version__}"
+        self.assertEqual(self.case.copy().origin, f"preset: {self.case['algorithm.preset']}; {program}")
+        changed = brash.Case.from_file(CONE, {"algorithm.preset": "paper", "failure.pieces": "break"})
+        self.assertEqual(changed.origin, f"preset: paper (1 key changed); {program}")
         self.assertIn('"thickness"', brash.schema())
 
 

@@ -27,6 +27,20 @@ after(async () => {
 const ask = (at, look, argument) =>
   at.evaluate(`(${look})(window.brashReport.report, window.brashReport.run, ${JSON.stringify(argument ?? null)})`);
 
+test("the header names the presets and the programs of the runs", async () => {
+  const { program } = JSON.parse(readFileSync(join(run, "manifest.json"), "utf8"));
+  const [own, changed] = [run, other].map((of) => JSON.parse(readFileSync(join(of, "summary.json"), "utf8")).origin.presets[0]);
+  assert.equal(changed, "brash");
+  assert.ok((await page.locator("header p").first().innerText()).includes(`preset: ${own}; program: brash ${program.version}`));
+  const two = join(folder, "two.html");
+  brash("report", run, other, "-o", two);
+  const shown = await browser.open(two);
+  assert.ok((await shown.locator("header p").first().innerText()).includes(`preset: brash; program: brash ${program.version}`));
+  const row = await shown.locator("#compared tr", { hasText: "made with" }).locator("td").allInnerTexts();
+  assert.deepEqual(row.slice(-2), [own, changed].map((preset) => `preset: ${preset}; program: brash ${program.version}`));
+  await shown.close();
+});
+
 test("a crack that is a circle is drawn as one, with the breaking length about the trapezoid's tip", async () => {
   for (const [i, row] of events.entries()) {
     await ask(page, (report, _, event) => report.choose(event), i);

@@ -73,6 +73,7 @@ export function comparedFigures(runs: Run[], names: string[]): HTMLElement {
 export function differencesSection(runs: Run[], names: string[]): HTMLElement {
   const differing = differences(runs);
   return section("differences", "Inputs that differ", differing.length === 0
+    row("made with", ({ data }) => data.origin),
     ? el("p", {}, "The two runs have the same inputs.")
     : table(["input", ...names], differing));
 }
