@@ -27,8 +27,10 @@ std::string load_row(const simulation::RunSummary& run, const char* name, const 
 }
 
 std::string loads(const simulation::RunSummary& s) {
-  const std::string whole = fmt::format("  mean over the whole history: {:.1f} horizontal, {:.1f} vertical\n",
-                                        s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo);
+  const std::string whole = fmt::format(
+      "  over the whole run: mean {:.1f} horizontal, {:.1f} vertical; largest {:.1f} horizontal, {:.1f} vertical\n",
+      s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo, s.maximum_horizontal_whole / kKilo,
+      s.maximum_vertical_whole / kKilo);
   if (std::isnan(s.horizontal.mean))
     return fmt::format(
                "loads on the structure [kN]\n  none from t = {:.2f} s on: the run is over before its statistics begin "

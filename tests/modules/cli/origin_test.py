@@ -57,6 +57,16 @@ class Origin(unittest.TestCase):
         summary = json.loads((self.folder / "paper" / "summary.json").read_text())
         self.assertEqual(summary["origin"], {"presets": ["paper (1 key changed)"], "programs": [THIS]})
 
+    def test_a_run_tells_its_largest_load_from_that_of_its_statistics(self):
+        text = self.brash("run", CONE, "-o", "late", *SHORT[:4], "--set", "output.statistics_from=0.45")
+        with open(self.folder / "late" / "history.csv", newline="", encoding="utf-8") as file:
+            rows = [(float(row["time"]), float(row["Fx"]), float(row["Fz"])) for row in csv.DictReader(file)]
+        largest = [max(row[i] for row in rows) for i in (1, 2)]
+        summary = json.loads((self.folder / "late" / "summary.json").read_text())
+        self.assertEqual(summary["maximum_whole_history"], {"horizontal": largest[0], "vertical": largest[1]})
+        self.assertLess(summary["horizontal"]["maximum"], largest[0])
+        self.assertIn(f"largest {largest[0] / 1e3:.1f} horizontal, {largest[1] / 1e3:.1f} vertical\n", text)
+
     def test_check_and_loads_name_them_of_the_case(self):
         line = f"preset: paper (1 key changed); program: {THIS}\n"
         changed = ["--set", "algorithm.preset=paper", "--set", "failure.pieces=break"]

@@ -58,6 +58,8 @@ struct RunSummary {
   std::vector<RegionMean> regions;     ///< of a hull with regions, empty where none of them bore a load
   double mean_horizontal_whole = 0.0;  ///< over the whole history [N]
   double mean_vertical_whole = 0.0;
+  double maximum_horizontal_whole = 0.0;
+  double maximum_vertical_whole = 0.0;
   int n_breaks = 0;
   BreakCounts breaks;
   double breaking_frequency = 0.0;  ///< breaks per second from statistics_from on [Hz]
