@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/reference/case-file.md from case.schema.json; with --check, fails when the page differs."""
+"""Writes docs/reference/case-file.md from case.schema.json and site_ice.json; with --check, fails when the page differs."""
 import json
 import pathlib
 import sys
@@ -9,7 +9,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parents[1] / "docs" / "reference" / "case-file.md"
 
 INTRODUCTION = """\
-<!-- Written by modules/io/case_reference.py from modules/io/case.schema.json; change those. -->
+<!-- Written by modules/io/case_reference.py from modules/io/case.schema.json and site_ice.json; change those. -->
 # The case file
 
 A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and below them lines `key = value`.
@@ -23,7 +23,7 @@ A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and belo
 - **Overrides.** `--set section.key=value` on the command line wins over the file. The value is TOML, or else a plain
   string, so `--set 'ice.thickness=40 cm'` needs no inner quotes.
 - **Templates.** `brash schema --template` prints a case with every key. `brash check CASE.toml` prints a case in SI with all
-  defaults.
+  defaults. `--ice` chooses [the ice of a site](#site-ice).
 
 In the sources, "paper" is the article whose model the program follows.
 """
@@ -62,6 +62,37 @@ def allowed(key):
     return ", ".join((["whole number"] if kind == "integer" else ["text"] if kind == "string" else []) + bounds)
 
 
+def site_value(schema, site, path):
+    """The value of a key in the ice of a site; of model ice, the default or the example of the schema."""
+    section, name = path.split(".")
+    key = schema["properties"][section]["properties"][name]
+    usual = key.get("examples", [key.get("default")])[0]
+    return site["values"].get(path, [usual])[0]
+
+
+def site_ice(schema):
+    """Typical ice of sites, with what each value rests on."""
+    ice = json.loads((HERE / "site_ice.json").read_text(encoding="utf-8"))
+    sites = ice["sites"]
+    lines = ["## Site ice", "",
+             "`brash schema --template --ice NAME` and `brash new --ice NAME` write the ice and the water of a site, with the",
+             "source of each value in a comment. In Python, `brash.template(ice=NAME)` and `brash.new_case(ice=NAME)` do. The",
+             "default is the ice of the validation case, `basin`, whose sources are above. The others are typical values to",
+             "begin with: put in what is known of your site.", "",
+             "| key | " + " | ".join(f"`{name}`" for name in sites) + " | source |",
+             "|---|" + "---|" * len(sites) + "---|"]
+    for path, source in ice["keys"].items():
+        values = " | ".join(str(site_value(schema, site, path)) for site in sites.values())
+        lines.append(f"| `{path}` | {values} | {source} |")
+    lines += ["", "| ice | what it is | remarks |", "|---|---|---|"]
+    for name, site in sites.items():
+        remarks = [site.get("brine", "")] + [remark for _, remark in site["values"].values()]
+        lines.append(f"| `{name}` | {site['name']} | {' '.join(filter(None, remarks))} |")
+    lines += ["", "| source | title |", "|---|---|"]
+    lines += [f"| {name} | {title} |" for name, title in ice["sources"].items()]
+    return lines + [""]
+
+
 def page():
     schema = json.loads((HERE / "case.schema.json").read_text(encoding="utf-8"))
     lines = [INTRODUCTION]
@@ -93,7 +124,7 @@ def page():
             meaning = key["description"] + f" Only with the `kind` {kinds}." * bool(kinds)
             lines.append(f"| `{name}` | {'' if unit == '1' else unit} | {default} | {allowed(key)} | {meaning} |")
         lines.append("")
-    return "\n".join(lines)
+    return "\n".join(lines + site_ice(schema))
 
 
 if sys.argv[1:] == ["--check"]:

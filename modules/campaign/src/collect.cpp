@@ -15,6 +15,7 @@
 #include "brash/core/sha256.hpp"
 #include "brash/core/version.hpp"
 #include "brash/core/write_file.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/io/results.hpp"
 #include "brash/io/table.hpp"
 #include "brash/statistics/intervals.hpp"
@@ -35,6 +36,7 @@ struct Row {
   bool failed = false;
   std::vector<double> values;
   std::vector<std::string> warnings;  ///< their ids
+  model::Origin origin{};             ///< of a case that is done
 };
 
 std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, const Schedule& schedule) {
@@ -47,6 +49,7 @@ std::vector<Row> read_rows(const io::CampaignPlan& plan, const Folder& folder, c
       const std::string text = read_text(path);
       const auto numbers = columns_of(path, text);
       row.warnings = warnings_in(text);
+      row.origin = io::origin_in(folder.case_folder(key) + "/manifest.json");
       for (std::size_t i = 0; i < plan.columns.size(); ++i)
         if (const auto found = numbers.find(plan.columns[i]); found != numbers.end()) row.values[i] = found->second;
     }
@@ -70,27 +73,52 @@ std::string cell(const std::string& text) {
   return quoted + '"';
 }
 
+/// The presets and the programs of all cases that are done.
+model::Origin origin_of(const std::vector<Row>& rows) {
+  model::Origin origin;
+  for (const Row& row : rows) model::add(origin, row.origin);
+  return origin;
+}
+
+/// The one name of a run; "" where there is none, as of a case that failed.
+std::string one_of(const std::vector<std::string>& names) { return names.empty() ? "" : names.front(); }
+
 std::string csv(const io::CampaignPlan& plan, const Folder& folder, const std::vector<Row>& rows) {
   std::string text = "case,setting,replicate,status";
   for (const io::VariedKey& key : plan.keys) text += ',' + cell(key.name);
   for (const std::string& column : plan.columns) text += ',' + cell(column);
-  text += ",warnings\n";
+  text += ",warnings,preset,program\n";
   for (const Row& row : rows) {
     const io::Setting& setting = plan.settings[row.key.setting];
     text += fmt::format("{},{},{},{}", cell(folder.id(row.key)), cell(setting.name), row.key.replicate,
                         row.failed ? "failed" : "done");
     for (const io::SettingValue& value : setting.values) text += ',' + cell(value.text);
     for (const double value : row.values) text += std::isnan(value) ? "," : fmt::format(",{}", value);
-    text += fmt::format(",{}\n", fmt::join(row.warnings, " "));
+    text += fmt::format(",{},{},{}\n", fmt::join(row.warnings, " "), cell(one_of(row.origin.presets)),
+                        cell(one_of(row.origin.programs)));
   }
   return text;
+}
+
+/// A column of names as numbers with flags; -1 where a case has none. Blanks separate the flags, so they have none.
+io::TableIndex names_of(const std::vector<Row>& rows, const char* name, const char* meaning,
+                        std::vector<std::string> model::Origin::*part) {
+  io::TableIndex index{name, meaning, {}, {}};
+  for (const Row& row : rows) {
+    std::string flag = one_of(row.origin.*part);
+    std::ranges::replace(flag, ' ', '_');
+    auto found = std::ranges::find(index.flags, flag);
+    if (found == index.flags.end() && !flag.empty()) found = index.flags.insert(found, flag);
+    index.values.push_back(flag.empty() ? -1 : static_cast<std::int32_t>(found - index.flags.begin()));
+  }
+  return index;
 }
 
 io::Table table(const io::CampaignPlan& plan, const std::vector<Row>& rows) {
   io::Table all{.dimension = "case",
                 .attributes = {{"Conventions", "CF-1.9"},
                                {"title", "brash campaign"},
-                               {"source", std::string("brash ") + kVersion},
+                               {"source", fmt::format("{}", fmt::join(origin_of(rows).programs, ", "))},
                                {"comment", "One entry a case; loads in load axes, SI units."}},
                 .indices = {{"setting", "setting", {}, {}},
                             {"replicate", "replicate", {}, {}},
@@ -102,6 +130,8 @@ io::Table table(const io::CampaignPlan& plan, const std::vector<Row>& rows) {
     all.indices[1].values.push_back(row.key.replicate);
     all.indices[2].values.push_back(row.failed ? 1 : 0);
   }
+  all.indices.push_back(names_of(rows, "preset", "preset of the case", &model::Origin::presets));
+  all.indices.push_back(names_of(rows, "program", "program that made the case", &model::Origin::programs));
   for (std::size_t k = 0; k < plan.keys.size(); ++k) {
     const auto is_number = [&](const io::Setting& setting) { return setting.values[k].number.has_value(); };
     if (std::ranges::none_of(plan.settings, is_number)) continue;
@@ -169,9 +199,9 @@ Json setting_summary(const io::CampaignPlan& plan, std::size_t setting, const st
 
 std::string summary(const io::CampaignPlan& plan, const std::vector<Row>& rows, const Schedule& schedule) {
   const Counts counts = schedule.counts();
-  Json out{{"format", "brash-campaign-1"}, {"units", "SI"},
-           {"n_cases", counts.n_cases},    {"n_done", counts.n_done},
-           {"n_failed", counts.n_failed},  {"settings", Json::array()}};
+  Json out{{"format", "brash-campaign-1"}, {"units", "SI"},           {"origin", origin_of(rows)},
+           {"n_cases", counts.n_cases},    {"n_done", counts.n_done}, {"n_failed", counts.n_failed},
+           {"settings", Json::array()}};
   for (std::size_t s = 0; s < plan.settings.size(); ++s)
     out["settings"].push_back(setting_summary(plan, s, rows, schedule));
   return out.dump(2) + "\n";

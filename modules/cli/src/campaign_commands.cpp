@@ -28,6 +28,7 @@
 #include "brash/simulation/scales.hpp"
 #include "commands.hpp"
 #include "messages.hpp"
+#include "origin_text.hpp"
 #include "requests_to_end.hpp"
 #include "run_folder.hpp"
 
@@ -119,7 +120,7 @@ std::vector<std::string> shown_columns(const nlohmann::ordered_json& statistics)
 /// The means of each setting.
 std::string means_table(const std::string& summary_file) {
   const auto summary = nlohmann::ordered_json::parse(read_json_text(summary_file, "the summary of a campaign"));
-  std::string text = fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
+  std::string text = origin_text(summary) + fmt::format("{:<36} {:>4}  {}\n", "setting", "n", "mean and 95 % interval");
   for (const auto& setting : summary.at("settings")) {
     const std::string name = setting.at("setting");
     std::string shown = name;

@@ -9,6 +9,8 @@
 #include "brash/core/input_file.hpp"
 #include "brash/io/campaign_plan.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/new_case.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/model/case_keys.hpp"
 #include "brash/report/case_picture.hpp"
 #include "brash/simulation/initial_floes.hpp"
@@ -75,6 +77,7 @@ void check_case(const std::string& path, const std::vector<std::string>& overrid
   const simulation::DerivedScales scales = simulation::derived_scales(resolved);
   print_data(io::to_toml(resolved));
   const std::string keys = fmt::format("{}", fmt::join(io::keys_set_by_preset(path, overrides), ", "));
+  print("\n# {}", io::origin_line(io::origin_of(resolved)));
   print("\n# set by algorithm.preset = \"{}\": {}\n\n# derived\n", model::name_of(resolved.algorithm.preset),
         keys.empty() ? "nothing, each of its keys is written" : keys);
   print("# characteristic length l_c      {:.4g} m\n", scales.characteristic_length);
@@ -117,15 +120,22 @@ void add_check_command(CLI::App& app) {
 void add_schema_command(CLI::App& app) {
   struct Options {
     bool as_template = false;
+    std::string ice = "basin";
     bool of_plan = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("schema", "Print the schema of a case file");
   CLI::Option* as_template = command->add_flag("--template", options->as_template, "a commented case file instead");
+  command
+      ->add_option("--ice", options->ice,
+                   fmt::format("ice of the template, with sourced values: {} [basin]", fmt::join(io::site_ice(), ", ")))
+      ->needs(as_template);
   command->add_flag("--plan", options->of_plan, "the schema of a campaign's plan instead")->excludes(as_template);
-  command->footer("Example: brash schema --template > mine.toml");
+  command->footer("Example: brash schema --template --ice baltic > mine.toml");
   command->callback([options] {
-    print("{}", options->as_template ? io::case_template() : options->of_plan ? io::plan_schema() : io::case_schema());
+    print("{}", options->as_template ? io::case_template(options->ice)
+                : options->of_plan   ? io::plan_schema()
+                                     : io::case_schema());
   });
 }
 

@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "brash/core/constants.hpp"
-#include "brash/standards/crushing.hpp"
-#include "brash/standards/nevel.hpp"
+#include "brash/standards/inputs.hpp"
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 
@@ -17,8 +18,6 @@ namespace brash::cli {
 using nlohmann::ordered_json;
 
 namespace {
-constexpr double kKilo = 1e3;
-
 /// The structure as closed forms see it, or one of its legs, as it starts: one slope at the waterline, and the width
 /// across its way.
 struct Slope {
@@ -41,9 +40,11 @@ Slope slope_of(const model::Case& c) {
 bool is_vertical(double slope) { return slope >= structure::kSteepestSlope; }
 const standards::NotApplicable kBendsNothing{"the face is vertical: it crushes the ice and bends none"};
 
-}  // namespace
+/// The input of a closed form, or why it has none.
+template <typename Input>
+using InputOf = tl::expected<Input, standards::NotApplicable>;
 
-tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const model::Case& c) {
+InputOf<standards::CroasdaleInput> croasdale_input(const model::Case& c) {
   const Slope slope = slope_of(c);
   if (is_vertical(slope.angle)) return tl::unexpected(kBendsNothing);
   standards::CroasdaleInput input;
@@ -57,11 +58,10 @@ tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(co
   input.friction_ice = c.ice.friction_ice;
   input.ice_density = c.ice.density;
   input.water_density = c.water.density;
-  return standards::croasdale(input);
+  return input;
 }
 
-tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const model::Case& c,
-                                                                          standards::Yield yield) {
+InputOf<standards::RalstonInput> ralston_input(const model::Case& c, standards::Yield yield) {
   const auto* const cone = std::get_if<model::Cone>(&c.structure.shape);
   if (cone == nullptr) return tl::unexpected(standards::NotApplicable{"the structure is no cone"});
   if (is_vertical(cone->angle)) return tl::unexpected(kBendsNothing);
@@ -78,10 +78,10 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
   input.water_density = c.water.density;
   input.breaking = downward ? standards::Breaking::kDownward : standards::Breaking::kUpward;
   input.yield = yield;
-  return standards::ralston(input);
+  return input;
 }
 
-std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const model::Case& c) {
+std::optional<standards::LindqvistInput> lindqvist_input(const model::Case& c) {
   if (!c.hull.length) return std::nullopt;  // all keys or none
   standards::LindqvistInput input;
   input.length = *c.hull.length;
@@ -97,7 +97,24 @@ std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> 
   input.friction = c.ice.friction_structure;
   input.ice_density = c.ice.density;
   input.water_density = c.water.density;
-  return standards::lindqvist(input);
+  return input;
+}
+
+}  // namespace
+
+tl::expected<standards::CroasdaleLoad, standards::NotApplicable> croasdale_of(const model::Case& c) {
+  return croasdale_input(c).and_then(standards::croasdale);
+}
+
+tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const model::Case& c,
+                                                                          standards::Yield yield) {
+  return ralston_input(c, yield).and_then(standards::ralston);
+}
+
+std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(const model::Case& c) {
+  const auto input = lindqvist_input(c);
+  if (!input) return std::nullopt;
+  return standards::lindqvist(*input);
 }
 
 namespace {
@@ -107,6 +124,15 @@ constexpr const char* kRarePeak = "peak, once in many years";
 
 ordered_json refused(const char* method, const char* source, const standards::NotApplicable& why) {
   return {{"method", method}, {"source", source}, {"not_applicable", why.reason}};
+}
+
+/// The numbers that a formula was given, by their names in Python; SI.
+template <typename Input, std::size_t n>
+ordered_json inputs_json(const Input& input, const std::array<standards::InputNumber<Input>, n>& numbers) {
+  ordered_json out;
+  for (const standards::InputNumber<Input>& number : numbers)
+    if (number.given == standards::Given::kAlways) out[number.name] = input.*number.member;
+  return out;
 }
 
 // Where each method holds; docs/theory/standards.md.
@@ -124,7 +150,8 @@ constexpr const char* kLindqvistApplies =
 ordered_json croasdale_json(const model::Case& c) {
   constexpr const char* kMethod = "elastic beam, no rubble, weight in air";
   constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Croasdale)";
-  const auto load = croasdale_of(c);
+  const auto input = croasdale_input(c);
+  const auto load = input.and_then(standards::croasdale);
   if (!load) return refused(kMethod, kSource, load.error());
   return {{"method", kMethod},
           {"source", kSource},
@@ -141,7 +168,8 @@ ordered_json croasdale_json(const model::Case& c) {
           {"force_ratio", load->force_ratio},
           {"in_plane_factor", load->in_plane_factor},
           {"characteristic_length", load->characteristic_length},
-          {"crack_length", load->crack_length}};
+          {"crack_length", load->crack_length},
+          {"inputs", inputs_json(*input, standards::kCroasdaleInputs)}};
 }
 
 ordered_json ralston_json(const model::Case& c, standards::Yield yield) {
@@ -150,7 +178,8 @@ ordered_json ralston_json(const model::Case& c, standards::Yield yield) {
       "plastic cone, {}{}", cone == nullptr ? "" : fmt::format("{} breaking, ", model::name_of(cone->breaking)),
       yield == standards::Yield::kTresca ? "Tresca (Y = 2.711)" : "Johansen (Y = 3.422)");
   constexpr const char* kSource = "ISO 19906, A.8.2.4.4 (Ralston)";
-  const auto load = ralston_of(c, yield);
+  const auto input = ralston_input(c, yield);
+  const auto load = input.and_then(standards::ralston);
   if (!load) return refused(method.c_str(), kSource, load.error());
   return {{"method", method},
           {"source", kSource},
@@ -163,7 +192,8 @@ ordered_json ralston_json(const model::Case& c, standards::Yield yield) {
             {"H_R", load->ride_horizontal},
             {"V_B", load->breaking_vertical},
             {"V_R", load->ride_vertical}}},
-          {"radius_ratio", load->radius_ratio}};
+          {"radius_ratio", load->radius_ratio},
+          {"inputs", inputs_json(*input, standards::kRalstonInputs)}};
 }
 
 /// One break: the half disc in front of a contact, divided into wedges, each loaded over one thickness from its tip.
@@ -185,6 +215,9 @@ ordered_json nevel_json(const model::Case& c, int wedges) {
   const double inclination = slope + std::atan(c.ice.friction_structure);
   if (inclination >= 0.5 * kPi) return refused(method.c_str(), kSource, {"the ice locks: tan(slope) >= 1/friction"});
   const double vertical = wedges * load.vertical;
+  ordered_json inputs = inputs_json(input, standards::kNevelInputs);
+  inputs["slope"] = slope;
+  inputs["friction_structure"] = c.ice.friction_structure;
   return {{"method", method},
           {"source", kSource},
           {"kind", kPeak},
@@ -192,14 +225,16 @@ ordered_json nevel_json(const model::Case& c, int wedges) {
           {"horizontal", vertical * std::tan(inclination)},
           {"vertical", vertical},
           {"components", {{"P of one wedge", load.vertical}}},
-          {"in_range", load.in_range}};
+          {"in_range", load.in_range},
+          {"inputs", inputs}};
 }
 
 ordered_json crushing_json(const model::Case& c, double coefficient, const char* region) {
   const std::string method = fmt::format("crushing on a vertical face, C_R = {:g} MPa ({})", coefficient / 1e6, region);
   constexpr const char* kSource = "ISO 19906:2010, A.8.2.4.3.3";
-  const auto load = standards::global_crushing(
-      {.width = slope_of(c).width, .thickness = c.ice.thickness, .strength_coefficient = coefficient});
+  const standards::CrushingInput input{
+      .width = slope_of(c).width, .thickness = c.ice.thickness, .strength_coefficient = coefficient};
+  const auto load = standards::global_crushing(input);
   if (!load) return refused(method.c_str(), kSource, load.error());
   return {{"method", method},
           {"source", kSource},
@@ -207,61 +242,44 @@ ordered_json crushing_json(const model::Case& c, double coefficient, const char*
           {"applies_to", kCrushingApplies},
           {"horizontal", load->horizontal},
           {"components", {{"p w h", load->horizontal}}},
-          {"pressure", load->pressure}};
+          {"pressure", load->pressure},
+          {"inputs", inputs_json(input, standards::kCrushingInputs)}};
 }
 
-ordered_json lindqvist_json(const standards::LindqvistLoad& load) {
-  return {{"method", "ship's hull at the structure's speed"},
-          {"source", "Lindqvist 1989"},
+ordered_json lindqvist_json(const standards::LindqvistInput& input) {
+  constexpr const char* kMethod = "ship's hull at the structure's speed";
+  constexpr const char* kSource = "Lindqvist 1989";
+  const auto load = standards::lindqvist(input);
+  if (!load) return refused(kMethod, kSource, load.error());
+  return {{"method", kMethod},
+          {"source", kSource},
           {"kind", "mean"},
           {"applies_to", kLindqvistApplies},
-          {"horizontal", load.total},
-          {"components", {{"R_c", load.crushing}, {"R_b", load.bending}, {"R_s", load.submersion}}},
-          {"components_at", "zero speed"}};
+          {"horizontal", load->total},
+          {"components", {{"R_c", load->crushing}, {"R_b", load->bending}, {"R_s", load->submersion}}},
+          {"components_at", "zero speed"},
+          {"inputs", inputs_json(input, standards::kLindqvistInputs)}};
 }
 
 }  // namespace
 
 ordered_json closed_form_loads(const model::Case& c) {
   ordered_json loads = ordered_json::array();
-  loads.push_back(croasdale_json(c));
-  loads.push_back(ralston_json(c, standards::Yield::kTresca));
-  loads.push_back(ralston_json(c, standards::Yield::kJohansen));
-  for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges)
-    loads.push_back(nevel_json(c, wedges));
-  loads.push_back(crushing_json(c, 1.8e6, "Baltic"));
-  loads.push_back(crushing_json(c, 2.8e6, "Arctic"));
-  if (const auto hull = lindqvist_of(c))
-    loads.push_back(*hull ? lindqvist_json(**hull)
-                          : refused("ship's hull at the structure's speed", "Lindqvist 1989", hull->error()));
+  const auto add = [&](const char* formula, ordered_json load) {
+    load["formula"] = formula;
+    loads.push_back(std::move(load));
+  };
+  add("Croasdale", croasdale_json(c));
+  add("Ralston", ralston_json(c, standards::Yield::kTresca));
+  add("Ralston", ralston_json(c, standards::Yield::kJohansen));
+  for (int wedges = c.failure.wedges[0]; wedges <= c.failure.wedges[1]; ++wedges) add("Nevel", nevel_json(c, wedges));
+  add("crushing", crushing_json(c, 1.8e6, "Baltic"));
+  add("crushing", crushing_json(c, 2.8e6, "Arctic"));
+  if (const auto hull = lindqvist_input(c)) add("Lindqvist", lindqvist_json(*hull));
   const char* const kind = c.structure.legs.size() < 2
                                ? "peaks of one breaking event; of crushing, once in many years; a ship's is a mean"
                                : "peaks of one breaking event, of crushing once in many years; at one leg, as if alone";
   return {{"case", c.name}, {"kind", kind}, {"loads", loads}};
-}
-
-std::string loads_text(const ordered_json& loads) {
-  std::string text = fmt::format("{}: closed-form loads [kN], {}\n  horizontal  vertical  method\n",
-                                 loads["case"].get<std::string>(), loads["kind"].get<std::string>());
-  for (const ordered_json& load : loads["loads"]) {
-    const auto method = load["method"].get<std::string>(), source = load["source"].get<std::string>();
-    if (load.contains("not_applicable")) {
-      text += fmt::format("           -         -  {}; {}\n{:24}not applicable: {}\n", method, source, "",
-                          load["not_applicable"].get<std::string>());
-      continue;
-    }
-    const std::string vertical =
-        load.contains("vertical") ? fmt::format("{:.1f}", load["vertical"].get<double>() / kKilo) : "-";
-    text += fmt::format("  {:10.1f}{:>10}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo, vertical, method,
-                        source, "");
-    std::string separator;
-    for (const auto& [name, value] : load["components"].items()) {
-      text += fmt::format("{}{} {:.1f}", separator, name, value.get<double>() / kKilo);
-      separator = ", ";
-    }
-    text += load.contains("in_range") && !load["in_range"].get<bool>() ? "; outside the formula's range\n" : "\n";
-  }
-  return text;
 }
 
 double waterline_slope(const model::Case& resolved) { return slope_of(resolved).angle; }

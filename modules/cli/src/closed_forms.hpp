@@ -24,8 +24,8 @@ tl::expected<standards::RalstonLoad, standards::NotApplicable> ralston_of(const 
 std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> lindqvist_of(
     const model::Case& resolved);
 
-/// Closed-form loads for a case, SI, each with components, source and where it applies: Croasdale, Ralston with both
-/// yield criteria, Nevel's wedges, Lindqvist for a hull.
+/// Closed-form loads for a case, SI, each with components, inputs, source and where it applies: Croasdale, Ralston with
+/// both yield criteria, Nevel's wedges, Lindqvist for a hull.
 nlohmann::ordered_json closed_form_loads(const model::Case& resolved);
 
 /// The same as text for a reader.

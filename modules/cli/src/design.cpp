@@ -12,6 +12,7 @@
 #include "brash/statistics/summary.hpp"
 #include "extreme_statistics.hpp"
 #include "fatigue_statistics.hpp"
+#include "origin_text.hpp"
 
 namespace brash::cli {
 namespace {
@@ -179,6 +180,9 @@ Design design_of(const std::vector<SettingHistories>& settings, const DesignSett
   design.json = {{"column", settings.front().replicates.front().column},
                  {"unit", design.unit.empty() ? ordered_json() : ordered_json(design.unit)},
                  {"settings", ordered_json::array()}};
+  model::Origin origin;
+  for (const SettingHistories& setting : settings) model::add(origin, origin_of(setting.replicates));
+  add_origin(origin, design.json);
   GoodnessOfFit goodness;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     ExtremeSettings extremes = asked.extremes;

@@ -6,6 +6,7 @@
 #include "design.hpp"
 #include "extreme_statistics.hpp"
 #include "fatigue_statistics.hpp"
+#include "origin_text.hpp"
 
 namespace brash::cli {
 namespace {
@@ -63,7 +64,7 @@ std::string years_text(const ordered_json& annual) {
 std::string design_text(const ordered_json& design) {
   const std::string unit =
       design["unit"].is_null() ? "" : fmt::format(" [{}]", printable(design["unit"].get<std::string>()));
-  std::string text = fmt::format("{}{}\n", design["column"].get<std::string>(), unit);
+  std::string text = fmt::format("{}{}\n", design["column"].get<std::string>(), unit) + origin_text(design);
   for (const ordered_json& state : design["settings"]) text += state_text(state);
   if (design.contains("annual")) text += years_text(design["annual"]);
   if (design.contains("fatigue")) text += fatigue_text(design["fatigue"]);

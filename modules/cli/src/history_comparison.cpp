@@ -16,6 +16,7 @@
 #include "brash/statistics/intervals.hpp"
 #include "brash/statistics/moments.hpp"
 #include "history_statistics.hpp"
+#include "origin_text.hpp"
 
 namespace brash::cli {
 namespace {
@@ -141,23 +142,25 @@ struct Side {
 ordered_json side_json(const Side& side) {
   const Summary& s = side.load;
   const ordered_json mean_95 = side.histories > 1 ? interval(side.of_replicates) : interval_of_mean(s);
-  return {{"column", side.all.column},
-          {"unit", side.all.unit.empty() ? ordered_json() : ordered_json(side.all.unit)},
-          {"histories", side.histories},
-          {"from", side.all.history.times.front()},
-          {"duration", side.all.even.duration},
-          {"n", s.n},
-          {"gaps", side.all.even.sampling.gaps.size() + 1 - side.histories},
-          {"mean", side.mean.mean},
-          {"mean_95", mean_95},
-          {"standard_deviation", s.standard_deviation},
-          {"quantile_99", s.quantile_99},
-          {"maximum", s.maximum},
-          {"autocorrelation_time", s.autocorrelation_time},
-          {"effective_sample_size", s.effective_sample_size},
-          {"long_enough", s.long_enough},
-          {"peaks", side.peaks.size()},
-          {"peaks_per_second", side.peaks_per_second()}};
+  ordered_json out{{"column", side.all.column},
+                   {"unit", side.all.unit.empty() ? ordered_json() : ordered_json(side.all.unit)},
+                   {"histories", side.histories},
+                   {"from", side.all.history.times.front()},
+                   {"duration", side.all.even.duration},
+                   {"n", s.n},
+                   {"gaps", side.all.even.sampling.gaps.size() + 1 - side.histories},
+                   {"mean", side.mean.mean},
+                   {"mean_95", mean_95},
+                   {"standard_deviation", s.standard_deviation},
+                   {"quantile_99", s.quantile_99},
+                   {"maximum", s.maximum},
+                   {"autocorrelation_time", s.autocorrelation_time},
+                   {"effective_sample_size", s.effective_sample_size},
+                   {"long_enough", s.long_enough},
+                   {"peaks", side.peaks.size()},
+                   {"peaks_per_second", side.peaks_per_second()}};
+  add_origin(side.all.origin, out);
+  return out;
 }
 
 ordered_json ratio_json(const statistics::RatioComparison& ratio) {
@@ -255,6 +258,7 @@ LoadHistory joined(const std::vector<LoadHistory>& loads) {
     end = all.history.times.back();
   }
   all.even = statistics::make_even(all.history, 2.0 * longest);
+  all.origin = origin_of(loads);
   return all;
 }
 
@@ -285,7 +289,8 @@ ordered_json compare_histories(const std::vector<LoadHistory>& runs, const std::
 }
 
 std::string comparison_text(const ordered_json& c) {
-  std::string text = "                           run     measured\n";
+  std::string text = origin_text(c["run"], "run: ") + origin_text(c["measured"], "measured: ") +
+                     "                           run     measured\n";
   const auto row = [&](const char* name, const char* key) {
     text += fmt::format("  {:<17} {:>12.6g} {:>12.6g}\n", name, c["run"][key].get<double>(),
                         c["measured"][key].get<double>());

@@ -13,6 +13,7 @@
 #include "brash/statistics/summary.hpp"
 #include "extreme_statistics.hpp"
 #include "fatigue_statistics.hpp"
+#include "origin_text.hpp"
 
 namespace brash::cli {
 namespace {
@@ -165,6 +166,7 @@ ordered_json statistics_of(const LoadHistory& load, const StatisticsSettings& se
                    {"autocorrelation_time", s.autocorrelation_time},
                    {"effective_sample_size", s.effective_sample_size},
                    {"long_enough", s.long_enough}};
+  add_origin(load.origin, out);
   out["warnings"] = ordered_json::array();
   if (const std::string gaps = statistics::gap_warning(load.history, load.even); !gaps.empty())
     out["warnings"].push_back(gaps);
@@ -187,6 +189,7 @@ std::string statistics_text(const ordered_json& s) {
     text += fmt::format(
         "  begins               at statistics_from = {:.6g} s of summary.json; --from 0 takes the whole history\n",
         value("statistics_from"));
+  text += origin_text(s, "  ");
   text += sampling_text(s["sampling"]);
   text += fmt::format("  mean                 {:.6g}   {}\n", value("mean"), interval_text(s["mean_95"]));
   text += fmt::format("  standard deviation   {:.6g}\n", value("standard_deviation"));

@@ -211,7 +211,10 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
   std::vector<LoadHistory> loads;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     loads.push_back(history_of(series, path, wanted[i], choice, i + 1 == wanted.size()));
-  for (LoadHistory& load : loads) load.warnings = warnings_beside(path);
+  for (LoadHistory& load : loads) {
+    load.warnings = warnings_beside(path);
+    load.origin = origin_of_history(path);
+  }
   return loads;
 }
 
@@ -227,6 +230,12 @@ std::vector<std::string> run_warnings(std::span<const LoadHistory> loads) {
     texts.push_back(fmt::format("of {}: {}: {}", of, printable(warning.id), printable(warning.text)));
   }
   return texts;
+}
+
+model::Origin origin_of(std::span<const LoadHistory> loads) {
+  model::Origin all;
+  for (const LoadHistory& load : loads) model::add(all, load.origin);
+  return all;
 }
 
 }  // namespace brash::cli

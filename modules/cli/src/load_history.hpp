@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/model/origin.hpp"
 #include "brash/model/warning.hpp"
 #include "brash/statistics/events.hpp"
 #include "brash/statistics/history.hpp"
@@ -24,6 +25,7 @@ struct LoadHistory {
   /// Limit of the sensor, found in the samples before a filter or a new step hid it; absent: look at `history`.
   std::optional<statistics::Clipping> clipping{};
   std::vector<model::Warning> warnings{};  ///< in the summary.json beside the file; none beside a measurement
+  model::Origin origin{};                  ///< of the run that it is of; empty for a measurement
 };
 
 /// Which column to read and how.
@@ -53,5 +55,8 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
 
 /// The warnings of the runs that histories are of, each once: "of 3 of 20 runs: few-samples: ...".
 std::vector<std::string> run_warnings(std::span<const LoadHistory> loads);
+
+/// The origins of all runs that histories are of.
+model::Origin origin_of(std::span<const LoadHistory> loads);
 
 }  // namespace brash::cli

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "new_command.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
@@ -16,7 +19,7 @@ namespace brash::cli {
 namespace {
 
 struct Options {
-  std::string file, kind = "cone", page;
+  std::string file, kind = "cone", ice = "basin", page;
 };
 
 void expect_new(const std::string& file) {
@@ -36,7 +39,7 @@ void write_page(const std::string& file) {
 }
 
 void write_case(const Options& options) {
-  const std::string text = io::new_case(options.kind);
+  const std::string text = io::new_case(options.kind, options.ice);
   if (options.file.empty()) return print_data(text);
   expect_new(options.file);
   write_file(options.file, text);
@@ -51,10 +54,13 @@ void add_new_command(CLI::App& app) {
   CLI::Option* file =
       command->add_option("-o,--output", options->file, "case file to write (TOML) [the standard output]");
   CLI::Option* kind = command->add_option("--kind", options->kind, "kind of structure, as structure.kind [cone]");
+  CLI::Option* ice = command->add_option(
+      "--ice", options->ice, fmt::format("ice with sourced values: {} [basin]", fmt::join(io::site_ice(), ", ")));
   command->add_option("--page", options->page, "write a page with a form for every key into this file (HTML)")
       ->excludes(file)
-      ->excludes(kind);
-  command->footer("Example: brash new -o mine.toml --kind wedge-bow");
+      ->excludes(kind)
+      ->excludes(ice);
+  command->footer("Example: brash new -o mine.toml --kind wedge-bow --ice baltic");
   command->callback([options] { options->page.empty() ? write_case(*options) : write_page(options->page); });
 }
 

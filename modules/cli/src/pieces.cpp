@@ -12,10 +12,12 @@
 #include "brash/core/error.hpp"
 #include "brash/geometry/caliper.hpp"
 #include "brash/geometry/text.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/io/results.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
 #include "map_file.hpp"
+#include "origin_text.hpp"
 #include "vtk_meshes.hpp"
 
 namespace brash::cli {
@@ -32,7 +34,8 @@ constexpr double kRejected = 0.1;      // p below which Clauset, Shalizi and New
 constexpr std::size_t kThinTail = 50;  // a tail of fewer says little
 
 PieceSizes sizes_of_run(const std::string& file, bool born) {
-  PieceSizes sizes{fmt::format("floes {} of {}", born ? "ever born" : "afloat at the end", file), {}, {}, 0};
+  PieceSizes sizes{
+      fmt::format("floes {} of {}", born ? "ever born" : "afloat at the end", file), {}, {}, 0, io::origin_in(file)};
   const model::RunResults results = io::read_results(file);
   for (const model::FloeRecord& floe : results.floes) {
     if (!born && floe.end != model::FloeEnd::kAlive) {
@@ -159,6 +162,7 @@ ordered_json pieces_json(const PieceSizes& sizes, const PieceAnalysis& analysis)
        has_spread ? ordered_json(std::sqrt(statistics::moments(sizes.diameters).variance)) : ordered_json()},
       {"least", least},
       {"largest", largest}};
+  add_origin(sizes.origin, out);
   out["quantiles_by_number"] = quantiles_json(statistics::quantiles(sizes.diameters, kLevels));
   out["quantiles_by_area"] = quantiles_json(statistics::quantiles_of_shares(sizes.diameters, sizes.areas, kLevels));
   out["fits"] = ordered_json::array();
@@ -172,6 +176,7 @@ std::string pieces_text(const ordered_json& json) {
     return value.is_null() ? "-" : fmt::format("{:.5g}", value.get<double>());
   };
   std::string text = fmt::format("{} pieces: {}\n", json["n"].get<std::size_t>(), json["source"].get<std::string>());
+  text += origin_text(json, "  ");
   if (json["n_left_out"] != 0)
     text += fmt::format("  left out             {}\n", json["n_left_out"].get<std::size_t>());
   text += fmt::format("  area                 {} m2 in all, {} m2 on average\n", number(json["area"]),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brash/geometry/polygon.hpp"
+#include "brash/model/origin.hpp"
 #include "brash/statistics/sizes.hpp"
 
 namespace brash::cli {
@@ -16,6 +17,7 @@ struct PieceSizes {
   std::vector<double> diameters;  ///< mean caliper [m]
   std::vector<double> areas;      ///< [m2], in the same order
   std::size_t n_left_out = 0;     ///< sheet parts of a map, floes of a run that are gone
+  model::Origin origin{};         ///< of the run; empty for a map
 };
 
 /// The pieces of a file.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brash/core/input_file.hpp"
+#include "brash/io/origin.hpp"
 
 namespace brash::cli {
 namespace {
@@ -54,6 +55,13 @@ std::vector<model::Warning> warnings_beside(const std::string& history) {
   for (const json& warning : summary["warnings"])
     if (is_warning(warning)) warnings.push_back({warning["id"].get<std::string>(), warning["text"].get<std::string>()});
   return warnings;
+}
+
+model::Origin origin_of_history(const std::string& history) {
+  const fs::path file = history;
+  if (file.extension() == ".nc") return io::origin_in(history);
+  return file.filename() == "history.csv" ? io::origin_in((file.parent_path() / "manifest.json").string())
+                                          : model::Origin{};
 }
 
 }  // namespace brash::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "brash/model/origin.hpp"
 #include "brash/model/warning.hpp"
 
 namespace brash::cli {
@@ -18,5 +19,9 @@ std::optional<double> start_beside(const std::string& history);
 
 /// The warnings in the same `summary.json`; none where there is no such summary.
 std::vector<model::Warning> warnings_beside(const std::string& history);
+
+/// The origin of the run that a history is of: of a netCDF file as it says itself, of a history.csv as the
+/// manifest.json beside it says. Empty for a measurement.
+model::Origin origin_of_history(const std::string& history);
 
 }  // namespace brash::cli

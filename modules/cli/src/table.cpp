@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "brash/io/origin.hpp"
 #include "brash/simulation/warnings.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
@@ -26,8 +27,10 @@ std::string load_row(const simulation::RunSummary& run, const char* name, const 
 }
 
 std::string loads(const simulation::RunSummary& s) {
-  const std::string whole = fmt::format("  mean over the whole history: {:.1f} horizontal, {:.1f} vertical\n",
-                                        s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo);
+  const std::string whole = fmt::format(
+      "  over the whole run: mean {:.1f} horizontal, {:.1f} vertical; largest {:.1f} horizontal, {:.1f} vertical\n",
+      s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo, s.maximum_horizontal_whole / kKilo,
+      s.maximum_vertical_whole / kKilo);
   if (std::isnan(s.horizontal.mean))
     return fmt::format(
                "loads on the structure [kN]\n  none from t = {:.2f} s on: the run is over before its statistics begin "
@@ -167,8 +170,8 @@ void print_warnings(const std::vector<model::Warning>& warnings) {
 }
 
 std::string run_table(const model::Case& resolved, const simulation::Run& run) {
-  return fmt::format("{}: {} s in steps of {} s, seed {}\n\n", resolved.name, resolved.time.duration,
-                     resolved.time.step, resolved.random.seed) +
+  return fmt::format("{}: {} s in steps of {} s, seed {}\n{}\n\n", resolved.name, resolved.time.duration,
+                     resolved.time.step, resolved.random.seed, io::origin_line(io::origin_of(resolved))) +
          warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) +
          comparison(resolved, run.summary) + ice(run.summary) + ledger(run.summary.ledger) +
          energy(run.summary.energy) + speed(resolved, run);

@@ -18,6 +18,7 @@
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
 #include "messages.hpp"
+#include "origin_text.hpp"
 #include "stats_commands.hpp"
 #include "text_table.hpp"
 
@@ -53,6 +54,15 @@ std::vector<std::string> varied_keys(const std::filesystem::path& table) {
       if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
   }
   return keys;
+}
+
+/// The rows of the settings that `where` leaves; empty: all.
+std::vector<const TextTable::Row*> chosen(const TextTable& table, const std::string& where) {
+  const std::size_t setting = table.column("setting");
+  std::vector<const TextTable::Row*> rows;
+  for (const TextTable::Row& row : table.rows)
+    if (where.empty() || fnmatch(where.c_str(), row[setting].c_str(), 0) == 0) rows.push_back(&row);
+  return rows;
 }
 
 /// Columns of the keys of other axes: the ones that vary at one value of `along`.
@@ -97,13 +107,12 @@ Strata strata_of(const TextTable& table, const std::vector<std::string>& keys, c
   const std::vector<std::size_t> others = other_axes(table, along, keys);
   Strata strata;
   std::map<std::string, std::map<double, std::string>> names;  // of the settings, by stratum and value of `along`
-  for (const TextTable::Row& row : table.rows) {
-    if (!where.empty() && fnmatch(where.c_str(), row[setting].c_str(), 0) != 0) continue;
-    const auto at = number_in(row[x]), value = number_in(row[y]);
+  for (const TextTable::Row* const row : chosen(table, where)) {
+    const auto at = number_in((*row)[x]), value = number_in((*row)[y]);
     if (!at || !value) continue;
-    const std::string stratum = stratum_of(table, row, others);
-    const std::string& first = names[stratum].try_emplace(*at, row[setting]).first->second;
-    if (first != row[setting]) refuse_unnamed_axis(table, first, row[setting], along);
+    const std::string stratum = stratum_of(table, *row, others);
+    const std::string& first = names[stratum].try_emplace(*at, (*row)[setting]).first->second;
+    if (first != (*row)[setting]) refuse_unnamed_axis(table, first, (*row)[setting], along);
     strata[stratum][*at].push_back(*value);
   }
   std::size_t most = 0;
@@ -224,13 +233,23 @@ void adjust(ordered_json& trends) {
 std::map<std::string, std::size_t> count_warnings(const TextTable& table, const std::string& where) {
   std::map<std::string, std::size_t> counts;
   if (std::ranges::find(table.names, "warnings") == table.names.end()) return counts;
-  const std::size_t setting = table.column("setting"), warnings = table.column("warnings");
-  for (const TextTable::Row& row : table.rows) {
-    if (!where.empty() && fnmatch(where.c_str(), row[setting].c_str(), 0) != 0) continue;
-    std::istringstream ids(row[warnings]);
+  const std::size_t warnings = table.column("warnings");
+  for (const TextTable::Row* const row : chosen(table, where)) {
+    std::istringstream ids((*row)[warnings]);
     for (std::string id; ids >> id;) ++counts[id];
   }
   return counts;
+}
+
+/// The origin of the chosen cases; empty in tables of earlier versions, which do not name it.
+model::Origin origin_in(const TextTable& table, const std::string& where) {
+  const auto has = [&](const char* column) { return std::ranges::find(table.names, column) != table.names.end(); };
+  if (!has("preset") || !has("program")) return {};
+  model::Origin origin;
+  const std::size_t status = table.column("status"), preset = table.column("preset"), program = table.column("program");
+  for (const TextTable::Row* const row : chosen(table, where))
+    if ((*row)[status] == "done") model::add(origin, {{printable((*row)[preset])}, {printable((*row)[program])}});
+  return origin;
 }
 
 std::string settings_text(const ordered_json& settings) {
@@ -264,7 +283,7 @@ std::string ends_text(const ordered_json& trend) {
 }
 
 std::string trend_text(const ordered_json& out) {
-  std::string text;
+  std::string text = origin_text(out);
   for (const ordered_json& trend : out["trends"]) {
     text += fmt::format("{} along {}\n", trend["of"].get<std::string>(), out["along"].get<std::string>());
     if (trend.contains("settings")) text += settings_text(trend["settings"]);
@@ -313,10 +332,11 @@ void add_trend_command(CLI::App& app) {
     for (const std::string& of : options->of)
       trends.push_back(trend_of(strata_of(table, keys, options->along, of, options->where), of, confidence));
     adjust(trends);
-    const ordered_json out{{"along", options->along},
-                           {"where", options->where},
-                           {"trends", trends},
-                           {"warnings", count_warnings(table, options->where)}};
+    ordered_json out{{"along", options->along},
+                     {"where", options->where},
+                     {"trends", trends},
+                     {"warnings", count_warnings(table, options->where)}};
+    add_origin(origin_in(table, options->where), out);
     print_data(options->json ? out.dump(2) + "\n" : escaped_lines(trend_text(out)));
   });
 }

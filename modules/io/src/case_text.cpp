@@ -11,6 +11,7 @@
 #include "brash/io/case.hpp"
 #include "brash/model/case_keys.hpp"
 #include "schema.hpp"
+#include "site_ice.hpp"
 
 namespace brash::io {
 namespace {
@@ -69,7 +70,8 @@ std::string key_line(const std::string& key, const std::vector<Item>& items, con
   return items.empty() ? "" : fmt::format("{} = {}{}\n", key, value_as_toml(items), unit == "1" ? "" : "  # " + unit);
 }
 
-/// `text` as comment lines of at most 100 columns.
+}  // namespace
+
 std::string commented(const std::string& text) {
   constexpr std::size_t kColumns = 100;
   std::istringstream words(text);
@@ -84,8 +86,6 @@ std::string commented(const std::string& text) {
   }
   return lines + line + '\n';
 }
-
-}  // namespace
 
 std::string to_toml(const model::Case& resolved) {
   std::map<std::pair<std::string, std::string>, std::string> lines;
@@ -129,10 +129,13 @@ std::string first_kind(const OrderedJson& keys, const OrderedJson& key_schema) {
 
 }  // namespace
 
-std::string case_template() {
+std::string case_template(const std::string& ice) {
+  const SiteIce site(ice);
   std::string text = commented(
       "A brash case with every key. A bare number is SI; a string is a quantity with a unit, such as \"33 cm\". Keys "
-      "without a default are required and have the values of the validation case here; other lines may be removed.");
+      "without a default are required and have the values of the validation case here; other lines may be removed. "
+      "Ice: " +
+      site.description() + ".");
   const Schema& schema = schema_of_cases();
   for (const auto& [section, section_schema] : schema.sections().items()) {
     text += "\n" + commented(section_schema.at("description").get<std::string>()) + "[" + section + "]\n";
@@ -143,7 +146,11 @@ std::string case_template() {
       const std::string of_kinds = kinds.empty() ? "" : " with kind = " + kinds;
       text += commented((required ? "Required" : "Optional") + of_kinds + ": " + allowed_values(key_schema) + ".");
       const bool has_default = key_schema.contains("default");
-      const std::string value = toml_text(has_default ? key_schema.at("default") : key_schema.at("examples").front());
+      const auto of_site = site.value_of(section + "." + key);
+      if (of_site) text += commented(fmt::format("Ice ({}): {}", site.name(), of_site->source));
+      const std::string value = of_site       ? of_site->toml
+                                : has_default ? toml_text(key_schema.at("default"))
+                                              : toml_text(key_schema.at("examples").front());
       const bool is_live = kinds.empty() && (required || has_default) && has_by_default(schema, section);
       text += fmt::format("{}{} = {}\n", is_live ? "" : "# ", key, value);
     }

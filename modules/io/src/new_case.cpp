@@ -4,16 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "brash/core/error.hpp"
 #include "schema.hpp"
+#include "site_ice.hpp"
 
 namespace brash::io {
 namespace {
 
-/// The first sentence of a description.
+/// The first sentence of a description. A dot before a number ends none: "Eqs. 15 and 16".
 std::string first_sentence(const std::string& description) {
-  const std::size_t end = description.find(". ");
+  std::size_t end = description.find(". ");
+  while (end != std::string::npos && std::isdigit(static_cast<unsigned char>(description[end + 2])) != 0)
+    end = description.find(". ", end + 1);
   return end == std::string::npos ? description : description.substr(0, end + 1);
 }
 
@@ -37,8 +41,8 @@ std::string key_line(const std::string& key, const OrderedJson& key_schema, cons
 /// The particulars that come together.
 constexpr int kParticulars = 5;
 
-/// The keys of a section that a new case with this kind of structure writes.
-std::string section_keys(const std::string& section, const std::string& kind) {
+/// The keys of a section that a new case with this kind of structure, in this ice, writes.
+std::string section_keys(const std::string& section, const std::string& kind, const SiteIce& ice) {
   const Schema& schema = schema_of_cases();
   std::string text;
   int n = 0;
@@ -51,7 +55,9 @@ std::string section_keys(const std::string& section, const std::string& kind) {
     const bool is_required = schema.has_key(section, key, of) && schema.requires_key(section, key, of);
     const bool is_particular = section == "hull" && kind == "ship" && n++ < kParticulars;
     const bool is_useful = section == "algorithm" || key == "seed" || (section == "ice" && key == "friction_structure");
-    if (is_required || is_particular || is_useful)
+    if (const auto of_site = ice.value_of(section + "." + key))
+      text += commented(of_site->source) + key_line(key, key_schema, of_site->toml);
+    else if (is_required || is_particular || is_useful)
       text += key_line(key, key_schema, fitting_value(section == "field" ? "field." + key : key, kind));
   }
   return text;
@@ -59,17 +65,20 @@ std::string section_keys(const std::string& section, const std::string& kind) {
 
 }  // namespace
 
-std::string new_case(const std::string& kind) {
+std::string new_case(const std::string& kind, const std::string& ice) {
+  const SiteIce site(ice);
   const OrderedJson& kinds = schema_of_cases().keys("structure").at("kind").at("enum");
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(
         Complaint{"--kind", fmt::format("{} is no kind of structure", kind), kinds.dump(), "name one of these kinds"});
-  std::string text =
+  std::string text = fmt::format(
       "# A brash case. A bare number is SI; a string is a quantity with a unit.\n"
-      "# `brash schema --template` lists every other key; `brash check` reads this file.\n";
+      "# `brash schema --template` lists every other key; `brash check` reads this file.\n"
+      "# Ice: {}.\n",
+      site.description());
   for (const auto& [section, section_schema] : schema_of_cases().sections().items())
     // A structure that is towed has its speed in [structure].
-    if (const std::string keys = section_keys(section, kind); section != "structure.motion" && !keys.empty())
+    if (const std::string keys = section_keys(section, kind, site); section != "structure.motion" && !keys.empty())
       text += fmt::format("\n[{}]\n{}", section, keys);
   return text;
 }

@@ -64,5 +64,7 @@ std::string toml_text(const OrderedJson& value);
 std::string toml_number(double value);
 /// `text` as a TOML basic string.
 std::string toml_string(const std::string& text);
+/// `text` as comment lines of TOML, at most 100 columns wide.
+std::string commented(const std::string& text);
 
 }  // namespace brash::io

@@ -3,8 +3,9 @@
 
 namespace brash::io {
 
-/// The texts of case.schema.json and plan.schema.json.
+/// The texts of case.schema.json, plan.schema.json and site_ice.json.
 extern const char* const kCaseSchemaText;
 extern const char* const kPlanSchemaText;
+extern const char* const kSiteIceText;
 
 }  // namespace brash::io

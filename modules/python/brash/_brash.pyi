@@ -40,9 +40,13 @@ class Case:
     def run(self, output: Path | None = None, resume: bool = False, replace: bool = False, threads: int = 1) -> Run: ...
     @property
     def name(self) -> str: ...
+    @property
+    def origin(self) -> str: ...
 
 def schema() -> str: ...
-def template() -> str: ...
+def template(ice: str = "basin") -> str: ...
+def new_case(kind: str = "cone", ice: str = "basin") -> str: ...
+def site_ice() -> list[str]: ...
 
 class FloeRecord:
     @property
@@ -367,11 +371,11 @@ def croasdale(
     thickness: float,
     flexural_strength: float,
     youngs_modulus: float,
-    poisson_ratio: float = ...,
-    friction_structure: float = ...,
-    friction_ice: float = ...,
-    ice_density: float = ...,
-    water_density: float = ...,
+    poisson_ratio: float,
+    friction_structure: float,
+    friction_ice: float,
+    ice_density: float,
+    water_density: float,
     weight_density: float = ...,
     rubble_height: float = ...,
     rubble_porosity: float = ...,
@@ -382,7 +386,7 @@ def croasdale(
 ) -> CroasdaleLoad: ...
 def ralston(
     *,
-    breaking: str = "upward",
+    breaking: str,
     yield_criterion: str = "tresca",
     slope: float,
     waterline_width: float,
@@ -390,9 +394,9 @@ def ralston(
     thickness: float,
     flexural_strength: float,
     ride_thickness: float = ...,
-    friction_structure: float = ...,
-    ice_density: float = ...,
-    water_density: float = ...,
+    friction_structure: float,
+    ice_density: float,
+    water_density: float,
     gravity: float = ...,
 ) -> RalstonLoad: ...
 def nevel(
@@ -402,10 +406,10 @@ def nevel(
     thickness: float,
     flexural_strength: float,
     youngs_modulus: float,
-    water_density: float = ...,
+    water_density: float,
     gravity: float = ...,
 ) -> NevelLoad: ...
-def global_crushing(*, width: float, thickness: float, strength_coefficient: float = ...) -> CrushingLoad: ...
+def global_crushing(*, width: float, thickness: float, strength_coefficient: float) -> CrushingLoad: ...
 def lindqvist(
     *,
     length: float,
@@ -416,15 +420,16 @@ def lindqvist(
     thickness: float,
     flexural_strength: float,
     youngs_modulus: float,
-    speed: float = ...,
-    poisson_ratio: float = ...,
-    friction: float = ...,
-    ice_density: float = ...,
-    water_density: float = ...,
+    speed: float,
+    poisson_ratio: float,
+    friction: float,
+    ice_density: float,
+    water_density: float,
     gravity: float = ...,
 ) -> LindqvistLoad: ...
 def croasdale_of(case: Case) -> CroasdaleLoad: ...
 def ralston_of(case: Case, yield_criterion: str = "tresca") -> RalstonLoad: ...
+def lindqvist_of(case: Case) -> LindqvistLoad: ...
 
 class Interval:
     lower: float

@@ -11,6 +11,8 @@
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/new_case.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/model/case_keys.hpp"
 #include "brash/simulation/scales.hpp"
 #include "brash/structure/hull.hpp"
@@ -185,9 +187,18 @@ void add_case(py::module_& m) {
           "__eq__", [](const Case& a, const Case& b) { return a.resolved == b.resolved; }, py::is_operator())
       .def_property_readonly(
           "name", [](const Case& c) { return c.resolved.name; }, "The stem of the file's name.")
+      .def_property_readonly(
+          "origin", [](const Case& c) { return io::origin_line(io::origin_of(c.resolved)); },
+          "Preset and program, as every table of the command names them: \"preset: paper (1 key changed); program: "
+          "brash 0.2.0\".")
       .def("__repr__", [](const Case& c) { return "<brash.Case " + c.resolved.name + ">"; });
   m.def("schema", &io::case_schema, "The JSON Schema of a case file as text.");
-  m.def("template", &io::case_template, "A commented case file.");
+  m.def("template", &io::case_template, py::arg("ice") = "basin",
+        "A commented case file with every key. ice: one of site_ice(), whose values have their sources beside them.");
+  m.def("new_case", &io::new_case, py::arg("kind") = "cone", py::arg("ice") = "basin",
+        "A short case file to begin with, for a structure of this kind, as `brash new`. ice: as for template().");
+  m.def("site_ice", &io::site_ice,
+        "The names of the ice that templates offer: basin, the model ice of the validation case, and those of sites.");
 }
 
 }  // namespace brash::python

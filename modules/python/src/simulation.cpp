@@ -19,6 +19,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/recording/inputs.hpp"
 #include "brash/recording/recording.hpp"
 #include "brash/simulation/run.hpp"
@@ -227,6 +228,7 @@ simulation::Run run(const Case& c, const py::object& output, bool resume, bool r
     if (finished.complete && !directory.empty()) cli::write_run_folder(directory, inputs, finished);
   }
   if (!finished.complete) throw py::error_already_set();
+  finished.summary.origin = io::origin_of(c.resolved);
   return finished;
 }
 

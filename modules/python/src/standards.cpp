@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "../../cli/src/closed_forms.hpp"
-#include "brash/standards/crushing.hpp"
-#include "brash/standards/lindqvist.hpp"
-#include "brash/standards/nevel.hpp"
+#include "brash/standards/inputs.hpp"
 #include "case.hpp"
 #include "convert.hpp"
 #include "rooms.hpp"
@@ -16,89 +19,38 @@ namespace {
 
 using namespace standards;
 
-/// An argument of a closed form: its name, where it goes and whether it must be given.
+/// Whether a call must give a number: rubble without a height has no properties.
 template <typename Input>
-struct Argument {
-  const char* name;
-  double Input::*member;
-  bool required = false;
-};
+bool is_required(const InputNumber<Input>& number, const py::kwargs& given) {
+  if (number.given == Given::kWithRubble && given.contains("rubble_height"))
+    return double(py::float_(given["rubble_height"])) != 0.0;
+  return number.given == Given::kAlways;
+}
 
-constexpr std::array kCroasdale{
-    Argument<CroasdaleInput>{"slope", &CroasdaleInput::slope, true},
-    Argument<CroasdaleInput>{"width", &CroasdaleInput::width, true},
-    Argument<CroasdaleInput>{"thickness", &CroasdaleInput::thickness, true},
-    Argument<CroasdaleInput>{"flexural_strength", &CroasdaleInput::flexural_strength, true},
-    Argument<CroasdaleInput>{"youngs_modulus", &CroasdaleInput::youngs_modulus, true},
-    Argument<CroasdaleInput>{"poisson_ratio", &CroasdaleInput::poisson_ratio},
-    Argument<CroasdaleInput>{"friction_structure", &CroasdaleInput::friction_structure},
-    Argument<CroasdaleInput>{"friction_ice", &CroasdaleInput::friction_ice},
-    Argument<CroasdaleInput>{"ice_density", &CroasdaleInput::ice_density},
-    Argument<CroasdaleInput>{"water_density", &CroasdaleInput::water_density},
-    Argument<CroasdaleInput>{"weight_density", &CroasdaleInput::weight_density},
-    Argument<CroasdaleInput>{"rubble_height", &CroasdaleInput::rubble_height},
-    Argument<CroasdaleInput>{"rubble_porosity", &CroasdaleInput::rubble_porosity},
-    Argument<CroasdaleInput>{"rubble_cohesion", &CroasdaleInput::rubble_cohesion},
-    Argument<CroasdaleInput>{"rubble_angle", &CroasdaleInput::rubble_angle},
-    Argument<CroasdaleInput>{"rubble_friction_angle", &CroasdaleInput::rubble_friction_angle},
-    Argument<CroasdaleInput>{"gravity", &CroasdaleInput::gravity}};
-
-constexpr std::array kRalston{Argument<RalstonInput>{"slope", &RalstonInput::slope, true},
-                              Argument<RalstonInput>{"waterline_width", &RalstonInput::waterline_width, true},
-                              Argument<RalstonInput>{"end_width", &RalstonInput::end_width, true},
-                              Argument<RalstonInput>{"thickness", &RalstonInput::thickness, true},
-                              Argument<RalstonInput>{"flexural_strength", &RalstonInput::flexural_strength, true},
-                              Argument<RalstonInput>{"ride_thickness", &RalstonInput::ride_thickness},
-                              Argument<RalstonInput>{"friction_structure", &RalstonInput::friction_structure},
-                              Argument<RalstonInput>{"ice_density", &RalstonInput::ice_density},
-                              Argument<RalstonInput>{"water_density", &RalstonInput::water_density},
-                              Argument<RalstonInput>{"gravity", &RalstonInput::gravity}};
-
-constexpr std::array kNevel{Argument<NevelInput>{"wedge_angle", &NevelInput::wedge_angle, true},
-                            Argument<NevelInput>{"loaded_length", &NevelInput::loaded_length, true},
-                            Argument<NevelInput>{"thickness", &NevelInput::thickness, true},
-                            Argument<NevelInput>{"flexural_strength", &NevelInput::flexural_strength, true},
-                            Argument<NevelInput>{"youngs_modulus", &NevelInput::youngs_modulus, true},
-                            Argument<NevelInput>{"water_density", &NevelInput::water_density},
-                            Argument<NevelInput>{"gravity", &NevelInput::gravity}};
-
-constexpr std::array kCrushing{Argument<CrushingInput>{"width", &CrushingInput::width, true},
-                               Argument<CrushingInput>{"thickness", &CrushingInput::thickness, true},
-                               Argument<CrushingInput>{"strength_coefficient", &CrushingInput::strength_coefficient}};
-
-constexpr std::array kLindqvist{Argument<LindqvistInput>{"length", &LindqvistInput::length, true},
-                                Argument<LindqvistInput>{"breadth", &LindqvistInput::breadth, true},
-                                Argument<LindqvistInput>{"draught", &LindqvistInput::draught, true},
-                                Argument<LindqvistInput>{"stem_angle", &LindqvistInput::stem_angle, true},
-                                Argument<LindqvistInput>{"waterline_angle", &LindqvistInput::waterline_angle, true},
-                                Argument<LindqvistInput>{"thickness", &LindqvistInput::thickness, true},
-                                Argument<LindqvistInput>{"flexural_strength", &LindqvistInput::flexural_strength, true},
-                                Argument<LindqvistInput>{"youngs_modulus", &LindqvistInput::youngs_modulus, true},
-                                Argument<LindqvistInput>{"speed", &LindqvistInput::speed},
-                                Argument<LindqvistInput>{"poisson_ratio", &LindqvistInput::poisson_ratio},
-                                Argument<LindqvistInput>{"friction", &LindqvistInput::friction},
-                                Argument<LindqvistInput>{"ice_density", &LindqvistInput::ice_density},
-                                Argument<LindqvistInput>{"water_density", &LindqvistInput::water_density},
-                                Argument<LindqvistInput>{"gravity", &LindqvistInput::gravity}};
-
-/// Fills the input of a closed form from keyword arguments.
+/// Fills the input of a closed form from keyword arguments. What changes a load has no default.
 template <typename Input, std::size_t n>
-Input input_from(const py::kwargs& given, const std::array<Argument<Input>, n>& arguments) {
+Input input_from(const char* form, const py::kwargs& given, const std::array<InputNumber<Input>, n>& numbers) {
   Input input;
-  std::string names;
+  std::vector<std::string> names, missing;
   std::size_t n_used = 0;
-  for (const Argument<Input>& a : arguments) {
-    names += (names.empty() ? "" : ", ") + std::string(a.name);
-    if (given.contains(a.name)) {
-      const py::object value = given[a.name];
-      input.*a.member = py::float_(value);
-      if (!std::isfinite(input.*a.member)) throw InputError(std::string(a.name) + ": a finite number is expected");
+  for (const InputNumber<Input>& number : numbers) {
+    names.emplace_back(number.name);
+    if (given.contains(number.name)) {
+      const py::object value = given[number.name];
+      input.*number.member = py::float_(value);
+      if (!std::isfinite(input.*number.member))
+        throw InputError(std::string(number.name) + ": a finite number is expected");
       ++n_used;
-    } else if (a.required) {
-      throw py::type_error(std::string("missing argument: ") + a.name);
+    } else if (is_required(number, given)) {
+      missing.push_back(fmt::format("{} [{}]", number.name, number.unit == std::string("1") ? "-" : number.unit));
     }
   }
-  if (n_used < given.size()) throw py::type_error("an argument is not known; there are: " + names);
+  if (!missing.empty())
+    throw py::type_error(
+        fmt::format("{}() misses {}: the load depends on it, so it has no default", form, fmt::join(missing, ", ")));
+  if (n_used < given.size())
+    throw py::type_error(
+        fmt::format("{}() has an argument that is not known; there are: {}", form, fmt::join(names, ", ")));
   return input;
 }
 
@@ -154,46 +106,50 @@ void add_standards(py::module_& m) {
   m.def(
       "croasdale",
       [](const py::kwargs& given) {
-        const CroasdaleInput input = input_from(given, kCroasdale);
+        const CroasdaleInput input = input_from("croasdale", given, kCroasdaleInputs);
         return with_arguments_of("croasdale", [&] { return applicable(croasdale(input)); });
       },
       "Loads of level ice on a sloping structure by the elastic beam of ISO 19906, A.8.2.4.4. Keywords, SI and "
-      "radians: slope, width, thickness, flexural_strength, youngs_modulus; see the stub for those with defaults.");
+      "radians: slope, width, thickness, flexural_strength, youngs_modulus, poisson_ratio, friction_structure, "
+      "friction_ice, ice_density, water_density; of rubble on the slope rubble_height, rubble_porosity, "
+      "rubble_cohesion, rubble_angle, rubble_friction_angle. weight_density is that of ice_density if left out.");
   m.def(
       "ralston",
       [](const std::string& breaking, const std::string& yield_criterion, const py::kwargs& given) {
-        RalstonInput input = input_from(given, kRalston);
+        RalstonInput input = input_from("ralston", given, kRalstonInputs);
         input.breaking = to_breaking(breaking);
         input.yield = to_yield(yield_criterion);
         return with_arguments_of("ralston", [&] { return applicable(ralston(input)); });
       },
-      py::kw_only(), py::arg("breaking") = "upward", py::arg("yield_criterion") = "tresca",
+      py::kw_only(), py::arg("breaking"), py::arg("yield_criterion") = "tresca",
       "Loads of level ice on a cone by plastic limit analysis. Keywords, SI and radians: slope, waterline_width, "
-      "end_width, thickness, flexural_strength; breaking upward or downward; yield_criterion tresca or johansen.");
+      "end_width, thickness, flexural_strength, friction_structure, ice_density, water_density; breaking upward or "
+      "downward; yield_criterion tresca or johansen. ride_thickness is the thickness if left out.");
   m.def(
       "nevel",
       [](const py::kwargs& given) {
-        const NevelInput input = input_from(given, kNevel);
+        const NevelInput input = input_from("nevel", given, kNevelInputs);
         return with_arguments_of("nevel", [&] { return nevel(input); });
       },
       "Vertical force that breaks a narrow wedge. Keywords, SI and radians: wedge_angle, loaded_length, thickness, "
-      "flexural_strength, youngs_modulus.");
+      "flexural_strength, youngs_modulus, water_density.");
   m.def(
       "global_crushing",
       [](const py::kwargs& given) {
-        const CrushingInput input = input_from(given, kCrushing);
+        const CrushingInput input = input_from("global_crushing", given, kCrushingInputs);
         return with_arguments_of("global_crushing", [&] { return applicable(global_crushing(input)); });
       },
       "Load of level ice that crushes over a vertical face, ISO 19906:2010, A.8.2.4.3.3. Keywords, SI: width, "
-      "thickness, strength_coefficient.");
+      "thickness, strength_coefficient (2.8e6 in the Arctic, 1.8e6 in the Baltic).");
   m.def(
       "lindqvist",
       [](const py::kwargs& given) {
-        const LindqvistInput input = input_from(given, kLindqvist);
+        const LindqvistInput input = input_from("lindqvist", given, kLindqvistInputs);
         return with_arguments_of("lindqvist", [&] { return applicable(lindqvist(input)); });
       },
       "Mean resistance of a ship in level ice. Keywords, SI and radians: length, breadth, draught, stem_angle, "
-      "waterline_angle, thickness, flexural_strength, youngs_modulus, speed.");
+      "waterline_angle, speed, thickness, flexural_strength, youngs_modulus, poisson_ratio, friction, ice_density, "
+      "water_density.");
   m.def(
       "croasdale_of", [](const Case& c) { return applicable(cli::croasdale_of(c.resolved)); }, py::arg("case"),
       "Croasdale's elastic beam for the structure and ice of a case, without rubble on the slope.");
@@ -204,6 +160,14 @@ void add_standards(py::module_& m) {
       },
       py::arg("case"), py::arg("yield_criterion") = "tresca",
       "Ralston's plastic plate for the structure and ice of a case.");
+  m.def(
+      "lindqvist_of",
+      [](const Case& c) {
+        auto load = cli::lindqvist_of(c.resolved);
+        if (!load) throw python::NotApplicable("the case has no section [hull]");
+        return applicable(std::move(*load));
+      },
+      py::arg("case"), "Lindqvist's resistance of a case with a section [hull], at the structure's speed, in its ice.");
 }
 
 }  // namespace brash::python

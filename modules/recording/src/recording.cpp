@@ -11,6 +11,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/checkpoint.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/io/results.hpp"
 #include "brash/model/case_keys.hpp"
 
@@ -109,7 +110,9 @@ void write_run(const std::string& directory, const Inputs& inputs, const simulat
     io::write_history(directory, run.results);
     outputs = {"history.csv", "summary.json"};
   }
-  write_file(directory + "/summary.json", simulation::to_json(run.summary));
+  simulation::RunSummary summary = run.summary;
+  summary.origin = io::origin_of(resolved);
+  write_file(directory + "/summary.json", simulation::to_json(summary));
 
   // Of a campaign's case the campaign has the copies.
   if (kept == Kept::kRun) write_copies(inputs, directory);

@@ -5,6 +5,7 @@
 #include "brash/core/input_file.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/report.hpp"
 #include "page.hpp"
@@ -27,15 +28,31 @@ ordered_json reports_of_cases(const std::string& directory) {
   return found;
 }
 
+/// The presets and programs of the cases; none in a summary of an earlier version.
+model::Origin origin_in_summary(const ordered_json& summary) {
+  model::Origin origin;
+  const auto add_names = [&](const char* pointer, std::vector<std::string>& names) {
+    const ordered_json::json_pointer at(pointer);
+    if (!summary.contains(at) || !summary[at].is_array()) return;
+    for (const ordered_json& name : summary[at])
+      if (name.is_string()) names.push_back(name.get<std::string>());
+  };
+  add_names("/origin/presets", origin.presets);
+  add_names("/origin/programs", origin.programs);
+  return origin;
+}
+
 }  // namespace
 
 bool is_campaign(const std::string& directory) { return std::filesystem::exists(directory + "/campaign.csv"); }
 
 std::string write_campaign_report(const std::string& directory) {
+  const ordered_json summary = read_json(directory + "/summary.json");
   const ordered_json data{{"format", "brash-report-1"},
                           {"kind", "campaign"},
                           {"manifest", read_json(directory + "/manifest.json")},
-                          {"summary", read_json(directory + "/summary.json")},
+                          {"origin", io::origin_line(origin_in_summary(summary))},
+                          {"summary", summary},
                           {"schema", ordered_json::parse(io::case_schema())},
                           {"table", read_text_file(directory + "/campaign.csv", "the table of a campaign")},
                           {"reports", reports_of_cases(directory)},

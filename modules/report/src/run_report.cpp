@@ -10,6 +10,7 @@
 #include "brash/core/version.hpp"
 #include "brash/core/write_file.hpp"
 #include "brash/io/case.hpp"
+#include "brash/io/origin.hpp"
 #include "brash/io/result_columns.hpp"
 #include "brash/io/results.hpp"
 #include "brash/report/live.hpp"
@@ -206,6 +207,7 @@ ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& b
   add_run(blocks, case_of_run(run.directory), results);
   add_land(blocks, run.land);
   return {{"kind", "run"},
+          {"origin", io::origin_line(io::origin_in(run.directory + "/manifest.json"))},
           {"manifest", read_json(run.directory + "/manifest.json")},
           {"summary", summary},
           {"closed_forms", ordered_json::parse(run.closed_forms)},
@@ -271,6 +273,7 @@ std::string live_page(const model::Case& resolved, const std::vector<Rings>& lan
   add_structure(blocks, *structure::make_hull(resolved.structure), {});
   const ordered_json data{{"format", "brash-report-1"},
                           {"kind", "live"},
+                          {"origin", io::origin_line(io::origin_of(resolved))},
                           {"manifest",
                            {{"program", {{"name", "brash"}, {"version", kVersion}}},
                             {"seeds", {{"seed", resolved.random.seed}}},

@@ -29,6 +29,13 @@ double mean(std::span<const model::LoadRow> rows, Component component) {
 }
 
 template <typename Component>
+double maximum(std::span<const model::LoadRow> rows, Component component) {
+  double most = rows.empty() ? kUnknown : component(rows.front());
+  for (const model::LoadRow& row : rows) most = std::max(most, component(row));
+  return most;
+}
+
+template <typename Component>
 statistics::Summary summarise_component(std::span<const model::LoadRow> rows, double step, Component component) {
   if (rows.size() < 2)
     return {.mean = kUnknown,
@@ -231,6 +238,8 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   s.regions = mean_by_region(window, resolved.structure);
   s.mean_horizontal_whole = mean(results.loads, total_x);
   s.mean_vertical_whole = mean(results.loads, total_z);
+  s.maximum_horizontal_whole = maximum(results.loads, total_x);
+  s.maximum_vertical_whole = maximum(results.loads, total_z);
 
   s.n_breaks = static_cast<int>(results.events.size());
   std::vector<double> lengths;
@@ -287,11 +296,13 @@ std::string to_json(const RunSummary& s) {
   for (const model::Warning& warning : s.warnings) warnings.push_back({{"id", warning.id}, {"text", warning.text}});
   nlohmann::ordered_json json{
       {"warnings", std::move(warnings)},
+      {"origin", s.origin},
       {"units", "SI; Fx positive against the structure's heading, Fz positive upwards on the structure"},
       {"statistics_from", s.statistics_from},
       {"horizontal", json_of(s, s.horizontal, s.horizontal_split)},
       {"vertical", json_of(s, s.vertical, s.vertical_split)},
       {"mean_whole_history", {{"horizontal", s.mean_horizontal_whole}, {"vertical", s.mean_vertical_whole}}},
+      {"maximum_whole_history", {{"horizontal", s.maximum_horizontal_whole}, {"vertical", s.maximum_vertical_whole}}},
       {"n_breaks", s.n_breaks},
       {"breaks_decided", json_of_counts(s.breaks)},
       {"breaking_frequency", s.breaking_frequency},

@@ -31,6 +31,7 @@ const parts = {
   "SCRIPT-HASH": `sha256-${createHash("sha256").update(script).digest("base64")}`,
   "/*STYLE*/": style,
   "BRASH-SCHEMA": inside(JSON.stringify(JSON.parse(read("modules/io/case.schema.json")))),
+  "BRASH-SITE-ICE": inside(JSON.stringify(JSON.parse(read("modules/io/site_ice.json")))),
   "BRASH-TEMPLATE": read("experiments/validation/cone.toml").replace(/^# SPDX.*\n/, ""),
   "BRASH-WORKER": core ? inside(readFileSync(join(core, "core.js"), "utf8") + bundled(esbuild, join(here, "src/worker.ts"))) : "",
   "BRASH-CORE": core ? packedCore() : "",
@@ -38,7 +39,7 @@ const parts = {
 };
 let page = readFileSync(join(here, "page.html"), "utf8");
 // The policy's hash would hold for the script alone; the parts come in one pass, so that none is sought in another.
-page = page.replace(/SCRIPT-HASH|\/\*STYLE\*\/|BRASH-(?:SCHEMA|TEMPLATE|WORKER|CORE)|\/\*SCRIPT\*\//g, (mark) => parts[mark]);
+page = page.replace(/SCRIPT-HASH|\/\*STYLE\*\/|BRASH-(?:SCHEMA|SITE-ICE|TEMPLATE|WORKER|CORE)|\/\*SCRIPT\*\//g, (mark) => parts[mark]);
 if (output.endsWith(".cpp")) {
   writeFileSync(output, `#include "brash/simulator/builder.hpp"\n\nusing namespace std::literals;\n\n` +
     `const std::string_view brash::simulator::kBuilder =\n${literal(page, "BRASH_BUILDER")};\n`);

@@ -47,6 +47,33 @@ BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
   BOOST_CHECK_THROW(io::read_case(cone, {"hull.length=75.2"}), InputError);
 }
 
+BOOST_AUTO_TEST_CASE(each_formula_states_the_inputs_that_it_used) {
+  const std::string cone = BRASH_SOURCE_DIR "/experiments/validation/cone.toml";
+  const auto loads = closed_form_loads(
+      io::read_case(cone, {"hull.length=75.2", "hull.breadth=18", "hull.draught=6.5", "hull.stem_angle=30 deg",
+                           "hull.waterline_angle=35 deg", "ice.friction_ice=0.2", "ice.youngs_modulus=3 GPa"}));
+  const auto inputs = [&](std::size_t i) { return loads["loads"][i]["inputs"]; };
+  const auto &croasdale = inputs(0), &ralston = inputs(1), &nevel = inputs(3), &crushing = inputs(6),
+             &lindqvist = inputs(8);
+  for (const auto& of : {croasdale, ralston, nevel, crushing, lindqvist}) BOOST_TEST(of["thickness"] == 0.33);
+  for (const auto& of : {croasdale, ralston, nevel, lindqvist}) BOOST_TEST(of["flexural_strength"] == 539e3);
+  for (const auto& of : {croasdale, nevel, lindqvist}) BOOST_TEST(of["youngs_modulus"] == 3e9);
+  for (const auto& of : {croasdale, ralston, lindqvist}) BOOST_TEST(of["ice_density"] == 900.0);
+  for (const auto& of : {croasdale, ralston, nevel}) BOOST_TEST(of["friction_structure"] == 0.027);
+  BOOST_TEST(croasdale["friction_ice"] == 0.2);
+  BOOST_TEST(lindqvist["friction"] == 0.027);
+  BOOST_TEST(crushing["strength_coefficient"] == 1.8e6);
+  BOOST_TEST(!ralston.contains("youngs_modulus"));  // a plastic plate has none
+  const std::string text = loads_text(loads);
+  for (const char* const line :
+       {"  thickness                   0.33 m  Croasdale, Ralston, Nevel, crushing, Lindqvist\n",
+        "  youngs modulus               3 GPa  Croasdale, Nevel, Lindqvist\n",
+        "  strength coefficient       1.8 MPa  crushing\n", "  strength coefficient       2.8 MPa  crushing\n",
+        "  slope                     61.4 deg  Croasdale, Ralston, Nevel\n",
+        "  water density           1025 kg/m3  Croasdale, Ralston, Nevel, Lindqvist\n"})
+    BOOST_TEST(contains(text, line), text);
+}
+
 BOOST_AUTO_TEST_CASE(a_bow_that_goes_flank_first_meets_the_ice_with_its_vertical_side) {
   const auto loads = [](const std::string& heading) {
     return closed_form_loads(

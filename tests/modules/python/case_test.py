@@ -140,6 +140,21 @@ class Cases(unittest.TestCase):
     def test_template_and_schema_are_there(self):
         self.assertIn("[ice]", brash.template())
         brash.Case.from_text(brash.template())
+        self.assertEqual(brash.template(), brash.template(ice="basin"))
+
+    def test_templates_take_the_ice_of_a_site(self):
+        self.assertEqual(brash.site_ice(), ["basin", "baltic", "bohai", "arctic"])
+        for text in (brash.template(ice="arctic"), brash.new_case(ice="arctic"), brash.new_case("ship", "arctic")):
+            self.assertIn("Timco and O'Brien 1994", text)
+            self.assertEqual(brash.Case.from_text(text)["ice.youngs_modulus"], 2.8e9)
+        with self.assertRaisesRegex(brash.InputError, "there is no ice 'artic'"):
+            brash.template(ice="artic")
+
+    def test_a_case_names_its_preset_and_the_program(self):
+        program = f"program: brash {brash.__version__}"
+        self.assertEqual(self.case.copy().origin, f"preset: {self.case['algorithm.preset']}; {program}")
+        changed = brash.Case.from_file(CONE, {"algorithm.preset": "paper", "failure.pieces": "break"})
+        self.assertEqual(changed.origin, f"preset: paper (1 key changed); {program}")
         self.assertIn('"thickness"', brash.schema())
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Failure models and closed forms on arrays."""
+import json
 import os
 import pathlib
 import subprocess
@@ -109,6 +110,11 @@ class Models(unittest.TestCase):
 
 class ClosedForms(unittest.TestCase):
     ICE = dict(thickness=0.33, flexural_strength=539e3, youngs_modulus=0.35e9)
+    PLATE = dict(**ICE, poisson_ratio=0.3, friction_structure=0.1, friction_ice=0.1, ice_density=900, water_density=1025)
+    SHIP = dict(length=100, breadth=20, draught=7, stem_angle=0.4, waterline_angle=0.5, friction=0.1, speed=2,
+                poisson_ratio=0.3, ice_density=900, water_density=1025, **ICE)
+    CONE = dict(slope=1.0, waterline_width=10, end_width=2, thickness=0.33, flexural_strength=539e3,
+                friction_structure=0.1, ice_density=900, water_density=1025, breaking="upward")
 
     def test_the_case_s_loads_are_those_of_the_command(self):
         case = brash.Case.from_file(CONE)
@@ -117,33 +123,63 @@ class ClosedForms(unittest.TestCase):
         self.assertIn(f"{brash.ralston_of(case, 'johansen').horizontal / 1e3:10.1f}", said)
 
     def test_each_is_callable_by_keywords(self):
-        self.assertGreater(brash.croasdale(slope=1.07, width=13.6, **self.ICE).horizontal, 0)
-        crushing = brash.global_crushing(width=100, thickness=1)
+        self.assertGreater(brash.croasdale(slope=1.07, width=13.6, **self.PLATE).horizontal, 0)
+        crushing = brash.global_crushing(width=100, thickness=1, strength_coefficient=2.8e6)
         self.assertAlmostEqual(crushing.pressure / 1e6, 1.340, places=3)
         with self.assertRaises(brash.NotApplicable):
-            brash.global_crushing(width=1, thickness=1)
-        self.assertGreater(brash.nevel(wedge_angle=0.8, loaded_length=0.33, **self.ICE).vertical, 0)
-        ship = brash.lindqvist(length=100, breadth=20, draught=7, stem_angle=0.4, waterline_angle=0.5, friction=0.1,
-                               speed=2, **self.ICE)
+            brash.global_crushing(width=1, thickness=1, strength_coefficient=2.8e6)
+        self.assertGreater(brash.nevel(wedge_angle=0.8, loaded_length=0.33, water_density=1025, **self.ICE).vertical, 0)
+        ship = brash.lindqvist(**self.SHIP)
         self.assertGreater(ship.total, ship.crushing + ship.bending + ship.submersion)
-        ice = {k: v for k, v in self.ICE.items() if k != "youngs_modulus"}
-        cone = dict(slope=1.0, waterline_width=10, end_width=2, **ice)
-        self.assertGreater(brash.ralston(**cone, yield_criterion="johansen").breaking_horizontal,
-                           brash.ralston(**cone).breaking_horizontal)
+        self.assertGreater(brash.ralston(**self.CONE, yield_criterion="johansen").breaking_horizontal,
+                           brash.ralston(**self.CONE).breaking_horizontal)
         with self.assertRaises(brash.InputError):
-            brash.ralston(**cone, breaking="sideways")
+            brash.ralston(**{**self.CONE, "breaking": "sideways"})
+
+    def test_what_changes_a_load_has_no_default(self):
+        plate = dict(slope=1.0, width=13.6, **self.PLATE)
+        wedge = dict(wedge_angle=0.8, loaded_length=0.33, water_density=1025, **self.ICE)
+        crushing = dict(width=100, thickness=1, strength_coefficient=2.8e6)
+        for form, given in ((brash.croasdale, plate), (brash.ralston, self.CONE), (brash.nevel, wedge),
+                            (brash.global_crushing, crushing), (brash.lindqvist, self.SHIP)):
+            form(**given)
+            for name in given:
+                with self.subTest(form=form, name=name), self.assertRaisesRegex(TypeError, name):
+                    form(**{key: value for key, value in given.items() if key != name})
+        with self.assertRaisesRegex(TypeError, r"lindqvist\(\) misses friction \[-\]: the load depends on it"):
+            brash.lindqvist(**{key: value for key, value in self.SHIP.items() if key != "friction"})
+
+    def test_rubble_with_a_height_has_properties(self):
+        plate = dict(slope=1.0, width=13.6, **self.PLATE)
+        rubble = dict(rubble_porosity=0.3, rubble_cohesion=0, rubble_angle=0.6, rubble_friction_angle=0.7)
+        self.assertEqual(brash.croasdale(**plate, rubble_height=0).horizontal, brash.croasdale(**plate).horizontal)
+        with self.assertRaisesRegex(TypeError, "misses rubble_porosity .*rubble_cohesion .*rubble_friction_angle"):
+            brash.croasdale(**plate, rubble_height=1)
+        self.assertGreater(brash.croasdale(**plate, rubble_height=1, **rubble).horizontal,
+                           brash.croasdale(**plate).horizontal)
+
+    def test_a_case_with_a_hull_has_the_resistance_of_the_command(self):
+        hull = {"hull.length": 75.2, "hull.breadth": 18, "hull.draught": 6.5, "hull.stem_angle": "30 deg",
+                "hull.waterline_angle": "35 deg"}
+        ship = brash.lindqvist_of(brash.Case.from_file(CONE, hull))
+        given = [f"--set={key}={value}" for key, value in hull.items()]
+        said = subprocess.run([os.environ["BRASH"], "loads", CONE, "--json", *given], capture_output=True, text=True,
+                              check=True).stdout
+        self.assertAlmostEqual(ship.total, json.loads(said)["loads"][-1]["horizontal"], places=6)
+        with self.assertRaisesRegex(brash.NotApplicable, r"no section \[hull\]"):
+            brash.lindqvist_of(brash.Case.from_file(CONE))
 
     def test_what_does_not_apply_and_what_is_wrong_are_told_apart(self):
         with self.assertRaises(brash.NotApplicable):
-            brash.croasdale(slope=1.5, width=13.6, friction_structure=0.9, **self.ICE)
+            brash.croasdale(slope=1.5, width=13.6, **{**self.PLATE, "friction_structure": 0.9})
         for bad in (dict(slope=0), dict(slope=np.nan), dict(width=-1)):
             with self.subTest(bad), self.assertRaises(brash.InputError):
-                brash.croasdale(**{**dict(slope=1.0, width=13.6), **bad}, **self.ICE)
+                brash.croasdale(**{**dict(slope=1.0, width=13.6), **bad}, **self.PLATE)
         for bad in (dict(slop=1), dict(width="wide"), dict(width=None)):
             with self.subTest(bad), self.assertRaises((TypeError, ValueError)):
-                brash.croasdale(**{**dict(slope=1.0, width=13.6), **bad}, **self.ICE)
-        with self.assertRaisesRegex(TypeError, "missing argument: width"):
-            brash.croasdale(slope=1.0, **self.ICE)
+                brash.croasdale(**{**dict(slope=1.0, width=13.6), **bad}, **self.PLATE)
+        with self.assertRaisesRegex(TypeError, "misses width"):
+            brash.croasdale(slope=1.0, **self.PLATE)
 
 
 class MovingEdges(unittest.TestCase):

@@ -27,6 +27,36 @@ after(async () => {
 const ask = (at, look, argument) =>
   at.evaluate(`(${look})(window.brashReport.report, window.brashReport.run, ${JSON.stringify(argument ?? null)})`);
 
+test("the headline tells the largest load of the run from that of its statistics", async () => {
+  const late = join(folder, "late");
+  brash("run", kCase, "-o", late, "--set", "time.duration=1.5", "--set", "output.statistics_from=1.3");
+  const loads = readCsv(join(late, "history.csv")).map((row) => [Number(row.time), Number(row.Fx)]);
+  const [time, whole] = loads.reduce((most, row) => (row[1] > most[1] ? row : most));
+  const within = Math.max(...loads.filter(([at]) => at > 1.3).map(([, load]) => load));
+  assert.ok(whole > within);
+  const shown = await browser.open(join(late, "report.html"));
+  const figures = await shown.locator(".figures .figure").allInnerTexts();
+  const figure = (name) => figures.find((text) => text.includes(name));
+  assert.ok(figure("largest horizontal from 1.30 s on").startsWith((within / 1e3).toFixed(1)));
+  assert.ok(figure("largest horizontal of the whole run").startsWith((whole / 1e3).toFixed(1)));
+  assert.ok(figure("largest horizontal of the whole run").includes(`at ${time.toFixed(2)} s, before the statistics begin`));
+  await shown.close();
+});
+
+test("the header names the presets and the programs of the runs", async () => {
+  const { program } = JSON.parse(readFileSync(join(run, "manifest.json"), "utf8"));
+  const [own, changed] = [run, other].map((of) => JSON.parse(readFileSync(join(of, "summary.json"), "utf8")).origin.presets[0]);
+  assert.equal(changed, "brash");
+  assert.ok((await page.locator("header p").first().innerText()).includes(`preset: ${own}; program: brash ${program.version}`));
+  const two = join(folder, "two.html");
+  brash("report", run, other, "-o", two);
+  const shown = await browser.open(two);
+  assert.ok((await shown.locator("header p").first().innerText()).includes(`preset: brash; program: brash ${program.version}`));
+  const row = await shown.locator("#compared tr", { hasText: "made with" }).locator("td").allInnerTexts();
+  assert.deepEqual(row.slice(-2), [own, changed].map((preset) => `preset: ${preset}; program: brash ${program.version}`));
+  await shown.close();
+});
+
 test("a crack that is a circle is drawn as one, with the breaking length about the trapezoid's tip", async () => {
   for (const [i, row] of events.entries()) {
     await ask(page, (report, _, event) => report.choose(event), i);

@@ -34,6 +34,24 @@ test("a new case is one that brash check reads", () => {
   assert.equal(brash("new", "--page", page_file).status, 2);
 });
 
+test("the ice of a site comes with its sources, and goes again", async () => {
+  const page = await openPage(browser, page_file);
+  const [text, choice] = [page.locator("textarea"), page.locator("#site-ice")];
+  const first = await text.inputValue();
+  await choice.selectOption("baltic");
+  const file = join(folder, "baltic.toml");
+  writeFileSync(file, await text.inputValue());
+  const checked = brash("check", file);
+  assert.equal(checked.status, 0, checked.stderr);
+  assert.match(checked.stdout, /^youngs_modulus = 3100000000/m);
+  assert.match(await text.inputValue(), /^flexural_strength = "690 kPa" {2}# baltic: Derived: .*Timco and O'Brien 1994.*v_b = 0.0251/m);
+  assert.equal(await page.locator("#key-ice-friction_structure").inputValue(), "0.1");
+  await choice.selectOption("basin");
+  const values = (toml) => toml.split("\n").map((line) => line.replace(/ {2,}# /, "  # ")).join("\n");
+  assert.equal(values(await text.inputValue()), values(first));
+  await page.close();
+});
+
 test("the form writes a case file, and what is written shows in the form", async () => {
   const page = await openPage(browser, page_file);
   await page.locator("#key-ice-thickness").fill("45 cm");

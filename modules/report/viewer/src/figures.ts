@@ -19,18 +19,29 @@ function interval([lower, upper]: [number | null, number | null]): string {
   return lower === null || upper === null ? "no interval: see the warnings" : `95 % interval: ${kN(lower)} to ${kN(upper)} kN`;
 }
 
+/** The largest horizontal load of the curve, and when; null in a run without steps. */
+function largest(run: Run): { value: number | null; time: number } {
+  const loads = run.column("load.Fx");
+  if (loads.length === 0) return { value: null, time: 0 };
+  let at = 0;
+  for (let i = 1; i < loads.length; ++i) if (loads[i] > loads[at]) at = i;
+  return { value: loads[at], time: run.column("load.time")[at] };
+}
+
 export function keyFigures(run: Run): HTMLElement {
   const s = run.data.summary;
   const from = seconds(s.statistics_from);
   const tooEarly = `statistics begin at ${from} s, the run ends at ${seconds(run.duration)} s`;
   const mean = (of: LoadSummary, name: string) => (of.mean === null ? none(name, tooEarly) : figure(kN(of.mean), "kN", name, interval(of.mean_95)));
+  const whole = largest(run);
   const measured = run.input("reference", "mean_horizontal");
   return el("div", { class: "figures" },
     mean(s.horizontal, "mean horizontal"),
     mean(s.vertical, "mean vertical"),
     s.horizontal.maximum === null
       ? none("largest horizontal", tooEarly)
-      : figure(kN(s.horizontal.maximum), "kN", "largest horizontal", `from ${from} s on; standard deviation ${kN(s.horizontal.standard_deviation)} kN`),
+      : figure(kN(s.horizontal.maximum), "kN", `largest horizontal from ${from} s on`, `standard deviation ${kN(s.horizontal.standard_deviation)} kN`),
+    whole.value !== null && figure(kN(whole.value), "kN", "largest horizontal of the whole run", `at ${seconds(whole.time)} s, ${whole.time > s.statistics_from ? "in the statistics" : "before the statistics begin"}`),
     Number.isFinite(measured) && figure(kN(measured), "kN", "reference mean", s.horizontal.mean === null ? "" : `this run: ${deviation(s.horizontal.mean, measured)}`),
     !Number.isFinite(measured) && (s.fastest_floe === null ? none("fastest floe", "no frames were recorded") : figure(number(s.fastest_floe, 3), "m/s", "fastest floe")),
     figure(String(s.n_breaks), "", "breaks", s.breaking_frequency ? `${number(s.breaking_frequency, 3)} a second` : ""),
@@ -62,10 +73,12 @@ export function comparedFigures(runs: Run[], names: string[]): HTMLElement {
   const range = ({ mean_95: [low, high] }: LoadSummary) => (low === null || high === null ? "none" : `${kN(low)} to ${kN(high)}`);
   const load = (value: number | null) => (value === null ? "none" : kN(value));
   return table(["", ...names], [
+    row("made with", ({ data }) => data.origin),
     row("mean horizontal [kN]", ({ data }) => load(data.summary.horizontal.mean)),
     row("its 95 % interval [kN]", ({ data }) => range(data.summary.horizontal)),
     row("mean vertical [kN]", ({ data }) => load(data.summary.vertical.mean)),
-    row("largest horizontal [kN]", ({ data }) => load(data.summary.horizontal.maximum)),
+    row("largest horizontal in its statistics [kN]", ({ data }) => load(data.summary.horizontal.maximum)),
+    row("largest horizontal of the whole run [kN]", (run) => load(largest(run).value)),
     row("breaks, floes", ({ data }) => `${data.summary.n_breaks}, ${data.summary.n_floes_born}`),
   ], { id: "compared" });
 }

@@ -130,8 +130,8 @@ export class Growing {
   }
 
   /** The files of a run that has none yet. */
-  files({ manifest }: LiveData): RunFiles {
-    return { kind: "run", manifest, summary: { statistics_from: 0 } as RunFiles["summary"], closed_forms: { kind: "", loads: [] }, loads: null, statistics: null };
+  files({ manifest, origin }: LiveData): RunFiles {
+    return { kind: "run", origin, manifest, summary: { statistics_from: 0 } as RunFiles["summary"], closed_forms: { kind: "", loads: [] }, loads: null, statistics: null };
   }
 }
 

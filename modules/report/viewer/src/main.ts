@@ -23,7 +23,8 @@ function subtitle(data: PageData): string {
   const parts = [two ? "two simulated runs" : { run: "simulated run", live: "run that goes on", campaign: "campaign" }[data.kind]];
   if (manifest.seeds && !two) parts.push(`seed ${manifest.seeds.seed}`);
   if (manifest.volatile?.started_at) parts.push(manifest.volatile.started_at.slice(0, 10));
-  parts.push(`brash ${manifest.program?.version ?? ""}`);
+  const origins = [data.origin, ...(two ? [two.origin] : [])];
+  parts.push(...new Set(origins.map((origin) => origin || `program: brash ${manifest.program?.version ?? ""}`)));
   return parts.join(" · ");
 }
 

@@ -146,6 +146,8 @@ export interface LoadStatistics {
 /** A run as its files say. Null: it is over before its statistics begin. */
 export interface RunFiles {
   kind: "run";
+  /** Preset and program, as every table of the command names them. */
+  origin: string;
   manifest: Manifest;
   summary: RunSummary;
   closed_forms: { kind: string; loads: ClosedForm[] };
@@ -165,6 +167,7 @@ export interface RunData extends RunFiles {
 /** A run that goes on: its arrays are streamed. */
 export interface LiveData {
   kind: "live";
+  origin: string;
   manifest: Manifest;
   schema: Schema;
   blocks: BlockEntry[];
@@ -191,6 +194,8 @@ export interface CampaignSetting {
 
 export interface CampaignData {
   kind: "campaign";
+  /** Of all cases; empty in campaigns of earlier versions. */
+  origin: string;
   manifest: Manifest & Record<string, unknown>;
   summary: { n_cases: number; n_done: number; n_failed: number; settings: CampaignSetting[] };
   schema: Schema;

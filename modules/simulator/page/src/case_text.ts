@@ -76,19 +76,28 @@ export function valueIn(toml: string, section: string, key: string): string | nu
   return find(toml.split("\n"), section, key).entry?.value ?? null;
 }
 
-/** The text with a key of this value; without the key, if the value is null. */
-export function withValue(toml: string, section: string, key: string, value: string | null): string {
+/** The comment behind the value of a key; "" where there is none. */
+export function commentIn(toml: string, section: string, key: string): string {
+  return find(toml.split("\n"), section, key).entry?.comment ?? "";
+}
+
+/**
+ * The text with a key of this value; without the key, if the value is null.
+ * @param comment in place of the one behind the value, which stays by default.
+ */
+export function withValue(toml: string, section: string, key: string, value: string | null, comment?: string): string {
   const lines = toml.split("\n");
   const { head, line, entry, end } = find(lines, section, key);
+  const written = (behind: string) => `${key} = ${value}${behind && `  ${behind}`}`;
   if (value === null) {
     if (entry) lines.splice(line, entry.n);
   } else if (entry) {
-    lines.splice(line, entry.n, `${key} = ${value}${entry.comment && `  ${entry.comment}`}`);
+    lines.splice(line, entry.n, written(comment ?? entry.comment));
   } else if (head >= 0) {
-    lines.splice(end, 0, `${key} = ${value}`);
+    lines.splice(end, 0, written(comment ?? ""));
   } else {
     while (lines.length > 0 && lines.at(-1)!.trim() === "") lines.pop();
-    lines.push("", `[${section}]`, `${key} = ${value}`, "");
+    lines.push("", `[${section}]`, written(comment ?? ""), "");
   }
   return lines.join("\n").replace(/^\n+/, "");
 }

@@ -51,6 +51,7 @@ std::vector<NumberKey> number_keys(const model::Case& resolved);
 std::string case_schema();
 
 /// A commented template of a case: every key with its default, required keys with the validation case's values.
-std::string case_template();
+/// @param ice  as for new_case().
+std::string case_template(const std::string& ice = "basin");
 
 }  // namespace brash::io

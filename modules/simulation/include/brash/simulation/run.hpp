@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brash/model/checkpoint.hpp"
+#include "brash/model/origin.hpp"
 #include "brash/model/records.hpp"
 #include "brash/model/warning.hpp"
 #include "brash/simulation/simulation.hpp"
@@ -46,8 +47,9 @@ struct InitialFloes {
   std::vector<double> size_quantiles;  ///< of the square roots of their areas, 5, 25, 50, 75, 95 % [m]
 };
 
-/// The summary of a run. Everything here follows from the case and its seed.
+/// The summary of a run. Everything here but the program follows from the case and its seed.
 struct RunSummary {
+  model::Origin origin;            ///< preset and program; empty until the summary is recorded
   double statistics_from = 0.0;    ///< loads are summarised from here on [s]; after the run's end: not a number
   statistics::Summary horizontal;  ///< resistance Fx [N]
   statistics::Summary vertical;    ///< Fz, upwards on the structure [N]
@@ -56,6 +58,8 @@ struct RunSummary {
   std::vector<RegionMean> regions;     ///< of a hull with regions, empty where none of them bore a load
   double mean_horizontal_whole = 0.0;  ///< over the whole history [N]
   double mean_vertical_whole = 0.0;
+  double maximum_horizontal_whole = 0.0;
+  double maximum_vertical_whole = 0.0;
   int n_breaks = 0;
   BreakCounts breaks;
   model::SheetSolves sheets;
