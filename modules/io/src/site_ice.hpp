@@ -6,15 +6,15 @@
 
 namespace brash::io {
 
-/// The ice of a template: the model ice of the validation case, or typical ice of a site. The data, with their sources,
-/// are those of modules/io/site_ice.json.
+/// The ice of a template: the model ice of the validation case, or typical ice of a site. The data and their
+/// sources are in modules/io/site_ice.json.
 class SiteIce {
  public:
   /// @param name  "basin" for the model ice, else a site such as "baltic".
   /// @throws InputError naming the sites that there are.
   explicit SiteIce(std::string name);
 
-  /// A value of a key with what it rests on.
+  /// A value of a key, and its source.
   struct Value {
     std::string toml;
     std::string source;  ///< sentences

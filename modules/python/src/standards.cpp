@@ -27,7 +27,7 @@ bool is_required(const InputNumber<Input>& number, const py::kwargs& given) {
   return number.given == Given::kAlways;
 }
 
-/// Fills the input of a closed form from keyword arguments. What changes a load has no default.
+/// Fills the input of a closed form from keyword arguments. A number that changes the load has no default.
 template <typename Input, std::size_t n>
 Input input_from(const char* form, const py::kwargs& given, const std::array<InputNumber<Input>, n>& numbers) {
   Input input;

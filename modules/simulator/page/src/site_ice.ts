@@ -7,7 +7,7 @@ import type { CaseStore } from "./store";
 interface Site {
   name: string;
   brine?: string;
-  /** A value of a key, and what it rests on besides the source of that key. */
+  /** A value of a key, and a remark on it besides the source of the key. */
   values: Record<string, [string | number, string]>;
 }
 

@@ -13,7 +13,7 @@ namespace brash::io {
 /// @throws InputError when there is no such kind or ice.
 std::string new_case(const std::string& kind, const std::string& ice = "basin");
 
-/// The names of the ice that templates offer: "basin", the model ice of the validation case, and those of sites.
+/// The names of the ice that templates offer: "basin", the model ice of the validation case, and the sites.
 std::vector<std::string> site_ice();
 
 }  // namespace brash::io

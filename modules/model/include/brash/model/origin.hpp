@@ -16,7 +16,7 @@ struct Origin {
   bool operator==(const Origin&) const = default;
 };
 
-/// Adds to `all` what it does not have yet.
+/// Adds to `all` the names that it lacks.
 inline void add(Origin& all, const Origin& more) {
   const auto add_names = [](std::vector<std::string>& names, const std::vector<std::string>& others) {
     for (const std::string& name : others)
