@@ -76,10 +76,11 @@ std::vector<ZipEntry> input_entries(const recording::Inputs& inputs) {
 }
 
 /// FMI 3.0.2, Sec. 2.5: a unit that needs other libraries says which.
-constexpr const char* kNeeds =
-    "The library of this unit is for Linux on x86-64. Of Debian 12 it needs these packages:\n\n"
-    "    apt-get install libbullet3.24 libfmt9 libgsl27 libpolyclipping22 libgmp10 libnettle8 libstdc++6\n\n"
-    "The last three are in every Debian.\n";
+constexpr const char* kNeeds = "The library of this unit is for Linux on x86-64. Of " BRASH_FMU_SYSTEM
+                               " it needs these packages:\n\n"
+                               "    apt-get install " BRASH_FMU_PACKAGES
+                               "\n\n"
+                               "The last three are in every Debian.\n";
 
 /// Says which case, models and version a unit is made of.
 std::string token_of(const fmu::Unit& unit, const std::vector<ZipEntry>& inputs) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a mesh and makes it closed: polygon soup, orientation, holes, crossings, shells.
+// CGAL 6 deprecates the form of triangulate_hole that CGAL 5.5 has.
+#define CGAL_NO_DEPRECATION_WARNINGS
 #include "brash/structure/mesh_file.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
