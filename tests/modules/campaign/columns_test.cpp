@@ -74,8 +74,8 @@ BOOST_AUTO_TEST_CASE(each_known_column_has_its_unit) {
   for (const std::string& name : known_columns()) {
     const std::string last = name.substr(name.rfind('.') + 1);
     const bool has_none = last == "n" || last.starts_with("n_") || name.starts_with("breaks_decided.") ||
-                          last == "skewness" || last == "effective_sample_size" || last == "long_enough" ||
-                          last == "concentration" || name == "ledger.closes";
+                          name.starts_with("sheets.") || last == "skewness" || last == "effective_sample_size" ||
+                          last == "long_enough" || last == "concentration" || name == "ledger.closes";
     BOOST_TEST((unit_of(name) == "1") == has_none, name);
   }
 }
