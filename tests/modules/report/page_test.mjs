@@ -152,6 +152,7 @@ test("a click on a load peak shows the numbers of the crack behind it", async ()
   const peak = history.reduce((best, row) => (Number(row.Fx) > Number(best.Fx) ? row : best));
   const at = await ask(({ loads }, _, [t, f]) => {
     const plot = loads.chart.plot;
+    plot.over.scrollIntoView({ block: "center", behavior: "instant" });
     const box = plot.over.getBoundingClientRect();
     return [box.left + plot.valToPos(t, "x"), box.top + plot.valToPos(f, "y")];
   }, [Number(peak.time), Number(peak.Fx) / 1e3]);
