@@ -3,10 +3,9 @@
 
 Makes a Debian of debootstrap's smallest kind in a temporary folder, with the dependencies that the package names and no
 other. There it installs the package, runs the example and the Python module, removes the package, and compares the list of
-files with the list from before. At the end it builds a C++ program with libbrash-dev. Needs root, debootstrap and a mirror; exit code 77 where the first two are missing.
-`./dev package --check` calls it.
+files with the list from before. At the end it builds a C++ program with libbrash-dev. Needs root and
+debootstrap; exit code 77 where one is missing. `./dev package --check` calls it.
 """
-import os
 import pathlib
 import re
 import shutil
@@ -15,8 +14,9 @@ import sys
 import tempfile
 import unittest
 
+import debian
+
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
-MIRROR = os.environ.get("DEBIAN_MIRROR", "http://deb.debian.org/debian")
 # What apt and dpkg write for themselves, and what is no file of the system.
 NOT_COMPARED = ("proc", "sys", "dev", "tmp", "run", "var/cache", "var/log", "var/lib/apt", "var/lib/dpkg")
 
@@ -26,47 +26,26 @@ def fields(package):
     return dict(line.split(": ", 1) for line in text.splitlines() if re.match(r"[A-Z]", line))
 
 
-class Root:
-    """A Debian in a folder, left by `close`."""
-
-    def __init__(self, folder):
-        self.path = pathlib.Path(folder)
-        subprocess.run(["debootstrap", "--variant=minbase", "bookworm", folder, MIRROR], check=True, stdout=subprocess.DEVNULL)
-        shutil.copy("/etc/resolv.conf", self.path / "etc/resolv.conf")
-        subprocess.run(["mount", "-t", "proc", "proc", self.path / "proc"], check=True)
-
-    def close(self):
-        subprocess.run(["umount", self.path / "proc"], check=True)
-
-    def __call__(self, command):
-        environment = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "DEBIAN_FRONTEND": "noninteractive", "HOME": "/root", "LC_ALL": "C.UTF-8"}
-        done = subprocess.run(["chroot", self.path, "sh", "-ec", command], env=environment, capture_output=True, text=True)
-        if done.returncode != 0:
-            raise AssertionError(f"{command}\n{done.stdout}{done.stderr}")
-        return done.stdout
-
-    def files(self):
-        found = subprocess.run(["find", ".", "-xdev", "-printf", "%P\n"], cwd=self.path, check=True, capture_output=True, text=True)
-        return {name for name in found.stdout.splitlines() if not name.startswith(NOT_COMPARED)}
-
-
 class Package(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         [cls.package] = FOLDER.glob("brash_*.deb")
         folder = tempfile.mkdtemp(prefix="brash-debian-")
-        cls.addClassCleanup(subprocess.run, ["rm", "-rf", "--one-file-system", folder], check=True)
-        cls.root = Root(folder)
-        cls.addClassCleanup(cls.root.close)
+        cls.addClassCleanup(debian.remove, folder)
+        cls.root = debian.Debian(folder, "12")
         (cls.root.path / "packages").mkdir()
         shutil.copy(cls.package, cls.root.path / "packages")
         cls.root("apt-get update -q")
         cls.root(f"apt-get satisfy -y -q --no-install-recommends '{fields(cls.package)['Depends']}'")
-        cls.before = cls.root.files()
+        cls.before = cls.files()
         cls.root(f"apt-get install -y -q --no-install-recommends /packages/{cls.package.name}")
 
+    @classmethod
+    def files(cls):
+        return {name for name in cls.root.files() if not name.startswith(NOT_COMPARED)}
+
     def test_1_what_is_installed_is_what_the_package_lists(self):
-        here = {name for name in self.root.files() - self.before if "__pycache__" not in name}
+        here = {name for name in self.files() - self.before if "__pycache__" not in name}
         listed = {line.lstrip("/") for line in self.root("dpkg -L brash").splitlines()}
         self.assertEqual(here - listed, set())
         self.assertLessEqual({"usr/bin/brash", "usr/share/brash/case.schema.json", "usr/share/man/man1/brash.1.gz",
@@ -87,7 +66,7 @@ class Package(unittest.TestCase):
 
     def test_4_nothing_is_left_when_it_is_removed(self):
         self.root("apt-get purge -y -q brash")
-        self.assertEqual(sorted(self.root.files() ^ self.before), [])
+        self.assertEqual(sorted(self.files() ^ self.before), [])
 
     def test_5_a_program_of_others_is_built_with_libbrash_dev(self):
         [development] = FOLDER.glob("libbrash-dev_*.deb")
@@ -100,8 +79,7 @@ class Package(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = [what for what, there in (("root", os.geteuid() == 0), ("debootstrap", shutil.which("debootstrap"))) if not there]
-    if missing:
-        print(f"not checked: needs {' and '.join(missing)}", file=sys.stderr)
+    if missing := debian.missing():
+        print(f"not checked: needs {missing}", file=sys.stderr)
         sys.exit(77)
     unittest.main(argv=sys.argv[:1], verbosity=2)
