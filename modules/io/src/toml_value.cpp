@@ -19,7 +19,7 @@ tl::expected<Json, ValueError> array_to_json(const toml::array& array, const Ord
     OrderedJson of_column = item_schema;
     if (key_schema.contains("x-units") && items.size() < key_schema.at("x-units").size())
       of_column["x-unit"] = key_schema.at("x-units").at(items.size());
-    tl::expected<Json, ValueError> converted = to_json(item, of_column);
+    tl::expected<Json, ValueError> converted = json_value(item, of_column);
     if (!converted) return converted;
     items.push_back(std::move(*converted));
   }
@@ -28,7 +28,7 @@ tl::expected<Json, ValueError> array_to_json(const toml::array& array, const Ord
 
 }  // namespace
 
-tl::expected<nlohmann::json, ValueError> to_json(const toml::node& node, const OrderedJson& key_schema) {
+tl::expected<nlohmann::json, ValueError> json_value(const toml::node& node, const OrderedJson& key_schema) {
   if (const auto* value = node.as_boolean()) return Json(value->get());
   if (const auto* value = node.as_integer()) return Json(value->get());
   if (const auto* value = node.as_floating_point()) {

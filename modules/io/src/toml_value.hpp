@@ -18,6 +18,6 @@ struct ValueError {
 };
 
 /// A TOML value as JSON, quantities in the unit of `key_schema`.
-tl::expected<nlohmann::json, ValueError> to_json(const toml::node& node, const OrderedJson& key_schema);
+tl::expected<nlohmann::json, ValueError> json_value(const toml::node& node, const OrderedJson& key_schema);
 
 }  // namespace brash::io

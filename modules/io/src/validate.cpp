@@ -104,7 +104,7 @@ class Reader {
     }
     const OrderedJson& key_schema = schema_.keys(section).at(name);
     if (Schema::is_free(key_schema)) return;
-    const tl::expected<Json, ValueError> value = to_json(node, key_schema);
+    const tl::expected<Json, ValueError> value = json_value(node, key_schema);
     if (value)
       document_[section][name] = *value;
     else
