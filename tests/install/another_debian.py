@@ -50,8 +50,9 @@ def print_versions(root):
     query = "dpkg-query -W -f '${Package} ${Version}\\n' " + " ".join(names) + " 2>/dev/null || true"
     there, here = (dict(line.split() for line in text.splitlines() if " " in line)
                    for text in (root(query), debian.output("sh", "-c", query)))
-    for name in ("package", *names):
-        print(f"{name:20} {there.get(name, 'there'):36} {here.get(name, 'here')}")
+    print(f"{'package':20} {'there':36} here")
+    for name in names:
+        print(f"{name:20} {there.get(name, '-'):36} {here.get(name, '-')}")
 
 
 def difference(there, here):
