@@ -10,11 +10,15 @@ namespace brash::failure {
 
 double share_at(double distance) { return std::exp(-std::pow(distance / 1.75, 1.4)); }
 
-double OwnPlaces::Source::distance(Vec2 place) const {
+double distance(Vec2 place, Vec2 from, Vec2 to) {
   const Vec2 along = to - from;
   const double square = dot(along, along);
   const double s = square > 0.0 ? std::clamp(dot(place - from, along) / square, 0.0, 1.0) : 0.0;
-  return std::max(0.0, norm(place - (from + s * along)) - radius);
+  return norm(place - (from + s * along));
+}
+
+double OwnPlaces::Source::distance(Vec2 place) const {
+  return std::max(0.0, failure::distance(place, from, to) - radius);
 }
 
 OwnPlaces::OwnPlaces(const std::vector<SheetLoad>& loads, const IceProperties& ice)

@@ -11,6 +11,9 @@ namespace brash::failure {
 /// @param distance  over l_c.
 double share_at(double distance);
 
+/// From a place to a stretch.
+double distance(Vec2 place, Vec2 from, Vec2 to);
+
 /// Which places of a sheet the verdict of a contact checks: each belongs to the load that bends it most. So a floe's
 /// contact does not break for the structure's stress, and no ice between two contacts stays unchecked.
 ///

@@ -17,13 +17,6 @@ constexpr double kRadius = 2.5;  ///< of the search, over l_c
 /// The search around the best corner of an element starts and ends with these steps, over l_c.
 constexpr double kFirstStep = 0.05, kLastStep = 0.01;
 
-double distance(Vec2 place, Vec2 from, Vec2 to) {
-  const Vec2 along = to - from;
-  const double square = dot(along, along);
-  const double s = square > 0.0 ? std::clamp(dot(place - from, along) / square, 0.0, 1.0) : 0.0;
-  return norm(place - (from + s * along));
-}
-
 /// Says which places are checked.
 class Checked {
  public:

@@ -84,15 +84,23 @@ failure::Assessment verdict(const failure::LoadCase& load) {
   return criterion->assess(load);
 }
 
-BOOST_AUTO_TEST_CASE(floes_that_hardly_press_do_not_break_the_ice) {
-  for (const Recorded& sheet : recorded_sheets()) {
+BOOST_AUTO_TEST_CASE(only_the_floe_that_presses_hard_breaks_the_ice) {
+  const std::vector<Recorded> sheets = recorded_sheets();
+  BOOST_TEST(sheets.size() == 13u);
+  for (const Recorded& sheet : sheets) {
     const failure::Assessment answer = verdict(sheet.load);
-    const failure::SheetLoad& own = sheet.load.loads.front();
-    BOOST_TEST_MESSAGE("floe " << sheet.floe << ": P " << own.out_of_plane / 1e3 << " kN, " << sheet.load.loads.size()
-                               << " loads, " << sheet.n_outward << " out of the ice; recorded " << sheet.recorded
-                               << ", now " << answer.sigma_max / kIce.flexural_strength << " split " << answer.split
-                               << " fails " << answer.fails << " refused " << answer.outline_refused << " crack "
-                               << answer.crack.size());
+    const double ratio = answer.sigma_max / kIce.flexural_strength;
+    BOOST_TEST_CONTEXT("floe " << sheet.floe << ", P " << sheet.load.loads.front().out_of_plane << " N, recorded "
+                               << sheet.recorded) {
+      BOOST_TEST(sheet.recorded > 1.0);
+      BOOST_TEST(!answer.outline_refused);
+      // 107 kN of its own; the others press with 0.2 to 53 kN beside stronger loads, which have verdicts of their own.
+      BOOST_TEST(answer.fails == (sheet.floe == 113));
+      if (sheet.floe == 113)
+        BOOST_TEST(ratio == sheet.recorded, boost::test_tools::tolerance(0.02));  // the fast mesh errs by 2 %
+      else
+        BOOST_TEST(ratio < 0.5);  // far from the strength, however the mesh errs
+    }
   }
 }
 
