@@ -7,10 +7,6 @@
 
 namespace brash::failure {
 
-/// How much a load bends the ice at a distance along a straight edge, over the same load there [-].
-/// @param distance  over l_c.
-double share_at(double distance);
-
 /// From a place to a stretch.
 double distance(Vec2 place, Vec2 from, Vec2 to);
 

@@ -36,6 +36,7 @@ Simulation::Impl::Impl(const model::Case& c, const model::Checkpoint& checkpoint
   sheets.restore(field.level_ice(), checkpoint);
   floes.restore(world, field.level_ice(), checkpoint);
   edges.restore(checkpoint);
+  verdicts.restore(checkpoint);
   bearings.restore(floes, checkpoint);
   bending.restore(floes, checkpoint);
   sleep.restore(floes, checkpoint);
@@ -52,6 +53,7 @@ model::Checkpoint Simulation::Impl::checkpoint() const {
   sheets.save(saved);
   floes.save(world, saved);
   edges.save(saved);
+  verdicts.save(saved);
   bearings.save(floes, saved);
   bending.save(floes, saved);
   sleep.save(floes, saved);

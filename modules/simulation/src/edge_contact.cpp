@@ -296,6 +296,7 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry
   const Vec2 half = 0.5 * region.contact_length * perpendicular(line.towards);
   region.chord_from = region.midpoint - half;
   region.chord_to = region.midpoint + half;
+  contact.touched = {region.midpoint, region.contact_length};
   fit(model, sheet, contact);
   const double in_plane = std::max(line.normal, kLeastInPlane * line.out_of_plane);
   if (!(in_plane > 0.0)) return std::nullopt;
@@ -306,6 +307,18 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry
                   .mu2 = line.across / in_plane,
                   .pressure = in_plane / (region.contact_length * h)};
   return contact;
+}
+
+void weigh_loads(const EdgeModel& model, std::vector<EdgeContact>& contacts) {
+  const double l_c = failure::characteristic_length(model.ice);
+  for (EdgeContact& contact : contacts) {
+    contact.pressing = {};
+    for (const EdgeContact& other : contacts) {
+      const double off = norm(other.touched.tip - contact.touched.tip) / l_c;
+      double& sum = other.floe == model::kNoFloe ? contact.pressing.by_structure : contact.pressing.by_floes;
+      sum += bending_force(model, other) * failure::share_at(off);
+    }
+  }
 }
 
 void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector<EdgeContact>& contacts,

@@ -26,6 +26,13 @@ struct Touch {
   double length = 0.0;  ///< [m]
 };
 
+/// How much the loads around a contact bend the ice there, by failure::share_at of their distances [N].
+struct Pressing {
+  double by_structure = 0.0, by_floes = 0.0;
+
+  double sum() const { return by_structure + by_floes; }
+};
+
 /// The structure, or a floe, against the edge of the fixed sheet, at one place, at one instant.
 struct EdgeContact {
   geometry::ContactRegion region;
@@ -42,7 +49,8 @@ struct EdgeContact {
   bool has_verdict = true;  ///< not where a far stronger load beside it has one: assess()
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
-  Touch touched{};                     ///< of the structure
+  Touch touched{};                     ///< at rest
+  Pressing pressing{};                 ///< weigh_loads()
   double shift = 0.0;                  ///< how much higher than at rest its edge lies [m]
   failure::IceProperties ice{};        ///< there
 };
@@ -103,6 +111,9 @@ std::vector<rigid_body::GivenContact> given_contacts(std::span<const EdgeContact
 /// less. docs/theory/simulation.md, (S1).
 std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry::IceSheet& sheet, std::int64_t floe,
                                            const Bearing& bearing);
+
+/// Finds EdgeContact::pressing of contacts with one sheet.
+void weigh_loads(const EdgeModel& model, std::vector<EdgeContact>& contacts);
 
 /// How an edge moves at a contact; empty: not at all. Threads may call it at a time.
 using MotionOf = std::function<failure::EdgeMotion(const EdgeContact&)>;

@@ -33,6 +33,12 @@ void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.sheets += assessment.solves;
 }
 
+/// A part of a step ends where the ice is expected to have just failed, once the whole part would take the stress too
+/// far beyond the strength; stress over strength.
+constexpr double kTooFar = 1.05, kJustFailed = 1.02;
+/// Stresses grow almost evenly within a step.
+constexpr int kTries = 2;
+
 }  // namespace
 
 EdgeModel Simulation::Impl::edge_model(const ice::Plate& plate) const {
@@ -64,6 +70,7 @@ void Simulation::Impl::initial_crack() {
 void Simulation::Impl::let_go(int level_ice, const geometry::Extent& box) {
   bearings.forget_within(level_ice, box);
   edges.forget_within(level_ice, box);
+  verdicts.forget_within(level_ice, box);
   const Vec2 to_corner = 0.5 * (box.upper - box.lower);
   sleep.wake_within(world, floes, box.lower + to_corner, norm(to_corner));
 }
@@ -79,6 +86,7 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
   edges.forget(contact);
   edges.forget_within(plate.level_ice(), plan.centre, plan.reach);
+  verdicts.forget_within(plate.level_ice(), plan.centre, plan.reach);
   sleep.wake_within(world, floes, plan.centre, plan.reach);
   const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
   ice::Broken broken =
@@ -141,13 +149,14 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
   return contacts;
 }
 
-/// Moves the structure by the largest part of `share` of the step whose contacts stay below the failure model's upper
-/// range (Sec. 2.2.2: "a shorter time step can avoid it"); `share` becomes that part. It cannot where a contact is
-/// above already: the step is then left whole. The trailing outlines then crush the ice that they cover. So the
-/// contacts belong to the state that is reached, however short or long the step.
+/// Moves the structure by the largest part of `share` of the step that keeps within two limits; `share` becomes that
+/// part. Contacts stay below the failure model's upper range (Sec. 2.2.2: "a shorter time step can avoid it"). It
+/// cannot where a contact is above already: the step is then left whole. And no ice is loaded far beyond its strength,
+/// as far as the verdicts before can tell: docs/theory/simulation.md, (S5). The trailing outlines then crush the ice
+/// that they cover. So the contacts belong to the state that is reached, however short or long the step.
 ///
 /// @param done  parts of the step before.
-std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, double done, StepReport& report) {
+std::vector<EdgeContact> Simulation::Impl::move_within_limits(double& share, double done, StepReport& report) {
   const double shortest = 1.0 / resolved.failure.max_substeps;
   const auto time_after = [&](double part) { return time() + (done + part) * resolved.time.step; };
   const auto contacts_after = [&](double part) {
@@ -167,10 +176,25 @@ std::vector<EdgeContact> Simulation::Impl::move_within_range(double& share, doub
     } while (0.5 * share >= shortest && above_range(contacts));
   }
 
+  for (int i = 0; i < kTries && share > shortest; ++i) {
+    weigh_loads(contacts);
+    const auto growth = verdicts.most_stressed(contacts);
+    if (!growth || growth->now <= kTooFar) break;
+    const double part = (kJustFailed - growth->before) / (growth->now - growth->before);
+    share = std::max(shortest, part * share);
+    contacts = contacts_after(share);
+  }
+
   motion->advance(share);
   sheets.advance(share * resolved.time.step);
   if (crush_passed_ice(time_after(share), report)) contacts = contacts_at(motion->now(), 0.0, time_after(share));
   return contacts;
+}
+
+void Simulation::Impl::weigh_loads(std::vector<EdgeContact>& contacts) const {
+  for_each_sheet(contacts, [&](const ice::Plate& plate, std::vector<EdgeContact>& here) {
+    simulation::weigh_loads(edge_model(plate), here);
+  });
 }
 
 /// Adds the edges of level ice under the floes that press on them, by their forces up to the step before. In the order
@@ -195,15 +219,12 @@ void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& rep
     const StageTimer::Scope clock(timer, times.failure);
     workers.each(n, 1, judge);
   };
-  for (const ice::Plate& plate : field.level_ice()) {
-    std::vector<EdgeContact> here;
-    for (EdgeContact& contact : contacts)
-      if (contact.level_ice == plate.level_ice()) here.push_back(std::move(contact));
-    std::erase_if(contacts, [&](const EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
+  for_each_sheet(contacts, [&](const ice::Plate& plate, std::vector<EdgeContact>& here) {
+    simulation::weigh_loads(edge_model(plate), here);
     assess(edge_model(plate), plate.sheet(), here, motion_of, share_out);
-    for (const EdgeContact& contact : here) count_range(contact.assessment, report);
-    std::ranges::move(here, std::back_inserter(contacts));
-  }
+  });
+  for (const EdgeContact& contact : contacts) count_range(contact.assessment, report);
+  verdicts.keep(contacts);
   if (resolved.failure.joint_loads)
     std::ranges::stable_sort(contacts, std::greater{}, [](const EdgeContact& c) { return c.assessment.sigma_max; });
 }
@@ -305,8 +326,8 @@ void Simulation::Impl::expect_on_the_plane() const {
                              then.y, then.z));
 }
 
-/// Moves the structure through one step: contacts, crushing, wedges, failures and cracks, in as many parts as the
-/// failure model's range asks for. @return the crushing load on it, mean over the parts, sheet axes.
+/// Moves the structure through one step: contacts, crushing, wedges, failures and cracks, in as many parts as
+/// move_within_limits() asks for. @return the crushing load on it, mean over the parts, sheet axes.
 Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   const StageTimer::Scope clock(timer, times.contacts);
   expect_on_the_plane();
@@ -317,7 +338,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
   double done = 0.0;
   for (report.n_substeps = 1; done < 1.0; ++report.n_substeps) {
     double share = 1.0 - done;
-    std::vector<EdgeContact> contacts = move_within_range(share, done, report);
+    std::vector<EdgeContact> contacts = move_within_limits(share, done, report);
     const double from = time() + done * resolved.time.step;
     done += share;
     energy.book_bent_edges(edges.follow(contacts, from, time() + done * resolved.time.step));
@@ -331,7 +352,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
       region_loads.add_crushing(motion->now().pose, point, normal, share * force);
     }
     const std::vector<EdgeContact> of_structure = sheets.any() ? contacts : std::vector<EdgeContact>{};
-    if (done >= 1.0) add_contacts_of_floes(contacts);
+    add_contacts_of_floes(contacts);
     judge(contacts, report);
     break_ice(contacts, report);
     split_sheets(of_structure, report);

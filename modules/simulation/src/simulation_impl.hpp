@@ -21,6 +21,7 @@
 #include "sheet_tiles.hpp"
 #include "sleep.hpp"
 #include "stage_timer.hpp"
+#include "verdicts.hpp"
 #include "watchdog.hpp"
 
 namespace brash::simulation {
@@ -50,6 +51,7 @@ struct Simulation::Impl {
   double hull_reach;  ///< from the origin of the structure to its farthest point [m]
   std::vector<std::shared_ptr<const failure::BendingCriterion>> criteria;  ///< of each level ice
   MovingEdges edges;
+  Verdicts verdicts;
   std::unique_ptr<ice::CrackPattern> pattern;
   Workers workers;
   rigid_body::World world;
@@ -103,8 +105,23 @@ struct Simulation::Impl {
   void split_floes(StepReport& report);
   void split(const Fracture& fracture, StepReport& report);
 
-  std::vector<EdgeContact> move_within_range(double& share, double done, StepReport& report);
+  std::vector<EdgeContact> move_within_limits(double& share, double done, StepReport& report);
   std::vector<EdgeContact> contacts_at(const structure::State& state, double later, double time) const;
+  /// Calls `use(plate, contacts with it)` for each level ice; the contacts are sorted by it then.
+  template <class Use>
+  void for_each_sheet(std::vector<EdgeContact>& contacts, const Use& use) const {
+    std::vector<EdgeContact> sorted;
+    for (const ice::Plate& plate : field.level_ice()) {
+      std::vector<EdgeContact> here;
+      for (EdgeContact& contact : contacts)
+        if (contact.level_ice == plate.level_ice()) here.push_back(std::move(contact));
+      std::erase_if(contacts, [&](const EdgeContact& contact) { return contact.level_ice == plate.level_ice(); });
+      use(plate, here);
+      std::ranges::move(here, std::back_inserter(sorted));
+    }
+    contacts = std::move(sorted);
+  }
+  void weigh_loads(std::vector<EdgeContact>& contacts) const;
   void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
   void judge(std::vector<EdgeContact>& contacts, StepReport& report);
   bool crush_passed_ice(double time, StepReport& report);

@@ -27,6 +27,10 @@ struct IceProperties {
 /// l_c = (E h^3 / (12 rho_w g (1 - nu^2)))^(1/4) [m], Eq. 18 with the water's density; docs/theory/failure.md, (1).
 double characteristic_length(const IceProperties& ice);
 
+/// How much a load bends the ice at a distance along a straight edge, over the same load there [-].
+/// @param distance  over l_c.
+double share_at(double distance);
+
 /// F_n = sigma_c A R [N] on a contact of area `area` [m2], Eq. 15.
 double crushing_force(const IceProperties& ice, double area);
 

@@ -296,6 +296,7 @@ struct SheetSolves {
     visit("split_unsolved", "1", "split sheets that could not be solved", self.split_unsolved);
     visit("holding_together", "1", "verdicts above the strength without a crack", self.holding_together);
   }
+  int n_solved() const { return coarse + cubic; }
   SheetSolves& operator+=(const SheetSolves& other) {
     coarse += other.coarse;
     cubic += other.cubic;
