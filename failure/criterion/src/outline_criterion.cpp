@@ -122,42 +122,50 @@ class OutlineCriterion final : public BendingCriterion {
       return sheet && !answer.buckled && kCoarseMargin * sheet->largest() <= 1.0;
     };
     How how{.accuracy = plate::Accuracy::kCoarse};
-    std::optional<Solved> coarse = solve(load, how, answer, solves);
+    const std::optional<Solved> coarse = solve(load, how, answer, solves);
     if (!holds(coarse)) return std::nullopt;
+    std::optional<Solved> split;
     if (options_.radial_first && kCoarseMargin * coarse->radial > 1.0) {
       how.split = true;
-      std::optional<Solved> split = solve(load, how, answer, solves);
+      split = solve(load, how, answer, solves);
       if (!holds(split)) return std::nullopt;
       answer.split = coarse->radial > 1.0;
-      if (answer.split) coarse = std::move(split);
     }
-    answer.sigma_max = coarse->largest() * ice_.flexural_strength;
-    answer.breaking_length = coarse->breaking_length();
+    answer.overload = overload(*coarse, split);
+    const Solved& decides = answer.split ? *split : *coarse;
+    answer.sigma_max = decides.largest() * ice_.flexural_strength;
+    answer.breaking_length = decides.breaking_length();
     return answer;
   }
 
   /// Nothing where the sheet cannot be meshed.
   std::optional<Assessment> judge(const LoadCase& load, model::SheetSolves& solves) const {
     Assessment answer;
-    std::optional<Solved> solved = solve(load, {}, answer, solves);
-    if (!solved) return std::nullopt;
-    if (options_.radial_first && solved->radial > 1.0) {
-      if (auto split = solve(load, {.split = true}, answer, solves)) {
-        answer.split = true;
-        solved = std::move(split);
-      } else {
-        ++solves.split_unsolved;
-      }
+    const std::optional<Solved> whole = solve(load, {}, answer, solves);
+    if (!whole) return std::nullopt;
+    std::optional<Solved> split;
+    if (options_.radial_first && whole->radial > 1.0) {
+      split = solve(load, {.split = true}, answer, solves);
+      answer.split = split.has_value();
+      solves.split_unsolved += split ? 0 : 1;
     }
-    answer.sigma_max = solved->largest() * ice_.flexural_strength;
+    answer.overload = overload(*whole, split);
+    const Solved& decides = split ? *split : *whole;
+    answer.sigma_max = decides.largest() * ice_.flexural_strength;
     answer.fails = answer.buckled || answer.sigma_max > ice_.flexural_strength;
-    answer.breaking_length = solved->breaking_length();
+    answer.breaking_length = decides.breaking_length();
     if (answer.fails && options_.trace_crack) {
-      trace(*solved, answer);
+      trace(decides, answer);
       answer.fails = !answer.crack.empty();
       solves.holding_together += answer.fails ? 0 : 1;
     }
     return answer;
+  }
+
+  /// The ice fails where the whole sheet does, or where a radial crack opens and the split sheet fails.
+  double overload(const Solved& whole, const std::optional<Solved>& split) const {
+    if (!options_.radial_first) return whole.largest();
+    return std::max(whole.largest(), split ? std::min(whole.radial, split->largest()) : whole.radial);
   }
 
   /// The crack, and the breaking length where it is not on the line already. Empty where no crack cuts B off.

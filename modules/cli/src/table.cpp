@@ -101,6 +101,12 @@ std::string sheets(const model::SheetSolves& s) {
   return text;
 }
 
+std::string verdicts(const simulation::KeptCounts& v) {
+  if (v.kept == 0) return "";
+  return fmt::format("  verdicts kept from an earlier step: {}; {} of {} controls failed late, by {:.3g} s at most\n",
+                     v.kept, v.late, v.controls, v.latest);
+}
+
 std::string ice(const simulation::RunSummary& s) {
   std::string text = "ice\n";
   const std::string rate = std::isnan(s.breaking_frequency) ? ""
@@ -112,12 +118,16 @@ std::string ice(const simulation::RunSummary& s) {
   text += "  quantiles               5 %  25 %  50 %  75 %  95 %\n";
   text += quantile_row("piece area [m2]", s.piece_area_quantiles);
   text += quantile_row("breaking length [m]", s.breaking_length_quantiles);
+  if (!s.overload_quantiles.empty()) {
+    text += quantile_row("load / breaking load", s.overload_quantiles);
+    text += quantile_row("stress / strength", s.stress_quantiles);
+  }
   text +=
       fmt::format("  of the breaks {} under floes, {} after a radial crack, {} on the true edge, {} along the stress\n",
                   s.breaks.under_floes, s.breaks.radial_first, s.breaks.true_edge, s.breaks.along_stress);
   text += fmt::format("  failure model: {} steps shortened, {} inputs clamped below its range, {} above\n",
                       s.n_substepped, s.n_below_range, s.n_above_range);
-  return text + sheets(s.sheets);
+  return text + sheets(s.sheets) + verdicts(s.verdicts);
 }
 
 std::string ledger(const geometry::Ledger& l) {

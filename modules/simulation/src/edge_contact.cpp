@@ -334,7 +334,7 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     contact.has_verdict = contact.load.pressure > 0.0 && !(joint && is_outweighed(model, contacts, contact));
   std::vector<Question> questions;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!contacts[i].has_verdict) continue;
+    if (!contacts[i].has_verdict || contacts[i].kept == EdgeContact::Verdict::kKept) continue;
     Question asked{i, LocalIce(model, contacts[i]), contacts[i].load, {}};
     const EdgeModel local = asked.local.model();
     const geometry::ContactRegion& region = contacts[i].region;
@@ -350,8 +350,13 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
     const failure::BendingCriterion& criterion = local.model().criterion;
     const auto harmless = criterion.dismiss(load);
     if (!harmless && motion_of) load.motion = motion_of(contacts[i]);
-    contacts[i].assessment = harmless ? *harmless : criterion.assess(load);
-    bound_disc(local.model().ice, contacts[i].assessment);
+    failure::Assessment answer = harmless ? *harmless : criterion.assess(load);
+    bound_disc(local.model().ice, answer);
+    if (contacts[i].kept == EdgeContact::Verdict::kControl) {
+      contacts[i].control = std::move(answer);
+      return;
+    }
+    contacts[i].assessment = std::move(answer);
     if (frame) move_to(*frame, contacts[i]);
   });
 }

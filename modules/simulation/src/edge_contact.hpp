@@ -39,14 +39,22 @@ struct EdgeContact {
   geometry::Trapezoid wedge;
   failure::LoadCase load;
   failure::Assessment assessment;
-  Vec3 on_ice{};            ///< force on the ice, friction included [N]
-  Vec3 point{};             ///< where it acts [m]
-  Vec3 normal{};            ///< unit, mean over the surface that crushes, into the ice
-  double area = 0.0;        ///< of that surface, seen along `normal` [m2]
-  double bound = 0.0;       ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
-  double spread = 0.0;      ///< the smaller of its forces to one side of the chord's normal and the other [N]
-  bool bends = true;        ///< whether the surface has a slope; a vertical one crushes the ice only
-  bool has_verdict = true;  ///< not where a far stronger load beside it has one: assess()
+  Vec3 on_ice{};        ///< force on the ice, friction included [N]
+  Vec3 point{};         ///< where it acts [m]
+  Vec3 normal{};        ///< unit, mean over the surface that crushes, into the ice
+  double area = 0.0;    ///< of that surface, seen along `normal` [m2]
+  double bound = 0.0;   ///< F_n of Eq. 15: the most that the ice bears along `normal` [N]
+  double spread = 0.0;  ///< the smaller of its forces to one side of the chord's normal and the other [N]
+  bool bends = true;    ///< whether the surface has a slope; a vertical one crushes the ice only
+  /// Where the assessment comes from.
+  enum class Verdict {
+    kSolved,   ///< the criterion
+    kKept,     ///< an earlier one: Verdicts::recall()
+    kControl,  ///< likewise; the criterion says `control`
+  };
+  Verdict kept = Verdict::kSolved;
+  failure::Assessment control{};
+  bool has_verdict = true;             ///< not where a far stronger load beside it has one: assess()
   std::int64_t floe = model::kNoFloe;  ///< that presses
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
   Touch touched{};                     ///< at rest

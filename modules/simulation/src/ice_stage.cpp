@@ -38,6 +38,8 @@ void count_range(const failure::Assessment& assessment, StepReport& report) {
 constexpr double kTooFar = 1.05, kJustFailed = 1.02;
 /// Stresses grow almost evenly within a step.
 constexpr int kTries = 2;
+/// The free edge matters this far from a contact, in characteristic lengths.
+constexpr double kEdgeReach = 3.0;
 
 }  // namespace
 
@@ -86,7 +88,8 @@ Break Simulation::Impl::break_off(const EdgeContact& contact, StepReport& report
   bearings.forget_within(plate.level_ice(), plan.centre, plan.reach);
   edges.forget(contact);
   edges.forget_within(plate.level_ice(), plan.centre, plan.reach);
-  verdicts.forget_within(plate.level_ice(), plan.centre, plan.reach);
+  const double around = plan.reach + kEdgeReach * failure::characteristic_length(plate.ice());
+  verdicts.forget_within(plate.level_ice(), plan.centre, plan.reach, around);
   sleep.wake_within(world, floes, plan.centre, plan.reach);
   const Pose structure = sheets.seen_from(plate.level_ice(), motion->now()).pose;
   ice::Broken broken =
@@ -178,7 +181,7 @@ std::vector<EdgeContact> Simulation::Impl::move_within_limits(double& share, dou
 
   for (int i = 0; i < kTries && share > shortest; ++i) {
     weigh_loads(contacts);
-    const auto growth = verdicts.most_stressed(contacts);
+    const auto growth = verdicts.most_overloaded(contacts);
     if (!growth || growth->now <= kTooFar) break;
     const double part = (kJustFailed - growth->before) / (growth->now - growth->before);
     share = std::max(shortest, part * share);
@@ -213,7 +216,7 @@ void Simulation::Impl::add_contacts_of_floes(std::vector<EdgeContact>& contacts)
 
 /// Judges the contacts of each level ice together. @return the most stressed one first where loads act together: it
 /// breaks the ice first.
-void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& report) {
+void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, double now, StepReport& report) {
   const auto motion_of = [this](const EdgeContact& contact) { return edges.motion(contact); };
   const auto share_out = [this](std::size_t n, const auto& judge) {
     const StageTimer::Scope clock(timer, times.failure);
@@ -221,10 +224,11 @@ void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, StepReport& rep
   };
   for_each_sheet(contacts, [&](const ice::Plate& plate, std::vector<EdgeContact>& here) {
     simulation::weigh_loads(edge_model(plate), here);
+    verdicts.recall(now, here);
     assess(edge_model(plate), plate.sheet(), here, motion_of, share_out);
   });
   for (const EdgeContact& contact : contacts) count_range(contact.assessment, report);
-  verdicts.keep(contacts);
+  report.verdicts += verdicts.keep(now, contacts);
   if (resolved.failure.joint_loads)
     std::ranges::stable_sort(contacts, std::greater{}, [](const EdgeContact& c) { return c.assessment.sigma_max; });
 }
@@ -300,7 +304,8 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
                             .edge_age = life.age,
                             .edge_deflection = life.deflection,
                             .thickness = contact.ice.thickness,
-                            .flexural_strength = contact.ice.flexural_strength};
+                            .flexural_strength = contact.ice.flexural_strength,
+                            .overload = contact.assessment.overload};
     event = in_world(contact.level_ice, event);
     Break made = break_off(contact, report);
     event.wedges = made.n_wedges;
@@ -353,7 +358,7 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
     }
     const std::vector<EdgeContact> of_structure = sheets.any() ? contacts : std::vector<EdgeContact>{};
     add_contacts_of_floes(contacts);
-    judge(contacts, report);
+    judge(contacts, time() + done * resolved.time.step, report);
     break_ice(contacts, report);
     split_sheets(of_structure, report);
   }

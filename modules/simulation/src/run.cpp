@@ -94,6 +94,7 @@ struct Counts {
     visit("n_below_range", "1", "assessments below the failure model's range", counts.n_below_range);
     BreakCounts::visit(counts.breaks, visit);
     model::SheetSolves::visit(counts.sheets, visit);
+    KeptCounts::visit(counts.verdicts, visit);
     visit("n_above_range", "1", "assessments above the failure model's range", counts.n_above_range);
     visit("n_steps_too_long", "1", "births with a collision time below the step", counts.n_steps_too_long);
     visit("sum_of_last_changes", "m s-1", "last change of the contacts' solution, summed over the steps",
@@ -175,6 +176,7 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.n_below_range += report.n_below_range;
   counts.breaks += report.breaks;
   counts.sheets += report.sheets;
+  counts.verdicts += report.verdicts;
   counts.n_above_range += report.n_above_range;
   counts.n_steps_too_long += report.n_steps_too_long;
   counts.sum_of_last_changes += report.last_change;

@@ -53,6 +53,7 @@ Simulation::Impl::Impl(const model::Case& c, ice::Field laid, int threads)
       field(std::move(laid)),
       hull_reach(hull->reach()),
       edges(edge_dynamics(c, field)),
+      verdicts(c.failure.lateness),
       pattern(ice::make_crack_pattern(c.failure)),
       workers(threads),
       world(world_settings(c)),

@@ -123,7 +123,7 @@ struct Simulation::Impl {
   }
   void weigh_loads(std::vector<EdgeContact>& contacts) const;
   void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
-  void judge(std::vector<EdgeContact>& contacts, StepReport& report);
+  void judge(std::vector<EdgeContact>& contacts, double now, StepReport& report);
   bool crush_passed_ice(double time, StepReport& report);
   geometry::Extent release_severed(int level_ice, const Pose& structure, StepReport& report);
   void break_ice(const std::vector<EdgeContact>& contacts, StepReport& report);

@@ -139,7 +139,7 @@ nlohmann::ordered_json json_of(const RunSummary& run, const statistics::Summary&
 template <typename Counts>
 nlohmann::ordered_json json_of_counts(const Counts& counts) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  Counts::visit(counts, [&](const char* name, const char*, const char*, int count) { json[name] = count; });
+  Counts::visit(counts, [&](const char* name, const char*, const char*, auto count) { json[name] = count; });
   return json;
 }
 
@@ -242,15 +242,20 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   s.maximum_vertical_whole = maximum(results.loads, total_z);
 
   s.n_breaks = static_cast<int>(results.events.size());
-  std::vector<double> lengths;
+  std::vector<double> lengths, overloads, stresses;
   int n_in_window = 0;
   for (const model::CrackEvent& event : results.events) {
     lengths.push_back(event.breaking_length);
     n_in_window += event.time > s.statistics_from ? 1 : 0;
+    if (event.overload == 0.0 || event.pressing_floe != model::kNoFloe) continue;
+    overloads.push_back(event.overload);
+    stresses.push_back(event.sigma_max / event.flexural_strength);
   }
   const double window_length = resolved.time.duration - s.statistics_from;
   s.breaking_frequency = window_length > 0.0 ? n_in_window / window_length : kUnknown;
   s.breaking_length_quantiles = statistics::quantiles(std::move(lengths), kQuantiles);
+  s.overload_quantiles = statistics::quantiles(std::move(overloads), kQuantiles);
+  s.stress_quantiles = statistics::quantiles(std::move(stresses), kQuantiles);
 
   std::vector<double> areas;
   for (const model::FloeRecord& floe : results.floes) {
@@ -307,6 +312,8 @@ std::string to_json(const RunSummary& s) {
       {"breaks_decided", json_of_counts(s.breaks)},
       {"breaking_frequency", s.breaking_frequency},
       {"breaking_length_quantiles", s.breaking_length_quantiles},
+      {"overload_quantiles", s.overload_quantiles},
+      {"stress_over_strength_quantiles", s.stress_quantiles},
       {"n_floes_born", s.n_floes_born},
       {"n_floes_present", s.n_floes_present},
       {"n_floes_crushed", s.n_floes_crushed},
@@ -317,6 +324,7 @@ std::string to_json(const RunSummary& s) {
        {{"n_substepped", s.n_substepped}, {"n_below", s.n_below_range}, {"n_above", s.n_above_range}}},
       {"n_outlines_refused", s.sheets.without_edge + s.sheets.unsolved},
       {"sheets", json_of_counts(s.sheets)},
+      {"verdicts", json_of_counts(s.verdicts)},
       {"n_steps_too_long", s.n_steps_too_long},
       {"contact_iterations",
        {{"mean_last_change", s.mean_last_change}, {"largest_last_change", s.largest_last_change}}},

@@ -2,10 +2,28 @@
 #include "verdicts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plan.hpp"
 
 namespace brash::simulation {
+namespace {
+
+/// A verdict is kept while stress over strength, times kLeastMargin plus kMoreMargin at the longest age, stays below 1.
+constexpr double kLeastMargin = 1.2, kMoreMargin = 2.0;
+/// A contact that changed by more than this share is solved: its length, or the loads of either kind.
+constexpr double kJump = 0.25;
+/// Of times.
+constexpr double kRounding = 1e-6;
+/// One contact in so many is a control.
+constexpr int kControls = 17;
+
+/// Whichever contacts: by the time of their first solution and the floe.
+bool is_control(double now, const EdgeContact& contact) {
+  return (std::llround(1e3 * now) + contact.floe + 1) % kControls == 0;
+}
+
+}  // namespace
 
 /// Of a floe by its number; of the structure the nearest, if the middle of one chord lies beside the other chord.
 const Verdicts::Kept* Verdicts::find(const EdgeContact& contact) const {
@@ -22,32 +40,77 @@ const Verdicts::Kept* Verdicts::find(const EdgeContact& contact) const {
   return nearest;
 }
 
-std::optional<Verdicts::Growth> Verdicts::most_stressed(const std::vector<EdgeContact>& of_structure) const {
+std::optional<Verdicts::Growth> Verdicts::most_overloaded(const std::vector<EdgeContact>& of_structure) const {
   std::optional<Growth> most;
   for (const EdgeContact& contact : of_structure) {
     const Kept* const kept = find(contact);
-    if (kept == nullptr || kept->ratio >= 1.0) continue;
-    const double pressing = contact.pressing.by_structure + kept->pressing.by_floes;
-    const double now = kept->ratio * pressing / kept->pressing.sum();
-    if (!most || now > most->now) most = {kept->ratio, now};
+    if (kept == nullptr || kept->overload >= 1.0) continue;
+    const double now = kept->overload * kept->growth({contact.pressing.by_structure, kept->pressing.by_floes});
+    if (!most || now > most->now) most = {kept->overload, now};
   }
   return most;
 }
 
-void Verdicts::keep(const std::vector<EdgeContact>& contacts) {
-  kept_.clear();
-  for (const EdgeContact& contact : contacts)
-    if (contact.assessment.solves.n_solved() > 0)
-      kept_.push_back({.level_ice = contact.level_ice,
-                       .floe = contact.floe,
-                       .touched = contact.touched,
-                       .ratio = contact.assessment.sigma_max / contact.ice.flexural_strength,
-                       .pressing = contact.pressing});
+bool Verdicts::may_keep(const Kept& kept, const EdgeContact& contact, double now) const {
+  const double age = (now - kept.time) / lateness_;
+  if (kept.is_stale || age > 1.0 - kRounding) return false;
+  const double jump = kJump * kept.pressing.sum();
+  const Pressing& pressing = contact.pressing;
+  if (std::abs(pressing.by_structure - kept.pressing.by_structure) > jump ||
+      std::abs(pressing.by_floes - kept.pressing.by_floes) > jump ||
+      std::abs(contact.touched.length - kept.touched.length) > kJump * kept.touched.length)
+    return false;
+  return kept.overload * kept.growth(pressing) * (kLeastMargin + kMoreMargin * age) < 1.0;
 }
 
-void Verdicts::forget_within(int level_ice, Vec2 at, double radius) {
+void Verdicts::recall(double now, std::vector<EdgeContact>& contacts) const {
+  if (lateness_ == 0.0) return;
+  for (EdgeContact& contact : contacts) {
+    const Kept* const kept = find(contact);
+    if (kept == nullptr || !may_keep(*kept, contact, now)) continue;
+    contact.kept = kept->is_control ? EdgeContact::Verdict::kControl : EdgeContact::Verdict::kKept;
+    contact.assessment = {.sigma_max = kept->stress * kept->growth(contact.pressing),
+                          .breaking_length = kept->breaking_length};
+  }
+}
+
+KeptCounts Verdicts::keep(double now, const std::vector<EdgeContact>& contacts) {
+  KeptCounts counts;
+  std::vector<Kept> all;
+  for (const EdgeContact& contact : contacts) {
+    const Kept* const before = find(contact);
+    if (contact.kept != EdgeContact::Verdict::kSolved) {
+      ++counts.kept;
+      counts.controls += contact.kept == EdgeContact::Verdict::kControl ? 1 : 0;
+      all.push_back(*before);
+      all.back().touched.tip = contact.touched.tip;
+      if (contact.control.fails && before->fails_from < 0.0) all.back().fails_from = now;
+      continue;
+    }
+    if (before != nullptr && before->fails_from >= 0.0) {
+      ++counts.late;
+      counts.latest = std::max(counts.latest, now - before->fails_from);
+    }
+    if (contact.assessment.solves.n_solved() == 0) continue;
+    all.push_back({.level_ice = contact.level_ice,
+                   .floe = contact.floe,
+                   .touched = contact.touched,
+                   .time = now,
+                   .overload = contact.assessment.overload,
+                   .stress = contact.assessment.sigma_max,
+                   .breaking_length = contact.assessment.breaking_length,
+                   .pressing = contact.pressing,
+                   .is_control = before != nullptr ? before->is_control : is_control(now, contact)});
+  }
+  kept_ = std::move(all);
+  return counts;
+}
+
+void Verdicts::forget_within(int level_ice, Vec2 at, double radius, double around) {
   std::erase_if(kept_,
                 [&](const Kept& kept) { return kept.level_ice == level_ice && norm(kept.touched.tip - at) < radius; });
+  for (Kept& kept : kept_)
+    if (kept.level_ice == level_ice && norm(kept.touched.tip - at) < around) kept.is_stale = true;
 }
 
 void Verdicts::forget_within(int level_ice, const geometry::Extent& box) {
@@ -70,6 +133,14 @@ void Verdicts::restore(const model::Checkpoint& checkpoint) {
     model::RestoredRow row(table, i);
     Kept::visit(kept_[i], row);
   }
+}
+
+KeptCounts& KeptCounts::operator+=(const KeptCounts& other) {
+  kept += other.kept;
+  controls += other.controls;
+  late += other.late;
+  latest = std::max(latest, other.latest);
+  return *this;
 }
 
 }  // namespace brash::simulation

@@ -52,6 +52,7 @@ inline brash::model::RunResults sample_results() {
   event.edge_deflection = 0.0625;
   event.thickness = 0.375;
   event.flexural_strength = 4.9e5;
+  event.overload = 1.0625;
   event.pieces = 5;
   event.substeps = 2;
   event.area_before = 2499.0;

@@ -115,6 +115,9 @@ struct Assessment {
   bool outline_refused = false;  ///< no edge, or a sheet that could not be solved; the answer holds for the trapezoid
   bool buckled = false;          ///< the plate buckles under N: it fails, stress and place are of first order
   bool split = false;            ///< a radial crack came first: stress and place belong to the split sheet
+  /// The loads over those at which the ice would just fail, as if stresses grew in proportion [-]: above 1 it fails,
+  /// unless no crack cuts it off. A bound from above where a radial crack may come first. `plate-outline`.
+  double overload = 0.0;
   model::SheetSolves solves{};
   /// The circumferential crack along the stress, if the ice fails and BendingOptions::trace_crack asks for it: from one
   /// free edge to the other, frame of LoadCase::outline [m]. Empty where it does not reach the edge.

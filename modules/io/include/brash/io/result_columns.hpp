@@ -268,6 +268,9 @@ struct Columns<model::CrackEvent> {
     visit(
         "flexural_strength", "Pa", "flexural strength of the sheet at the contact",
         [](auto& row) -> auto& { return row.flexural_strength; });
+    visit(
+        "overload", "1", "loads over those at which the ice just fails; 0: not known",
+        [](auto& row) -> auto& { return row.overload; });
   }
 };
 

@@ -116,7 +116,8 @@ struct FailureSection {
   bool joint_loads = true;   ///< all loads on the sheet act together
   std::array<int, 2> wedges{3, 5};
   int arc_sides = 16;           ///< chords of a full breaking circle
-  int max_substeps = 8;         ///< when an input exceeds the model's range
+  int max_substeps = 8;         ///< when an input exceeds the model's range, or the ice breaks within a step
+  double lateness = 0.2;        ///< longest time between two solutions of a contact's sheet [s]; 0: in every step
   double smallest_floe = 0.01;  ///< pieces below this area become brash [m2]
   EdgeMotion edge = EdgeMotion::kDynamic;
   JudgedAt judged = JudgedAt::kAnywhere;

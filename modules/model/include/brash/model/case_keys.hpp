@@ -213,6 +213,7 @@ void visit_keys(AnyCase& c, Visitor&& visit) {
   visit("failure", "wedges", c.failure.wedges);
   visit("failure", "arc_sides", c.failure.arc_sides);
   visit("failure", "max_substeps", c.failure.max_substeps);
+  visit("failure", "lateness", c.failure.lateness);
   visit("failure", "smallest_floe", c.failure.smallest_floe);
   visit("contact", "engine", c.contact.engine);
   visit("contact", "restitution", c.contact.restitution);

@@ -184,6 +184,7 @@ struct CrackEvent {
   double edge_deflection = 0.0;    ///< as the edge is pushed; 0 where it does not move [m]
   double thickness = 0.0;          ///< of the ice at the contact [m]
   double flexural_strength = 0.0;  ///< likewise [Pa]
+  double overload = 0.0;           ///< loads over those at which the ice just fails; 0: not known
 
   friend bool operator==(const CrackEvent&, const CrackEvent&) = default;
 };

@@ -63,6 +63,7 @@ struct RunSummary {
   int n_breaks = 0;
   BreakCounts breaks;
   model::SheetSolves sheets;
+  KeptCounts verdicts;
   double breaking_frequency = 0.0;  ///< breaks per second from statistics_from on [Hz]
   int n_floes_born = 0;
   int n_floes_present = 0;
@@ -70,7 +71,10 @@ struct RunSummary {
   int n_floes_broken = 0;                         ///< again, into floes of their own
   std::vector<double> piece_area_quantiles;       ///< 5, 25, 50, 75, 95 % [m2]
   std::vector<double> breaking_length_quantiles;  ///< 5, 25, 50, 75, 95 % [m]
-  int n_substepped = 0;                           ///< steps that were cut into parts
+  /// Likewise of CrackEvent::overload, and of the largest stress over the strength, where the structure broke the ice
+  /// and the overload is known [-].
+  std::vector<double> overload_quantiles, stress_quantiles;
+  int n_substepped = 0;  ///< steps that were cut into parts
   int n_below_range = 0;
   int n_above_range = 0;
   int n_steps_too_long = 0;

@@ -45,6 +45,24 @@ struct BreakCounts {
   }
 };
 
+/// Verdicts that were kept from an earlier solution: docs/theory/simulation.md, (S6).
+struct KeptCounts {
+  int kept = 0;         ///< verdicts
+  int controls = 0;     ///< of them, solved all the same to see what was missed
+  int late = 0;         ///< controls that had failed before their contact was solved
+  double latest = 0.0;  ///< the longest time that one of them had [s]
+
+  KeptCounts& operator+=(const KeptCounts& other);
+
+  template <typename Self, typename Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("kept", "1", "verdicts kept from an earlier solution", self.kept);
+    visit("controls", "1", "kept verdicts that were solved all the same", self.controls);
+    visit("late", "1", "failures among the controls that came late", self.late);
+    visit("latest", "s", "the longest time by which one did", self.latest);
+  }
+};
+
 /// The report of one step.
 struct StepReport {
   model::LoadRow loads;
@@ -55,10 +73,11 @@ struct StepReport {
   int n_substeps = 1;  ///< parts the structure's move was cut into (Sec. 2.2.2)
   BreakCounts breaks;
   model::SheetSolves sheets;  ///< of all verdicts
-  int n_below_range = 0;      ///< assessments with an input clamped up to the failure model's range
-  int n_above_range = 0;      ///< assessments that stayed above the range at the shortest substep
-  int n_steps_too_long = 0;   ///< births with T_col (Eqs. 11, 12) below the time step
-  double last_change = 0.0;   ///< rigid_body::World::last_change() [m/s]
+  KeptCounts verdicts;
+  int n_below_range = 0;     ///< assessments with an input clamped up to the failure model's range
+  int n_above_range = 0;     ///< assessments that stayed above the range at the shortest substep
+  int n_steps_too_long = 0;  ///< births with T_col (Eqs. 11, 12) below the time step
+  double last_change = 0.0;  ///< rigid_body::World::last_change() [m/s]
 };
 
 /// Where the wall time went, by stage [s]; no part of it is counted twice.

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verdicts.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "brash/io/case.hpp"
+#include "brash/simulation/run.hpp"
+
+namespace {
+
+using namespace brash;
+using simulation::EdgeContact;
+using simulation::Verdicts;
+using Verdict = EdgeContact::Verdict;
+
+/// A contact at (0, y) whose sheet was solved.
+EdgeContact solved(double y, double overload, simulation::Pressing pressing, std::int64_t floe = model::kNoFloe) {
+  EdgeContact result;
+  result.floe = floe;
+  result.touched = {{0.0, y}, 1.0};
+  result.pressing = pressing;
+  result.assessment = {.sigma_max = 1e5 * overload, .breaking_length = 3.0, .overload = overload};
+  result.assessment.solves.coarse = 1;
+  return result;
+}
+
+/// The same contact, loaded anew.
+EdgeContact asked(double y, simulation::Pressing pressing, std::int64_t floe = model::kNoFloe) {
+  EdgeContact result = solved(y, 0.0, pressing, floe);
+  result.assessment = {};
+  return result;
+}
+
+EdgeContact recalled(const Verdicts& verdicts, double now, EdgeContact contact) {
+  std::vector<EdgeContact> contacts{std::move(contact)};
+  verdicts.recall(now, contacts);
+  return contacts.front();
+}
+
+BOOST_AUTO_TEST_CASE(the_overload_grows_with_the_loads_of_the_structure) {
+  Verdicts verdicts(0.0);
+  verdicts.keep(0.0, {solved(0.0, 0.6, {80.0, 20.0}), solved(9.0, 0.9, {100.0, 0.0}), solved(20.0, 1.2, {1.0, 0.0})});
+  const auto growth = verdicts.most_overloaded(
+      {asked(0.1, {180.0, 0.0}), asked(9.0, {110.0, 0.0}), asked(20.0, {9.0, 0.0}), asked(40.0, {9.0, 0.0})});
+  BOOST_REQUIRE(growth.has_value());
+  BOOST_TEST(growth->before == 0.6);
+  BOOST_TEST(growth->now == 0.6 * 200.0 / 100.0, boost::test_tools::tolerance(1e-12));  // floes press as before
+  BOOST_TEST(!verdicts.most_overloaded({asked(20.0, {9.0, 0.0})}).has_value());         // it held above 1
+  verdicts.forget_within(0, {0.0, 9.0}, 1.0, 1.0);
+  BOOST_TEST(!verdicts.most_overloaded({asked(9.0, {110.0, 0.0})}).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_verdict_is_kept_while_the_ice_is_far_from_breaking) {
+  Verdicts verdicts(0.2);
+  verdicts.keep(1.0, {solved(0.0, 0.3, {100.0, 0.0}), solved(9.0, 0.5, {100.0, 0.0}, 7)});
+  const EdgeContact kept = recalled(verdicts, 1.1, asked(0.0, {110.0, 0.0}));
+  BOOST_TEST((kept.kept == Verdict::kKept));
+  BOOST_TEST(kept.assessment.sigma_max == 0.33e5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(kept.assessment.breaking_length == 3.0);
+  const auto is_solved = [&](double now, const EdgeContact& contact) {
+    return recalled(verdicts, now, contact).kept == Verdict::kSolved;
+  };
+  BOOST_TEST(is_solved(1.2, asked(0.0, {100.0, 0.0})));       // T is over
+  BOOST_TEST(!is_solved(1.03, asked(9.0, {100.0, 0.0}, 7)));  // 0.5 (1.2 + 0.3) < 1
+  BOOST_TEST(is_solved(1.09, asked(9.0, {100.0, 0.0}, 7)));   // 0.5 (1.2 + 0.9) > 1
+  BOOST_TEST(is_solved(1.03, asked(9.0, {100.0, 0.0}, 8)));   // another floe
+  BOOST_TEST(is_solved(1.1, asked(0.0, {130.0, 0.0})));       // loads have jumped
+  BOOST_TEST(is_solved(1.1, asked(0.0, {100.0, 30.0})));      // a floe has come
+  EdgeContact longer = asked(0.0, {100.0, 0.0});
+  longer.touched.length = 1.5;
+  BOOST_TEST(is_solved(1.1, longer));
+  BOOST_TEST((recalled(Verdicts(0.0), 1.1, asked(0.0, {100.0, 0.0})).kept == Verdict::kSolved));
+  verdicts.forget_within(0, {0.0, -3.0}, 1.0, 5.0);  // the ice has broken nearby
+  BOOST_TEST(is_solved(1.1, asked(0.0, {100.0, 0.0})));
+  BOOST_TEST(verdicts.most_overloaded({asked(0.0, {110.0, 0.0})}).has_value());  // its load still predicts
+}
+
+BOOST_AUTO_TEST_CASE(a_control_counts_a_failure_that_came_late) {
+  Verdicts verdicts(0.2);
+  const std::int64_t floe = 16;  // 0 + 16 + 1 is a multiple of 17
+  verdicts.keep(0.0, {solved(0.0, 0.3, {100.0, 0.0}, floe)});
+  EdgeContact control = recalled(verdicts, 0.05, asked(0.0, {100.0, 0.0}, floe));
+  BOOST_REQUIRE((control.kept == Verdict::kControl));
+  control.control.fails = true;
+  simulation::KeptCounts counts = verdicts.keep(0.05, {control});
+  BOOST_TEST(counts.kept == 1);
+  BOOST_TEST(counts.controls == 1);
+  BOOST_TEST(counts.late == 0);
+  counts = verdicts.keep(0.2, {solved(0.0, 1.3, {100.0, 0.0}, floe)});
+  BOOST_TEST(counts.late == 1);
+  BOOST_TEST(counts.latest == 0.15, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(verdicts_go_into_a_checkpoint) {
+  Verdicts verdicts(0.2), restored(0.2);
+  verdicts.keep(1.0, {solved(0.0, 0.3, {100.0, 0.0}), solved(5.0, 0.4, {50.0, 5.0}, 16)});
+  verdicts.forget_within(0, {0.0, 5.0}, 0.1, 0.1);
+  model::Checkpoint checkpoint;
+  verdicts.save(checkpoint);
+  restored.restore(checkpoint);
+  const EdgeContact kept = recalled(restored, 1.05, asked(0.0, {90.0, 0.0}));
+  BOOST_TEST((kept.kept == Verdict::kKept));
+  BOOST_TEST(kept.assessment.sigma_max == 0.27e5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST((recalled(restored, 1.05, asked(5.0, {50.0, 5.0}, 16)).kept == Verdict::kSolved));
+}
+
+/// A step of 24 mm let the first break of the cone come at 1.5 times its load.
+BOOST_AUTO_TEST_CASE(ice_breaks_within_a_long_step_when_it_should) {
+  const model::Case c = io::read_case(BRASH_SOURCE_DIR "/experiments/validation/cone.toml",
+                                      {"algorithm.preset=brash", "time.step=0.04", "time.duration=1.2"});
+  const simulation::Run run = simulation::run(c);
+  BOOST_REQUIRE(!run.results.events.empty());
+  BOOST_TEST(run.results.events.front().substeps > 1);
+  BOOST_TEST(run.results.events.front().overload < 1.1);
+}
+
+}  // namespace
