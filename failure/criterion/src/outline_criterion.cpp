@@ -61,9 +61,9 @@ class OutlineCriterion final : public BendingCriterion {
       all += (std::abs(other.out_of_plane) + std::abs(other.moment) / l_c_) *
              share_at(norm(0.5 * (other.from + other.to)) / l_c_);
     }
-    if (quick.buckled || quick.sigma_max * std::max(1.0, all / own) > ice_.flexural_strength / kMargin)
-      return std::nullopt;
-    return Assessment{.sigma_max = quick.sigma_max, .breaking_length = quick.breaking_length};
+    const double most = kMargin * quick.sigma_max * std::max(1.0, all / own) / ice_.flexural_strength;
+    if (quick.buckled || most > 1.0) return std::nullopt;
+    return Assessment{.sigma_max = quick.sigma_max, .breaking_length = quick.breaking_length, .overload = most};
   }
 
   std::unique_ptr<BendingCriterion> for_ice(const IceProperties& ice) const override {

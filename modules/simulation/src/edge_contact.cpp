@@ -144,6 +144,8 @@ void fit(const EdgeModel& model, const geometry::IceSheet& sheet, EdgeContact& c
                                                   .towards = region.normal,
                                                   .contact_length = region.contact_length,
                                                   .reach = kFitReach * failure::characteristic_length(model.ice)});
+  contact.load.depth = contact.wedge.depth;
+  contact.load.angle = contact.wedge.angle;
 }
 
 /// The direction in which a floe pushes the sheet; if it lies flat under it, the way from the nearest edge into the
@@ -297,12 +299,9 @@ std::optional<EdgeContact> bearing_contact(const EdgeModel& mean, const geometry
   region.chord_from = region.midpoint - half;
   region.chord_to = region.midpoint + half;
   contact.touched = {region.midpoint, region.contact_length};
-  fit(model, sheet, contact);
   const double in_plane = std::max(line.normal, kLeastInPlane * line.out_of_plane);
   if (!(in_plane > 0.0)) return std::nullopt;
-  contact.load = {.depth = contact.wedge.depth,
-                  .contact_length = region.contact_length,
-                  .angle = contact.wedge.angle,
+  contact.load = {.contact_length = region.contact_length,
                   .mu1 = std::max(line.out_of_plane / in_plane, kLeastMu1),
                   .mu2 = line.across / in_plane,
                   .pressure = in_plane / (region.contact_length * h)};
@@ -335,8 +334,10 @@ void assess(const EdgeModel& model, const geometry::IceSheet& sheet, std::vector
   std::vector<Question> questions;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!contacts[i].has_verdict || contacts[i].kept == EdgeContact::Verdict::kKept) continue;
-    Question asked{i, LocalIce(model, contacts[i]), contacts[i].load, {}};
+    Question asked{i, LocalIce(model, contacts[i]), {}, {}};
     const EdgeModel local = asked.local.model();
+    if (contacts[i].floe != model::kNoFloe) fit(local, sheet, contacts[i]);
+    asked.load = contacts[i].load;
     const geometry::ContactRegion& region = contacts[i].region;
     const Frame of_trapezoid{0.5 * (region.chord_from + region.chord_to), region.normal};
     if (local.criterion.needs_outline())

@@ -9,10 +9,10 @@
 namespace brash::simulation {
 namespace {
 
-/// A verdict is kept while stress over strength, times kLeastMargin plus kMoreMargin at the longest age, stays below 1.
+/// A verdict is kept while the overload stays below 1, times kLeastMargin, and kMoreMargin more at the longest age.
 constexpr double kLeastMargin = 1.2, kMoreMargin = 2.0;
-/// A contact that changed by more than this share is solved: its length, or the loads of either kind.
-constexpr double kJump = 0.25;
+/// A contact is solved where the loads of either kind changed by more than this share of all, or its length.
+constexpr double kLoadJump = 1.0, kLengthJump = 0.25;
 /// Of times.
 constexpr double kRounding = 1e-6;
 /// One contact in so many is a control.
@@ -44,7 +44,7 @@ std::optional<Verdicts::Growth> Verdicts::most_overloaded(const std::vector<Edge
   std::optional<Growth> most;
   for (const EdgeContact& contact : of_structure) {
     const Kept* const kept = find(contact);
-    if (kept == nullptr || kept->overload >= 1.0) continue;
+    if (kept == nullptr || kept->is_bound || kept->overload >= 1.0) continue;
     const double now = kept->overload * kept->growth({contact.pressing.by_structure, kept->pressing.by_floes});
     if (!most || now > most->now) most = {kept->overload, now};
   }
@@ -54,13 +54,14 @@ std::optional<Verdicts::Growth> Verdicts::most_overloaded(const std::vector<Edge
 bool Verdicts::may_keep(const Kept& kept, const EdgeContact& contact, double now) const {
   const double age = (now - kept.time) / lateness_;
   if (kept.is_stale || age > 1.0 - kRounding) return false;
-  const double jump = kJump * kept.pressing.sum();
+  const double jump = kLoadJump * kept.pressing.sum();
   const Pressing& pressing = contact.pressing;
   if (std::abs(pressing.by_structure - kept.pressing.by_structure) > jump ||
       std::abs(pressing.by_floes - kept.pressing.by_floes) > jump ||
-      std::abs(contact.touched.length - kept.touched.length) > kJump * kept.touched.length)
+      std::abs(contact.touched.length - kept.touched.length) > kLengthJump * kept.touched.length)
     return false;
-  return kept.overload * kept.growth(pressing) * (kLeastMargin + kMoreMargin * age) < 1.0;
+  // A load that falls may have held another one up.
+  return kept.overload * std::max(1.0, kept.growth(pressing)) * (kLeastMargin + kMoreMargin * age) < 1.0;
 }
 
 void Verdicts::recall(double now, std::vector<EdgeContact>& contacts) const {
@@ -91,7 +92,7 @@ KeptCounts Verdicts::keep(double now, const std::vector<EdgeContact>& contacts) 
       ++counts.late;
       counts.latest = std::max(counts.latest, now - before->fails_from);
     }
-    if (contact.assessment.solves.n_solved() == 0) continue;
+    if (contact.assessment.overload == 0.0) continue;
     all.push_back({.level_ice = contact.level_ice,
                    .floe = contact.floe,
                    .touched = contact.touched,
@@ -100,6 +101,7 @@ KeptCounts Verdicts::keep(double now, const std::vector<EdgeContact>& contacts) 
                    .stress = contact.assessment.sigma_max,
                    .breaking_length = contact.assessment.breaking_length,
                    .pressing = contact.pressing,
+                   .is_bound = contact.assessment.solves.n_solved() == 0,
                    .is_control = before != nullptr ? before->is_control : is_control(now, contact)});
   }
   kept_ = std::move(all);

@@ -51,6 +51,7 @@ class Verdicts {
     double stress = 0.0;           ///< [Pa]
     double breaking_length = 0.0;  ///< [m]
     Pressing pressing{};           ///< that it was found under
+    bool is_bound = false;         ///< the overload is at most so large
     bool is_stale = false;         ///< the ice around it has changed
     bool is_control = false;       ///< solved in every step, to see what is missed
     double fails_from = -1.0;      ///< the first failure of the control since then [s]; negative: none
@@ -69,6 +70,7 @@ class Verdicts {
       visit("breaking_length", "m", "breaking length", self.breaking_length);
       visit("by_structure", "N", "the structure's loads that bent the ice there", self.pressing.by_structure);
       visit("by_floes", "N", "likewise the floes'", self.pressing.by_floes);
+      visit("is_bound", "1", "whether the overload is a bound", self.is_bound);
       visit("is_stale", "1", "whether the ice around it has changed", self.is_stale);
       visit("is_control", "1", "whether it is solved in every step", self.is_control);
       visit("fails_from", "s", "first failure of the control; negative: none", self.fails_from);
