@@ -306,12 +306,14 @@ tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {
   start = std::clock();
   impl->fields = {
       sizes.membrane_order, sizes.bending_order, sheet.poisson_ratio, sheet.split, sizes.smallest_patch, {}, {}};
-  impl->fields.membrane = solve_sheet_membrane(impl->mesh, sizes.membrane_order, sheet.poisson_ratio, on_edge);
+  const Dissection dissection(impl->mesh);
+  impl->fields.membrane =
+      solve_sheet_membrane(impl->mesh, dissection, sizes.membrane_order, sheet.poisson_ratio, on_edge);
   impl->times.membrane = seconds_since(start);
 
   start = std::clock();
   const double h = effective_thickness(Theory::kReissnerMindlin, sheet.thickness);
-  auto bending = solve_sheet_bending(impl->mesh, sizes.bending_order,
+  auto bending = solve_sheet_bending(impl->mesh, dissection, sizes.bending_order,
                                      {.poisson_ratio = sheet.poisson_ratio,
                                       .shear_stiffness = shear_stiffness(sheet.poisson_ratio, h),
                                       .triangles = bending_triangles(impl->mesh, meshed->domain, sizes.bending_reach),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brash/plate/plate.hpp"
+#include "dissection.hpp"
 #include "mesh.hpp"
 
 namespace brash::plate {
@@ -30,7 +31,7 @@ struct PointForce {
 /// Displacements of plane stress, in units of E h / (1 - nu^2) = 1; clamped on the edges tagged kFar.
 ///
 /// @return the local unknowns of every triangle, shape=(2 n_lagrange, n_triangles), as `solve_membrane`.
-Eigen::MatrixXd solve_sheet_membrane(const Mesh& mesh, int order, double poisson_ratio,
+Eigen::MatrixXd solve_sheet_membrane(const Mesh& mesh, const Dissection& dissection, int order, double poisson_ratio,
                                      const std::vector<EdgeForce>& forces);
 
 /// A floating sheet that is bent, in units of k = l_c = D = 1.
@@ -47,8 +48,8 @@ struct SheetBending {
 ///
 /// @return the local unknowns of every triangle, shape=(n_lagrange + 2 n_rotation, n_triangles), zero where the sheet
 /// stays at rest; nothing where it buckles.
-std::optional<Eigen::MatrixXd> solve_sheet_bending(const Mesh& mesh, int order, const SheetBending& sheet,
-                                                   const std::vector<EdgeForce>& edge_forces,
+std::optional<Eigen::MatrixXd> solve_sheet_bending(const Mesh& mesh, const Dissection& dissection, int order,
+                                                   const SheetBending& sheet, const std::vector<EdgeForce>& edge_forces,
                                                    const std::vector<PointForce>& point_forces);
 
 /// Jacobian of the map from the reference triangle.

@@ -2,329 +2,292 @@
 #include "substructures.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <limits>
+#include <memory>
+
+#include "dense_front.hpp"
 
 namespace brash::plate {
 
 namespace {
 
-/// Parts of so many triangles are not halved any more: the fronts of single triangles cost more to add up.
-constexpr int kSmallest = 2;
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Directions across which a set of triangles is halved.
-constexpr std::array<Vec2, 4> kDirections{{{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}}};
-
-/// The order of elimination: part after part. The unknowns that part p eliminates have the ranks `first[p]` to
-/// `first[p + 1] - 1`.
+/// The groups in the order of elimination, which is their rank: part after part. Part p eliminates the ranks `first[p]`
+/// to `first[p + 1] - 1`.
 struct Ranks {
-  std::vector<int> of_unknown;  ///< -1 where no triangle has it
+  std::vector<int> of_group;  ///< -1 where no triangle has it
   std::vector<int> first;
+  std::vector<Numbering::Group> groups;  ///< by rank
 };
 
+/// The smallest part that holds all triangles between two places of the order.
+int smallest_part(const Dissection& dissection, int first_place, int last_place) {
+  const auto& parts = dissection.parts();
+  int p = static_cast<int>(parts.size()) - 1;
+  while (parts[at(p)].left >= 0) {
+    const auto& part = parts[at(p)];
+    const int middle = parts[at(part.left)].to;
+    if (first_place < middle && last_place >= middle) break;
+    p = last_place < middle ? part.left : part.right;
+  }
+  return p;
+}
+
 Ranks rank(const Dissection& dissection, const Numbering& numbering) {
-  const auto n = static_cast<std::size_t>(numbering.n_unknowns);
-  std::vector<int> first_place(n, std::numeric_limits<int>::max());
+  const std::size_t n = numbering.groups.size();
+  std::vector<int> by_place;  // groups in the order in which triangles meet them: then neighbours have near ranks
+  std::vector<int> first_place(n, -1);
   std::vector<int> last_place(n, -1);
   const auto& order = dissection.order();
   for (std::size_t place = 0; place < order.size(); ++place) {
-    const int* unknowns = numbering.element(order[place]);
-    for (int i = 0; i < numbering.n_local; ++i) {
-      if (unknowns[i] < 0) continue;
-      const auto u = static_cast<std::size_t>(unknowns[i]);
-      first_place[u] = std::min(first_place[u], static_cast<int>(place));
-      last_place[u] = static_cast<int>(place);
+    for (const int group : numbering.groups_of[at(order[place])]) {
+      if (group < 0) break;
+      if (first_place[at(group)] < 0) {
+        first_place[at(group)] = static_cast<int>(place);
+        by_place.push_back(group);
+      }
+      last_place[at(group)] = static_cast<int>(place);
     }
   }
-  // The smallest part that holds all triangles of an unknown eliminates it.
-  const auto& parts = dissection.parts();
+  Ranks ranks{std::vector<int>(n, -1), std::vector<int>(dissection.parts().size() + 1, 0), {}};
   std::vector<int> eliminating(n, -1);
-  Ranks ranks{std::vector<int>(n, -1), std::vector<int>(parts.size() + 1, 0)};
-  for (std::size_t u = 0; u < n; ++u) {
-    if (last_place[u] < 0) continue;
-    int p = static_cast<int>(parts.size()) - 1;
-    for (;;) {
-      const auto& part = parts[static_cast<std::size_t>(p)];
-      if (part.left < 0) break;
-      const int middle = parts[static_cast<std::size_t>(part.left)].to;
-      if (first_place[u] < middle && last_place[u] >= middle) break;
-      p = last_place[u] < middle ? part.left : part.right;
-    }
-    eliminating[u] = p;
-    ++ranks.first[static_cast<std::size_t>(p) + 1];
+  for (const int group : by_place) {
+    eliminating[at(group)] = smallest_part(dissection, first_place[at(group)], last_place[at(group)]);
+    ++ranks.first[at(eliminating[at(group)] + 1)];
   }
-  for (std::size_t p = 0; p < parts.size(); ++p) ranks.first[p + 1] += ranks.first[p];
+  for (std::size_t p = 0; p + 1 < ranks.first.size(); ++p) ranks.first[p + 1] += ranks.first[p];
+  ranks.groups.resize(by_place.size());
   std::vector<int> next(ranks.first.begin(), ranks.first.end() - 1);
-  for (std::size_t u = 0; u < n; ++u) {
-    if (eliminating[u] >= 0) ranks.of_unknown[u] = next[static_cast<std::size_t>(eliminating[u])]++;
+  for (const int group : by_place) {
+    const int r = next[at(eliminating[at(group)])]++;
+    ranks.of_group[at(group)] = r;
+    ranks.groups[at(r)] = numbering.groups[at(group)];
   }
   return ranks;
 }
 
-/// The unknowns of a part by rank: those that it eliminates, then those that it shares with triangles outside it.
+/// The system of a part. Its members are ranks: the groups that it eliminates, then those that it shares with triangles
+/// outside it, ascending.
 struct Front {
-  int first = 0;
-  int n_eliminated = 0;
-  std::vector<int> rest;   ///< ascending
-  std::size_t factor = 0;  ///< its columns of the factor, shape=(n_eliminated + rest.size(), n_eliminated)
+  int from = 0, rest = 0, to = 0;  ///< members [from, rest) and [rest, to)
+  int n_own = 0, n_rest = 0;       ///< unknowns
+  std::size_t factor = 0;          ///< where its columns of the factor begin
+
+  int height() const { return n_own + n_rest + 1; }
+  std::size_t size_of_left() const { return at(n_rest + 1) * at(n_rest); }
 };
 
-using Block = Eigen::Map<Eigen::MatrixXd>;
-using ConstBlock = Eigen::Map<const Eigen::MatrixXd>;
+/// A stretch of unknowns of one front that lie together in another.
+struct Run {
+  int from = 0;
+  int to = 0;
+  int length = 0;
+};
 
-/// Symbolic and numerical factorisation. What a part leaves for its whole lies on a stack, because halves come just
-/// before their whole.
 class Elimination {
  public:
-  Elimination(const Dissection& dissection, const Numbering& numbering, const ElementStiffness& stiffness)
+  Elimination(const Dissection& dissection, const Numbering& numbering, const ElementStiffness& stiffness,
+              std::vector<double>& load)
       : dissection_(&dissection),
         numbering_(&numbering),
         stiffness_(&stiffness),
+        load_(&load),
         ranks_(rank(dissection, numbering)),
         fronts_(dissection.parts().size()),
-        place_(static_cast<std::size_t>(numbering.n_unknowns)),
+        place_(at(numbering.n_unknowns)),
+        rows_(at(numbering.n_local)),
         element_(numbering.n_local, numbering.n_local) {
-    std::size_t top = 0;
-    std::size_t highest = 0;
     std::size_t factor = 0;
+    std::vector<std::size_t> needed(fronts_.size(), 0);  // of the workspace
     for (std::size_t p = 0; p < fronts_.size(); ++p) {
       build(p);
-      Front& front = fronts_[p];
-      front.factor = factor;
-      factor += (static_cast<std::size_t>(front.n_eliminated) + front.rest.size()) *
-                static_cast<std::size_t>(front.n_eliminated);
-      top += front.rest.size() * front.rest.size();
-      highest = std::max(highest, top);
+      fronts_[p].factor = factor;
+      factor += at(fronts_[p].height()) * at(fronts_[p].n_own);
       const auto& part = dissection.parts()[p];
-      if (part.left < 0) continue;
-      for (const int half : {part.left, part.right}) {
-        const std::size_t n = fronts_[static_cast<std::size_t>(half)].rest.size();
-        top -= n * n;
-      }
+      needed[p] = fronts_[p].size_of_left();
+      if (part.left >= 0) needed[p] += std::max(needed[at(part.left)], needed[at(part.right)]);
     }
-    factor_.resize(factor);
-    stack_.resize(highest);
+    factor_ = std::make_unique_for_overwrite<double[]>(factor);
+    workspace_ = std::make_unique_for_overwrite<double[]>(needed.empty() ? 0 : needed.back());
   }
 
-  bool factorise() {
-    for (std::size_t p = 0; p < fronts_.size(); ++p) {
-      if (!eliminate(p)) return false;
-    }
+  /// Replaces the load by the solution.
+  bool solve() {
+    if (fronts_.empty()) return true;
+    if (!factorise(static_cast<int>(fronts_.size()) - 1, workspace_.get())) return false;
+    std::vector<double> unknowns;
+    for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) substitute_back(*front, unknowns);
     return true;
-  }
-
-  void substitute(Eigen::MatrixXd& load) const {
-    Eigen::MatrixXd ranked(ranks_.first.back(), load.cols());
-    const auto& rank_of = ranks_.of_unknown;
-    for (std::size_t u = 0; u < rank_of.size(); ++u) {
-      if (rank_of[u] >= 0) ranked.row(rank_of[u]) = load.row(static_cast<Eigen::Index>(u));
-    }
-    for (const Front& front : fronts_) forward(front, ranked);
-    for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) backward(*front, ranked);
-    for (std::size_t u = 0; u < rank_of.size(); ++u) {
-      if (rank_of[u] >= 0) load.row(static_cast<Eigen::Index>(u)) = ranked.row(rank_of[u]);
-    }
   }
 
  private:
   void build(std::size_t p) {
     const auto& part = dissection_->parts()[p];
     Front& front = fronts_[p];
-    front.first = ranks_.first[p];
-    front.n_eliminated = ranks_.first[p + 1] - front.first;
+    front.from = static_cast<int>(members_.size());
     if (part.left < 0) {
       for (int i = part.from; i < part.to; ++i) {
-        const int* unknowns = numbering_->element(dissection_->order()[static_cast<std::size_t>(i)]);
-        for (int j = 0; j < numbering_->n_local; ++j) {
-          if (unknowns[j] >= 0) front.rest.push_back(ranks_.of_unknown[static_cast<std::size_t>(unknowns[j])]);
+        for (const int group : numbering_->groups_of[at(dissection_->order()[at(i)])]) {
+          if (group < 0) break;
+          members_.push_back(ranks_.of_group[at(group)]);
         }
       }
-      std::sort(front.rest.begin(), front.rest.end());
-      front.rest.erase(std::unique(front.rest.begin(), front.rest.end()), front.rest.end());
+      std::sort(members_.begin() + front.from, members_.end());
+      members_.erase(std::unique(members_.begin() + front.from, members_.end()), members_.end());
     } else {
-      const auto& left = fronts_[static_cast<std::size_t>(part.left)].rest;
-      const auto& right = fronts_[static_cast<std::size_t>(part.right)].rest;
-      front.rest.reserve(left.size() + right.size());
-      std::set_union(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(front.rest));
+      const Front& left = fronts_[at(part.left)];
+      const Front& right = fronts_[at(part.right)];
+      union_.clear();
+      std::set_union(members_.begin() + left.rest, members_.begin() + left.to, members_.begin() + right.rest,
+                     members_.begin() + right.to, std::back_inserter(union_));
+      members_.insert(members_.end(), union_.begin(), union_.end());
     }
     // Its own come first, because all others belong to a whole above it.
-    front.rest.erase(front.rest.begin(), front.rest.begin() + front.n_eliminated);
+    front.rest = front.from + ranks_.first[p + 1] - ranks_.first[p];
+    front.to = static_cast<int>(members_.size());
+    for (int i = front.from; i < front.rest; ++i) front.n_own += group(i).size;
+    for (int i = front.rest; i < front.to; ++i) front.n_rest += group(i).size;
   }
 
-  bool eliminate(std::size_t p) {
-    const auto& part = dissection_->parts()[p];
-    const Front& front = fronts_[p];
-    const auto rest = static_cast<Eigen::Index>(front.rest.size());
-    const Eigen::Index k = front.n_eliminated;
-    for (Eigen::Index i = 0; i < k; ++i) place_[static_cast<std::size_t>(front.first + i)] = static_cast<int>(i);
-    for (std::size_t i = 0; i < front.rest.size(); ++i) {
-      place_[static_cast<std::size_t>(front.rest[i])] = static_cast<int>(i) + front.n_eliminated;
-    }
-    Block own(factor_.data() + front.factor, k + rest, k);
-    std::fill_n(stack_.begin() + static_cast<std::ptrdiff_t>(top_), rest * rest, 0.0);
-    Block left(stack_.data() + top_, rest, rest);
-    std::size_t below = top_;
+  const Numbering::Group& group(int member) const { return ranks_.groups[at(members_[at(member)])]; }
+
+  /// Factorises a part and all below it. What is left of it comes to `left`, with the workspace behind.
+  bool factorise(int p, double* left) {
+    const Front& front = fronts_[at(p)];
+    const auto& part = dissection_->parts()[at(p)];
+    double* own = factor_.get() + front.factor;
+    std::fill_n(own, at(front.height()) * at(front.n_own), 0.0);
+    for (int j = 0; j < front.n_rest; ++j)  // the lower triangle
+      std::fill(left + at(j) * at(front.n_rest + 1) + j, left + at(j + 1) * at(front.n_rest + 1), 0.0);
+    add_load(front, own);
     if (part.left < 0) {
-      for (int i = part.from; i < part.to; ++i) {
-        add_element(dissection_->order()[static_cast<std::size_t>(i)], own, left);
-      }
+      add_triangles(part, front, own, left);
     } else {
-      for (const int half : {part.right, part.left})
-        below = add_half(fronts_[static_cast<std::size_t>(half)], below, own, left);
-    }
-    if (k > 0) {
-      auto pivot = own.topRows(k);
-      Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(pivot);
-      if (cholesky.info() != Eigen::Success) return false;
-      if (rest > 0) {
-        auto coupling = own.bottomRows(rest);
-        pivot.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(coupling);
-        left.selfadjointView<Eigen::Lower>().rankUpdate(coupling, -1.0);
+      double* below = left + front.size_of_left();
+      for (const int half : {part.left, part.right}) {
+        if (!factorise(half, below)) return false;
+        add_half(fronts_[at(half)], below, front, own, left);
       }
     }
-    if (below < top_)
-      std::copy_n(stack_.begin() + static_cast<std::ptrdiff_t>(top_), rest * rest,
-                  stack_.begin() + static_cast<std::ptrdiff_t>(below));
-    top_ = below + static_cast<std::size_t>(rest * rest);
-    return true;
+    return eliminate(own, front.n_own, left, front.n_rest);
   }
 
-  void add_element(int triangle, Block& own, Block& left) {
+  void add_load(const Front& front, double* own) const {
+    const int height = front.height();
+    double* target = own + height - 1;
+    for (int i = front.from; i < front.rest; ++i) {
+      const auto& [first, size] = group(i);
+      for (int j = 0; j < size; ++j, target += height) *target = (*load_)[at(first + j)];
+    }
+  }
+
+  void add_triangles(const Dissection::Part& part, const Front& front, double* own, double* left) {
+    int place = 0;
+    for (int i = front.from; i < front.to; ++i) {
+      const auto& [first, size] = group(i);
+      for (int j = 0; j < size; ++j) place_[at(first + j)] = place++;
+    }
+    for (int i = part.from; i < part.to; ++i) {
+      const int triangle = dissection_->order()[at(i)];
+      if (numbering_->groups_of[at(triangle)].front() >= 0) add_triangle(triangle, front, own, left);
+    }
+  }
+
+  void add_triangle(int triangle, const Front& front, double* own, double* left) {
     (*stiffness_)(triangle, element_);
     const int* unknowns = numbering_->element(triangle);
-    rows_.resize(static_cast<std::size_t>(numbering_->n_local));
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      rows_[i] = unknowns[i] < 0
-                     ? -1
-                     : place_[static_cast<std::size_t>(ranks_.of_unknown[static_cast<std::size_t>(unknowns[i])])];
+    rows_.clear();
+    for (int i = 0; i < numbering_->n_local; ++i) {
+      if (unknowns[i] >= 0) rows_.emplace_back(place_[at(unknowns[i])], i);
     }
-    const auto k = static_cast<int>(own.cols());
-    for (int j = 0; j < numbering_->n_local; ++j) {
-      const int column = rows_[static_cast<std::size_t>(j)];
-      if (column < 0) continue;
-      double* target = column < k ? &own(0, column) : &left(0, column - k) - k;
-      for (int i = 0; i < numbering_->n_local; ++i) {
-        const int row = rows_[static_cast<std::size_t>(i)];
-        if (row >= column) target[row] += element_(i, j);
+    std::sort(rows_.begin(), rows_.end());
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      double* target = column(front, own, left, rows_[j].first);
+      const double* source = &element_(0, rows_[j].second);
+      for (std::size_t i = j; i < rows_.size(); ++i) target[rows_[i].first] += source[rows_[i].second];
+    }
+  }
+
+  /// Where the row 0 of a column of a front would be.
+  static double* column(const Front& front, double* own, double* left, int j) {
+    if (j < front.n_own) return own + static_cast<std::ptrdiff_t>(j) * front.height();
+    return left + static_cast<std::ptrdiff_t>(j - front.n_own) * (front.n_rest + 1) - front.n_own;
+  }
+
+  /// Adds to a front what its half left.
+  void add_half(const Front& half, const double* source, const Front& front, double* own, double* left) {
+    find_runs(half, front);
+    for (std::size_t k = 0; k + 1 < runs_.size(); ++k) {
+      for (int j = 0; j < runs_[k].length; ++j, source += half.n_rest + 1) {
+        double* target = column(front, own, left, runs_[k].to + j);
+        for (int i = j; i < runs_[k].length; ++i) target[runs_[k].to + i] += source[runs_[k].from + i];
+        for (std::size_t l = k + 1; l < runs_.size(); ++l) {
+          const auto& [from, to, length] = runs_[l];
+          for (int i = 0; i < length; ++i) target[to + i] += source[from + i];
+        }
       }
     }
   }
 
-  /// Adds what a half left, which ends at `end` of the stack, and says where it began.
-  std::size_t add_half(const Front& half, std::size_t end, Block& own, Block& left) {
-    const std::size_t n = half.rest.size();
-    const std::size_t begin = end - n * n;
-    rows_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) rows_[i] = place_[static_cast<std::size_t>(half.rest[i])];
-    const auto k = static_cast<int>(own.cols());
-    for (std::size_t j = 0; j < n; ++j) {
-      const int column = rows_[j];
-      double* target = column < k ? &own(0, column) : &left(0, column - k) - k;
-      const double* source = stack_.data() + begin + j * n;
-      for (std::size_t i = j; i < n; ++i) target[rows_[i]] += source[i];
+  /// The runs of what a half left within its whole; the last one is the right-hand side.
+  void find_runs(const Front& half, const Front& front) {
+    runs_.clear();
+    int i = front.from;
+    int from = 0;
+    int to = 0;
+    for (int k = half.rest; k < half.to; ++k, ++i) {
+      for (; members_[at(i)] != members_[at(k)]; ++i) to += group(i).size;
+      const int size = group(k).size;
+      if (!runs_.empty() && runs_.back().to + runs_.back().length == to)
+        runs_.back().length += size;
+      else
+        runs_.push_back({from, to, size});
+      from += size;
+      to += size;
     }
-    return begin;
+    runs_.push_back({from, front.height() - 1, 1});
   }
 
-  void forward(const Front& front, Eigen::MatrixXd& load) const {
-    const auto rest = static_cast<Eigen::Index>(front.rest.size());
-    const Eigen::Index k = front.n_eliminated;
-    if (k == 0) return;
-    const ConstBlock factor(factor_.data() + front.factor, k + rest, k);
-    auto own = load.middleRows(front.first, k);
-    factor.topRows(k).triangularView<Eigen::Lower>().solveInPlace(own);
-    const Eigen::MatrixXd update = factor.bottomRows(rest) * own;
-    for (Eigen::Index i = 0; i < rest; ++i) load.row(front.rest[static_cast<std::size_t>(i)]) -= update.row(i);
-  }
-
-  void backward(const Front& front, Eigen::MatrixXd& load) const {
-    const auto rest = static_cast<Eigen::Index>(front.rest.size());
-    const Eigen::Index k = front.n_eliminated;
-    if (k == 0) return;
-    const ConstBlock factor(factor_.data() + front.factor, k + rest, k);
-    Eigen::MatrixXd known(rest, load.cols());
-    for (Eigen::Index i = 0; i < rest; ++i) known.row(i) = load.row(front.rest[static_cast<std::size_t>(i)]);
-    auto own = load.middleRows(front.first, k);
-    own.noalias() -= factor.bottomRows(rest).transpose() * known;
-    factor.topRows(k).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+  void substitute_back(const Front& front, std::vector<double>& unknowns) {
+    if (front.n_own == 0) return;
+    unknowns.resize(at(front.height()));
+    double* value = unknowns.data() + front.n_own;
+    for (int i = front.rest; i < front.to; ++i) {
+      const auto& [first, size] = group(i);
+      value = std::copy_n(load_->data() + first, size, value);
+    }
+    substitute(factor_.get() + front.factor, front.n_own, front.n_rest, unknowns.data());
+    value = unknowns.data();
+    for (int i = front.from; i < front.rest; ++i) {
+      const auto& [first, size] = group(i);
+      std::copy_n(value, size, load_->data() + first);
+      value += size;
+    }
   }
 
   const Dissection* dissection_;
   const Numbering* numbering_;
   const ElementStiffness* stiffness_;
+  std::vector<double>* load_;
   Ranks ranks_;
   std::vector<Front> fronts_;
-  std::vector<double> factor_;
-  std::vector<double> stack_;
-  std::size_t top_ = 0;
-  std::vector<int> place_;  ///< of a rank in the present front
-  std::vector<int> rows_;
+  std::vector<int> members_;  ///< ranks of the groups of all fronts
+  std::unique_ptr<double[]> factor_;
+  std::unique_ptr<double[]> workspace_;
+  std::vector<int> place_;                 ///< of an unknown in the present front
+  std::vector<std::pair<int, int>> rows_;  ///< of an element: place and local unknown
+  std::vector<int> union_;
+  std::vector<Run> runs_;
   Eigen::MatrixXd element_;
 };
 
 }  // namespace
 
-Dissection::Dissection(const Mesh& mesh, std::vector<int> triangles)
-    : order_(std::move(triangles)), side_of_edge_(mesh.edges.size(), 0) {
-  centres_.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    centres_.push_back(mesh.vertices[static_cast<std::size_t>(t[0])] + mesh.vertices[static_cast<std::size_t>(t[1])] +
-                       mesh.vertices[static_cast<std::size_t>(t[2])]);
-  }
-  parts_.reserve(2 * order_.size());
-  if (!order_.empty()) dissect(mesh, 0, static_cast<int>(order_.size()));
-}
-
-int Dissection::dissect(const Mesh& mesh, int from, int to) {
-  Part part{from, to};
-  if (to - from > kSmallest) {
-    halve(mesh, from, to);
-    part.left = dissect(mesh, from, (from + to) / 2);
-    part.right = dissect(mesh, (from + to) / 2, to);
-  }
-  parts_.push_back(part);
-  return static_cast<int>(parts_.size()) - 1;
-}
-
-/// Orders the triangles so that few edges join the first half and the second.
-void Dissection::halve(const Mesh& mesh, int from, int to) {
-  const auto begin = order_.begin() + from;
-  const auto middle = order_.begin() + (from + to) / 2;
-  const auto end = order_.begin() + to;
-  std::vector<int> best;
-  int fewest = std::numeric_limits<int>::max();
-  for (const Vec2 direction : kDirections) {
-    std::nth_element(begin, middle, end, [&](int a, int b) {
-      const double there = dot(centres_[static_cast<std::size_t>(a)], direction);
-      const double here = dot(centres_[static_cast<std::size_t>(b)], direction);
-      return there < here || (there == here && a < b);
-    });
-    for (auto it = begin; it != middle; ++it) {
-      for (const int edge : mesh.triangle_edges[static_cast<std::size_t>(*it)])
-        side_of_edge_[static_cast<std::size_t>(edge)] = 1;
-    }
-    int cut = 0;
-    for (auto it = middle; it != end; ++it) {
-      for (const int edge : mesh.triangle_edges[static_cast<std::size_t>(*it)])
-        cut += side_of_edge_[static_cast<std::size_t>(edge)];
-    }
-    for (auto it = begin; it != middle; ++it) {
-      for (const int edge : mesh.triangle_edges[static_cast<std::size_t>(*it)])
-        side_of_edge_[static_cast<std::size_t>(edge)] = 0;
-    }
-    if (cut >= fewest) continue;
-    fewest = cut;
-    best.assign(begin, end);
-  }
-  std::copy(best.begin(), best.end(), begin);
-}
-
 bool solve_by_parts(const Dissection& dissection, const Numbering& numbering, const ElementStiffness& stiffness,
-                    Eigen::MatrixXd& load) {
-  Elimination elimination(dissection, numbering, stiffness);
-  if (!elimination.factorise()) return false;
-  elimination.substitute(load);
-  return true;
+                    std::vector<double>& load) {
+  return Elimination(dissection, numbering, stiffness, load).solve();
 }
 
 }  // namespace brash::plate

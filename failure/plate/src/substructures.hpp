@@ -2,47 +2,30 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
-#include "mesh.hpp"
+#include "dissection.hpp"
 
 namespace brash::plate {
 
-/// A nested dissection of some triangles of a mesh: they are halved again and again, along short cuts.
-class Dissection {
- public:
-  /// A set of triangles: `order[from]` to `order[to - 1]`, with two halves unless it is a single one.
-  struct Part {
-    int from = 0;
-    int to = 0;
-    int left = -1;
-    int right = -1;
-  };
-
-  Dissection(const Mesh& mesh, std::vector<int> triangles);
-
-  const std::vector<int>& order() const { return order_; }
-  /// Halves before their whole.
-  const std::vector<Part>& parts() const { return parts_; }
-
- private:
-  int dissect(const Mesh& mesh, int from, int to);
-  void halve(const Mesh& mesh, int from, int to);
-
-  std::vector<int> order_;
-  std::vector<Part> parts_;
-  std::vector<Vec2> centres_;
-  std::vector<int> side_of_edge_;
-};
-
-/// Unknowns of a finite element system, shape=(n_triangles of the mesh, n_local): global numbers, -1 where held at
-/// zero.
+/// Unknowns of a finite element system. Those that belong to the same triangles form a group: of a vertex, of an edge,
+/// of the inside of a triangle.
 struct Numbering {
+  static constexpr std::size_t kMostGroups = 10;  ///< of a triangle
+  /// The unknowns from `first` on.
+  struct Group {
+    int first = 0;
+    int size = 0;
+  };
+  using Groups = std::array<int, kMostGroups>;
+
   int n_local = 0;
   int n_unknowns = 0;
-  std::vector<int> of_element;
+  std::vector<Group> groups;
+  std::vector<Groups> groups_of;  ///< of every triangle, then -1; none where the triangle is at rest
+  std::vector<int> of_element;    ///< shape=(n_triangles, n_local), -1 where held at zero
 
   const int* element(int triangle) const { return of_element.data() + static_cast<std::ptrdiff_t>(triangle) * n_local; }
 };
@@ -53,9 +36,9 @@ using ElementStiffness = std::function<void(int triangle, Eigen::MatrixXd& stiff
 /// Solves a symmetric positive definite system: every part of the dissection eliminates the unknowns that no triangle
 /// outside it has, with dense matrices (the multifrontal method of Duff and Reid, ACM TOMS 9, 1983).
 ///
-/// @param load  in: right-hand sides, shape=(n_unknowns, n_loads); out: the solutions.
+/// @param load  in: the right-hand side, shape=(n_unknowns,); out: the solution, where a triangle has the unknown.
 /// @return whether the system is positive definite.
 [[nodiscard]] bool solve_by_parts(const Dissection& dissection, const Numbering& numbering,
-                                  const ElementStiffness& stiffness, Eigen::MatrixXd& load);
+                                  const ElementStiffness& stiffness, std::vector<double>& load);
 
 }  // namespace brash::plate

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dissection.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+
+namespace brash::plate {
+
+namespace {
+
+/// Parts of so many triangles are not divided any more: the fronts of single triangles cost more to add up.
+constexpr int kSmallest = 2;
+/// Least share of the smaller half. Cuts in the middle would be a third longer in work; less than 0.2 is worse again.
+constexpr double kLeastShare = 0.3;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Coordinates along which the triangles are sorted; small elements lie around the origin.
+double coordinate(std::size_t list, Vec2 place) {
+  switch (list) {
+    case 0:
+      return place.x;
+    case 1:
+      return place.y;
+    case 2:
+      return place.x + place.y;
+    case 3:
+      return place.x - place.y;
+    default:
+      return dot(place, place);
+  }
+}
+
+}  // namespace
+
+Dissection::Dissection(const Mesh& mesh)
+    : mesh_(&mesh), n_in_part_(mesh.edges.size(), 0), is_open_(mesh.edges.size(), 0), is_first_(mesh.triangles.size()) {
+  const std::size_t n = mesh.triangles.size();
+  std::vector<double> key(n);
+  for (std::size_t list = 0; list < kLists; ++list) {
+    for (std::size_t t = 0; t < n; ++t)
+      key[t] = coordinate(list, place_in(mesh, static_cast<int>(t), 1.0 / 3.0, 1.0 / 3.0));
+    lists_[list].resize(n);
+    std::iota(lists_[list].begin(), lists_[list].end(), 0);
+    std::sort(lists_[list].begin(), lists_[list].end(),
+              [&](int a, int b) { return key[at(a)] < key[at(b)] || (key[at(a)] == key[at(b)] && a < b); });
+  }
+  parts_.reserve(2 * n);
+  if (n > 0) dissect(0, static_cast<int>(n));
+}
+
+int Dissection::dissect(int from, int to) {
+  Part part{from, to};
+  if (to - from > kSmallest) {
+    const int middle = divide(from, to);
+    part.left = dissect(from, middle);
+    part.right = dissect(middle, to);
+  }
+  parts_.push_back(part);
+  return static_cast<int>(parts_.size()) - 1;
+}
+
+/// Divides a part along the shortest cut. In every list the first half comes first.
+/// @return where the second half begins.
+int Dissection::divide(int from, int to) {
+  const auto count = [&](int change) {
+    for (int i = from; i < to; ++i) {
+      for (const int edge : mesh_->triangle_edges[at(lists_.front()[at(i)])]) n_in_part_[at(edge)] += change;
+    }
+  };
+  count(1);
+  Cut best{0, std::numeric_limits<int>::max()};
+  const std::vector<int>* along = nullptr;
+  for (const auto& list : lists_) {
+    const Cut cut = best_cut(list, from, to);
+    if (cut.n_edges >= best.n_edges) continue;
+    best = cut;
+    along = &list;
+  }
+  count(-1);
+  for (int i = from; i < to; ++i) is_first_[at((*along)[at(i)])] = i < best.at ? 1 : 0;
+  for (auto& list : lists_)
+    std::stable_partition(list.begin() + from, list.begin() + to, [&](int t) { return is_first_[at(t)] != 0; });
+  return best.at;
+}
+
+Dissection::Cut Dissection::best_cut(const std::vector<int>& list, int from, int to) {
+  const int n = to - from;
+  const int least = std::max(1, static_cast<int>(kLeastShare * n));
+  Cut best{0, std::numeric_limits<int>::max()};
+  int n_open = 0;
+  for (int i = from; i < to; ++i) {
+    for (const int edge : mesh_->triangle_edges[at(list[at(i)])]) {
+      if (n_in_part_[at(edge)] < 2) continue;
+      n_open += is_open_[at(edge)] != 0 ? -1 : 1;
+      is_open_[at(edge)] ^= 1;
+    }
+    const int place = i + 1;
+    if (place - from < least || to - place < least) continue;
+    const int off = std::abs(2 * place - from - to);
+    if (n_open < best.n_edges || (n_open == best.n_edges && off < std::abs(2 * best.at - from - to)))
+      best = {place, n_open};
+  }
+  return best;
+}
+
+}  // namespace brash::plate
