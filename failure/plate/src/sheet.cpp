@@ -2,7 +2,6 @@
 #include "brash/plate/sheet.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ctime>
 #include <mutex>
@@ -58,33 +57,50 @@ class Locator {
  public:
   explicit Locator(const Mesh& mesh) : mesh_(&mesh) {
     boxes_.reserve(mesh.triangles.size());
-    for (const auto& corners : mesh.triangles) {
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      const auto& corners = mesh.triangles[static_cast<std::size_t>(t)];
       const Vec2 a = mesh.vertices[static_cast<std::size_t>(corners[0])];
       const Vec2 b = mesh.vertices[static_cast<std::size_t>(corners[1])];
       const Vec2 c = mesh.vertices[static_cast<std::size_t>(corners[2])];
-      boxes_.push_back(
-          {std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y})});
+      boxes_.push_back({t, std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}),
+                        std::max({a.y, b.y, c.y})});
     }
+  }
+
+  /// Knows only the triangles on a stretch.
+  Locator on(Vec2 from, Vec2 to) const {
+    Locator result = *this;
+    std::erase_if(result.boxes_, [&](const Box& box) {
+      return !box.touches(std::min(from.x, to.x), std::max(from.x, to.x), std::min(from.y, to.y),
+                          std::max(from.y, to.y));
+    });
+    return result;
   }
 
   /// Every one: two where the place lies on an edge.
   std::vector<Spot> at(Vec2 place) const {
-    constexpr double kMargin = 1e-6;
     std::vector<Spot> spots;
-    for (std::size_t t = 0; t < boxes_.size(); ++t) {
-      const auto& [left, right, low, high] = boxes_[t];
-      if (place.x < left - kMargin || place.x > right + kMargin || place.y < low - kMargin ||
-          place.y > high + kMargin) {
-        continue;
-      }
-      if (const auto spot = spot_in(*mesh_, static_cast<int>(t), place)) spots.push_back(*spot);
+    for (const Box& box : boxes_) {
+      if (!box.touches(place.x, place.x, place.y, place.y)) continue;
+      if (const auto spot = spot_in(*mesh_, box.triangle, place)) spots.push_back(*spot);
     }
     return spots;
   }
 
  private:
+  /// Around a triangle.
+  struct Box {
+    int triangle = 0;
+    double left = 0.0, right = 0.0, low = 0.0, high = 0.0;
+
+    bool touches(double from_x, double to_x, double from_y, double to_y) const {
+      constexpr double kMargin = 1e-6;
+      return to_x >= left - kMargin && from_x <= right + kMargin && to_y >= low - kMargin && from_y <= high + kMargin;
+    }
+  };
+
   const Mesh* mesh_;
-  std::vector<std::array<double, 4>> boxes_;
+  std::vector<Box> boxes_;
 };
 
 struct MeshedSheet {
@@ -255,9 +271,10 @@ LineProfile SheetSolution::along(Vec2 from, Vec2 direction, double length, int n
   const Reach reach = reach_of(impl_->mesh, *impl_->locator, from, direction, length);
   LineProfile profile;
   if (reach.leave <= reach.enter) return profile;
+  const Locator locator = impl_->locator->on(from, from + reach.leave * direction);
   for (int i = 0; i < n_stations; ++i) {
     const double station = reach.leave * i / (n_stations - 1);
-    auto spots = impl_->locator->at(from + std::max(reach.enter, station) * direction);
+    auto spots = locator.at(from + std::max(reach.enter, station) * direction);
     if (spots.empty()) continue;
     profile.station.push_back(station);
     profile.state.push_back(impl_->state(spots));
@@ -273,16 +290,8 @@ std::optional<SheetState> SheetSolution::at(Vec2 place) const {
 }
 
 std::vector<SheetPlace> SheetSolution::at_nodes(const std::function<bool(Vec2)>& wanted) const {
-  constexpr std::array<std::array<double, 2>, 6> kSpots{{{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
   const std::lock_guard lock(impl_->mutex);
-  std::vector<SheetPlace> places;
-  for (int triangle = 0; triangle < n_elements(); ++triangle) {
-    for (const auto& [xi, eta] : kSpots) {
-      const Vec2 at = place_in(impl_->mesh, triangle, xi, eta);
-      if (wanted(at)) places.push_back({at, impl_->recovery->at(triangle, xi, eta)});
-    }
-  }
-  return places;
+  return impl_->recovery->at_nodes(wanted);
 }
 
 tl::expected<SheetSolution, PlateError> solve(const LoadedSheet& sheet) {

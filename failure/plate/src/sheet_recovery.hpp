@@ -2,8 +2,8 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <array>
-#include <map>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "brash/plate/sheet.hpp"
@@ -32,6 +32,9 @@ class SheetRecovery {
   /// At a point of a triangle.
   SheetState at(int triangle, double xi, double eta);
 
+  /// At those corners of triangles and middles of their sides that are `wanted`; see SheetSolution::at_nodes.
+  std::vector<SheetPlace> at_nodes(const std::function<bool(Vec2)>& wanted);
+
  private:
   static constexpr int kTerms = 10;
   static constexpr int kQuantities = 6;
@@ -45,15 +48,25 @@ class SheetRecovery {
     Fit terms;
   };
 
+  /// The stress of a triangle at its sample points: moments and membrane.
+  struct Samples {
+    double area2 = 0.0;
+    Eigen::Matrix<double, kQuantities, 9> values;
+  };
+
   bool is_below(int triangle) const;
   std::vector<int> patch(int vertex, bool below) const;
   const Cubic& cubic(int vertex, bool below);
-  void add_samples(int triangle, const Cubic& cubic, Eigen::Matrix<double, kTerms, kTerms>& normal, Fit& right) const;
+  const Samples& samples(int triangle);
+  void add_samples(int triangle, const Cubic& cubic, Eigen::Matrix<double, kTerms, kTerms>& normal, Fit& right);
+  /// All but the deflection.
+  SheetState blend(int triangle, double xi, double eta);
 
   const Mesh* mesh_;
   const SheetFields* fields_;
-  std::vector<std::vector<int>> around_;  ///< triangles of each vertex
-  std::map<std::pair<int, bool>, Cubic> cubics_;
+  std::vector<std::vector<int>> around_;         ///< triangles of each vertex
+  std::vector<std::optional<Samples>> samples_;  ///< of each triangle
+  std::vector<std::optional<Cubic>> cubics_;     ///< of each vertex: above and below a crack
 };
 
 }  // namespace brash::plate

@@ -108,8 +108,8 @@ class SheetSolution {
   /// The fields at a point; nothing outside the ice.
   std::optional<SheetState> at(Vec2 place) const;
 
-  /// The fields at those corners of elements and middles of their sides that are `wanted`. A place comes once for each
-  /// element; beside the crack of a split sheet its state is that of the element's half.
+  /// The fields at those corners of elements and middles of their sides that are `wanted`. A place comes once, and on
+  /// the crack of a split sheet once for each half.
   std::vector<SheetPlace> at_nodes(const std::function<bool(Vec2)>& wanted) const;
 
   int n_elements() const;
