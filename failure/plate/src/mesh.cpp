@@ -12,7 +12,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace brash::plate {
 
@@ -35,16 +35,65 @@ Vec2 way_from(Vec2 from, Vec2 to, Vec2 place) {
   return place - from - s * along;
 }
 
-double distance_to(Vec2 place, Vec2 from, Vec2 to) { return norm(way_from(from, to, place)); }
-
 Vec2 to_vec(const Kernel::Point_2& point) { return {point.x(), point.y()}; }
+
+/// The wanted size of elements: the least of many. Most sources are too far off to count, which is found out without a
+/// root or a quotient.
+class SizeField {
+ public:
+  explicit SizeField(const Domain& domain) : largest_(domain.largest_size) {
+    for (const SizeSource& source : domain.sizes)
+      sources_.push_back({source, 0.5 * (source.from + source.to),
+                          source.gradation * 0.5 * norm(source.to - source.from) * kRounding});
+    std::sort(sources_.begin(), sources_.end(),
+              [](const Source& a, const Source& b) { return a.source.size < b.source.size; });
+  }
+
+  double at(Vec2 place) {
+    double size = largest_;
+    if (!sources_.empty()) size = std::min(size, sources_[last_].size_at(place));
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      const Source& source = sources_[i];
+      const double growth = (size - source.source.size) * kRounding;
+      if (growth <= 0.0) break;
+      if (source.is_beyond(place, growth)) continue;
+      const double here = source.size_at(place);
+      if (here >= size) continue;
+      size = here;
+      last_ = i;
+    }
+    return size;
+  }
+
+ private:
+  static constexpr double kRounding = 1.0 + 1e-9;
+
+  struct Source {
+    SizeSource source;
+    Vec2 middle;
+    double growth_to_end;  ///< from the middle to an end
+
+    double size_at(Vec2 place) const {
+      return source.size + source.gradation * norm(way_from(source.from, source.to, place));
+    }
+    /// Whether the source's size grows by more than that before it is at the place, by a circle around the source.
+    bool is_beyond(Vec2 place, double growth) const {
+      const double most = growth + growth_to_end;
+      return source.gradation * source.gradation * dot(place - middle, place - middle) > most * most;
+    }
+  };
+
+  double largest_;
+  std::vector<Source> sources_;  ///< the smallest first
+  std::size_t last_ = 0;         ///< that decided at another place, probably near
+};
 
 /// CGAL's mesh criteria with a size that varies in the plane.
 class GradedCriteria : public CGAL::Delaunay_mesh_criteria_2<Triangulation> {
  public:
   using Base = CGAL::Delaunay_mesh_criteria_2<Triangulation>;
 
-  explicit GradedCriteria(const Domain& domain) : Base(kAspectBound), domain_(&domain) {}
+  explicit GradedCriteria(SizeField& sizes) : Base(kAspectBound), sizes_(&sizes) {}
 
   /// Size first: elements that are too long, the longest relative to the wanted size first, then sharp ones.
   struct Quality {
@@ -59,7 +108,7 @@ class GradedCriteria : public CGAL::Delaunay_mesh_criteria_2<Triangulation> {
 
   class Is_bad {
    public:
-    explicit Is_bad(const Domain& domain) : domain_(&domain) {}
+    explicit Is_bad(SizeField& sizes) : sizes_(&sizes) {}
 
     CGAL::Mesh_2::Face_badness operator()(const Quality& quality) const {
       if (quality.excess > 1.0) return CGAL::Mesh_2::IMPERATIVELY_BAD;
@@ -74,25 +123,28 @@ class GradedCriteria : public CGAL::Delaunay_mesh_criteria_2<Triangulation> {
       std::sort(edges.begin(), edges.end());
       const double area2 = std::abs(cross(b - a, c - a));
       const double sine = area2 / (edges[1] * edges[2]);
-      quality = {sine * sine, edges[2] / wanted_size(*domain_, (a + b + c) / 3.0)};
+      quality = {sine * sine, edges[2] / sizes_->at((a + b + c) / 3.0)};
       return (*this)(quality);
     }
 
    private:
-    const Domain* domain_;
+    SizeField* sizes_;
   };
 
-  Is_bad is_bad_object() const { return Is_bad(*domain_); }
+  Is_bad is_bad_object() const { return Is_bad(*sizes_); }
 
  private:
-  const Domain* domain_;
+  SizeField* sizes_;
 };
 
 std::size_t segment_at(const Domain& domain, Vec2 middle) {
+  constexpr double kRounding = 1.0 + 1e-9;
   std::size_t nearest = 0;
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < domain.segments.size(); ++i) {
-    const double distance = distance_to(middle, domain.segments[i].from, domain.segments[i].to);
+    const Vec2 way = way_from(domain.segments[i].from, domain.segments[i].to, middle);
+    if (dot(way, way) > best * best * kRounding) continue;
+    const double distance = norm(way);
     if (distance < best) {
       best = distance;
       nearest = i;
@@ -101,10 +153,34 @@ std::size_t segment_at(const Domain& domain, Vec2 middle) {
   return nearest;
 }
 
+/// Numbers the edges of a mesh in the order in which they come.
+class EdgeNumbers {
+ public:
+  explicit EdgeNumbers(Mesh& mesh) : mesh_(&mesh) {}
+
+  /// @return the number, and whether the edge is new.
+  std::pair<int, bool> number(const std::array<int, 2>& ends) {
+    first_.resize(mesh_->vertices.size(), -1);
+    int& first = first_[static_cast<std::size_t>(ends[0])];
+    for (int edge = first; edge >= 0; edge = next_[static_cast<std::size_t>(edge)]) {
+      if (mesh_->edges[static_cast<std::size_t>(edge)][1] == ends[1]) return {edge, false};
+    }
+    next_.push_back(first);
+    first = static_cast<int>(mesh_->edges.size());
+    mesh_->edges.push_back(ends);
+    return {first, true};
+  }
+
+ private:
+  Mesh* mesh_;
+  std::vector<int> first_;  ///< the last edge that came with this lower vertex; -1: none
+  std::vector<int> next_;   ///< the edge before with the same lower vertex
+};
+
 Mesh extract(const Domain& domain, Triangulation& triangulation) {
   Mesh mesh;
   for (auto vertex : triangulation.finite_vertex_handles()) vertex->info() = -1;
-  std::map<std::array<int, 2>, int> edge_ids;
+  EdgeNumbers edges(mesh);
   for (auto face : triangulation.finite_face_handles()) {
     if (!face->is_in_domain()) continue;
     std::array<int, 3> corners{};
@@ -120,10 +196,9 @@ Mesh extract(const Domain& domain, Triangulation& triangulation) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::array<int, 2> ends{std::min(corners[i], corners[(i + 1) % 3]),
                                     std::max(corners[i], corners[(i + 1) % 3])};
-      const auto [entry, is_new] = edge_ids.try_emplace(ends, static_cast<int>(mesh.edges.size()));
-      ids[i] = entry->second;
+      const auto [id, is_new] = edges.number(ends);
+      ids[i] = id;
       if (!is_new) continue;
-      mesh.edges.push_back(ends);
       // CGAL's face edge j is opposite to its vertex j.
       if (face->is_constrained((static_cast<int>(i) + 2) % 3)) {
         const Vec2 middle =
@@ -147,26 +222,14 @@ Vec2 place_in(const Mesh& mesh, int triangle, double xi, double eta) {
          eta * (mesh.vertices[static_cast<std::size_t>(corners[2])] - a);
 }
 
-double wanted_size(const Domain& domain, Vec2 place) {
-  constexpr double kRounding = 1.0 + 1e-9;
-  double size = domain.largest_size;
-  for (const auto& source : domain.sizes) {
-    const Vec2 way = way_from(source.from, source.to, place);
-    // Most sources are too far off to count: they need no root.
-    const double reach = (size - source.size) * kRounding / source.gradation;
-    if (reach <= 0.0 || dot(way, way) > reach * reach) continue;
-    size = std::min(size, source.size + source.gradation * norm(way));
-  }
-  return size;
-}
-
 tl::expected<Mesh, std::string> mesh_domain(const Domain& domain, std::size_t max_vertices) {
   try {
     Triangulation triangulation;
     for (const auto& segment : domain.segments) {
       triangulation.insert_constraint({segment.from.x, segment.from.y}, {segment.to.x, segment.to.y});
     }
-    CGAL::Delaunay_mesher_2<Triangulation, GradedCriteria> mesher(triangulation, GradedCriteria(domain));
+    SizeField sizes(domain);
+    CGAL::Delaunay_mesher_2<Triangulation, GradedCriteria> mesher(triangulation, GradedCriteria(sizes));
     if (max_vertices == 0) {
       mesher.refine_mesh();
     } else {

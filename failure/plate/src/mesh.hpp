@@ -36,9 +36,6 @@ struct Domain {
   double largest_size = 1.0;
 };
 
-/// Longest element edge wanted at `place`.
-double wanted_size(const Domain& domain, Vec2 place);
-
 /// One edge of the mesh that lies on a segment of the domain.
 struct TaggedEdge {
   int edge = 0;

@@ -43,13 +43,15 @@ std::vector<double> lengths_of(const Polyline& line) {
 }
 
 Station project(const Polyline& line, const std::vector<double>& along, Vec2 place) {
+  constexpr double kRounding = 1.0 + 1e-9;
   Station best;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Vec2 step = line[i + 1] - line[i];
     const double s = std::clamp(dot(place - line[i], step) / dot(step, step), 0.0, 1.0);
     const Vec2 foot = line[i] + s * step;
-    const double off = norm(place - foot);
-    if (off < best.off) best = {i, along[i] + s * norm(step), off, foot};
+    const Vec2 off = place - foot;
+    if (dot(off, off) > best.off * best.off * kRounding) continue;  // most are farther off, without a root
+    if (norm(off) < best.off) best = {i, along[i] + s * norm(step), norm(off), foot};
   }
   return best;
 }

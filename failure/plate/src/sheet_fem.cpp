@@ -195,12 +195,13 @@ std::vector<NodalStress> nodal_stress(const Mesh& mesh, const SheetBending& shee
 }
 
 /// Calls visit(node, share) for the nodes of a loaded edge.
+/// @param weights  ReferenceElement::edge_load().
 template <typename Visit>
-void share_out(const Mesh& mesh, const ReferenceElement& element, const EdgeForce& force, const Visit& visit) {
-  const Eigen::VectorXd weights = element.edge_load();
+void share_out(const Mesh& mesh, int order, const Eigen::VectorXd& weights, const EdgeForce& force,
+               const Visit& visit) {
   const auto& ends = mesh.edges[at(force.edge)];
   const double length = norm(mesh.vertices[at(ends[1])] - mesh.vertices[at(ends[0])]);
-  const auto nodes = nodes_of_edge(mesh, element.order(), force.edge);
+  const auto nodes = nodes_of_edge(mesh, order, force.edge);
   for (std::size_t i = 0; i < nodes.size(); ++i) visit(nodes[i], length * weights(static_cast<Eigen::Index>(i)));
 }
 
@@ -219,10 +220,11 @@ std::vector<double> bending_load(const Mesh& mesh, const ReferenceElement& eleme
                                  const std::vector<EdgeForce>& edge_forces,
                                  const std::vector<PointForce>& point_forces) {
   std::vector<double> load(at(sheet.numbers.n_unknowns), 0.0);
+  const Eigen::VectorXd weights = element.edge_load();
   for (const EdgeForce& force : edge_forces) {
     const auto& ends = mesh.edges[at(force.edge)];
     const bool below = mesh.vertices[at(ends[0])].y + mesh.vertices[at(ends[1])].y < 0.0;
-    share_out(mesh, element, force, [&](int node, double share) {
+    share_out(mesh, element.order(), weights, force, [&](int node, double share) {
       load[at(sheet.unknown(node, 0, below))] += share * force.out_of_plane;
       load[at(sheet.unknown(node, 1, below))] += share * force.moment * force.outward.x;
       load[at(sheet.unknown(node, 2, below))] += share * force.moment * force.outward.y;
@@ -259,8 +261,9 @@ Eigen::MatrixXd solve_sheet_membrane(const Mesh& mesh, const Dissection& dissect
   const auto& element = reference_element(order);
   const SheetNumbering sheet = number_membrane(mesh, element);
   std::vector<double> load(at(sheet.numbers.n_unknowns), 0.0);
+  const Eigen::VectorXd weights = element.edge_load();
   for (const EdgeForce& force : forces) {
-    share_out(mesh, element, force, [&](int node, double share) {
+    share_out(mesh, element.order(), weights, force, [&](int node, double share) {
       if (sheet.unknown(node, 0, false) < 0) return;
       load[at(sheet.unknown(node, 0, false))] += share * force.in_plane.x;
       load[at(sheet.unknown(node, 1, false))] += share * force.in_plane.y;
