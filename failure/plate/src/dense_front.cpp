@@ -3,8 +3,17 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstring>
+
+// Two versions of the kernels, of which the processor's own is taken when the program starts. Both do the same
+// operations in the same order: wider registers change no result.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define BRASH_WIDE [[gnu::target_clones("avx2", "default"), gnu::flatten]]
+#else
+#define BRASH_WIDE
+#endif
 
 namespace brash::plate {
 
@@ -14,34 +23,49 @@ using Index = Eigen::Index;
 
 /// Width of the blocks of columns and height of the tiles: a tile's sums stay in registers.
 constexpr int kTile = 4;
+/// Numbers of a column, as the compiler's vector type: Eigen's would have the registers of the oldest processor.
+using Vector = double __attribute__((vector_size(kTile * sizeof(double))));
 
-/// target -= rows columns', all with the same depth: the number of their columns.
-template <int kRows, int kColumns>
-void subtract_tile(const double* rows, const double* columns, Index stride, Index depth, double* target,
-                   Index target_stride) {
-  using Column = Eigen::Matrix<double, kRows, 1>;
-  std::array<Column, kColumns> sum;
-  for (Column& column : sum) column.setZero();
-  for (Index p = 0; p < depth; ++p, rows += stride, columns += stride) {
-    const Column row = Eigen::Map<const Column>(rows);
-    for (int j = 0; j < kColumns; ++j) sum[static_cast<std::size_t>(j)] += columns[j] * row;
-  }
-  for (int j = 0; j < kColumns; ++j)
-    Eigen::Map<Column>(target + j * target_stride) -= sum[static_cast<std::size_t>(j)];
-}
-
-/// target -= a b', where b' has as many columns as the target, and b is the top of a; shape of the target=(height,
-/// kColumns).
+/// Subtracts from a tile of a matrix the product of `depth` columns of other rows with those of the tile's columns.
 template <int kColumns>
-void subtract_columns(const double* a, Index stride, Index depth, double* target, Index target_stride, Index height) {
-  Index i = 0;
-  for (; i + kTile <= height; i += kTile)
-    subtract_tile<kTile, kColumns>(a + i, a, stride, depth, target + i, target_stride);
-  for (; i < height; ++i) subtract_tile<1, kColumns>(a + i, a, stride, depth, target + i, target_stride);
+inline void subtract_tile(const double* rows, const double* columns, Index stride, Index depth, double* target,
+                          Index target_stride) {
+  Vector sum[kColumns] = {};
+  for (Index p = 0; p < depth; ++p, rows += stride, columns += stride) {
+    Vector row;
+    std::memcpy(&row, rows, sizeof(row));
+    for (int j = 0; j < kColumns; ++j) sum[j] += columns[j] * row;
+  }
+  for (int j = 0; j < kColumns; ++j) {
+    Vector column;
+    std::memcpy(&column, target + j * target_stride, sizeof(column));
+    column -= sum[j];
+    std::memcpy(target + j * target_stride, &column, sizeof(column));
+  }
 }
 
-void subtract_columns(const double* a, Index stride, Index depth, double* target, Index target_stride, Index height,
-                      Index width) {
+/// The same for one row.
+template <int kColumns>
+inline void subtract_row(const double* row, const double* columns, Index stride, Index depth, double* target,
+                         Index target_stride) {
+  double sum[kColumns] = {};
+  for (Index p = 0; p < depth; ++p, row += stride, columns += stride) {
+    for (int j = 0; j < kColumns; ++j) sum[j] += columns[j] * *row;
+  }
+  for (int j = 0; j < kColumns; ++j) target[j * target_stride] -= sum[j];
+}
+
+/// target -= a b', where b is the top of a; shape of the target=(height, kColumns), of a=(height, depth).
+template <int kColumns>
+inline void subtract_columns(const double* a, Index stride, Index depth, double* target, Index target_stride,
+                             Index height) {
+  Index i = 0;
+  for (; i + kTile <= height; i += kTile) subtract_tile<kColumns>(a + i, a, stride, depth, target + i, target_stride);
+  for (; i < height; ++i) subtract_row<kColumns>(a + i, a, stride, depth, target + i, target_stride);
+}
+
+inline void subtract_columns(const double* a, Index stride, Index depth, double* target, Index target_stride,
+                             Index height, Index width) {
   switch (width) {
     case 1:
       return subtract_columns<1>(a, stride, depth, target, target_stride, height);
@@ -55,7 +79,7 @@ void subtract_columns(const double* a, Index stride, Index depth, double* target
 }
 
 /// Cholesky's factorisation of a few columns, from the diagonal down.
-bool factorise(double* columns, Index stride, Index height, Index width) {
+inline bool factorise(double* columns, Index stride, Index height, Index width) {
   for (Index j = 0; j < width; ++j) {
     double* column = columns + j * stride;
     if (!(column[j] > 0.0)) return false;
@@ -73,7 +97,7 @@ bool factorise(double* columns, Index stride, Index height, Index width) {
 
 }  // namespace
 
-bool eliminate(double* own, int k, double* left, int r) {
+BRASH_WIDE bool eliminate(double* own, int k, double* left, int r) {
   const Index height = k + r + 1;
   for (Index j = 0; j < k; j += kTile) {
     const Index width = std::min<Index>(kTile, k - j);
