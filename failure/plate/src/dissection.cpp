@@ -81,8 +81,18 @@ int Dissection::divide(int from, int to) {
   }
   count(-1);
   for (int i = from; i < to; ++i) is_first_[at((*along)[at(i)])] = i < best.at ? 1 : 0;
-  for (auto& list : lists_)
-    std::stable_partition(list.begin() + from, list.begin() + to, [&](int t) { return is_first_[at(t)] != 0; });
+  for (auto& list : lists_) {
+    second_.clear();
+    auto first = list.begin() + from;
+    for (int i = from; i < to; ++i) {
+      const int triangle = list[at(i)];
+      if (is_first_[at(triangle)] != 0)
+        *first++ = triangle;
+      else
+        second_.push_back(triangle);
+    }
+    std::copy(second_.begin(), second_.end(), first);
+  }
   return best.at;
 }
 

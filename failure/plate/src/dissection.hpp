@@ -43,6 +43,7 @@ class Dissection {
   std::vector<int> n_in_part_;  ///< triangles of an edge in the present part
   std::vector<char> is_open_;   ///< whether an edge has one triangle before the present place
   std::vector<char> is_first_;  ///< whether a triangle is in the first half
+  std::vector<int> second_;     ///< the second half of a list
 };
 
 }  // namespace brash::plate

@@ -97,7 +97,6 @@ class Elimination {
         ranks_(rank(dissection, numbering)),
         fronts_(dissection.parts().size()),
         place_(at(numbering.n_unknowns)),
-        rows_(at(numbering.n_local)),
         element_(numbering.n_local, numbering.n_local) {
     std::size_t factor = 0;
     std::vector<std::size_t> needed(fronts_.size(), 0);  // of the workspace
@@ -198,11 +197,14 @@ class Elimination {
   void add_triangle(int triangle, const Front& front, double* own, double* left) {
     (*stiffness_)(triangle, element_);
     const int* unknowns = numbering_->element(triangle);
-    rows_.clear();
+    local_.assign(at(front.height()), -1);
     for (int i = 0; i < numbering_->n_local; ++i) {
-      if (unknowns[i] >= 0) rows_.emplace_back(place_[at(unknowns[i])], i);
+      if (unknowns[i] >= 0) local_[at(place_[at(unknowns[i])])] = i;
     }
-    std::sort(rows_.begin(), rows_.end());
+    rows_.clear();
+    for (int place = 0; place < front.height(); ++place) {
+      if (local_[at(place)] >= 0) rows_.emplace_back(place, local_[at(place)]);
+    }
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       double* target = column(front, own, left, rows_[j].first);
       const double* source = &element_(0, rows_[j].second);
@@ -216,17 +218,19 @@ class Elimination {
     return left + static_cast<std::ptrdiff_t>(j - front.n_own) * (front.n_rest + 1) - front.n_own;
   }
 
+  static void add(const double* __restrict from, double* __restrict to, int n) {
+    for (int i = 0; i < n; ++i) to[i] += from[i];
+  }
+
   /// Adds to a front what its half left.
   void add_half(const Front& half, const double* source, const Front& front, double* own, double* left) {
     find_runs(half, front);
     for (std::size_t k = 0; k + 1 < runs_.size(); ++k) {
       for (int j = 0; j < runs_[k].length; ++j, source += half.n_rest + 1) {
         double* target = column(front, own, left, runs_[k].to + j);
-        for (int i = j; i < runs_[k].length; ++i) target[runs_[k].to + i] += source[runs_[k].from + i];
-        for (std::size_t l = k + 1; l < runs_.size(); ++l) {
-          const auto& [from, to, length] = runs_[l];
-          for (int i = 0; i < length; ++i) target[to + i] += source[from + i];
-        }
+        add(source + runs_[k].from + j, target + runs_[k].to + j, runs_[k].length - j);
+        for (std::size_t l = k + 1; l < runs_.size(); ++l)
+          add(source + runs_[l].from, target + runs_[l].to, runs_[l].length);
       }
     }
   }
@@ -277,7 +281,8 @@ class Elimination {
   std::unique_ptr<double[]> factor_;
   std::unique_ptr<double[]> workspace_;
   std::vector<int> place_;                 ///< of an unknown in the present front
-  std::vector<std::pair<int, int>> rows_;  ///< of an element: place and local unknown
+  std::vector<int> local_;                 ///< the unknown of the present triangle at each place; -1: none
+  std::vector<std::pair<int, int>> rows_;  ///< of the present triangle: places, ascending, and local unknowns
   std::vector<int> union_;
   std::vector<Run> runs_;
   Eigen::MatrixXd element_;
