@@ -331,6 +331,16 @@ void Simulation::Impl::expect_on_the_plane() const {
                              then.y, then.z));
 }
 
+/// Work of the structure on the ice of each contact in a time [s], while its sheet drifts [J].
+std::vector<double> Simulation::Impl::work_on(const std::vector<EdgeContact>& contacts, double seconds) const {
+  std::vector<double> work;
+  for (const EdgeContact& contact : contacts) {
+    const structure::State seen = sheets.seen_from(contact.level_ice, motion->now());
+    work.push_back(seconds * dot(contact.on_ice, velocity_at(seen.twist, contact.point - seen.pose.position)));
+  }
+  return work;
+}
+
 /// Moves the structure through one step: contacts, crushing, wedges, failures and cracks, in as many parts as
 /// move_within_limits() asks for. @return the crushing load on it, mean over the parts, sheet axes.
 Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
@@ -346,7 +356,8 @@ Wrench Simulation::Impl::advance_through_ice(StepReport& report) {
     std::vector<EdgeContact> contacts = move_within_limits(share, done, report);
     const double from = time() + done * resolved.time.step;
     done += share;
-    energy.book_bent_edges(edges.follow(contacts, from, time() + done * resolved.time.step));
+    const std::vector<double> work = work_on(contacts, share * resolved.time.step);
+    energy.book_bent_edges(edges.follow(contacts, work, from, time() + done * resolved.time.step));
     for (const EdgeContact& contact : contacts) {
       const Vec3 point = sheets.to_world(contact.level_ice, contact.point);
       const Vec3 force = -sheets.turned(contact.level_ice, contact.on_ice);

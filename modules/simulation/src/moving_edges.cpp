@@ -15,6 +15,7 @@ struct SavedEdge {
   double touched_at = 0.0;
   Vec2 tip{};
   double length = 0.0, thickness = 0.0, way = 0.0, deflection = 0.0, depth = 0.0, contact_length = 0.0, angle = 0.0;
+  double spare = 0.0;
   failure::EdgeHistory::Settled settled;
 
   template <typename Self, typename Visit>
@@ -29,6 +30,7 @@ struct SavedEdge {
     visit("depth", "m", "b of its trapezoid", self.depth);
     visit("contact_length", "m", "c of its trapezoid", self.contact_length);
     visit("angle", "rad", "theta of its trapezoid", self.angle);
+    visit("spare", "J", "work on the edge that has not bent it", self.spare);
     visit("settled_slope", "N s-1", "sum of the load's old changes of slope", self.settled.slope);
     visit("settled_moment", "N", "sum of these, each times its time", self.settled.moment);
   }
@@ -46,6 +48,28 @@ struct SavedKnot {
     visit("force", "N", "vertical force on the edge", self.knot.force);
   }
 };
+
+/// Spare work after a step as a function of the share of the force that the contact carries [J].
+struct SpareWork {
+  double square = 0.0, linear = 0.0, constant = 0.0;
+};
+
+/// The largest share in [0, 1) that leaves spare work; 0 if none does. The square is not positive.
+double share_that_pays(const SpareWork& spare) {
+  const auto& [a, b, c] = spare;
+  if (a == 0.0) return b < 0.0 && c > 0.0 ? std::min(1.0, -c / b) : 0.0;
+  const double discriminant = b * b - 4.0 * a * c;
+  if (discriminant < 0.0) return 0.0;
+  return std::clamp((-b - std::sqrt(discriminant)) / (2.0 * a), 0.0, 1.0);
+}
+
+/// Leaves a contact a share of its force.
+void scale(EdgeContact& contact, double share) {
+  contact.on_ice = share * contact.on_ice;
+  contact.load.pressure *= share;
+  contact.bound *= share;
+  contact.spread *= share;
+}
 
 }  // namespace
 
@@ -79,35 +103,68 @@ double MovingEdges::largest_shift(int level_ice, double time) const {
   return largest;
 }
 
-double MovingEdges::follow(const std::vector<EdgeContact>& contacts, double from, double to) {
+/// The edge of a contact so far. Its spare work goes to one contact alone, where a contact has parted.
+MovingEdges::Edge MovingEdges::take_over(const EdgeContact& contact, double from) {
+  const Edge* const before = edge_at(contact.level_ice, contact.touched);
+  if (before == nullptr)
+    return {.level_ice = contact.level_ice,
+            .touched_at = from,
+            .history = failure::EdgeHistory(from),
+            .thickness = contact.ice.thickness,
+            .dynamics = dynamics(contact.level_ice, contact.ice.thickness)};
+  const Edge edge = *before;
+  edges_[static_cast<std::size_t>(before - edges_.data())].spare = 0.0;
+  return edge;
+}
+
+/// Moves an edge under a contact to a time [s]. Its deflection is linear in the force at the end of the step, so the
+/// largest share of the force that leaves the spare work positive is a root of a quadratic.
+/// @return the work that bent it [J].
+double MovingEdges::load(Edge& edge, EdgeContact& contact, double work, double to) {
+  const double before = edge.history.force(), force = std::abs(contact.on_ice.z), start = edge.deflection;
+  const auto deflection_under = [&](double share) {
+    failure::EdgeHistory history = edge.history;
+    history.extend(to, share * force, edge.dynamics.memory());
+    return edge.dynamics.deflection(edge.shape, history, to);
+  };
+  const double whole = deflection_under(1.0);
+  double share = 1.0, bent = 0.5 * (before + force) * (whole - start);
+  if (edge.spare + work < bent) {
+    const double none = deflection_under(0.0);
+    share = share_that_pays({.square = -0.5 * force * (whole - none),
+                             .linear = work - 0.5 * (before * (whole - none) + force * (none - start)),
+                             .constant = edge.spare - 0.5 * before * (none - start)});
+    // An edge that swings on under no force at all has had its work before.
+    bent =
+        std::min(edge.spare + share * work, 0.5 * (before + share * force) * (none + share * (whole - none) - start));
+    scale(contact, share);
+  }
+  edge.spare += share * work - bent;
+  edge.history.extend(to, share * force, edge.dynamics.memory());
+  edge.deflection = share == 1.0 ? whole : edge.dynamics.deflection(edge.shape, edge.history, to);
+  return bent;
+}
+
+double MovingEdges::follow(std::vector<EdgeContact>& contacts, std::span<const double> work, double from, double to) {
   if (dynamics_.empty()) return 0.0;
-  double work = 0.0;
+  double bent = 0.0;
   std::vector<Edge> now;
-  for (const EdgeContact& contact : contacts) {
-    const Edge* const before = edge_at(contact.level_ice, contact.touched);
-    Edge edge = before != nullptr ? *before
-                                  : Edge{.level_ice = contact.level_ice,
-                                         .touched_at = from,
-                                         .history = failure::EdgeHistory(from),
-                                         .thickness = contact.ice.thickness,
-                                         .dynamics = dynamics(contact.level_ice, contact.ice.thickness)};
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    EdgeContact& contact = contacts[i];
+    const bool is_new = edge_at(contact.level_ice, contact.touched) == nullptr;
+    if (is_new && !(contact.load.pressure > 0.0)) continue;
+    Edge edge = take_over(contact, from);
     edge.touched = contact.touched;
     if (contact.load.pressure > 0.0) {
       edge.way = contact.on_ice.z > 0.0 ? 1.0 : -1.0;
       edge.shape = {
           .depth = contact.load.depth, .contact_length = contact.load.contact_length, .angle = contact.load.angle};
-    } else if (before == nullptr) {
-      continue;
     }
-    const double force = std::abs(contact.on_ice.z), mean_force = 0.5 * (edge.history.force() + force);
-    edge.history.extend(to, force, edge.dynamics.memory());
-    const double deflection = edge.dynamics.deflection(edge.shape, edge.history, to);
-    work += mean_force * (deflection - edge.deflection);
-    edge.deflection = deflection;
+    bent += load(edge, contact, work[i], to);
     now.push_back(std::move(edge));
   }
   edges_ = std::move(now);
-  return work;
+  return bent;
 }
 
 MovingEdges::Life MovingEdges::life(const EdgeContact& contact) const {
@@ -150,6 +207,7 @@ void MovingEdges::save(model::Checkpoint& checkpoint) const {
                           .depth = edge.shape.depth,
                           .contact_length = edge.shape.contact_length,
                           .angle = edge.shape.angle,
+                          .spare = edge.spare,
                           .settled = edge.history.settled()};
     const auto number = static_cast<std::int64_t>(edges.n_rows());
     model::SavedRow row(edges);
@@ -184,6 +242,7 @@ void MovingEdges::restore(const model::Checkpoint& checkpoint) {
                       .touched = {saved.tip, saved.length},
                       .way = saved.way,
                       .deflection = saved.deflection,
+                      .spare = saved.spare,
                       .shape = {.depth = saved.depth, .contact_length = saved.contact_length, .angle = saved.angle},
                       .history = {std::move(loads[i]), saved.settled},
                       .thickness = saved.thickness,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "brash/failure/edge_motion.hpp"
@@ -26,8 +27,10 @@ class MovingEdges {
   double largest_shift(int level_ice, double time) const;
 
   /// The contacts of the structure have loaded the edges from one time to the other [s]. Edges that it does not touch
-  /// any more are forgotten. @return the work that bent edges [J].
-  double follow(const std::vector<EdgeContact>& contacts, double from, double to);
+  /// any more are forgotten. An edge takes no more work than the structure has done on it: a contact whose force would
+  /// push its edge farther carries less.
+  /// @param work  of the structure on each contact, under its whole force [J]. @return the work that bent edges [J].
+  double follow(std::vector<EdgeContact>& contacts, std::span<const double> work, double from, double to);
 
   /// Where the edge of a contact is in its life; zero where it does not move.
   struct Life {
@@ -62,6 +65,7 @@ class MovingEdges {
     Touch touched{};
     double way = -1.0;          ///< -1: pushed down, 1: up
     double deflection = 0.0;    ///< at the end of the history, >= 0 as pushed [m]
+    double spare = 0.0;         ///< work that the structure has done on it and that has not bent it [J], >= 0
     failure::LoadCase shape{};  ///< its trapezoid
     failure::EdgeHistory history;
     double thickness = 0.0;  ///< of the ice at the first touch [m]
@@ -73,6 +77,8 @@ class MovingEdges {
     return dynamics_[static_cast<std::size_t>(level_ice)].of_thickness(thickness);
   }
   const Edge* edge_at(int level_ice, const Touch& touched) const;
+  Edge take_over(const EdgeContact& contact, double from);
+  static double load(Edge& edge, EdgeContact& contact, double work, double to);
 
   std::vector<failure::EdgeDynamics> dynamics_;  ///< of the mean thickness
   std::vector<Edge> edges_;

@@ -122,6 +122,7 @@ struct Simulation::Impl {
     contacts = std::move(sorted);
   }
   void weigh_loads(std::vector<EdgeContact>& contacts) const;
+  std::vector<double> work_on(const std::vector<EdgeContact>& contacts, double seconds) const;
   void add_contacts_of_floes(std::vector<EdgeContact>& contacts) const;
   void judge(std::vector<EdgeContact>& contacts, double now, StepReport& report);
   bool crush_passed_ice(double time, StepReport& report);
