@@ -93,6 +93,7 @@ std::string unit_of(const std::string& column) {
                                                {".long_enough", "1"},
                                                {"_time", "s"},
                                                {"statistics_from", "s"},
+                                               {"statistics_until", "s"},
                                                {"breaking_frequency", "s-1"},
                                                {"breaking_length", "m"},
                                                {"size_quantiles", "m"},

@@ -61,6 +61,7 @@ void begin_as_summary(HistoryChoice& choice, const std::string& summary) {
     throw InputError(
         Complaint{summary, "holds no number `statistics_from`", kRunSummary, "copy it again, or give --from"});
   choice.from = *start;
+  if (!choice.to) choice.to = end_in(summary);
   choice.has_from = choice.after = true;
 }
 
@@ -69,6 +70,7 @@ void begin_as_run(HistoryChoice& choice, const std::string& history) {
   const std::optional<double> start = start_beside(history);
   if (!start) return;
   choice.from = *start;
+  if (!choice.to) choice.to = end_beside(history);
   choice.has_from = choice.after = true;
 }
 

@@ -15,6 +15,7 @@
 #include "brash/statistics/moments.hpp"
 #include "closed_forms.hpp"
 #include "history_statistics.hpp"
+#include "run_summary.hpp"
 
 namespace brash::cli {
 namespace {
@@ -73,6 +74,7 @@ ordered_json loads_of_run(const std::string& directory) {
   if (!summary.contains(mean) || !summary[mean].is_number()) return nullptr;
   HistoryChoice choice;
   choice.from = summary[from].get<double>();
+  choice.to = end_in(path);
   choice.has_from = choice.after = true;
   const std::vector<std::string> names{"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
   const bool has_interval = summary.contains(lower) && summary[lower].is_number();

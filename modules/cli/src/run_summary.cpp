@@ -27,6 +27,12 @@ std::optional<std::string> summary_beside(const std::string& history) {
   return summary.string();
 }
 
+std::optional<double> number_in(const std::string& summary, const char* key) {
+  const json found = read_summary(summary);
+  if (!found.is_object() || !found.contains(key) || !found[key].is_number()) return std::nullopt;
+  return found[key].get<double>();
+}
+
 bool is_warning(const json& warning) {
   const auto has_text = [&](const char* key) { return warning.contains(key) && warning[key].is_string(); };
   return warning.is_object() && has_text("id") && has_text("text");
@@ -34,16 +40,17 @@ bool is_warning(const json& warning) {
 
 }  // namespace
 
-std::optional<double> start_in(const std::string& summary) {
-  const json found = read_summary(summary);
-  if (!found.is_object() || !found.contains("statistics_from") || !found["statistics_from"].is_number())
-    return std::nullopt;
-  return found["statistics_from"].get<double>();
-}
+std::optional<double> start_in(const std::string& summary) { return number_in(summary, "statistics_from"); }
+std::optional<double> end_in(const std::string& summary) { return number_in(summary, "statistics_until"); }
 
 std::optional<double> start_beside(const std::string& history) {
   const auto summary = summary_beside(history);
   return summary ? start_in(*summary) : std::nullopt;
+}
+
+std::optional<double> end_beside(const std::string& history) {
+  const auto summary = summary_beside(history);
+  return summary ? end_in(*summary) : std::nullopt;
 }
 
 std::vector<model::Warning> warnings_beside(const std::string& history) {

@@ -35,9 +35,11 @@ std::string loads(const simulation::RunSummary& s) {
     return fmt::format(
                "loads on the structure [kN]\n  none from t = {:.2f} s on: the run is over before its statistics begin "
                "(output.statistics_from)\n",
-               s.statistics_from) +
+               s.window.from) +
            whole;
-  std::string text = fmt::format("loads on the structure [kN], from t = {:.2f} s on\n", s.statistics_from);
+  std::string text = fmt::format(
+      "loads on the structure [kN], from t = {:.2f} s on, up to {:.2f} s\n  begins when {}\n  ends when {}\n",
+      s.window.from, s.window.until, s.window.begins, s.window.ends);
   text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
   text += load_row(s, "horizontal", s.horizontal, s.horizontal_split);
   text += load_row(s, "vertical", s.vertical, s.vertical_split);
@@ -58,11 +60,11 @@ std::string regions(const simulation::RunSummary& s) {
 }
 
 /// The mean of the run beside the measured one [N].
-std::string difference(const simulation::RunSummary& s, double measured, double duration) {
+std::string difference(const simulation::RunSummary& s, double measured) {
   if (std::isnan(s.horizontal.mean) || measured <= 0.0) return "";
   const double percent = 100.0 * (s.horizontal.mean / measured - 1.0);
   return fmt::format("  {:<43}{:>7.1f}  {:.1f} % {} the measured mean\n",
-                     fmt::format("this run, mean over {:.1f} s", duration - s.statistics_from),
+                     fmt::format("this run, mean over {:.1f} s", s.window.until - s.window.from),
                      s.horizontal.mean / kKilo, std::abs(percent), percent < 0.0 ? "below" : "above") +
          "  note: the mean of one run is weak evidence, because each seed gives another mean\n";
 }
@@ -76,8 +78,7 @@ std::string comparison(const model::Case& resolved, const simulation::RunSummary
   if (const auto load = ralston_of(resolved, standards::Yield::kTresca))
     text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", load->horizontal / kKilo);
   if (const auto measured = resolved.reference.mean_horizontal)
-    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / kKilo) +
-            difference(s, *measured, resolved.time.duration);
+    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / kKilo) + difference(s, *measured);
   return text;
 }
 
@@ -111,7 +112,7 @@ std::string ice(const simulation::RunSummary& s) {
   std::string text = "ice\n";
   const std::string rate = std::isnan(s.breaking_frequency) ? ""
                                                             : fmt::format(" ({:.2f} a second from {:.2f} s on)",
-                                                                          s.breaking_frequency, s.statistics_from);
+                                                                          s.breaking_frequency, s.window.from);
   text += fmt::format("  {} breaks{}, {} floes born, {} present, {} crushed, {} broken again", s.n_breaks, rate,
                       s.n_floes_born, s.n_floes_present, s.n_floes_crushed, s.n_floes_broken);
   text += s.fastest_floe ? fmt::format("; fastest floe {:.2f} m/s\n", *s.fastest_floe) : "\n";

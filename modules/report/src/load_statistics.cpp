@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include "brash/statistics/extreme_analysis.hpp"
 #include "brash/statistics/peaks.hpp"
@@ -46,14 +47,16 @@ ordered_json peaks_of(std::vector<double> samples, double start, double dt) {
 
 }  // namespace
 
-ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from) {
-  const auto first = std::ranges::find_if(loads, [&](const model::LoadRow& row) { return row.time > from; });
-  if (loads.end() - first < 2) return nullptr;
-  const double dt = (loads.back().time - first->time) / static_cast<double>(loads.end() - first - 1);
+ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from, double until) {
+  constexpr double kRounding = 1e-9;  // of a time, as a share
+  const auto first = std::ranges::upper_bound(loads, from, {}, &model::LoadRow::time);
+  const auto end = std::ranges::upper_bound(first, loads.end(), until * (1.0 + kRounding), {}, &model::LoadRow::time);
+  if (end - first < 2) return nullptr;
+  const double dt = (std::prev(end)->time - first->time) / static_cast<double>(end - first - 1);
   ordered_json out;
   const auto add = [&](const char* name, Vec3 Wrench::*part, double Vec3::*axis) {
     std::vector<double> samples;
-    for (auto row = first; row != loads.end(); ++row) samples.push_back(row->total.*part.*axis);
+    for (auto row = first; row != end; ++row) samples.push_back(row->total.*part.*axis);
     out[name] = {{"spectrum", spectrum_of(samples, dt)}, {"peaks", peaks_of(samples, first->time, dt)}};
   };
   add("Fx", &Wrench::force, &Vec3::x);

@@ -8,9 +8,9 @@
 
 namespace brash::report {
 
-/// The drawn statistics of each load, Fx to Mz, from `from` [s] on: spectrum with its confidence factors, and the peaks
-/// between upward crossings of the mean, largest first. A load that acts towards its lower end has its peaks there, as
-/// `lower_end` says. Null where the history is too short.
-nlohmann::ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from);
+/// The drawn statistics of each load, Fx to Mz, after `from` up to `until` [s]: spectrum with its confidence factors,
+/// and the peaks between upward crossings of the mean, largest first. A load that acts towards its lower end has its
+/// peaks there, as `lower_end` says. Null where the history is too short.
+nlohmann::ordered_json load_statistics(const std::vector<model::LoadRow>& loads, double from, double until);
 
 }  // namespace brash::report

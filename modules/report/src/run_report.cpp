@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <type_traits>
 #include <unordered_map>
 
@@ -212,7 +213,8 @@ ordered_json run_json(const RunSource& run, const std::string& prefix, Blocks& b
           {"summary", summary},
           {"closed_forms", ordered_json::parse(run.closed_forms)},
           {"loads", ordered_json::parse(run.loads())},
-          {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0))}};
+          {"statistics", load_statistics(results.loads, summary.value("statistics_from", 0.0),
+                                         summary.value("statistics_until", std::numeric_limits<double>::infinity()))}};
 }
 
 /// The measured history: its name and statistics as JSON, its samples as blocks.

@@ -17,72 +17,10 @@
 #include "brash/structure/hull.hpp"
 #include "brash/structure/motion.hpp"
 #include "edge_contact.hpp"
+#include "statistics_window.hpp"
 
 namespace brash::simulation {
 namespace {
-
-/// The structure as the field sees it, where nothing resists it.
-struct Course {
-  double speed = 0.0;   ///< mean over the run [m/s]
-  Vec2 velocity{};      ///< likewise [m/s]
-  double axis = 0.0;    ///< x of its last axis at t = 0 [m]
-  double bow = 0.0;     ///< x of its foremost point in the ice at t = 0 [m]
-  double end = 0.0;     ///< largest x of its foremost point in the run [m]
-  double leaves = 0.0;  ///< when that point passes the far side, if it does [s]
-  double beside = 0.0;  ///< farthest that it reaches to a side of the field's middle [m]
-  bool meets = false;   ///< whether it comes into the rectangle of the field
-};
-
-Course straight_course(const model::Case& c, const structure::Hull& hull) {
-  const Freeboard heights = freeboard(c);
-  const Pose start = structure::unresisted(c.structure, 0.0);
-  const auto reach = [&](Vec2 course) {
-    return structure::foremost(hull, start, heights.bottom, heights.top, course).reach;
-  };
-  const double speed = model::speed(c.structure.motion), bow = reach({1.0, 0.0});
-  return {.speed = speed,
-          .velocity = {speed, 0.0},
-          .axis = structure::last_axis(c.structure, start),
-          .bow = bow,
-          .end = bow + speed * c.time.duration,
-          .leaves = (c.field.length - bow) / speed,
-          .beside = std::max(reach({0.0, 1.0}), reach({0.0, -1.0})),
-          .meets = bow + speed * c.time.duration > 0.0 && -reach({-1.0, 0.0}) < c.field.length};
-}
-
-/// Sampled along the path.
-Course course_on_path(const model::Case& c, const structure::Hull& hull) {
-  constexpr int kSamples = 400;
-  const Freeboard heights = freeboard(c);
-  const Vec2 from = plan(structure::unresisted(c.structure, 0.0).position),
-             to = plan(structure::unresisted(c.structure, c.time.duration).position);
-  Course course;
-  for (int i = 0; i <= kSamples; ++i) {
-    const Pose pose = structure::unresisted(c.structure, c.time.duration * i / kSamples);
-    const auto reach = [&](Vec2 way) {
-      return structure::foremost(hull, pose, heights.bottom, heights.top, way).reach;
-    };
-    const double bow = reach({1.0, 0.0});
-    if (i == 0)
-      course = {.speed = structure::mean_speed(c.structure, c.time.duration),
-                .velocity = (to - from) / c.time.duration,
-                .axis = structure::last_axis(c.structure, pose),
-                .bow = bow,
-                .end = bow};
-    if (course.end <= c.field.length && bow > c.field.length) course.leaves = c.time.duration * i / kSamples;
-    course.end = std::max(course.end, bow);
-    const double left = reach({0.0, 1.0}), right = -reach({0.0, -1.0}), half = 0.5 * c.field.width;
-    course.beside = std::max({course.beside, left, -right});
-    course.meets = course.meets || (bow > 0.0 && -reach({-1.0, 0.0}) < c.field.length && left > -half && right < half);
-  }
-  return course;
-}
-
-Course course_of(const model::Case& c) {
-  const auto hull = structure::make_hull(c.structure);
-  const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
-  return towed != nullptr && !towed->path.empty() ? course_on_path(c, *hull) : straight_course(c, *hull);
-}
 
 /// Sides nearer than this many characteristic lengths change how the ice bends: the plate of the failure model has
 /// none.
@@ -126,11 +64,6 @@ void add_border_warnings(const model::Case& c, const Course& course, const Deriv
                                  "failure model goes on beyond it; expected at least 2 l_c = {:.3g} m: shorten the "
                                  "run, or raise field.length = {} m",
                                  c.field.length - end, margin, c.field.length)});
-}
-
-/// Whether the structure goes where the case says: a body afloat and one that another program drives may not.
-bool goes_as_told(const model::Motion& motion) {
-  return std::holds_alternative<model::Towed>(motion) || std::holds_alternative<model::Compliant>(motion);
 }
 
 /// Whether current or wind may bring ice to the structure.
@@ -204,29 +137,42 @@ double passing_speed(const model::Case& c, const Course& course) {
   return may_drift ? std::max(course.speed, norm(course.velocity - c.water.current)) : course.speed;
 }
 
-/// When the structure's axis passes the ice edge, in words.
-std::string when_at_edge(const model::Case& c, const Course& course) {
+/// When the statistics would begin, in words.
+std::string when_they_begin(const model::Case& c, const Course& course, const StatisticsWindow& window, double radius) {
   if (model::speed(c.structure.motion) < kAtRest)
-    return "the structure's axis passes the ice edge, and it does not pass it in this run: set output.statistics_from";
-  return fmt::format(
-      "the structure's axis passes the ice edge at {:.3g} s: raise time.duration = {} s, or set "
-      "output.statistics_from",
-      -course.axis / course.speed, c.time.duration);
+    return window.begins + ", and it does not pass it in this run: set output.statistics_from";
+  return fmt::format("{} at {:.3g} s: raise time.duration = {} s, or set output.statistics_from", window.begins,
+                     (place_of_begin(c, radius) - course.axis) / course.speed, c.time.duration);
 }
 
-void add_statistics_warnings(const model::Case& c, const Course& course, const DerivedScales& scales,
-                             Warnings& warnings) {
-  const double from = statistics_from(c), contact = -course.bow / course.speed;
-  const double speed = passing_speed(c, course), travel = speed * (c.time.duration - from);
-  if (comes_at_its_speed(c) && c.output.statistics_from && from < contact)
+/// Statistics that begin by output.statistics_from before the load is that of ice which the structure breaks.
+void add_early_warning(const model::Case& c, const Course& course, double radius, Warnings& warnings) {
+  if (!comes_at_its_speed(c) || !c.output.statistics_from) return;
+  const double from = *c.output.statistics_from, contact = -course.bow / course.speed;
+  const double past_crack = (radius - course.axis) / course.speed;
+  if (from < contact)
     warnings.push_back(
         {"early-statistics", fmt::format("the statistics begin at {:.3g} s, before the structure touches the ice at "
                                          "{:.3g} s: zeros and the entry lower the mean; raise output.statistics_from, "
                                          "or leave it out",
                                          from, contact)});
-  if (from >= c.time.duration)
+  else if (has_initial_crack(c) && from < past_crack && c.algorithm.preset != model::Preset::kPaper)
     warnings.push_back(
-        {"no-statistics", "the run is over before its statistics begin, when " + when_at_edge(c, course)});
+        {"early-statistics",
+         fmt::format("the statistics begin at {:.3g} s, and the structure has passed the floes of the initial crack at "
+                     "{:.3g} s: the program cut these floes, and their loads may be the largest; raise "
+                     "output.statistics_from, or leave it out",
+                     from, past_crack)});
+}
+
+void add_statistics_warnings(const model::Case& c, const Course& course, const DerivedScales& scales,
+                             Warnings& warnings) {
+  const StatisticsWindow window = statistics_window(c, scales.initial_crack_radius);
+  const double from = window.from, speed = passing_speed(c, course), travel = speed * (window.until - from);
+  add_early_warning(c, course, scales.initial_crack_radius, warnings);
+  if (from >= c.time.duration)
+    warnings.push_back({"no-statistics", "the run is over before its statistics begin, when " +
+                                             when_they_begin(c, course, window, scales.initial_crack_radius)});
   else if (speed >= kAtRest && travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
     warnings.push_back(
         {"short-run",

@@ -50,8 +50,8 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
                      const model::ReferenceSection& reference) {
   Warnings warnings;
   const std::optional<double> last = last_load(loads);
-  const bool no_load = !last || (!std::isnan(s.horizontal.mean) && *last <= s.statistics_from);
-  if (no_load) warnings.push_back({"no-load", no_load_text(last, s.statistics_from)});
+  const bool no_load = !last || (!std::isnan(s.horizontal.mean) && *last <= s.window.from);
+  if (no_load) warnings.push_back({"no-load", no_load_text(last, s.window.from)});
   if (s.n_breaks == 0 && !s.initial_floes && last)  // the loads of a field are of its floes
     warnings.push_back({"no-breaks",
                         "the ice has not broken in this run: the loads are of crushing and floes alone; "
@@ -61,7 +61,7 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
         {"few-samples",
          fmt::format("the load has {:.1f} independent samples from {:.3g} s on, expected {:.0f} or more: "
                      "its interval means nothing; run longer, or take more replicates",
-                     s.horizontal.effective_sample_size, s.statistics_from, kFewSamples)});
+                     s.horizontal.effective_sample_size, s.window.from, kFewSamples)});
   if (!no_load) add_reference_warning(s, reference, warnings);
   return warnings;
 }

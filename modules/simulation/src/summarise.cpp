@@ -11,7 +11,6 @@
 
 #include "brash/simulation/warnings.hpp"
 #include "brash/statistics/quantile.hpp"
-#include "brash/structure/motion.hpp"
 
 namespace brash::simulation {
 namespace {
@@ -223,10 +222,10 @@ InitialFloes floes_at_start(const model::RunResults& results, double open_water)
 }  // namespace
 
 RunSummary summarise(const model::Case& resolved, const model::RunResults& results, double open_water, RunSummary s) {
-  s.statistics_from = statistics_from(resolved);
-  const auto first =
-      std::ranges::find_if(results.loads, [&](const model::LoadRow& r) { return r.time > s.statistics_from; });
-  const auto window = std::span(results.loads).subspan(static_cast<std::size_t>(first - results.loads.begin()));
+  const double last_time = s.window.until + 0.5 * resolved.time.step;
+  const auto first = std::ranges::upper_bound(results.loads, s.window.from, {}, &model::LoadRow::time);
+  const auto end = std::ranges::upper_bound(first, results.loads.end(), last_time, {}, &model::LoadRow::time);
+  const std::span<const model::LoadRow> window(first, end);
   const auto x = [](Vec3 v) { return v.x; };
   const auto z = [](Vec3 v) { return v.z; };
   const auto total_x = [](const model::LoadRow& r) { return r.total.force.x; };
@@ -246,12 +245,12 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   int n_in_window = 0;
   for (const model::CrackEvent& event : results.events) {
     lengths.push_back(event.breaking_length);
-    n_in_window += event.time > s.statistics_from ? 1 : 0;
+    n_in_window += event.time > s.window.from && event.time <= last_time ? 1 : 0;
     if (event.overload == 0.0 || event.pressing_floe != model::kNoFloe) continue;
     overloads.push_back(event.overload);
     stresses.push_back(event.sigma_max / event.flexural_strength);
   }
-  const double window_length = resolved.time.duration - s.statistics_from;
+  const double window_length = s.window.until - s.window.from;
   s.breaking_frequency = window_length > 0.0 ? n_in_window / window_length : kUnknown;
   s.breaking_length_quantiles = statistics::quantiles(std::move(lengths), kQuantiles);
   s.overload_quantiles = statistics::quantiles(std::move(overloads), kQuantiles);
@@ -274,28 +273,6 @@ RunSummary summarise(const model::Case& resolved, const model::RunResults& resul
   return s;
 }
 
-namespace {
-
-/// When the structure's last axis passes the initial edge, where nothing resists it; at the latest the end of the run
-/// [s].
-double time_at_edge(const model::Case& c) {
-  const auto axis_at = [&](double time) {
-    return structure::last_axis(c.structure, structure::unresisted(c.structure, time));
-  };
-  const double speed = model::speed(c.structure.motion);
-  if (speed > 0.0) return std::clamp(-axis_at(0.0) / speed, 0.0, c.time.duration);
-  const auto n_steps = std::llround(c.time.duration / c.time.step);
-  for (long long i = 0; i < n_steps; ++i)
-    if (const double time = static_cast<double>(i) * c.time.step; axis_at(time) >= 0.0) return time;
-  return c.time.duration;
-}
-
-}  // namespace
-
-double statistics_from(const model::Case& resolved) {
-  return resolved.output.statistics_from.value_or(time_at_edge(resolved));
-}
-
 std::string to_json(const RunSummary& s) {
   nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
   for (const model::Warning& warning : s.warnings) warnings.push_back({{"id", warning.id}, {"text", warning.text}});
@@ -303,7 +280,9 @@ std::string to_json(const RunSummary& s) {
       {"warnings", std::move(warnings)},
       {"origin", s.origin},
       {"units", "SI; Fx positive against the structure's heading, Fz positive upwards on the structure"},
-      {"statistics_from", s.statistics_from},
+      {"statistics_from", s.window.from},
+      {"statistics_until", s.window.until},
+      {"statistics_window", {{"begins", s.window.begins}, {"ends", s.window.ends}}},
       {"horizontal", json_of(s, s.horizontal, s.horizontal_split)},
       {"vertical", json_of(s, s.vertical, s.vertical_split)},
       {"mean_whole_history", {{"horizontal", s.mean_horizontal_whole}, {"vertical", s.mean_vertical_whole}}},

@@ -179,8 +179,8 @@ function ofMarks(marks: Mark[]): Named[] {
   for (const mark of marks) if (!firsts.has(mark.name)) firsts.set(mark.name, mark);
   const sampleOf = (mark: Mark): Mark => {
     switch (mark.kind) {
-      case "band": return { ...mark, from: 0, low: -6, high: 6 };
-      case "level": return { ...mark, from: 0, at: 0 };
+      case "band": return { ...mark, from: 0, to: undefined, low: -6, high: 6 };
+      case "level": return { ...mark, from: 0, to: undefined, at: 0 };
       case "dot": return { ...mark, x: 9, y: 0 };
       case "bar": return { ...mark, x: 9, low: -6, high: 6 };
       default: return { ...mark, x: 9 };

@@ -3,7 +3,7 @@
 import type { Run } from "./data";
 import { el, section, table } from "./dom";
 import { deviation, kN, number, seconds } from "./format";
-import type { LoadSummary } from "./types";
+import type { LoadSummary, RunSummary } from "./types";
 
 function figure(value: string, unit: string, name: string, note = ""): HTMLElement {
   return el("div", { class: "figure" }, el("b", {}, value, unit && el("small", {}, ` ${unit}`)), el("span", {}, name), note && el("em", {}, note));
@@ -28,6 +28,11 @@ function largest(run: Run): { value: number | null; time: number } {
   return { value: loads[at], time: run.column("load.time")[at] };
 }
 
+function placeInStatistics({ statistics_from: from, statistics_until: until }: RunSummary, time: number): string {
+  if (time <= from) return "before the statistics begin";
+  return until !== undefined && time > until ? "after the statistics end" : "in the statistics";
+}
+
 export function keyFigures(run: Run): HTMLElement {
   const s = run.data.summary;
   const from = seconds(s.statistics_from);
@@ -41,7 +46,7 @@ export function keyFigures(run: Run): HTMLElement {
     s.horizontal.maximum === null
       ? none("largest horizontal", tooEarly)
       : figure(kN(s.horizontal.maximum), "kN", `largest horizontal from ${from} s on`, `standard deviation ${kN(s.horizontal.standard_deviation)} kN`),
-    whole.value !== null && figure(kN(whole.value), "kN", "largest horizontal of the whole run", `at ${seconds(whole.time)} s, ${whole.time > s.statistics_from ? "in the statistics" : "before the statistics begin"}`),
+    whole.value !== null && figure(kN(whole.value), "kN", "largest horizontal of the whole run", `at ${seconds(whole.time)} s, ${placeInStatistics(s, whole.time)}`),
     Number.isFinite(measured) && figure(kN(measured), "kN", "reference mean", s.horizontal.mean === null ? "" : `this run: ${deviation(s.horizontal.mean, measured)}`),
     !Number.isFinite(measured) && (s.fastest_floe === null ? none("fastest floe", "no frames were recorded") : figure(number(s.fastest_floe, 3), "m/s", "fastest floe")),
     figure(String(s.n_breaks), "", "breaks", s.breaking_frequency ? `${number(s.breaking_frequency, 3)} a second` : ""),

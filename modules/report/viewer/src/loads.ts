@@ -218,13 +218,13 @@ export class LoadHistory {
     const levels = this.levels();
     if (!levels) return [];
     const [mean, reference] = [levels.mean / 1e3, levels.reference / 1e3];
-    const from = this.run.data.summary.statistics_from;
+    const { statistics_from: from, statistics_until: to } = this.run.data.summary;
     const marks: Mark[] = [];
     if (levels.interval) {
       const [low, high] = levels.interval.map((n) => n / 1e3);
-      marks.push({ kind: "band", name: "95 % interval of the mean", colour: css("--band"), from, low, high });
+      marks.push({ kind: "band", name: "95 % interval of the mean", colour: css("--band"), from, to, low, high });
     }
-    if (Number.isFinite(mean)) marks.push({ kind: "level", name: "mean", colour: css("--accent"), from, at: mean, dash: [5, 4] });
+    if (Number.isFinite(mean)) marks.push({ kind: "level", name: "mean", colour: css("--accent"), from, to, at: mean, dash: [5, 4] });
     if (Number.isFinite(reference)) marks.push({ kind: "level", name: "reference mean", colour: css("--ink"), from: 0, at: reference, dash: [2, 3] });
     return marks;
   }

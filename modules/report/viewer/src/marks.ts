@@ -4,8 +4,8 @@ import type uPlot from "uplot";
 
 /** In the chart's numbers; lengths in pixels. Those of one name are explained once. */
 export type Mark = { name: string; colour: string } & (
-  | { kind: "band"; from: number; low: number; high: number }  // to the right edge
-  | { kind: "level"; from: number; at: number; dash: number[] }
+  | { kind: "band"; from: number; to?: number; low: number; high: number }  // to the right edge, if no `to`
+  | { kind: "level"; from: number; to?: number; at: number; dash: number[] }
   | { kind: "tick"; x: number; edge: "top" | "bottom"; length: number }
   | { kind: "upright"; x: number }
   | { kind: "dot"; x: number; y: number; radius: number; opacity: number }
@@ -41,12 +41,13 @@ const at = (...numbers: number[]): string => numbers.map((n) => n.toFixed(2)).jo
 export const circle = (x: number, y: number, r: number): string => `M${at(x - r, y)}a${at(r, r)} 0 1 0 ${at(2 * r, 0)}a${at(r, r)} 0 1 0 ${at(-2 * r, 0)}Z`;
 
 function pathOf(mark: Mark, { left, right, top, bottom, ratio, x, y }: Plane): string {
+  const end = ({ to }: { to?: number }): number => (to === undefined ? right : Math.min(right, x(to)));
   switch (mark.kind) {
     case "band": {
       const from = Math.max(left, x(mark.from));
-      return `M${at(from, y(mark.low))}H${at(right)}V${at(y(mark.high))}H${at(from)}Z`;
+      return `M${at(from, y(mark.low))}H${at(end(mark))}V${at(y(mark.high))}H${at(from)}Z`;
     }
-    case "level": return `M${at(Math.max(left, x(mark.from)), y(mark.at))}H${at(right)}`;
+    case "level": return `M${at(Math.max(left, x(mark.from)), y(mark.at))}H${at(end(mark))}`;
     case "tick": return mark.edge === "top" ? `M${at(x(mark.x), top)}v${at(mark.length * ratio)}` : `M${at(x(mark.x), bottom)}v${at(-mark.length * ratio)}`;
     case "upright": return `M${at(x(mark.x), top)}V${at(bottom)}`;
     case "dot": return circle(x(mark.x), y(mark.y), mark.radius * ratio);

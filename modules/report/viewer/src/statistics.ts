@@ -119,15 +119,31 @@ function exceedanceChart(run: Run, choice: LoadChoice): Chart {
         ],
       },
     }),
-    () => `Exceedance of ${kLoads[choice.name].short} from ${seconds(run.data.summary.statistics_from)} s on; ${peaksOf().value.length} peaks between ${isLower() ? "downward" : "upward"} crossings of the mean.`,
+    () => `Exceedance of ${kLoads[choice.name].short} ${spanOf(run)}; ${peaksOf().value.length} peaks between ${isLower() ? "downward" : "upward"} crossings of the mean.`,
   );
 }
+
+/** The part of the run that the statistics cover. */
+function spanOf(run: Run): string {
+  const { statistics_from: from, statistics_until: until } = run.data.summary;
+  return `from ${seconds(from)} s ${until === undefined ? "on" : `to ${seconds(until)} s`}`;
+}
+
+/** Why they begin and end there. */
+function reasonsOf(run: Run): string {
+  const reasons = run.data.summary.statistics_window;
+  return reasons ? `They begin when ${reasons.begins}, and end when ${reasons.ends}. ` : "";
+}
+
+/** Of a time, as a share. */
+const kRounding = 1e-9;
 
 function exceedance(run: Run, choice: LoadChoice, { value: peaks, lower_end }: AxisStatistics["peaks"]): uPlot.AlignedData {
   const times = run.column("load.time");
   const loads = run.column(`load.${choice.name}`);
   const samples: number[] = [];
-  for (let i = 0; i < loads.length; ++i) if (times[i] > run.data.summary.statistics_from) samples.push(loads[i]);
+  const { statistics_from: from, statistics_until: until = Infinity } = run.data.summary;
+  for (let i = 0; i < loads.length; ++i) if (times[i] > from && times[i] <= until * (1 + kRounding)) samples.push(loads[i]);
   samples.sort((a, b) => (lower_end ? a - b : b - a));
   const points = new Map<number, [number | null, number | null]>();
   samples.forEach((value, i) => points.set(value / 1e3, [(i + 1) / (samples.length + 1), null]));
@@ -206,7 +222,7 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     "Statistics",
     moments(run, measured),
     el("p", { class: "note" },
-      `From ${seconds(s.statistics_from)} s on. ` +
+      `Statistics ${spanOf(run)}. ${reasonsOf(run)}` +
         (Object.values(data.loads ?? {}).some(({ lower_end }) => lower_end) ? kLowerEnd : "") +
         (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
         (measured ? ` Measured: ${measured.name}, the whole history.` : "")),

@@ -45,6 +45,9 @@ export interface LoadSummary {
 
 export interface RunSummary {
   statistics_from: number;
+  /** These two are absent in files of earlier versions. */
+  statistics_until?: number;
+  statistics_window?: { begins: string; ends: string };
   horizontal: LoadSummary;
   vertical: LoadSummary;
   mean_whole_history: { horizontal: number; vertical: number };

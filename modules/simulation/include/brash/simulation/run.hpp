@@ -47,10 +47,18 @@ struct InitialFloes {
   std::vector<double> size_quantiles;  ///< of the square roots of their areas, 5, 25, 50, 75, 95 % [m]
 };
 
+/// The part of a run that its statistics cover, and why.
+struct StatisticsWindow {
+  double from = 0.0;     ///< loads after this time count [s]; after the run's end: no statistics
+  double until = 0.0;    ///< and up to this time, the end of a step [s]
+  std::string begins{};  ///< why it begins there, in words that follow "when"
+  std::string ends{};    ///< why it ends there
+};
+
 /// The summary of a run. Everything here but the program follows from the case and its seed.
 struct RunSummary {
   model::Origin origin;            ///< preset and program; empty until the summary is recorded
-  double statistics_from = 0.0;    ///< loads are summarised from here on [s]; after the run's end: not a number
+  StatisticsWindow window;         ///< of the loads and the breaking frequency
   statistics::Summary horizontal;  ///< resistance Fx [N]
   statistics::Summary vertical;    ///< Fz, upwards on the structure [N]
   LoadSplit horizontal_split;
@@ -64,7 +72,7 @@ struct RunSummary {
   BreakCounts breaks;
   model::SheetSolves sheets;
   KeptCounts verdicts;
-  double breaking_frequency = 0.0;  ///< breaks per second from statistics_from on [Hz]
+  double breaking_frequency = 0.0;  ///< breaks per second in the window [Hz]
   int n_floes_born = 0;
   int n_floes_present = 0;
   int n_floes_crushed = 0;
@@ -135,7 +143,11 @@ Run run(const model::Case& resolved, const RunOptions& options = {});
 /// The summary as JSON, SI units.
 std::string to_json(const RunSummary& summary);
 
-/// Where the statistics of a run begin [s]: as given, or when the structure's last_axis() passes the initial edge.
-double statistics_from(const model::Case& resolved);
+/// The window of a run's statistics. It begins as `output.statistics_from` says, or when the structure's last_axis()
+/// has passed the last floe of the initial crack: the program cut these floes, so their loads say nothing about the
+/// ice. The preset `paper`, and ice without that crack, begin at the initial edge. The window ends when the foremost
+/// point of a structure that goes as it is told leaves fixed level ice.
+/// @param initial_crack_radius  of DerivedScales [m].
+StatisticsWindow statistics_window(const model::Case& resolved, double initial_crack_radius);
 
 }  // namespace brash::simulation

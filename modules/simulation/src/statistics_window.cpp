@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The structure's course through the field, and the part of the run that its statistics cover.
+#include "statistics_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brash/structure/hull.hpp"
+#include "brash/structure/motion.hpp"
+#include "edge_contact.hpp"
+
+namespace brash::simulation {
+namespace {
+
+Course straight_course(const model::Case& c, const structure::Hull& hull) {
+  const Freeboard heights = freeboard(c);
+  const Pose start = structure::unresisted(c.structure, 0.0);
+  const auto reach = [&](Vec2 course) {
+    return structure::foremost(hull, start, heights.bottom, heights.top, course).reach;
+  };
+  const double speed = model::speed(c.structure.motion), bow = reach({1.0, 0.0});
+  return {.speed = speed,
+          .velocity = {speed, 0.0},
+          .axis = structure::last_axis(c.structure, start),
+          .bow = bow,
+          .end = bow + speed * c.time.duration,
+          .leaves = (c.field.length - bow) / speed,
+          .beside = std::max(reach({0.0, 1.0}), reach({0.0, -1.0})),
+          .meets = bow + speed * c.time.duration > 0.0 && -reach({-1.0, 0.0}) < c.field.length};
+}
+
+/// Sampled along the path.
+Course course_on_path(const model::Case& c, const structure::Hull& hull) {
+  constexpr int kSamples = 400;
+  const Freeboard heights = freeboard(c);
+  const Vec2 from = plan(structure::unresisted(c.structure, 0.0).position),
+             to = plan(structure::unresisted(c.structure, c.time.duration).position);
+  Course course;
+  for (int i = 0; i <= kSamples; ++i) {
+    const Pose pose = structure::unresisted(c.structure, c.time.duration * i / kSamples);
+    const auto reach = [&](Vec2 way) {
+      return structure::foremost(hull, pose, heights.bottom, heights.top, way).reach;
+    };
+    const double bow = reach({1.0, 0.0});
+    if (i == 0)
+      course = {.speed = structure::mean_speed(c.structure, c.time.duration),
+                .velocity = (to - from) / c.time.duration,
+                .axis = structure::last_axis(c.structure, pose),
+                .bow = bow,
+                .end = bow};
+    if (course.end <= c.field.length && bow > c.field.length) course.leaves = c.time.duration * i / kSamples;
+    course.end = std::max(course.end, bow);
+    const double left = reach({0.0, 1.0}), right = -reach({0.0, -1.0}), half = 0.5 * c.field.width;
+    course.beside = std::max({course.beside, left, -right});
+    course.meets = course.meets || (bow > 0.0 && -reach({-1.0, 0.0}) < c.field.length && left > -half && right < half);
+  }
+  return course;
+}
+
+}  // namespace
+
+Course course_of(const model::Case& c) {
+  const auto hull = structure::make_hull(c.structure);
+  const auto* const towed = std::get_if<model::Towed>(&c.structure.motion);
+  return towed != nullptr && !towed->path.empty() ? course_on_path(c, *hull) : straight_course(c, *hull);
+}
+
+bool goes_as_told(const model::Motion& motion) {
+  return std::holds_alternative<model::Towed>(motion) || std::holds_alternative<model::Compliant>(motion);
+}
+
+bool has_initial_crack(const model::Case& c) {
+  return c.field.kind == model::FieldKind::kLevelIce && c.field.initial_crack;
+}
+
+/// The paper begins at the ice edge.
+double place_of_begin(const model::Case& c, double radius) {
+  return has_initial_crack(c) && c.algorithm.preset != model::Preset::kPaper ? radius : 0.0;
+}
+
+namespace {
+
+/// When the structure's last axis passes `x` where nothing resists it; at the latest the end of the run [s].
+double time_at(const model::Case& c, double x) {
+  const auto axis_at = [&](double time) {
+    return structure::last_axis(c.structure, structure::unresisted(c.structure, time));
+  };
+  const double speed = model::speed(c.structure.motion);
+  if (speed > 0.0) return std::clamp((x - axis_at(0.0)) / speed, 0.0, c.time.duration);
+  const auto n_steps = std::llround(c.time.duration / c.time.step);
+  for (long long i = 0; i < n_steps; ++i)
+    if (const double time = static_cast<double>(i) * c.time.step; axis_at(time) >= x) return time;
+  return c.time.duration;
+}
+
+/// Time after so many steps [s].
+double whole_steps(const model::Case& c, double n) { return n * c.time.step; }
+
+/// Whether the structure comes out of ice that stays where it is.
+bool leaves_ice(const model::Case& c, const Course& course) {
+  return c.field.kind == model::FieldKind::kLevelIce && c.field.border == model::Border::kFixed &&
+         goes_as_told(c.structure.motion) && course.meets && course.end > c.field.length &&
+         course.leaves < c.time.duration;
+}
+
+}  // namespace
+
+StatisticsWindow statistics_window(const model::Case& resolved, double initial_crack_radius) {
+  const double x = place_of_begin(resolved, initial_crack_radius);
+  StatisticsWindow window{.from = resolved.output.statistics_from.value_or(time_at(resolved, x)),
+                          .until = whole_steps(resolved, std::round(resolved.time.duration / resolved.time.step)),
+                          .begins = "the structure's axis passes the ice edge",
+                          .ends = "the run is over"};
+  if (x > 0.0) window.begins = "the structure's axis has passed the last floe of the initial crack";
+  if (resolved.output.statistics_from) window.begins = "output.statistics_from says so";
+  const Course course = course_of(resolved);
+  if (!leaves_ice(resolved, course) || course.leaves <= window.from) return window;
+  window.until = whole_steps(resolved, std::floor(course.leaves / resolved.time.step));
+  window.ends = "the structure's bow leaves the ice at the far side";
+  return window;
+}
+
+}  // namespace brash::simulation
