@@ -13,6 +13,11 @@ namespace {
 /// (docs/theory/dynamics.md, (C3)).
 double most_momentum(int iterations) { return std::max(0.0, 1.0 - 10.0 / iterations); }
 
+/// Sweeps before the first long stride and between two, in which the light bodies come to rest.
+constexpr int kBetweenStrides = 8;
+/// Sweeps after the last stride.
+constexpr int kAfterStrides = 8;
+
 /// Bodies that a thread takes at a time, at some 10 ns for each.
 constexpr std::size_t kBodies = 512;
 
@@ -146,10 +151,11 @@ void BoundedSolver::each_strip(Workers& workers, Task&& task) {
   task(strips_[n]);
 }
 
-/// Sweeps with `rows` over impulses that move `bodies`. @return the largest change of a relative velocity in the last
-/// sweep [m/s].
-template <typename Rows>
-double BoundedSolver::iterate(std::vector<Moved>& bodies, int iterations, double still, Workers& workers, Rows&& rows) {
+/// Sweeps with `rows` over impulses that move `bodies`, and calls `after_sweep` with the number of each sweep from 0.
+/// @return the largest change of a relative velocity in the last sweep [m/s].
+template <typename Rows, typename After>
+double BoundedSolver::iterate(std::vector<Moved>& bodies, int iterations, double still, Workers& workers, Rows&& rows,
+                              After&& after_sweep) {
   velocities_before_.assign(bodies_.size(), {});
   Sweep last{.largest = std::numeric_limits<double>::infinity(), .change = 0.0};
   double momentum = 0.0;
@@ -162,6 +168,7 @@ double BoundedSolver::iterate(std::vector<Moved>& bodies, int iterations, double
     for (std::size_t k = 0; k <= order_.n(); ++k) sweep.add(strips_[k].sweep);
     momentum = sweep.change < last.change ? most_momentum(iterations) : 0.0;
     last = sweep;
+    after_sweep(i);
   }
   return last.largest;
 }
@@ -176,12 +183,18 @@ double BoundedSolver::solve(int iterations, double still, Workers& workers) {
   const bool parts = std::any_of(strips_.begin(), strips_.begin() + static_cast<std::ptrdiff_t>(n_strips),
                                  [](const Strip& strip) { return !strip.partings.empty(); });
   if (parts)
-    iterate(parted_, iterations, still, workers,
-            [&](Sweep&) { each_strip(workers, [this](Strip& strip) { sweep_partings(strip); }); });
-  return iterate(moved_, iterations, still, workers, [&](Sweep& sweep) {
+    iterate(
+        parted_, iterations, still, workers,
+        [&](Sweep&) { each_strip(workers, [this](Strip& strip) { sweep_partings(strip); }); }, [](int) {});
+  find_groups();
+  const auto sweep_all = [&](Sweep& sweep) {
     sweep_joints(sweep);
     each_strip(workers, [this](Strip& strip) { sweep_normals(strip); });
     each_strip(workers, [this](Strip& strip) { sweep_frictions(strip); });
+  };
+  return iterate(moved_, iterations, still, workers, sweep_all, [&](int i) {
+    const bool is_due = (i + 1) % kBetweenStrides == 0 && i + kAfterStrides < iterations;
+    if (is_due && !groups_.empty()) take_strides();
   });
 }
 

@@ -176,6 +176,8 @@ class BoundedSolver {
       now = start;
       return start;
     }
+    double last_change() const { return now - before; }
+    double beyond(double stride) const { return now + stride * last_change(); }
   };
   /// The impulse of a point so far, and its bound.
   struct Bearing {
@@ -253,6 +255,18 @@ class BoundedSolver {
     std::uint32_t strip = 0;    ///< its number
     std::uint32_t contact = 0;  ///< as it was added
   };
+  /// Bodies that contacts connect, and a stride of their impulses beyond the end of a sweep.
+  struct Group {
+    double stride = 0.0;     ///< how many times the last sweep's change; 0: none
+    double slope = 0.0;      ///< of the energy of the impulses over the stride [J]
+    double curvature = 0.0;  ///< [J]
+    double change = 0.0;     ///< of that energy by the stride, within the bounds of the impulses [J]
+  };
+  /// Impulses of a point after a stride [N s].
+  struct Stridden {
+    double normal = 0.0;
+    Vec2 friction{};
+  };
   struct Limits {
     double lower = 0.0;  ///< [N s]
     double upper = 0.0;  ///< [N s]
@@ -291,8 +305,20 @@ class BoundedSolver {
   void sweep_partings(Strip& strip);
   template <typename Task>
   void each_strip(Workers& workers, Task&& task);
-  template <typename Rows>
-  double iterate(std::vector<Moved>& bodies, int iterations, double still, Workers& workers, Rows&& rows);
+  template <typename Rows, typename After>
+  double iterate(std::vector<Moved>& bodies, int iterations, double still, Workers& workers, Rows&& rows,
+                 After&& after_sweep);
+  void find_groups();
+  template <typename Visit>
+  void each_point_of_groups(Visit&& visit);
+  template <typename Visit>
+  void each_body_of_groups(Visit&& visit);
+  static double energy(const Moved& body, const Spatial& first, const Spatial& second);
+  void aim_strides();
+  void stop_strides_at_bounds();
+  Stridden stridden(const Group& group, const Strip& strip, const Contact& contact, std::size_t point) const;
+  void try_strides();
+  void take_strides();
 
   // Four numberings. Bodies keep theirs, from 1 on: `bodies_`, `moved_`, `parted_`, `velocities_before_`. Contacts and
   // points have two. As they were added: `given_`, `first_points_` and `ends_` by contact, `places_` by point. Strip by
@@ -310,6 +336,9 @@ class BoundedSolver {
   std::vector<Moved> moved_;
   std::vector<Moved> parted_;               ///< likewise, as far as their positions part
   std::vector<Spatial> velocities_before_;  ///< at the end of the last sweep but one
+  std::vector<Group> groups_;               ///< where a heavy body touches a light one
+  std::vector<std::uint32_t> group_of_;     ///< number of each body's group, or kNone; unset where there are no groups
+  std::vector<Moved> strides_;              ///< the bodies after a stride
   // Strip by strip. The cost of an iteration is the memory that it goes through.
   std::vector<Ends> ends_;
   Strips order_;
