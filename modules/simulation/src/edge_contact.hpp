@@ -59,6 +59,7 @@ struct EdgeContact {
   int level_ice = 0;                   ///< number of the level ice that it is the edge of
   Touch touched{};                     ///< at rest
   Pressing pressing{};                 ///< weigh_loads()
+  std::optional<double> edge_age{};    ///< of an edge that moves: since its first touch [s]
   double shift = 0.0;                  ///< how much higher than at rest its edge lies [m]
   failure::IceProperties ice{};        ///< there
 };

@@ -224,6 +224,8 @@ void Simulation::Impl::judge(std::vector<EdgeContact>& contacts, double now, Ste
   };
   for_each_sheet(contacts, [&](const ice::Plate& plate, std::vector<EdgeContact>& here) {
     simulation::weigh_loads(edge_model(plate), here);
+    for (EdgeContact& contact : here)
+      if (const auto life = edges.life(contact)) contact.edge_age = life->age;
     verdicts.recall(now, here);
     assess(edge_model(plate), plate.sheet(), here, motion_of, share_out);
   });
@@ -284,7 +286,7 @@ void Simulation::Impl::break_ice(const std::vector<EdgeContact>& contacts, StepR
   for (const EdgeContact& contact : contacts) {
     const Vec2 tip = 0.5 * (contact.region.chord_from + contact.region.chord_to);
     if (!contact.assessment.fails || has_broken(contact)) continue;
-    const MovingEdges::Life life = edges.life(contact);
+    const MovingEdges::Life life = edges.life(contact).value_or(MovingEdges::Life{});
     model::CrackEvent event{.time = time(),
                             .at = contact.region.midpoint,
                             .depth = contact.wedge.depth,

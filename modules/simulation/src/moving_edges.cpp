@@ -167,9 +167,10 @@ double MovingEdges::follow(std::vector<EdgeContact>& contacts, std::span<const d
   return bent;
 }
 
-MovingEdges::Life MovingEdges::life(const EdgeContact& contact) const {
+std::optional<MovingEdges::Life> MovingEdges::life(const EdgeContact& contact) const {
   const Edge* const edge = contact.floe == model::kNoFloe ? edge_at(contact.level_ice, contact.touched) : nullptr;
-  return edge != nullptr ? Life{edge->history.time() - edge->touched_at, edge->deflection} : Life{};
+  if (edge == nullptr) return std::nullopt;
+  return Life{edge->history.time() - edge->touched_at, edge->deflection};
 }
 
 failure::EdgeMotion MovingEdges::motion(const EdgeContact& contact) const {

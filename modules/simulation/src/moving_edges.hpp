@@ -32,12 +32,13 @@ class MovingEdges {
   /// @param work  of the structure on each contact, under its whole force [J]. @return the work that bent edges [J].
   double follow(std::vector<EdgeContact>& contacts, std::span<const double> work, double from, double to);
 
-  /// Where the edge of a contact is in its life; zero where it does not move.
+  /// Where the edge of a contact is in its life.
   struct Life {
     double age = 0.0;         ///< since the first touch [s]
     double deflection = 0.0;  ///< >= 0 as pushed [m]
   };
-  Life life(const EdgeContact& contact) const;
+  /// Nothing where the edge does not move.
+  std::optional<Life> life(const EdgeContact& contact) const;
 
   /// How the edge of a contact moves.
   failure::EdgeMotion motion(const EdgeContact& contact) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "plan.hpp"
 
@@ -13,6 +14,9 @@ namespace {
 constexpr double kLeastMargin = 1.2, kMoreMargin = 2.0;
 /// A contact is solved where the loads of either kind changed by more than this share of all, or its length.
 constexpr double kLoadJump = 1.0, kLengthJump = 0.25;
+/// Whatever the load, the stress of an edge that has just begun to move grows with a power of its age. So a verdict is
+/// kept no longer than this share of the age.
+constexpr double kShareOfEdge = 0.25;
 /// Of times.
 constexpr double kRounding = 1e-6;
 /// One contact in so many is a control.
@@ -52,7 +56,9 @@ std::optional<Verdicts::Growth> Verdicts::most_overloaded(const std::vector<Edge
 }
 
 bool Verdicts::may_keep(const Kept& kept, const EdgeContact& contact, double now) const {
-  const double age = (now - kept.time) / lateness_;
+  const double longest =
+      std::min(lateness_, kShareOfEdge * contact.edge_age.value_or(std::numeric_limits<double>::infinity()));
+  const double age = (now - kept.time) / longest;
   if (kept.is_stale || age > 1.0 - kRounding) return false;
   const double jump = kLoadJump * kept.pressing.sum();
   const Pressing& pressing = contact.pressing;
