@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -30,7 +31,7 @@ using Vector = double __attribute__((vector_size(kTile * sizeof(double))));
 template <int kColumns>
 inline void subtract_tile(const double* rows, const double* columns, Index stride, Index depth, double* target,
                           Index target_stride) {
-  Vector sum[kColumns] = {};
+  Vector sum[kColumns] = {};  // NOLINT(modernize-avoid-c-arrays): std::array would lose the vector's attributes
   for (Index p = 0; p < depth; ++p, rows += stride, columns += stride) {
     Vector row;
     std::memcpy(&row, rows, sizeof(row));
@@ -48,11 +49,11 @@ inline void subtract_tile(const double* rows, const double* columns, Index strid
 template <int kColumns>
 inline void subtract_row(const double* row, const double* columns, Index stride, Index depth, double* target,
                          Index target_stride) {
-  double sum[kColumns] = {};
+  std::array<double, kColumns> sum{};
   for (Index p = 0; p < depth; ++p, row += stride, columns += stride) {
-    for (int j = 0; j < kColumns; ++j) sum[j] += columns[j] * *row;
+    for (int j = 0; j < kColumns; ++j) sum[static_cast<std::size_t>(j)] += columns[j] * *row;
   }
-  for (int j = 0; j < kColumns; ++j) target[j * target_stride] -= sum[j];
+  for (int j = 0; j < kColumns; ++j) target[j * target_stride] -= sum[static_cast<std::size_t>(j)];
 }
 
 /// target -= a b', where b is the top of a; shape of the target=(height, kColumns), of a=(height, depth).

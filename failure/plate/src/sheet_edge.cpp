@@ -23,6 +23,8 @@ constexpr double kShortestLoad = 0.01;
 /// a short contact follows the sides of its wedge: with eight times as much, one edge in thirty errs by 2 to 5 %.
 constexpr double kContactShare = 0.03;
 constexpr double kDistanceShare = 0.01;
+/// Squares that differ by less than this factor are compared by their roots.
+constexpr double kRounding = 1.0 + 1e-9;
 /// Points of the edge between the two sides of a neck or a slot, at most.
 constexpr std::size_t kPocket = 20;
 /// Times that the tolerance is halved if the simplified edge touches itself.
@@ -42,16 +44,33 @@ std::vector<double> lengths_of(const Polyline& line) {
   return along;
 }
 
+/// The point of a segment that is nearest to a place, with its share of the segment.
+struct Foot {
+  double share = 0.0;
+  Vec2 place{};
+};
+
+Foot foot_on(Vec2 from, Vec2 to, Vec2 place) {
+  const Vec2 step = to - from;
+  const double share = std::clamp(dot(place - from, step) / dot(step, step), 0.0, 1.0);
+  return {share, from + share * step};
+}
+
 Station project(const Polyline& line, const std::vector<double>& along, Vec2 place) {
-  constexpr double kRounding = 1.0 + 1e-9;
-  Station best;
+  std::vector<double> square;
+  square.reserve(line.size());
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 step = line[i + 1] - line[i];
-    const double s = std::clamp(dot(place - line[i], step) / dot(step, step), 0.0, 1.0);
-    const Vec2 foot = line[i] + s * step;
-    const Vec2 off = place - foot;
-    if (dot(off, off) > best.off * best.off * kRounding) continue;  // most are farther off, without a root
-    if (norm(off) < best.off) best = {i, along[i] + s * norm(step), norm(off), foot};
+    const Vec2 off = place - foot_on(line[i], line[i + 1], place).place;
+    square.push_back(dot(off, off));
+  }
+  // Roots only where squares cannot tell which is nearest.
+  const double least = *std::min_element(square.begin(), square.end()) * kRounding;
+  Station best;
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    if (square[i] > least) continue;
+    const Foot foot = foot_on(line[i], line[i + 1], place);
+    const double off = norm(place - foot.place);
+    if (off < best.off) best = {i, along[i] + foot.share * norm(line[i + 1] - line[i]), off, foot.place};
   }
   return best;
 }
@@ -134,18 +153,20 @@ struct Chain {
 
 class Simplifier {
  public:
-  Simplifier(const LoadedSheet& sheet, EdgeTolerance tolerance) : sheet_(&sheet), tolerance_(tolerance) {}
+  Simplifier(const LoadedSheet& sheet, EdgeTolerance tolerance) : sheet_(&sheet), tolerance_(tolerance) {
+    for (const EdgeLoad& load : sheet.edge_loads)
+      lengths_.push_back(std::max(kShortestLoad, norm(load.to - load.from)));
+  }
 
   /// What may be left out at a place.
   double at(Vec2 place) const {
     double distance = norm(place);
     double feature = std::numeric_limits<double>::infinity();
-    for (const EdgeLoad& load : sheet_->edge_loads) {
-      const double off = distance_to_stretch(place, load.from, load.to);
+    for (std::size_t l = 0; l < lengths_.size(); ++l) {
+      const double off = distance_to_stretch(place, sheet_->edge_loads[l].from, sheet_->edge_loads[l].to);
       distance = std::min(distance, off);
       // Features as small as a contact matter next to it.
-      const double length = std::max(kShortestLoad, norm(load.to - load.from));
-      feature = std::min(feature, kContactShare * length + kDistanceShare * off);
+      feature = std::min(feature, kContactShare * lengths_[l] + kDistanceShare * off);
     }
     for (const PatchLoad& load : sheet_->patch_loads) distance = std::min(distance, norm(place - load.at));
     const double near = tolerance_.at_any_price ? tolerance_.near : std::min(tolerance_.near, feature);
@@ -154,23 +175,12 @@ class Simplifier {
 
   void halve() { scale_ *= 0.5; }
 
-  /// Appends the points of the line after `first` up to `last` that stay.
-  void thin(const Polyline& line, std::size_t first, std::size_t last, Chain& kept) const {
-    std::size_t farthest = first;
-    double most = 1.0;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double off = distance_to_stretch(line[i], line[first], line[last]) / at(line[i]);
-      if (off > most) {
-        most = off;
-        farthest = i;
-      }
-    }
-    if (farthest == first) {
-      kept.add(line[last], Mark::kFree);
-      return;
-    }
-    thin(line, first, farthest, kept);
-    thin(line, farthest, last, kept);
+  /// Appends the points of the line after the first that stay.
+  void thin(const Polyline& line, Chain& kept) const {
+    std::vector<double> tolerances;
+    tolerances.reserve(line.size());
+    for (const Vec2 point : line) tolerances.push_back(at(point));
+    thin(line, tolerances, 0, line.size() - 1, kept);
   }
 
   /// Cuts ice off that hangs on a neck narrower than the tolerance, and closes slots that are as narrow as that
@@ -196,6 +206,26 @@ class Simplifier {
   }
 
  private:
+  /// Appends the points after `first` up to `last` that stay.
+  static void thin(const Polyline& line, const std::vector<double>& tolerances, std::size_t first, std::size_t last,
+                   Chain& kept) {
+    std::size_t farthest = first;
+    double most = 1.0;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distance_to_stretch(line[i], line[first], line[last]) / tolerances[i];
+      if (off > most) {
+        most = off;
+        farthest = i;
+      }
+    }
+    if (farthest == first) {
+      kept.add(line[last], Mark::kFree);
+      return;
+    }
+    thin(line, tolerances, first, farthest, kept);
+    thin(line, tolerances, farthest, last, kept);
+  }
+
   static double area(const Polyline& line, std::size_t from, std::size_t to) {
     double twice = cross(line[to], line[from]);
     for (std::size_t i = from; i < to; ++i) twice += cross(line[i], line[i + 1]);
@@ -203,6 +233,7 @@ class Simplifier {
   }
 
   const LoadedSheet* sheet_;
+  std::vector<double> lengths_;  ///< of the edge loads
   EdgeTolerance tolerance_;
   double scale_ = 1.0;
 };
@@ -280,7 +311,7 @@ Chain chain_of(const Polyline& line, const std::vector<double>& along, const Str
       for (std::size_t i = from.segment + 1; i <= to.segment; ++i) section.push_back(line[i]);
       section.push_back(to.place);
       const std::size_t first = chain.points.size() - 1;
-      simplifier.thin(section, 0, section.size() - 1, chain);
+      simplifier.thin(section, chain);
       keep_area(section, first, chain);
     }
     chain.marked.back() = std::max(chain.marked.back(), mark);
@@ -307,9 +338,15 @@ Chain chain_of(const Polyline& line, const std::vector<double>& along, const Str
 }
 
 std::size_t index_of(const Polyline& line, Vec2 place) {
-  const auto near =
-      std::min_element(line.begin(), line.end(), [&](Vec2 a, Vec2 b) { return norm(a - place) < norm(b - place); });
-  return static_cast<std::size_t>(near - line.begin());
+  std::size_t nearest = 0;
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec2 off = line[i] - place;
+    if (dot(off, off) > best * best * kRounding || !(norm(off) < best)) continue;
+    best = norm(off);
+    nearest = i;
+  }
+  return nearest;
 }
 
 /// Makes B a point of the edge where it lies on it.
