@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace brash::plate {
 
@@ -38,14 +38,13 @@ double coordinate(std::size_t list, Vec2 place) {
 Dissection::Dissection(const Mesh& mesh)
     : mesh_(&mesh), n_in_part_(mesh.edges.size(), 0), is_open_(mesh.edges.size(), 0), is_first_(mesh.triangles.size()) {
   const std::size_t n = mesh.triangles.size();
-  std::vector<double> key(n);
+  std::vector<std::pair<double, int>> sorted(n);
   for (std::size_t list = 0; list < kLists; ++list) {
-    for (std::size_t t = 0; t < n; ++t)
-      key[t] = coordinate(list, place_in(mesh, static_cast<int>(t), 1.0 / 3.0, 1.0 / 3.0));
-    lists_[list].resize(n);
-    std::iota(lists_[list].begin(), lists_[list].end(), 0);
-    std::sort(lists_[list].begin(), lists_[list].end(),
-              [&](int a, int b) { return key[at(a)] < key[at(b)] || (key[at(a)] == key[at(b)] && a < b); });
+    for (int t = 0; t < static_cast<int>(n); ++t)
+      sorted[at(t)] = {coordinate(list, place_in(mesh, t, 1.0 / 3.0, 1.0 / 3.0)), t};
+    std::sort(sorted.begin(), sorted.end());
+    lists_[list].reserve(n);
+    for (const auto& [place, triangle] : sorted) lists_[list].push_back(triangle);
   }
   parts_.reserve(2 * n);
   if (n > 0) dissect(0, static_cast<int>(n));

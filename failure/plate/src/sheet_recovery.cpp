@@ -18,12 +18,17 @@ constexpr int kSamples = 3;
 
 std::size_t at_(int i) { return static_cast<std::size_t>(i); }
 
-/// 1, x, y, x^2, x y, ... y^3.
-Eigen::Matrix<double, 10, 1> monomials(Vec2 p) {
-  const double x = p.x;
-  const double y = p.y;
-  Eigen::Matrix<double, 10, 1> result;
-  result << 1.0, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y;
+/// 1, x, y, x^2, x y, y^2, ... up to a degree; degree by degree.
+template <int kDegree>
+Eigen::Matrix<double, (kDegree + 1) * (kDegree + 2) / 2, 1> monomials(Vec2 p) {
+  Eigen::Matrix<double, (kDegree + 1) * (kDegree + 2) / 2, 1> result;
+  result(0) = 1.0;
+  int n = 1;
+  for (int degree = 1; degree <= kDegree; ++degree) {
+    for (int j = 0; j < degree; ++j, ++n) result(n) = p.x * result(n - degree);
+    result(n) = p.y * result(n - degree - 1);
+    ++n;
+  }
   return result;
 }
 
@@ -77,6 +82,20 @@ Stresses bending_stresses(int order, const double* unknowns, const Eigen::Matrix
   static const auto cubic = slopes_of<12>(3);
   return order == 2 ? stresses<7>(quadratic, unknowns, inverse, poisson_ratio)
                     : stresses<12>(cubic, unknowns, inverse, poisson_ratio);
+}
+
+/// Sums of the products of two monomials up to degree 3, from the sums of the monomials up to degree 6.
+Eigen::Matrix<double, 10, 10> products_of_cubics(const Eigen::Matrix<double, 28, 1>& moments) {
+  const auto number = [](int degree, int j) { return degree * (degree + 1) / 2 + j; };
+  Eigen::Matrix<double, 10, 10> result;
+  for (int d = 0; d <= 3; ++d) {
+    for (int i = 0; i <= d; ++i) {
+      for (int e = 0; e <= 3; ++e) {
+        for (int j = 0; j <= e; ++j) result(number(d, i), number(e, j)) = moments(number(d + e, i + j));
+      }
+    }
+  }
+  return result;
 }
 
 /// Corners and middles of the sides of the reference triangle.
@@ -138,6 +157,10 @@ const SheetRecovery::Samples& SheetRecovery::samples(int triangle) {
   const Eigen::Matrix2d inverse = jacobian.inverse();
   const int n_deflection = reference_element(fields_->bending_order).n_lagrange();
   samples->area2 = jacobian.determinant();
+  for (std::size_t s = 0; s < samples->places.size(); ++s) {
+    const auto& point = sample_points()[s];
+    samples->places[s] = place_in(*mesh_, triangle, point.xi, point.eta);
+  }
   samples->values.topRows<3>() = bending_stresses(
       fields_->bending_order, fields_->bending.col(triangle).data() + n_deflection, inverse, fields_->poisson_ratio);
   samples->values.bottomRows<3>() = membrane_stresses(fields_->membrane_order, fields_->membrane.col(triangle).data(),
@@ -145,15 +168,13 @@ const SheetRecovery::Samples& SheetRecovery::samples(int triangle) {
   return *samples;
 }
 
-void SheetRecovery::add_samples(int triangle, const Cubic& cubic, Eigen::Matrix<double, kTerms, kTerms>& normal,
-                                Fit& right) {
+void SheetRecovery::add_samples(int triangle, const Cubic& cubic, Moments& moments, Fit& right) {
   const Samples& samples = this->samples(triangle);
   for (int s = 0; s < kPoints; ++s) {
-    const auto& point = sample_points()[at_(s)];
-    const auto phi = monomials((place_in(*mesh_, triangle, point.xi, point.eta) - cubic.centre) / cubic.scale);
-    const Eigen::Matrix<double, kTerms, 1> weighted = point.weight * samples.area2 * phi;
-    normal.noalias() += weighted * phi.transpose();
-    right.noalias() += weighted * samples.values.col(s).transpose();
+    const auto phi = monomials<6>((samples.places[at_(s)] - cubic.centre) / cubic.scale);
+    const double weight = sample_points()[at_(s)].weight * samples.area2;
+    moments += weight * phi;
+    right.noalias() += (weight * phi.head<kTerms>()) * samples.values.col(s).transpose();
   }
 }
 
@@ -169,10 +190,10 @@ const SheetRecovery::Cubic& SheetRecovery::cubic(int vertex, bool below) {
       cubic.scale = std::max(cubic.scale, norm(mesh_->vertices[at_(corner)] - cubic.centre));
     }
   }
-  Eigen::Matrix<double, kTerms, kTerms> normal = Eigen::Matrix<double, kTerms, kTerms>::Zero();
+  Moments moments = Moments::Zero();
   Fit right = Fit::Zero();
-  for (const int t : members) add_samples(t, cubic, normal, right);
-  cubic.terms = normal.ldlt().solve(right);
+  for (const int t : members) add_samples(t, cubic, moments, right);
+  cubic.terms = products_of_cubics(moments).ldlt().solve(right);
   return cubic;
 }
 
@@ -184,7 +205,7 @@ SheetState SheetRecovery::blend(int triangle, double xi, double eta) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (shares[i] == 0.0) continue;
     const Cubic& around = cubic(mesh_->triangles[at_(triangle)][i], below);
-    values += shares[i] * around.terms.transpose() * monomials((place - around.centre) / around.scale);
+    values += shares[i] * around.terms.transpose() * monomials<3>((place - around.centre) / around.scale);
   }
   return {
       .moment = {values(0), values(1), values(2)}, .membrane = {values(3), values(4), values(5)}, .deflection = 0.0};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -39,6 +40,7 @@ class SheetRecovery {
   static constexpr int kTerms = 10;
   static constexpr int kQuantities = 6;
   using Fit = Eigen::Matrix<double, kTerms, kQuantities>;
+  using Moments = Eigen::Matrix<double, 28, 1>;  ///< sums of the monomials up to degree 6
   using Values = Eigen::Matrix<double, kQuantities, 1>;
 
   /// A cubic about a vertex.
@@ -51,6 +53,7 @@ class SheetRecovery {
   /// The stress of a triangle at its sample points: moments and membrane.
   struct Samples {
     double area2 = 0.0;
+    std::array<Vec2, 9> places;
     Eigen::Matrix<double, kQuantities, 9> values;
   };
 
@@ -58,7 +61,7 @@ class SheetRecovery {
   std::vector<int> patch(int vertex, bool below) const;
   const Cubic& cubic(int vertex, bool below);
   const Samples& samples(int triangle);
-  void add_samples(int triangle, const Cubic& cubic, Eigen::Matrix<double, kTerms, kTerms>& normal, Fit& right);
+  void add_samples(int triangle, const Cubic& cubic, Moments& moments, Fit& right);
   /// All but the deflection.
   SheetState blend(int triangle, double xi, double eta);
 
