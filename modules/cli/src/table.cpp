@@ -157,6 +157,14 @@ std::string energy(const simulation::EnergyBalance& e) {
   return text;
 }
 
+std::string residual(const simulation::RunSummary& s) {
+  return fmt::format(
+      "contacts\n  residual of a step (last change of a relative velocity): {:.2g} m/s in the mean, {:.2g} m/s at "
+      "most; "
+      "{} steps unsettled\n",
+      s.mean_last_change, s.largest_last_change, s.n_unsettled_steps);
+}
+
 std::string speed(const model::Case& resolved, const simulation::Run& run) {
   std::string text = fmt::format("speed\n  {:.2f} simulated s per wall s ({:.1f} s, {} thread{}):",
                                  (resolved.time.duration - run.resumed_from) / run.wall_seconds, run.wall_seconds,
@@ -185,7 +193,7 @@ std::string run_table(const model::Case& resolved, const simulation::Run& run) {
                      resolved.time.step, resolved.random.seed, io::origin_line(io::origin_of(resolved))) +
          warnings_text(run.summary.warnings) + loads(run.summary) + regions(run.summary) +
          comparison(resolved, run.summary) + ice(run.summary) + ledger(run.summary.ledger) +
-         energy(run.summary.energy) + speed(resolved, run);
+         energy(run.summary.energy) + residual(run.summary) + speed(resolved, run);
 }
 
 }  // namespace brash::cli

@@ -27,6 +27,17 @@ void add_reference_warning(const RunSummary& s, const model::ReferenceSection& r
                    s.horizontal.mean, *reference.mean_horizontal, *reference.mean_horizontal)});
 }
 
+void add_unsettled_warning(const RunSummary& s, std::size_t n_steps, Warnings& warnings) {
+  if (2 * static_cast<std::size_t>(s.n_unsettled_steps) <= n_steps) return;
+  warnings.push_back(
+      {"unsettled-contacts",
+       fmt::format(
+           "the contacts of {} of {} steps are not settled: their last sweep changes a relative velocity by more "
+           "than 8e-5 m/s and 1 % of the speed of structure and water against each other, by {:.2g} m/s in the "
+           "mean step, so floes may sink into each other; raise contact.iterations, or shorten time.step",
+           s.n_unsettled_steps, n_steps, s.mean_last_change)});
+}
+
 /// When the ice last bore on the structure [s].
 std::optional<double> last_load(std::span<const model::LoadRow> loads) {
   std::optional<double> last;
@@ -63,7 +74,13 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
                      "its interval means nothing; run longer, or take more replicates",
                      s.horizontal.effective_sample_size, s.window.from, kFewSamples)});
   if (!no_load) add_reference_warning(s, reference, warnings);
+  add_unsettled_warning(s, loads.size(), warnings);
   return warnings;
+}
+
+double settled_residual(Vec2 velocity, Vec2 current) {
+  constexpr double kSinking = 8e-5, kShareOfSpeed = 0.01;
+  return std::max(kSinking, kShareOfSpeed * norm(velocity - current));
 }
 
 bool bear_interval(std::span<const model::Warning> warnings) {

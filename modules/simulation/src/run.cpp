@@ -101,6 +101,7 @@ struct Counts {
     visit("sum_of_last_changes", "m s-1", "last change of the contacts' solution, summed over the steps",
           counts.sum_of_last_changes);
     visit("largest_last_change", "m s-1", "largest of them", counts.largest_last_change);
+    visit("n_unsettled_steps", "1", "steps whose contacts are not settled", counts.n_unsettled_steps);
   }
 };
 
@@ -172,7 +173,7 @@ void keep_checkpoint(const CheckpointStore& store, model::Checkpoint saved, cons
   store.keep(saved);
 }
 
-void count(RunSummary& counts, const StepReport& report) {
+void count(RunSummary& counts, const StepReport& report, Vec2 current) {
   counts.n_substepped += report.n_substeps > 1 ? 1 : 0;
   counts.n_below_range += report.n_below_range;
   counts.breaks += report.breaks;
@@ -182,6 +183,7 @@ void count(RunSummary& counts, const StepReport& report) {
   counts.n_steps_too_long += report.n_steps_too_long;
   counts.sum_of_last_changes += report.last_change;
   counts.largest_last_change = std::max(counts.largest_last_change, report.last_change);
+  counts.n_unsettled_steps += report.last_change > settled_residual(report.loads.velocity, current) ? 1 : 0;
 }
 
 /// Keeps the state after `n_steps`, before a step that failed: the steps since one that is known, made again, lead to
@@ -231,7 +233,7 @@ bool advance(const model::Case& resolved, const RunOptions& options, Progress& p
     ++done;
     const StageTimer::Scope clock(progress.timer, progress.recording_seconds);
     progress.recorder.record(progress.simulation, report);
-    count(progress.counts.summary, report);
+    count(progress.counts.summary, report, resolved.water.current);
     if (options.observer) options.observer(progress.simulation, report);
     const bool interrupted = options.interrupted && options.interrupted();
     const bool due = checkpoint_every > 0 && done % checkpoint_every == 0 && may_take_checkpoint(progress);

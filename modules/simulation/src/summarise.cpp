@@ -305,6 +305,7 @@ std::string to_json(const RunSummary& s) {
       {"sheets", json_of_counts(s.sheets)},
       {"verdicts", json_of_counts(s.verdicts)},
       {"n_steps_too_long", s.n_steps_too_long},
+      {"n_unsettled_steps", s.n_unsettled_steps},
       {"contact_iterations",
        {{"mean_last_change", s.mean_last_change}, {"largest_last_change", s.largest_last_change}}},
       {"fastest_floe", s.fastest_floe ? nlohmann::ordered_json(*s.fastest_floe) : nlohmann::ordered_json()},

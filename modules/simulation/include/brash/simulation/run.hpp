@@ -89,6 +89,7 @@ struct RunSummary {
   double sum_of_last_changes = 0.0;    ///< StepReport::last_change over all steps [m/s]
   double mean_last_change = 0.0;       ///< [m/s]
   double largest_last_change = 0.0;    ///< likewise [m/s]
+  int n_unsettled_steps = 0;           ///< steps whose last change exceeds settled_residual()
   std::optional<double> fastest_floe;  ///< largest speed of any floe between two frames [m/s]; absent without frames
   std::optional<InitialFloes> initial_floes;  ///< absent: the ice is level
   geometry::Ledger ledger;
