@@ -88,4 +88,11 @@ double area_outside(const std::vector<Polygon>& ice, const Ring& region) {
   return CGAL::to_double(area_of(difference(to_cgal(ice), CgalPolygon(to_cgal<Kernel>(region)))));
 }
 
+bool are_disjoint(const std::vector<Polygon>& polygons) {
+  const std::vector<CgalPolygon> parts = to_cgal(polygons);
+  std::vector<CgalPolygon> joined;
+  CGAL::join(parts.begin(), parts.end(), std::back_inserter(joined), CGAL::Tag_false());
+  return area_of(joined) == area_of(parts);
+}
+
 }  // namespace brash::geometry::oracle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cut against CGAL's exact Boolean operations on the same polygons.
+// Cuts and polygons against CGAL's exact Boolean operations.
 #pragma once
 
 #include <cmath>
@@ -23,5 +23,8 @@ Deviation deviation(const std::vector<Polygon>& before, const Ring& region, cons
 
 /// Of the ice outside the region [m2].
 double area_outside(const std::vector<Polygon>& ice, const Ring& region);
+
+/// Whether polygons overlap nowhere: their union is as large as the sum of their areas.
+bool are_disjoint(const std::vector<Polygon>& polygons);
 
 }  // namespace brash::geometry::oracle

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brash/ice/floe_field.hpp"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_set_2.h>
-
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -12,10 +9,10 @@
 #include <string>
 
 #include "brash/core/constants.hpp"
-#include "brash/geometry/cgal.hpp"
 #include "brash/geometry/ice_sheet.hpp"
 #include "convex.hpp"
 #include "floe_sizes.hpp"
+#include "oracle.hpp"
 #include "power_cells.hpp"
 
 namespace {
@@ -97,30 +94,17 @@ BOOST_AUTO_TEST_CASE(the_concentration_is_reached_to_the_area_of_a_floe) {
 }
 
 BOOST_AUTO_TEST_CASE(floes_do_not_overlap_and_keep_their_area_by_cgal_s_exact_polygons) {
-  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   for (const auto& [shape, concentration] :
        {std::pair(model::FloeShape::kVoronoi, 0.85), std::pair(model::FloeShape::kSquares, 0.5),
         std::pair(model::FloeShape::kDiscs, 0.5)}) {
     const FloePacking packing = packed(field_of(shape, concentration, 150.0));
-    CGAL::Polygon_set_2<Kernel> all;
-    std::vector<CGAL::Polygon_2<Kernel>> polygons;
-    Kernel::FT sum = 0;
+    geometry::ExactArea sum{};
     for (const geometry::Polygon& floe : packing.floes) {
-      polygons.push_back(geometry::to_cgal<Kernel>(floe.outline));
-      BOOST_TEST(polygons.back().is_convex());
-      sum += polygons.back().area();
+      BOOST_TEST(geometry::is_convex(floe.outline));
+      sum += geometry::area(floe);
     }
-    all.join(polygons.begin(), polygons.end());
-    std::vector<CGAL::Polygon_with_holes_2<Kernel>> joined;
-    all.polygons_with_holes(std::back_inserter(joined));
-    Kernel::FT united = 0;
-    for (const auto& part : joined) {
-      united += part.outer_boundary().area();
-      for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) united += hole->area();
-    }
-    // The union is as large as the sum, in exact arithmetic: nothing overlaps.
-    BOOST_TEST((united == sum));
-    BOOST_TEST(CGAL::to_double(sum) == packing.concentration * 150.0 * 150.0, boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(geometry::oracle::are_disjoint(packing.floes));
+    BOOST_TEST(sum.square_metres() == packing.concentration * 150.0 * 150.0, boost::test_tools::tolerance(1e-14));
   }
 }
 
