@@ -17,8 +17,8 @@ constexpr double kLoadJump = 1.0, kLengthJump = 0.25;
 /// Whatever the load, the stress of an edge that has just begun to move grows with a power of its age. So a verdict is
 /// kept no longer than this share of the age.
 constexpr double kShareOfEdge = 0.25;
-/// Of times.
-constexpr double kRounding = 1e-6;
+/// Rounding of times.
+constexpr double kRoundingOfTimes = 1e-6;
 /// One contact in so many is a control.
 constexpr int kControls = 17;
 
@@ -59,7 +59,7 @@ bool Verdicts::may_keep(const Kept& kept, const EdgeContact& contact, double now
   const double longest =
       std::min(lateness_, kShareOfEdge * contact.edge_age.value_or(std::numeric_limits<double>::infinity()));
   const double age = (now - kept.time) / longest;
-  if (kept.is_stale || age > 1.0 - kRounding) return false;
+  if (kept.is_stale || age > 1.0 - kRoundingOfTimes) return false;
   const double jump = kLoadJump * kept.pressing.sum();
   const Pressing& pressing = contact.pressing;
   if (std::abs(pressing.by_structure - kept.pressing.by_structure) > jump ||
