@@ -14,6 +14,9 @@ namespace {
 constexpr int kSmallest = 2;
 /// Least share of the smaller half. Cuts in the middle would be a third longer in work; less than 0.2 is worse again.
 constexpr double kLeastShare = 0.3;
+/// Parts of so many triangles are cut across x or y, the first two lists: others seldom help there.
+constexpr int kSimple = 16;
+constexpr std::size_t kPlainLists = 2;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -36,7 +39,7 @@ double coordinate(std::size_t list, Vec2 place) {
 }  // namespace
 
 Dissection::Dissection(const Mesh& mesh)
-    : mesh_(&mesh), n_in_part_(mesh.edges.size(), 0), is_open_(mesh.edges.size(), 0), is_first_(mesh.triangles.size()) {
+    : mesh_(&mesh), is_shared_(mesh.edges.size(), 0), is_open_(mesh.edges.size(), 0), is_first_(mesh.triangles.size()) {
   const std::size_t n = mesh.triangles.size();
   std::vector<std::pair<double, int>> sorted(n);
   for (std::size_t list = 0; list < kLists; ++list) {
@@ -64,21 +67,16 @@ int Dissection::dissect(int from, int to) {
 /// Divides a part along the shortest cut. In every list the first half comes first.
 /// @return where the second half begins.
 int Dissection::divide(int from, int to) {
-  const auto count = [&](int change) {
-    for (int i = from; i < to; ++i) {
-      for (const int edge : mesh_->triangle_edges[at(lists_.front()[at(i)])]) n_in_part_[at(edge)] += change;
-    }
-  };
-  count(1);
+  find_shared_edges(from, to);
   Cut best{0, std::numeric_limits<int>::max()};
   const std::vector<int>* along = nullptr;
   for (const auto& list : lists_) {
+    if (to - from <= kSimple && &list == &lists_[kPlainLists]) break;
     const Cut cut = best_cut(list, from, to);
     if (cut.n_edges >= best.n_edges) continue;
     best = cut;
     along = &list;
   }
-  count(-1);
   for (int i = from; i < to; ++i) is_first_[at((*along)[at(i)])] = i < best.at ? 1 : 0;
   for (auto& list : lists_) {
     second_.clear();
@@ -95,18 +93,32 @@ int Dissection::divide(int from, int to) {
   return best.at;
 }
 
+/// Marks the edges that two triangles of a part share.
+void Dissection::find_shared_edges(int from, int to) {
+  const auto edges_of = [&](int i) -> const auto& { return mesh_->triangle_edges[at(lists_.front()[at(i)])]; };
+  for (int i = from; i < to; ++i) {
+    for (const int edge : edges_of(i)) {
+      is_shared_[at(edge)] = is_open_[at(edge)];
+      is_open_[at(edge)] = 1;
+    }
+  }
+  for (int i = from; i < to; ++i) {
+    for (const int edge : edges_of(i)) is_open_[at(edge)] = 0;
+  }
+}
+
 Dissection::Cut Dissection::best_cut(const std::vector<int>& list, int from, int to) {
   const int n = to - from;
   const int least = std::max(1, static_cast<int>(kLeastShare * n));
   Cut best{0, std::numeric_limits<int>::max()};
   int n_open = 0;
-  for (int i = from; i < to; ++i) {
-    for (const int edge : mesh_->triangle_edges[at(list[at(i)])]) {
-      if (n_in_part_[at(edge)] < 2) continue;
-      n_open += is_open_[at(edge)] != 0 ? -1 : 1;
-      is_open_[at(edge)] ^= 1;
+  for (int place = from + 1; place <= to; ++place) {
+    // A shared edge is open between its two triangles. Without branches, which nobody could foretell.
+    for (const int edge : mesh_->triangle_edges[at(list[at(place - 1)])]) {
+      const int is_shared = is_shared_[at(edge)];
+      n_open += is_shared * (1 - 2 * is_open_[at(edge)]);
+      is_open_[at(edge)] ^= static_cast<char>(is_shared);
     }
-    const int place = i + 1;
     if (place - from < least || to - place < least) continue;
     const int off = std::abs(2 * place - from - to);
     if (n_open < best.n_edges || (n_open == best.n_edges && off < std::abs(2 * best.at - from - to)))

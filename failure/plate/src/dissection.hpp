@@ -35,15 +35,16 @@ class Dissection {
 
   int dissect(int from, int to);
   int divide(int from, int to);
+  void find_shared_edges(int from, int to);
   Cut best_cut(const std::vector<int>& list, int from, int to);
 
   const Mesh* mesh_;
   std::array<std::vector<int>, kLists> lists_;  ///< the triangles of each part, sorted along different coordinates
   std::vector<Part> parts_;
-  std::vector<int> n_in_part_;  ///< triangles of an edge in the present part
-  std::vector<char> is_open_;   ///< whether an edge has one triangle before the present place
-  std::vector<char> is_first_;  ///< whether a triangle is in the first half
-  std::vector<int> second_;     ///< the second half of a list
+  std::vector<char> is_shared_;  ///< whether two triangles of the present part have an edge
+  std::vector<char> is_open_;    ///< whether an edge has one triangle before the present place
+  std::vector<char> is_first_;   ///< whether a triangle is in the first half
+  std::vector<int> second_;      ///< the second half of a list
 };
 
 }  // namespace brash::plate

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "element.hpp"
@@ -184,12 +185,14 @@ const SheetRecovery::Cubic& SheetRecovery::cubic(int vertex, bool below) {
   Cubic& cubic = known.emplace();
   const auto members = patch(vertex, below);
   cubic.centre = mesh_->vertices[at_(vertex)];
-  cubic.scale = 0.0;
+  double square = 0.0;
   for (const int t : members) {
     for (const int corner : mesh_->triangles[at_(t)]) {
-      cubic.scale = std::max(cubic.scale, norm(mesh_->vertices[at_(corner)] - cubic.centre));
+      const Vec2 off = mesh_->vertices[at_(corner)] - cubic.centre;
+      square = std::max(square, dot(off, off));
     }
   }
+  cubic.scale = std::sqrt(square);
   Moments moments = Moments::Zero();
   Fit right = Fit::Zero();
   for (const int t : members) add_samples(t, cubic, moments, right);
