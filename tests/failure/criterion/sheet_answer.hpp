@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "brash/plate/sheet.hpp"
+#include "outline_sheet.hpp"
+#include "own_places.hpp"
+#include "recorded_sheet.hpp"
+#include "weak_places.hpp"
+
+namespace brash::testing {
+
+/// The largest stress of a recorded sheet, as the criterion seeks it, on a mesh of this accuracy. The same functions of
+/// the program find it; only the choice of the mesh and the sequence of meshes are left out.
+/// @return nothing where the sheet cannot be solved, or buckles.
+inline std::optional<SheetReference> solve_recorded(const RecordedSheet& recorded, bool split,
+                                                    plate::Accuracy accuracy) {
+  const failure::SheetMotion& motion = split ? recorded.load.motion.split : recorded.load.motion.whole;
+  failure::IceProperties ice = recorded.ice;
+  ice.water_density /= std::pow(motion.length, 4);
+  plate::LoadedSheet sheet = failure::loaded_sheet(recorded.load, ice, true, motion.stress);
+  sheet.split = split;
+  sheet.accuracy = accuracy;
+  const auto solution = plate::solve(sheet);
+  if (!solution) return std::nullopt;
+  const failure::OwnPlaces own(failure::loads_of(recorded.load, ice.thickness), recorded.ice);
+  const auto on_line = failure::stresses_ahead(sheet, *solution, ice, own);
+  const auto beside = failure::weak_places(sheet, *solution, ice, own).weakest();
+  const failure::Stresses line = on_line.value_or(failure::Stresses{});
+  const double l_c = failure::characteristic_length(ice);
+  SheetReference answer{line.largest, {l_c * line.place, 0.0}, 0.0};
+  if (!split) answer.radial = motion.radial / motion.stress * line.radial_bending + line.radial_membrane;
+  if (beside && beside->stress > line.largest) {
+    answer.ratio = beside->stress;
+    answer.place = l_c * beside->at;
+  }
+  return answer;
+}
+
+}  // namespace brash::testing
