@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Not a test: solves recorded sheets on every mesh of the program.
 //
-//   corpus_study FILE          prints each sheet with its references and its answers on the coarse and the fast mesh
+//   corpus_study FILE...       prints answers of all meshes, and the quantiles of their errors against FreeFem++
 //   corpus_study --fine FILE   writes the file again to the standard output, with the answers of the fine mesh
 //   corpus_study --finer FILE  prints the answers of the fine mesh and of elements half as large
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,17 +56,46 @@ std::optional<SheetReference> reference(const RecordedSheet& sheet, const std::s
   return found == sheet.references.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// Errors of one mesh against the independent solution.
+struct Errors {
+  std::vector<double> stress;  ///< of the largest stress
+  std::vector<double> length;  ///< of its place's distance from B [l_c]
+
+  void add(const SheetReference& answer, const SheetReference& known, double l_c) {
+    stress.push_back(std::abs(answer.ratio / known.ratio - 1.0));
+    length.push_back(std::abs(norm(answer.place) - norm(known.place)) / l_c);
+  }
+  void print(const std::string& name) const {
+    if (stress.empty()) return;
+    std::printf("%-32s %4zu ", name.c_str(), stress.size());
+    for (const double share : {0.5, 0.9, 0.95, 1.0}) std::printf(" %6.2f %%", 100.0 * testing::quantile(stress, share));
+    for (const double share : {0.5, 0.9, 1.0}) std::printf(" %6.3f", testing::quantile(length, share));
+    std::printf("\n");
+  }
+};
+
+/// By mesh, sheet and place.
+std::map<std::string, Errors> all_errors;
+
 void compare(const RecordedSheet& sheet) {
   for (const bool split : {false, true}) {
     const std::string of = split ? " split" : " whole";
-    const auto fine = reference(sheet, "fine" + of);
-    if (!fine) continue;
+    const auto known = reference(sheet, "independent" + of);
+    if (!known) continue;
     std::printf("%s%s", sheet.name.c_str(), of.c_str());
-    print("recorded", reference(sheet, "recorded" + of));
-    print("coarse", testing::solve_recorded(sheet, split, plate::Accuracy::kCoarse));
-    print("fast", testing::solve_recorded(sheet, split, plate::Accuracy::kFast));
-    print("fine", fine);
-    print("independent", reference(sheet, "independent" + of));
+    print("independent", known);
+    const std::string place = testing::is_at_limit(sheet, known->place) ? ", at the limit" : ", elsewhere";
+    const auto add = [&](const std::string& mesh, const std::optional<SheetReference>& answer) {
+      print(mesh.c_str(), answer);
+      if (!answer || known->ratio == 0.0) return;
+      const double l_c = failure::characteristic_length(sheet.ice);
+      for (const std::string& name : {mesh + of, mesh + place, mesh + ", all"})
+        all_errors[name].add(*answer, *known, l_c);
+    };
+    add("recorded", reference(sheet, "recorded" + of));
+    add("coarse", testing::solve_recorded(sheet, split, plate::Accuracy::kCoarse));
+    add("fast", testing::solve_recorded(sheet, split, plate::Accuracy::kFast));
+    add("fine", reference(sheet, "fine" + of));
     std::printf("\n");
     std::fflush(stdout);
   }
@@ -97,15 +128,9 @@ void compare_with_finer(const RecordedSheet& sheet) {
   std::fflush(stdout);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const std::string option = argc > 2 ? argv[1] : "";
-  if (argc < 2) return std::fprintf(stderr, "Expected a file of tests/corpus/sheets.\n"), 1;
-  const std::string path = argv[argc - 1];
-  std::vector<RecordedSheet> sheets = testing::read_sheets(path);
+void study(const std::string& option, const std::string& path) {
   if (option == "--fine") copy_head(path);
-  for (RecordedSheet& sheet : sheets) {
+  for (RecordedSheet& sheet : testing::read_sheets(path)) {
     if (option == "--fine") {
       add_fine(sheet);
       testing::write_sheet(stdout, sheet);
@@ -115,4 +140,16 @@ int main(int argc, char** argv) {
       compare(sheet);
     }
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string option = argc > 1 && argv[1][0] == '-' ? argv[1] : "";
+  const int first = option.empty() ? 1 : 2;
+  if (argc <= first) return std::fprintf(stderr, "Expected a file of tests/corpus/sheets.\n"), 1;
+  for (int i = first; i < argc; ++i) study(option, argv[i]);
+  if (!all_errors.empty())
+    std::printf("%-32s %4s  %s\n", "mesh and sheet", "n", "stress: 50, 90, 95, 100 %; length over l_c: 50, 90, 100 %");
+  for (const auto& [name, errors] : all_errors) errors.print(name);
 }

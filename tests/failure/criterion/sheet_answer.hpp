@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "brash/plate/sheet.hpp"
 #include "outline_sheet.hpp"
@@ -37,6 +39,23 @@ inline std::optional<SheetReference> solve_recorded(const RecordedSheet& recorde
     answer.place = l_c * beside->at;
   }
   return answer;
+}
+
+/// Whether a place lies about as near to a load or the free edge as the criterion looks, h. The stress is steep there.
+inline bool is_at_limit(const RecordedSheet& sheet, Vec2 place) {
+  const double limit = 1.2 * sheet.ice.thickness;
+  const auto& outline = sheet.load.outline;
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+    if (failure::distance(place, outline[i], outline[i + 1]) < limit) return true;
+  return std::ranges::any_of(sheet.load.loads, [&](const failure::SheetLoad& load) {
+    return failure::distance(place, load.from, load.radius > 0.0 ? load.from : load.to) - load.radius < limit;
+  });
+}
+
+/// The value below which this share of the values lies.
+inline double quantile(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 }  // namespace brash::testing

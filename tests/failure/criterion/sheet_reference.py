@@ -367,16 +367,16 @@ class Rule:
         own = self.loads[0][3] * share(self.away(self.loads[0], p) / self.l_ice)
         for other in self.loads[1:]:
             d = self.away(other, p)
-            if d < self.h or (other[4] and other[3] > self.loads[0][3] and other[3] * share(d / self.l_ice) > own):
+            if d < self.h or (other[4] and other[3] * share(d / self.l_ice) > own):
                 return False
         return True
 
     def looks_beside(self, p):
         if math.hypot(*p) >= 2.5 * self.l or (self.split and abs(p[1]) < self.h):
             return False
-        if self.away(self.loads[0], p) < self.h or any(distance(p, a, b) < self.h for a, b in self.edge):
+        if self.away(self.loads[0], p) < self.h or not self.owns(p):
             return False
-        return self.owns(p)
+        return not any(distance(p, a, b) < self.h for a, b in self.edge)
 
 
 def surface(side, row, h):
@@ -386,6 +386,34 @@ def surface(side, row, h):
 
 def larger(s):
     return 0.5 * (s[0] + s[1]) + math.hypot(0.5 * (s[0] - s[1]), s[2])
+
+
+LATTICE = [(i / 8, j / 8, (8 - i - j) / 8) for i in range(9) for j in range(9 - i)]
+
+
+def inside_triangle(nodes):
+    """Places in a triangle with their fields, from its corners and the middles of the sides opposite to them."""
+    for a, b, c in LATTICE:
+        shares = (a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * b * c, 4 * c * a, 4 * a * b)
+        yield tuple(sum(s * node[k] for s, node in zip(shares, nodes)) for k in range(8))
+
+
+def largest_beside(problem, rule, rows, best):
+    """The best place, or a better one in a triangle near B."""
+    def stress(row):
+        return problem.unit * larger(surface(1, row, problem.h))
+
+    triangles = [rows[i:i + 6] for i in range(0, len(rows), 6)]
+    peaks = sorted(((max(map(stress, nodes)), nodes) for nodes in triangles), reverse=True)
+    for peak, nodes in peaks:
+        if 1.1 * peak < best[0]:  # no triangle has a hump so high between its nodes
+            break
+        for row in inside_triangle(nodes):
+            value = stress(row)
+            p = (row[0] * problem.l, row[1] * problem.l)
+            if value > best[0] and rule.looks_beside(p):
+                best = (value, p)
+    return best
 
 
 def largest(problem):
@@ -398,14 +426,7 @@ def largest(problem):
         if row[0] < problem.h or not rule.owns(p):
             continue
         best = max(best, (problem.unit * max(larger(surface(1, row, problem.h)), surface(-1, row, problem.h)[0]), p))
-    stresses = ((problem.unit * larger(surface(1, row, problem.h)), row) for row in inside)
-    for value, row in sorted(stresses, reverse=True):
-        if value <= best[0]:
-            break
-        p = (row[0] * problem.l, row[1] * problem.l)
-        if rule.looks_beside(p):
-            best = (value, p)
-            break
+    best = largest_beside(problem, rule, inside, best)
     at_b = line[0]
     bending, membrane = -6.0 / problem.h ** 2 * at_b[3], at_b[6] / problem.h
     radial = problem.unit * (problem.radial / problem.moments * bending + membrane)
