@@ -18,10 +18,9 @@ def keys(name):
 
 
 class Demo(unittest.TestCase):
-    def test_the_case_is_the_validation_case_with_the_default_preset_and_a_shorter_run(self):
+    def test_the_case_is_the_validation_case_with_the_default_preset(self):
         demo, cone = keys("demo.toml"), keys("cone.toml")
         self.assertEqual(cone.pop("algorithm"), {"preset": "paper"})
-        self.assertLess(demo["time"].pop("duration"), cone["time"].pop("duration"))
         self.assertEqual(demo, cone)
 
     def table(self, *settings):

@@ -9,7 +9,7 @@ namespace brash::plate {
 /// that the elimination also substitutes forward. What lies above the diagonal is not read and has no meaning.
 ///
 /// @param own   shape=(k + r + 1, k). In: the columns of the k unknowns. Out: the columns of the factor.
-/// @param left  shape=(r + 1, r). In: the columns of the other unknowns. Out: what is left for them.
+/// @param left  shape=(r + 1, r). In: the columns of the other unknowns. Out: the same, reduced.
 /// @return whether the pivots are positive.
 [[nodiscard]] bool eliminate(double* own, int k, double* left, int r);
 

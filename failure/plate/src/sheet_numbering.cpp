@@ -85,7 +85,7 @@ class GroupList {
   std::size_t n_ = 0;
 };
 
-/// Numbers all triangles, and gives a group to what is inside each.
+/// Numbers all triangles, and gives a group to the inside of each.
 /// @return the first of these groups, by triangle; -1 where nothing is inside.
 std::vector<int> number_triangles(const Mesh& mesh, int order, const std::array<int, 3>& n_inner,
                                   SheetNumbering& sheet) {

@@ -152,7 +152,7 @@ class Elimination {
 
   const Numbering::Group& group(int member) const { return ranks_.groups[at(members_[at(member)])]; }
 
-  /// Factorises a part and all below it. What is left of it comes to `left`, with the workspace behind.
+  /// Factorises a part and all below it. Its remainder comes to `left`, with the workspace behind.
   bool factorise(int p, double* left) {
     const Front& front = fronts_[at(p)];
     const auto& part = dissection_->parts()[at(p)];

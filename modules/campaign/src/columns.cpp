@@ -55,6 +55,8 @@ simulation::RunSummary summary_of_any_run() {
   summary.horizontal.effective_sample_size = summary.vertical.effective_sample_size = 1e3;
   summary.piece_area_quantiles.resize(n_levels);
   summary.breaking_length_quantiles.resize(n_levels);
+  summary.overload_quantiles.resize(n_levels);
+  summary.stress_quantiles.resize(n_levels);
   return summary;
 }
 
@@ -92,6 +94,7 @@ std::string unit_of(const std::string& column) {
                                                {".effective_sample_size", "1"},
                                                {".long_enough", "1"},
                                                {"_time", "s"},
+                                               {"verdicts.latest", "s"},
                                                {"statistics_from", "s"},
                                                {"statistics_until", "s"},
                                                {"breaking_frequency", "s-1"},

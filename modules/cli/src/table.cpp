@@ -104,8 +104,9 @@ std::string sheets(const model::SheetSolves& s) {
 
 std::string verdicts(const simulation::KeptCounts& v) {
   if (v.kept == 0) return "";
-  return fmt::format("  verdicts kept from an earlier step: {}; {} of {} controls failed late, by {:.3g} s at most\n",
-                     v.kept, v.late, v.controls, v.latest);
+  const std::string latest = v.late == 0 ? "" : fmt::format(", by {:.3g} s at most", v.latest);
+  return fmt::format("  verdicts kept from an earlier step: {}; {} of {} controls failed late{}\n", v.kept, v.late,
+                     v.controls, latest);
 }
 
 std::string ice(const simulation::RunSummary& s) {

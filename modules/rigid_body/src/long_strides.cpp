@@ -14,7 +14,7 @@ namespace {
 constexpr double kHeavyAndLight = 250.0;
 /// A stride is long if it continues by more than this many times the last sweep's change; momentum is enough below [-].
 constexpr double kLongStride = 30.0;
-/// What is left of a stride that would raise the energy [-].
+/// The share that remains of a stride that would raise the energy [-].
 constexpr double kShorter = 0.25;
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t body) {

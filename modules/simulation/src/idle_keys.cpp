@@ -101,9 +101,12 @@ void add_idle_keys_warning(const model::Case& c, Warnings& warnings) {
   look_at_water_and_wind(c, usual, keys);
   look_at_hull(c, keys);
   look_at_random(c, usual, keys);
-  const bool has_range = model::options_of(c.failure.model, !c.failure.file.empty()).file;
-  keys.look_at("failure.max_substeps", c.failure.max_substeps, usual.failure.max_substeps, has_range,
-               "failure.model = \"network\", \"deep-network\" or \"superposition\", which have a range");
+  const model::FailureOptions takes = model::options_of(c.failure.model, !c.failure.file.empty());
+  keys.look_at("failure.max_substeps", c.failure.max_substeps, usual.failure.max_substeps,
+               takes.file || takes.knows_field,
+               "failure.model = \"network\", \"deep-network\" or \"superposition\", which have a range, or "
+               "\"plate-outline\"");
+  keys.look_at("failure.lateness", c.failure.lateness, 0.0, takes.knows_field, "failure.model = \"plate-outline\"");
   if (const model::FloatingBody* const body = afloat(c.structure.motion))
     keys.look_at("structure.motion.thrust_arm", body->thrust_arm, Vec3{}, body->thrust != Vec3{},
                  "structure.motion.thrust");

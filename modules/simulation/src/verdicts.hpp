@@ -10,7 +10,7 @@
 
 namespace brash::simulation {
 
-/// What the last solution of each contact's sheet said, and under which load. Stresses grow with the loads, so it
+/// The answer of the last solution of each contact's sheet, and its load. Stresses grow with the loads, so it
 /// predicts the stress of the steps that follow. Contacts far from breaking are solved from time to time only.
 /// @see docs/theory/simulation.md, (S5) and (S6)
 class Verdicts {
@@ -53,7 +53,7 @@ class Verdicts {
     Pressing pressing{};           ///< that it was found under
     bool is_bound = false;         ///< the overload is at most so large
     bool is_stale = false;         ///< the ice around it has changed
-    bool is_control = false;       ///< solved in every step, to see what is missed
+    bool is_control = false;       ///< solved in every step, to count misses
     double fails_from = -1.0;      ///< the first failure of the control since then [s]; negative: none
 
     double growth(const Pressing& now) const { return now.sum() / pressing.sum(); }

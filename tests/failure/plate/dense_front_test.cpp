@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(an_eliminated_front_has_the_solution_of_the_whole_system) {
       plate::substitute(split.own.data(), k, n - k, unknowns.data());
       for (int i = 0; i < n; ++i) BOOST_TEST(std::abs(unknowns[static_cast<std::size_t>(i)] - solution(i)) < 1e-12);
 
-      // The others alone have what is left of the matrix and of the load.
+      // The others alone have the remainder of the matrix and of the load.
       if (k == n) continue;
       const Eigen::MatrixXd rest = split.left.topRows(n - k).selfadjointView<Eigen::Lower>();
       const Eigen::VectorXd load = right.tail(n - k) + split.left.bottomRows(1).transpose();

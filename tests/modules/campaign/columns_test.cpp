@@ -65,6 +65,7 @@ BOOST_AUTO_TEST_CASE(each_known_column_has_its_unit) {
                                                     {"initial_floes.size_quantiles.50", "m"},
                                                     {"contact_iterations.mean_last_change", "m s-1"},
                                                     {"fastest_floe", "m s-1"},
+                                                    {"verdicts.latest", "s"},
                                                     {"energy.losses.bending", "J"}};
   for (const auto& [name, unit] : expected) {
     BOOST_TEST(unit_of(name) == unit, name);
@@ -74,8 +75,10 @@ BOOST_AUTO_TEST_CASE(each_known_column_has_its_unit) {
   for (const std::string& name : known_columns()) {
     const std::string last = name.substr(name.rfind('.') + 1);
     const bool has_none = last == "n" || last.starts_with("n_") || name.starts_with("breaks_decided.") ||
-                          name.starts_with("sheets.") || last == "skewness" || last == "effective_sample_size" ||
-                          last == "long_enough" || last == "concentration" || name == "ledger.closes";
+                          name.starts_with("sheets.") || (name.starts_with("verdicts.") && last != "latest") ||
+                          name.starts_with("overload_") || name.starts_with("stress_over_strength_") ||
+                          last == "skewness" || last == "effective_sample_size" || last == "long_enough" ||
+                          last == "concentration" || name == "ledger.closes";
     BOOST_TEST((unit_of(name) == "1") == has_none, name);
   }
 }

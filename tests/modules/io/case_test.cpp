@@ -82,6 +82,7 @@ BOOST_AUTO_TEST_CASE(a_preset_sets_defaults_only_and_what_is_written_wins) {
                                       "failure.judged",
                                       "failure.pattern",
                                       "failure.pieces",
+                                      "failure.lateness",
                                       "hydrodynamics.form_drag_along",
                                       "hydrodynamics.added_mass_law",
                                       "hydrodynamics.ventilation",

@@ -48,7 +48,7 @@ struct BreakCounts {
 /// Verdicts that were kept from an earlier solution: docs/theory/simulation.md, (S6).
 struct KeptCounts {
   int kept = 0;         ///< verdicts
-  int controls = 0;     ///< of them, solved all the same to see what was missed
+  int controls = 0;     ///< of them, solved all the same, to count misses
   int late = 0;         ///< controls that had failed before their contact was solved
   double latest = 0.0;  ///< the longest time that one of them had [s]
 
