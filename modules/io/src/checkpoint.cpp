@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFormat = "brash-checkpoint-9";
+constexpr const char* kFormat = "brash-checkpoint-10";
 /// Of every variable and dimension of a table: results so far stand in the same file.
 constexpr const char* kPrefix = "state_";
 
