@@ -19,7 +19,7 @@ std::optional<double> end_in(const std::string& summary);
 /// The start of the statistics [s] in the `summary.json` beside the history.csv or run.nc of a run; nothing where no
 /// summary has one, and beside files with other names.
 std::optional<double> start_beside(const std::string& history);
-/// Their end, likewise.
+/// The end of the statistics there [s].
 std::optional<double> end_beside(const std::string& history);
 
 /// The warnings in the same `summary.json`; none where there is no such summary.

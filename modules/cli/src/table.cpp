@@ -161,8 +161,7 @@ std::string energy(const simulation::EnergyBalance& e) {
 std::string residual(const simulation::RunSummary& s) {
   return fmt::format(
       "contacts\n  residual of a step (last change of a relative velocity): {:.2g} m/s in the mean, {:.2g} m/s at "
-      "most; "
-      "{} steps unsettled\n",
+      "most; {} steps unsettled\n",
       s.mean_last_change, s.largest_last_change, s.n_unsettled_steps);
 }
 

@@ -33,10 +33,10 @@ void count_range(const failure::Assessment& assessment, StepReport& report) {
   report.sheets += assessment.solves;
 }
 
-/// A part of a step ends where the ice is expected to have just failed, once the whole part would take the stress too
-/// far beyond the strength; stress over strength.
+/// A part of a step ends where the ice is expected to have just failed, if the whole part would go too far; overload of
+/// the most overloaded contact.
 constexpr double kTooFar = 1.05, kJustFailed = 1.02;
-/// Stresses grow almost evenly within a step.
+/// The overload grows almost evenly within a step.
 constexpr int kTries = 2;
 /// The free edge matters this far from a contact, in characteristic lengths.
 constexpr double kEdgeReach = 3.0;

@@ -22,7 +22,7 @@ constexpr double kRoundingOfTimes = 1e-6;
 /// One contact in so many is a control.
 constexpr int kControls = 17;
 
-/// Whichever contacts: by the time of their first solution and the floe.
+/// By the time of a contact's first solution and by its floe, so that a resumed run takes the same ones.
 bool is_control(double now, const EdgeContact& contact) {
   return (std::llround(1e3 * now) + contact.floe + 1) % kControls == 0;
 }
