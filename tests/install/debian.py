@@ -57,6 +57,10 @@ class Debian:
                        env={**os.environ, **({"http_proxy": proxy[1]} if proxy else {})})
         for name in ("hosts", "resolv.conf"):
             shutil.copy(f"/etc/{name}", self.path / "etc")
+        # Certificates that an administrator added: npm needs them there where it needs them here.
+        added = pathlib.Path("/usr/local/share/ca-certificates")
+        if added.is_dir():
+            shutil.copytree(added, self.path / added.relative_to("/"), dirs_exist_ok=True)
         (self.path / "etc/apt/apt.conf.d/90acquire").write_text(output("apt-config", "dump", "Acquire"))
         # dpkg is several times faster when it does not wait for the disk; nobody needs this Debian after a power cut.
         (self.path / "etc/dpkg/dpkg.cfg.d/unsafe-io").write_text("force-unsafe-io\n")
