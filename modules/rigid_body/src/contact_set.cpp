@@ -70,26 +70,26 @@ void ContactSet::find(const Meeting& meeting, btDispatcher& dispatcher, Search& 
 }
 
 void ContactSet::find(const Part& part, Body& second, Search& search, std::vector<Contact>& contacts) const {
-  collect_others(part, search.beside_first);
-  for (const auto& met : second.parts)
-    if (within_reach(box(part), box(*met), 0.0) &&
-        search.narrow_phase.find({&part, met.get()}, search.beside_first, search.beside(part, *met)))
+  for (const auto& met : second.parts) {
+    if (!within_reach(box(part), box(*met), 0.0) || !search.narrow_phase.overlap({&part, met.get()})) continue;
+    if (search.narrow_phase.find_contact(search.beside(part, *met)))
       contacts.push_back({part.body, &second, part.number, search.narrow_phase.normal, search.narrow_phase.patch,
                           law(second), part.body->gives_way() || second.gives_way()});
+  }
 }
 
-/// The parts that continue the solid of the second part. The parts of one sheet that the first part meets continue each
-/// other.
-std::span<const Part* const> ContactSet::Search::beside(const Part& part, const Part& of_second) {
+/// The parts of one sheet that the first part meets continue each other.
+Beside ContactSet::Search::beside(const Part& part, const Part& of_second) {
+  collect_others(part, beside_first);
   if (of_second.body->kind != BodyKind::kSheet) {
     collect_others(of_second, beside_second);
-    return beside_second;
+    return {beside_first, beside_second};
   }
   beside_second.clear();
   for (const Part* tile : near_sheet)
     if (tile != &of_second && tile->body->sheet == of_second.body->sheet && within_reach(box(part), box(*tile), 0.0))
       beside_second.push_back(tile);
-  return beside_second;
+  return {beside_first, beside_second};
 }
 
 bool ContactSet::hits_settled(const Contact& c) const {

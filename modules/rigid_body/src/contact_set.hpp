@@ -67,7 +67,7 @@ class ContactSet {
 
   /// The search of a thread: scratch space.
   struct Search {
-    std::span<const Part* const> beside(const Part& part, const Part& of_second);
+    Beside beside(const Part& part, const Part& of_second);
 
     NarrowPhase narrow_phase;
     std::vector<const Part*> near_sheet;  ///< the parts of the sheet that the floe meets

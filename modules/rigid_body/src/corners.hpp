@@ -27,6 +27,8 @@ class Corners {
   std::size_t n_heights() const { return 2 * twos_.size(); }
   /// Fills `heights` (n_heights() of them, the last perhaps twice) with the heights of the points over `plane` [m].
   Extent heights_over(const Plane& plane, double* heights) const;
+  /// The least of these heights [m].
+  double least_over(const Plane& plane) const;
 
  private:
   using Pair = double __attribute__((vector_size(16)));
@@ -35,6 +37,11 @@ class Corners {
     Pair x;
     Pair y;
     Pair z;
+
+    Pair over(const Plane& plane) const {
+      const Vec3 n = plane.normal;
+      return n.x * x + n.y * y + n.z * z - plane.offset;
+    }
   };
 
   std::vector<Two> twos_;
@@ -49,17 +56,26 @@ inline void Corners::assign(std::span<const Vec3> points) {
 }
 
 inline Extent Corners::heights_over(const Plane& plane, double* heights) const {
-  const auto [n, offset] = plane;
   const Extent none;
   Pair least{none.least, none.least}, greatest{none.greatest, none.greatest};
   for (const Two& two : twos_) {
-    const Pair height = n.x * two.x + n.y * two.y + n.z * two.z - offset;
+    const Pair height = two.over(plane);
     least = height < least ? height : least;
     greatest = height > greatest ? height : greatest;
     *heights++ = height[0];
     *heights++ = height[1];
   }
   return {std::min(least[0], least[1]), std::max(greatest[0], greatest[1])};
+}
+
+inline double Corners::least_over(const Plane& plane) const {
+  const Extent none;
+  Pair least{none.least, none.least};
+  for (const Two& two : twos_) {
+    const Pair height = two.over(plane);
+    least = height < least ? height : least;
+  }
+  return std::min(least[0], least[1]);
 }
 
 }  // namespace brash::rigid_body

@@ -46,7 +46,8 @@ bool leads_on(const Overlap& overlap, Vec3 normal, std::span<const Part* const> 
 
 /// The separating axis of least depth through a face that is a surface of its body. If there is none (deep inside a
 /// solid of many parts), the axis of least depth through any face.
-SeparatingAxis NarrowPhase::best_face(const Overlap& overlap, const Beside& beside) {
+SeparatingAxis NarrowPhase::best_face(const Beside& beside) {
+  const Overlap& overlap = finder_.last();
   const auto shorter = [](const SeparatingAxis& a, const SeparatingAxis& b) { return a.depth < b.depth; };
   const SeparatingAxis shortest = *std::min_element(overlap.axes.begin(), overlap.axes.end(), shorter);
   if (beside.none() || !leads_on(overlap, shortest.normal, beside.first, beside.second)) return shortest;
@@ -62,33 +63,32 @@ SeparatingAxis NarrowPhase::best_face(const Overlap& overlap, const Beside& besi
 
 /// The direction of the separating axis of least depth that ends at a surface: through a face of either part or from
 /// edge to edge.
-Vec3 NarrowPhase::direction(const PartPair& pair, const Overlap& overlap, const Beside& beside) {
-  const SeparatingAxis face = best_face(overlap, beside);
+Vec3 NarrowPhase::direction(const Beside& beside) {
+  const SeparatingAxis face = best_face(beside);
   for (const SeparatingAxis& axis :
-       edge_axes_.find(finder_, pair.first->now, pair.second->now, (1.0 - kShorter) * face.depth))
-    if (beside.none() || !leads_on(overlap, axis.normal, beside.first, beside.second)) return axis.normal;
+       edge_axes_.find(finder_, pair_.first->now, pair_.second->now, (1.0 - kShorter) * face.depth))
+    if (beside.none() || !leads_on(finder_.last(), axis.normal, beside.first, beside.second)) return axis.normal;
   return face.normal;
 }
 
-bool NarrowPhase::find(const PartPair& pair, std::span<const Part* const> beside_first,
-                       std::span<const Part* const> beside_second) {
-  const Overlap& overlap = finder_.find(pair.first->now, pair.second->now);
-  if (overlap.vertices.size() < 4) return false;
-  normal = direction(pair, overlap, {beside_first, beside_second});
+bool NarrowPhase::overlap(const PartPair& pair) {
+  pair_ = pair;
+  return finder_.find(pair.first->now, pair.second->now).vertices.size() >= 4;
+}
+
+bool NarrowPhase::find_contact(const Beside& beside) {
+  normal = direction(beside);
   patch = finder_.project(normal);
   return patch.n_points > 0;
 }
 
-bool NarrowPhase::find_in_plane(const PartPair& pair, std::span<const Part* const> beside_first,
-                                std::span<const Part* const> beside_second) {
-  const Overlap& overlap = finder_.find(pair.first->now, pair.second->now);
-  if (overlap.vertices.size() < 4) return false;
-  axes_ = overlap.axes;
+bool NarrowPhase::find_contact_in_plane(const Beside& beside) {
+  axes_ = finder_.last().axes;
   std::erase_if(axes_, [](const SeparatingAxis& axis) { return std::abs(axis.normal.z) > kOutOfPlane; });
   std::stable_sort(axes_.begin(), axes_.end(),
                    [](const SeparatingAxis& a, const SeparatingAxis& b) { return a.depth < b.depth; });
   const auto surface = std::find_if(axes_.begin(), axes_.end(), [&](const SeparatingAxis& axis) {
-    return !leads_on(overlap, axis.normal, beside_first, beside_second);
+    return !leads_on(finder_.last(), axis.normal, beside.first, beside.second);
   });
   if (surface == axes_.end()) return false;
   normal = normalized(Vec3{surface->normal.x, surface->normal.y, 0.0});

@@ -16,34 +16,32 @@ struct PartPair {
   const Part* second = nullptr;
 };
 
+/// Parts that continue the solids of a pair's two parts. An axis that leads into one of them does not separate: the
+/// face between two parts of one solid is no surface.
+struct Beside {
+  std::span<const Part* const> first;   ///< other parts of the first part's body
+  std::span<const Part* const> second;  ///< the same for the second; for a part of a sheet, its other parts near by
+  bool none() const { return first.empty() && second.empty(); }
+};
+
 /// Where and how two parts touch. Looks at the present poses only: no history, so a step is a function of the state.
 class NarrowPhase {
  public:
-  /// Whether the parts overlap; then `normal` and `patch` describe how.
-  ///
-  /// @param beside_first   other parts of the first part's body. An axis that leads into one of them does not
-  ///                       separate: the face between two parts of one solid is no surface.
-  /// @param beside_second  likewise for the second; for a part of the sheet, the sheet's other parts near by.
-  bool find(const PartPair& pair, std::span<const Part* const> beside_first,
-            std::span<const Part* const> beside_second);
-
-  /// Likewise for two parts of sheets, with a normal in the plane. Where no surface bounds the overlap there is none.
-  bool find_in_plane(const PartPair& pair, std::span<const Part* const> beside_first,
-                     std::span<const Part* const> beside_second);
+  /// Whether the parts overlap. Most pairs do not.
+  bool overlap(const PartPair& pair);
+  /// Whether the overlap that was found last is a contact; then `normal` and `patch` describe it.
+  bool find_contact(const Beside& beside);
+  /// The same for two parts of sheets, with a normal in the plane. Where no surface bounds the overlap there is none.
+  bool find_contact_in_plane(const Beside& beside);
 
   Vec3 normal{};  ///< unit, from the second part into the first
   Patch patch;
 
  private:
-  /// The parts beside the two parts of the pair.
-  struct Beside {
-    std::span<const Part* const> first;
-    std::span<const Part* const> second;
-    bool none() const { return first.empty() && second.empty(); }
-  };
-  SeparatingAxis best_face(const Overlap& overlap, const Beside& beside);
-  Vec3 direction(const PartPair& pair, const Overlap& overlap, const Beside& beside);
+  SeparatingAxis best_face(const Beside& beside);
+  Vec3 direction(const Beside& beside);
 
+  PartPair pair_;  ///< of the last overlap
   OverlapFinder finder_;
   EdgeAxes edge_axes_;
   std::vector<SeparatingAxis> axes_;

@@ -13,6 +13,21 @@ namespace {
 /// within the spread of replicates.
 constexpr double kMergeWithin = 0.1;
 
+/// Whether the plane of `other` that lies farthest below the middle of `part`'s box parts the two. Mostly it does, if
+/// any plane does.
+bool are_parted(const PlacedPart& part, const PlacedPart& other) {
+  const Vec3 centre = 0.5 * (part.lower + part.upper);
+  const auto height = [&](const Plane& plane) { return dot(plane.normal, centre) - plane.offset; };
+  const Plane* farthest = &other.planes.front();
+  double greatest = height(*farthest);
+  for (const Plane& plane : other.planes)
+    if (const double h = height(plane); h > greatest) {
+      greatest = h;
+      farthest = &plane;
+    }
+  return greatest > 0.0 && part.corners.least_over(*farthest) >= -kTouch;
+}
+
 }  // namespace
 
 void update(PlacedPart& part, const Pose& pose) {
@@ -70,6 +85,7 @@ void OverlapFinder::add_corners(const PlacedPart& part, const Heights& heights) 
 const Overlap& OverlapFinder::find(const PlacedPart& a, const PlacedPart& b) {
   overlap_.vertices.clear();
   overlap_.axes.clear();
+  if (are_parted(a, b) || are_parted(b, a)) return overlap_;
   if (!find_axes(a, b, 1.0, of_a_) || !find_axes(b, a, -1.0, of_b_)) return overlap_;
   add_corners(a, of_a_);
   add_corners(b, of_b_);

@@ -58,6 +58,7 @@ class OverlapFinder {
   /// part passes a face of the other. Only planes that pass through the other part cut its edges, so a hull of many
   /// facets costs one height per facet and vertex.
   const Overlap& find(const PlacedPart& a, const PlacedPart& b);
+  const Overlap& last() const { return overlap_; }
   /// Of the last overlap: a's vertices over planes of b, and b's over planes of a.
   const Heights& heights_of_a() const { return of_a_; }
   const Heights& heights_of_b() const { return of_b_; }

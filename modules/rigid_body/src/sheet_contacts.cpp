@@ -49,9 +49,9 @@ void SheetContacts::find(std::span<const BodyPair> pairs) {
     const auto [first, second] = turned(pair);
     if (!first->gives_way() || first->parts.empty() || second->parts.empty()) continue;
     const Part &one = *first->parts.front(), &other = *second->parts.front();
-    if (!within_reach(box(one), box(other), 0.0)) continue;
-    if (narrow_phase_.find_in_plane({&one, &other}, beside(*first, *second, beside_first_),
-                                    beside(*second, *first, beside_second_)))
+    if (!within_reach(box(one), box(other), 0.0) || !narrow_phase_.overlap({&one, &other})) continue;
+    if (narrow_phase_.find_contact_in_plane(
+            {beside(*first, *second, beside_first_), beside(*second, *first, beside_second_)}))
       contacts_.push_back({first, second, narrow_phase_.normal, narrow_phase_.patch});
   }
   // Ranks of parts in one place follow their ids, which a resumed run gives anew.
