@@ -33,8 +33,8 @@ void add_unsettled_warning(const RunSummary& s, std::size_t n_steps, Warnings& w
       {"unsettled-contacts",
        fmt::format(
            "the contacts of {} of {} steps are not settled: their last sweep changes a relative velocity by more "
-           "than 8e-5 m/s and 1 % of the speed of structure and water against each other, by {:.2g} m/s in the "
-           "mean step, so floes may sink into each other; raise contact.iterations, or shorten time.step",
+           "than 8e-5 m/s and 3 % of the speed of structure and water against each other, by {:.2g} m/s in the "
+           "mean step, so floes may sink into each other and loads be too low; raise contact.iterations, or shorten time.step",
            s.n_unsettled_steps, n_steps, s.mean_last_change)});
 }
 
@@ -79,7 +79,7 @@ Warnings warnings_of(const RunSummary& s, std::span<const model::LoadRow> loads,
 }
 
 double settled_residual(Vec2 velocity, Vec2 current) {
-  constexpr double kSinking = 8e-5, kShareOfSpeed = 0.01;
+  constexpr double kSinking = 8e-5, kShareOfSpeed = 0.03;
   return std::max(kSinking, kShareOfSpeed * norm(velocity - current));
 }
 
