@@ -22,8 +22,8 @@ std::vector<model::Warning> warnings_of(const RunSummary& summary, std::span<con
                                         const model::ReferenceSection& reference);
 
 /// Residual of a step above which its contacts are not settled [m/s]: the larger of two. At 8e-5 m/s a floe sinks into
-/// its neighbour by 5 mm a minute. At 1 % of the speed of structure and water against each other, a contact shifts by 1
-/// % of the distance that the ice moves, far less than the scatter of a mean load.
+/// its neighbour by 5 mm a minute. At 3 % of the speed of structure and water against each other, a contact shifts by 3
+/// % of the distance that the ice moves, and mean loads may be some 5 % too low.
 double settled_residual(Vec2 structure, Vec2 current);
 
 /// Whether the loads of a run with these warnings get intervals: the run is long enough, and ice bore on the structure
