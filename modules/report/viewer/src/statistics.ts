@@ -7,7 +7,7 @@ import type { Run } from "./data";
 import { css, el, section, table } from "./dom";
 import { kTooEarly } from "./extremes";
 import { deviation, kN, number, seconds, superscript } from "./format";
-import type { AxisStatistics, LoadStatistics, RunData } from "./types";
+import type { AxisStatistics, LoadStatistics, RunData, RunSummary } from "./types";
 
 /** Statistics of each load, and of a measured history beside Fx. */
 function moments(run: Run, measured: RunData["measured"]): HTMLElement {
@@ -204,6 +204,24 @@ function referenceNote(run: Run): string {
   return ` Reference (${source}): ${kN(measured)} kN` + (mean === null ? "." : `; the mean of this run is ${deviation(mean, measured)} away.`);
 }
 
+/** By how much the load at each break of the structure was above the load at which the ice just fails, in per cent. */
+function lateness(run: Run): Chart | null {
+  const quantiles = run.data.summary.overload_quantiles ?? [];
+  if (quantiles.length === 0) return null;
+  const excess = (overload: number) => Math.max(0, 100 * (overload - 1));
+  const floe = run.column("event.pressing_floe");
+  const known = [...run.column("event.overload")].filter((overload, i) => overload > 0 && floe[i] < 0);
+  return histogram(known.map(excess), "%", "load above the breaking load at breaks of the structure", quantiles.map(excess));
+}
+
+/** What the run knows about the error of its verdicts. */
+function verdictNote({ sheets, verdicts }: RunSummary): string {
+  if (!verdicts?.kept) return "";
+  const { kept, controls, late, latest } = verdicts;
+  return ` ${(sheets?.solved_coarse ?? 0) + (sheets?.solved_cubic ?? 0)} sheets were solved and ${kept} verdicts kept from an earlier step. Of ${controls} kept verdicts that were solved all the same, ` +
+    (late === 0 ? "none failed late." : `${late} failed late, by ${number(latest, 3)} s at most.`);
+}
+
 export function statisticsSection(run: Run, choice: LoadChoice, measured: RunData["measured"]): HTMLElement {
   const { data } = run;
   const s = data.summary;
@@ -214,6 +232,7 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     ...ofLoads,
     histogram(run.column("floe.area"), "m²", "piece area", s.piece_area_quantiles),
     histogram(run.column("event.l_break"), "m", "breaking length", s.breaking_length_quantiles),
+    lateness(run),
   ];
   const hasInterval = Object.values(data.loads ?? {}).some(({ mean_95: [low] }) => low !== null);
   const short = s.horizontal.mean !== null && !s.horizontal.long_enough;
@@ -224,7 +243,7 @@ export function statisticsSection(run: Run, choice: LoadChoice, measured: RunDat
     el("p", { class: "note" },
       `Statistics ${spanOf(run)}. ${reasonsOf(run)}` +
         (Object.values(data.loads ?? {}).some(({ lower_end }) => lower_end) ? kLowerEnd : "") +
-        (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) +
+        (short && hasInterval ? "The history is shorter than 50 autocorrelation times: the intervals are themselves uncertain." : "") + referenceNote(run) + verdictNote(s) +
         (measured ? ` Measured: ${measured.name}, the whole history.` : "")),
     el("div", { class: "charts" }, causes(run), data.statistics && !hasSpectrum && el("p", { class: "note" }, kTooShort),
       ...charts.map((chart) => chart && chart.element)),

@@ -56,6 +56,10 @@ export interface RunSummary {
   n_breaks: number;
   breaking_frequency: number | null;
   breaking_length_quantiles: number[];
+  /** These three are absent in files of earlier versions. */
+  overload_quantiles?: number[];
+  sheets?: Record<string, number>;
+  verdicts?: { kept: number; controls: number; late: number; latest: number };
   piece_area_quantiles: number[];
   quantile_levels: number[];
   n_floes_born: number;
