@@ -11,12 +11,12 @@ namespace brash::simulation {
 namespace {
 
 /// A verdict is kept while the overload stays below 1, times kLeastMargin, and kMoreMargin more at the longest age.
-constexpr double kLeastMargin = 1.2, kMoreMargin = 2.0;
+constexpr double kLeastMargin = 1.1, kMoreMargin = 1.0;
 /// A contact is solved where the loads of either kind changed by more than this share of all, or its length.
 constexpr double kLoadJump = 1.0, kLengthJump = 0.25;
 /// Whatever the load, the stress of an edge that has just begun to move grows with a power of its age. So a verdict is
 /// kept no longer than this share of the age.
-constexpr double kShareOfEdge = 0.25;
+constexpr double kShareOfEdge = 0.5;
 /// Rounding of times.
 constexpr double kRoundingOfTimes = 1e-6;
 /// One contact in so many is a control.
