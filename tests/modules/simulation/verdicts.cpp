@@ -61,15 +61,15 @@ BOOST_AUTO_TEST_CASE(a_verdict_is_kept_while_the_ice_is_far_from_breaking) {
     return recalled(verdicts, now, contact).kept == Verdict::kSolved;
   };
   BOOST_TEST(is_solved(1.2, asked(0.0, {100.0, 0.0})));       // T is over
-  BOOST_TEST(!is_solved(1.03, asked(9.0, {100.0, 0.0}, 7)));  // 0.5 (1.2 + 0.3) < 1
-  BOOST_TEST(is_solved(1.09, asked(9.0, {100.0, 0.0}, 7)));   // 0.5 (1.2 + 0.9) > 1
+  BOOST_TEST(!is_solved(1.17, asked(9.0, {100.0, 0.0}, 7)));  // 0.5 (1.1 + 0.85) < 1
+  BOOST_TEST(is_solved(1.19, asked(9.0, {100.0, 0.0}, 7)));   // 0.5 (1.1 + 0.95) > 1
   BOOST_TEST(is_solved(1.03, asked(9.0, {100.0, 0.0}, 8)));   // another floe
   BOOST_TEST(is_solved(1.1, asked(0.0, {201.0, 0.0})));       // loads have jumped
   BOOST_TEST(is_solved(1.1, asked(0.0, {100.0, 101.0})));     // a floe has come
   EdgeContact young = asked(0.0, {100.0, 0.0});
   young.edge_age = 0.3;
-  BOOST_TEST(!is_solved(1.07, young));  // 0.3 (1.2 + 1.87) < 1
-  BOOST_TEST(is_solved(1.076, young));  // a quarter of its age is over
+  BOOST_TEST(!is_solved(1.14, young));  // 0.3 (1.1 + 0.93) < 1
+  BOOST_TEST(is_solved(1.16, young));   // half its age is over
   EdgeContact longer = asked(0.0, {100.0, 0.0});
   longer.touched.length = 1.5;
   BOOST_TEST(is_solved(1.1, longer));
