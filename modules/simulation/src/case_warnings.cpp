@@ -137,12 +137,20 @@ double passing_speed(const model::Case& c, const Course& course) {
   return may_drift ? std::max(course.speed, norm(course.velocity - c.water.current)) : course.speed;
 }
 
+/// The remedy of a run with too little travel after its statistics begin.
+std::string longer_run(const model::Case& c, double from, double speed, double l_c) {
+  return fmt::format("raise time.duration from {} s to {:.0f} s or more", c.time.duration,
+                     std::ceil(from + kFewSamples * kCorrelatedTravel * l_c / speed));
+}
+
 /// When the statistics would begin, in words.
-std::string when_they_begin(const model::Case& c, const Course& course, const StatisticsWindow& window, double radius) {
+std::string when_they_begin(const model::Case& c, const Course& course, const StatisticsWindow& window,
+                            const DerivedScales& scales) {
   if (model::speed(c.structure.motion) < kAtRest)
     return window.begins + ", and it does not pass it in this run: set output.statistics_from";
-  return fmt::format("{} at {:.3g} s: raise time.duration = {} s, or set output.statistics_from", window.begins,
-                     (place_of_begin(c, radius) - course.axis) / course.speed, c.time.duration);
+  const double from = (place_of_begin(c, scales.initial_crack_radius) - course.axis) / course.speed;
+  return fmt::format("{} at {:.3g} s: {}, or set output.statistics_from", window.begins, from,
+                     longer_run(c, from, course.speed, scales.characteristic_length));
 }
 
 /// Statistics that begin by output.statistics_from before the load is that of ice which the structure breaks.
@@ -172,13 +180,14 @@ void add_statistics_warnings(const model::Case& c, const Course& course, const D
   add_early_warning(c, course, scales.initial_crack_radius, warnings);
   if (from >= c.time.duration)
     warnings.push_back({"no-statistics", "the run is over before its statistics begin, when " +
-                                             when_they_begin(c, course, window, scales.initial_crack_radius)});
+                                             when_they_begin(c, course, window, scales)});
   else if (speed >= kAtRest && travel < kFewSamples * kCorrelatedTravel * scales.characteristic_length)
     warnings.push_back(
         {"short-run",
          fmt::format("the statistics cover {:.3g} m of travel from {:.3g} s on, where loads stay alike over "
-                     "about {:.2g} m: expected ten times that; raise time.duration = {} s",
-                     travel, from, kCorrelatedTravel * scales.characteristic_length, c.time.duration)});
+                     "about {:.2g} m: expected ten times that; {}",
+                     travel, from, kCorrelatedTravel * scales.characteristic_length,
+                     longer_run(c, from, speed, scales.characteristic_length))});
 }
 
 /// A run is a whole number of steps long, the one nearest to its duration.
