@@ -18,7 +18,7 @@ author = "The brash authors"
 copyright = author
 release = re.search(r"project\(brash VERSION ([\d.]+)", (TOP / "CMakeLists.txt").read_text())[1]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "brash_furo", "brash_gallery", "brash_katex"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "brash_furo", "brash_gallery", "brash_katex", "brash_redirects"]
 exclude_patterns = ["_*"]
 myst_enable_extensions = ["dollarmath", "amsmath", "attrs_image", "colon_fence"]
 myst_heading_anchors = 4

@@ -91,6 +91,12 @@ class Links(unittest.TestCase):
                    and re.search("^# ", page.read_text(encoding="utf-8"), re.MULTILINE)]
         self.assertEqual(missing, [])
 
+    def test_old_addresses_lead_to_pages_that_are_there(self):
+        lines = (SOURCE / "docs/redirects.txt").read_text(encoding="utf-8").splitlines()
+        for old, new in (line.split() for line in lines if not line.startswith("#")):
+            self.assertFalse((SOURCE / f"docs/{old}.md").exists(), f"{old} is a page, and no redirect may hide it")
+            self.assertTrue((SOURCE / f"docs/{new}.md").is_file(), f"{old} leads to {new}, which is not there")
+
 
 if __name__ == "__main__":
     unittest.main()

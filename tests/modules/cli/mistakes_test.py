@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every row of docs/reference/mistakes.md: its command answers with its remedy, one sentence."""
+"""Every row of docs/reference/warnings.md: its command answers with its remedy, one sentence."""
 import os
 import pathlib
 import re
@@ -15,7 +15,7 @@ ROW = re.compile(r"^\| ([^|]+) \| `([^|`]+)` \| ([^|]+) \|$")
 
 def rows():
     """Mistake, words of the command and remedy of each row."""
-    lines = (SOURCE / "docs/reference/mistakes.md").read_text(encoding="utf-8").splitlines()
+    lines = (SOURCE / "docs/reference/warnings.md").read_text(encoding="utf-8").splitlines()
     return [(match[1], shlex.split(match[2]), match[3]) for match in map(ROW.match, lines) if match]
 
 
