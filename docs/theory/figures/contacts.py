@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""dynamics.md: the contact as an overlap, the crushing bound in an impact, the friction disc."""
+"""contacts-and-bodies.md: the contact as an overlap, the crushing bound in an impact, the friction disc."""
 import math
 
 import matplotlib.pyplot as plt

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""contact-solver.md, drag-accuracy.md and crushed-floes.md: their measurements."""
+"""contacts-and-bodies.md, drag-accuracy.md and crushed-floes.md: their measurements."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -9,13 +9,13 @@ from tables import numbers, table
 
 def solver():
     figure, axes = plt.subplots(1, 2, figsize=(8.5, 3.0), constrained_layout=True)
-    head, *rows = table("contact-solver.md", "mean resistance [kN]")
+    head, *rows = table("contacts-and-bodies.md", "mean resistance [kN]")
     for (name, *cells), colour in zip(rows, SERIES):
         points = [(float(n), float(cell)) for n, cell in zip(head[1:], cells) if cell]
         axes[0].semilogx(*zip(*points), "o-", ms=4, color=colour, label=name.split(" (")[0])
     axes[0].set(xlabel="iterations", ylim=(40, 52))
     axes[0].set_title("mean resistance of a jam [kN]", loc="left")
-    rows = [[float(cell) for cell in row] for row in table("contact-solver.md", "sweeps | without: mean")[1:]]
+    rows = [[float(cell) for cell in row] for row in table("contacts-and-bodies.md", "sweeps | without: mean")[1:]]
     sweeps, *columns = zip(*rows)
     for values, colour, style, name in zip(columns, (SERIES[0], SERIES[0], SERIES[1], SERIES[1]), ("o-", "o:", "o-", "o:"),
                                            ("without, mean", "without, 90 %", "with momentum, mean", "with, 90 %")):

@@ -10,7 +10,7 @@ namespace brash::rigid_body {
 namespace {
 
 /// Of the sweeps of a step, as long as they change less and less: it lasts for a tenth of them
-/// (docs/theory/dynamics.md, (C3)).
+/// (docs/theory/contacts-and-bodies.md, (C3)).
 double most_momentum(int iterations) { return std::max(0.0, 1.0 - 10.0 / iterations); }
 
 /// Sweeps before the first long stride and between two, in which the light bodies come to rest.
@@ -67,8 +67,8 @@ void BoundedSolver::resolve(Moved& a, Moved& b, const Jacobian& jacobian, const 
   sweep.add(change / row.mass, change);
 }
 
-/// Eq. 6 as a disc (docs/theory/dynamics.md, (C2)): the impulse that stops the slip where the disc holds it, else a
-/// step against the slip and back to the disc. Counts no less than the change of relative velocity.
+/// Eq. 6 as a disc (docs/theory/contacts-and-bodies.md, (C2)): the impulse that stops the slip where the disc holds it,
+/// else a step against the slip and back to the disc. Counts no less than the change of relative velocity.
 void BoundedSolver::resolve_friction(Moved& a, Moved& b, double radius, const Tangents& tangents, Friction& friction,
                                      Sweep& sweep) {
   auto& [first, second] = friction.impulses;

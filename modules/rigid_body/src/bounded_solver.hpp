@@ -26,7 +26,7 @@ struct SolverBody {
   Vec3 normal{};         ///< unit axis along which it has more mass, world frame
   double stretch = 0.0;  ///< root of 1/inverse_mass over the mass along `normal`, less 1 [-]; in (-1, 0]
 
-  /// S v with 1/mass = inverse_mass S S (docs/theory/dynamics.md, (M2)).
+  /// S v with 1/mass = inverse_mass S S (docs/theory/contacts-and-bodies.md, (M2)).
   Vec3 stretched(Vec3 v) const { return stretch == 0.0 ? v : v + stretch * dot(normal, v) * normal; }
 };
 
@@ -65,13 +65,13 @@ struct PointImpulse {
 /// for friction.
 ///
 /// An iteration goes through the joints, then through the normal rows of all points, then through their friction, and
-/// starts from beyond where the last one ended (docs/theory/dynamics.md, (C3)). Joints come in the order in which they
-/// were added. Contacts come by strips of bodies that follow each other as they were added: every second strip, then
-/// the others, and several of them at a time. There is no warm start: the result is a function of the added bodies,
-/// contacts and joints, and of their order.
+/// starts from beyond where the last one ended (docs/theory/contacts-and-bodies.md, (C3)). Joints come in the order in
+/// which they were added. Contacts come by strips of bodies that follow each other as they were added: every second
+/// strip, then the others, and several of them at a time. There is no warm start: the result is a function of the added
+/// bodies, contacts and joints, and of their order.
 ///
-/// Contacts obey Moreau's impact law with one coefficient of restitution e (docs/theory/dynamics.md, (C5)). So they
-/// never gain energy, if e is at most 1 (docs/theory/dynamics.md, (C6)).
+/// Contacts obey Moreau's impact law with one coefficient of restitution e (docs/theory/contacts-and-bodies.md, (C5)).
+/// So they never gain energy, if e is at most 1 (docs/theory/contacts-and-bodies.md, (C6)).
 class BoundedSolver {
  public:
   /// A body that never moves, known from the start.

@@ -11,8 +11,8 @@
 
 namespace brash::rigid_body {
 
-/// Bullet's constraints as rows of the bounded solver (docs/theory/dynamics.md, (C4)), in an order that depends on the
-/// bodies' states only.
+/// Bullet's constraints as rows of the bounded solver (docs/theory/contacts-and-bodies.md, (C4)), in an order that
+/// depends on the bodies' states only.
 class JointRows {
  public:
   /// Adds all rows to a solver that knows the bodies by their Body::in_solver.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long strides of the bounded solver, where heavy bodies touch light ones (docs/theory/dynamics.md, (C8)).
+// Long strides of the bounded solver, where heavy bodies touch light ones (docs/theory/contacts-and-bodies.md, (C8)).
 #include <algorithm>
 #include <cmath>
 #include <numeric>

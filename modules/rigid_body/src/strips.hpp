@@ -22,7 +22,7 @@ struct Ends {
 /// Contacts of bodies far apart in the order would make strips too long: they are left for the end, one after the
 /// other.
 ///
-/// Strips follow from the order of the bodies and their contacts alone (docs/theory/dynamics.md, (C7)).
+/// Strips follow from the order of the bodies and their contacts alone (docs/theory/contacts-and-bodies.md, (C7)).
 class Strips {
  public:
   /// @param contacts  keep their order within a strip.

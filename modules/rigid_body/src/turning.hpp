@@ -11,7 +11,7 @@ struct Turn {
   Twist twist;
 };
 
-/// Moves a body on for `dt` [s] without forces, by Kirchhoff's equations (docs/theory/dynamics.md, (M3)).
+/// Moves a body on for `dt` [s] without forces, by Kirchhoff's equations (docs/theory/contacts-and-bodies.md, (M3)).
 ///
 /// The momentum against the water stays as it is, although the body's axes turn. The velocity therefore changes, and
 /// Munk's moment takes the energy for it from the rotation. Momentum and energy against the water are kept to

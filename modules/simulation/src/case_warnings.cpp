@@ -214,7 +214,8 @@ void add_piece_warnings(const model::Case& c, double speed, double area, double 
                                                  c.time.step, collision_time, area)});
   if (speed < kAtRest) return;
   // When the structure squeezes a floe against a support, each sweep adds about m v to the impulse
-  // (docs/theory/dynamics.md, "Squeezed floes"). The floe needs this many sweeps to reach its crushing bound.
+  // (docs/theory/contacts-and-bodies.md, "Squeezed floes"). The floe needs this many sweeps to reach its crushing
+  // bound.
   const double mass = (1.0 + c.hydrodynamics.added_mass) * c.ice.density * c.ice.thickness * area;
   const double bound =
       c.time.step * c.ice.compressive_strength * c.ice.crushing_factor * c.ice.thickness * std::sqrt(area);

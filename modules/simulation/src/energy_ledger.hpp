@@ -11,7 +11,7 @@
 
 namespace brash::simulation {
 
-/// Energies taken in a step, which cannot be negative [J] (docs/theory/dynamics.md, (E4)).
+/// Energies taken in a step, which cannot be negative [J] (docs/theory/contacts-and-bodies.md, (E4)).
 struct Taken {
   double contacts = 0.0;  ///< by all contacts, from the energy that the loads left
   double water = 0.0;     ///< by drag and skin friction at the velocities that they were made for; in water at rest
@@ -26,7 +26,7 @@ struct WorkOfWater {
 };
 
 /// Where the structure's work goes: sums since the start of the run, each from loads and the mean velocities of the
-/// step (docs/theory/dynamics.md, (E1), (E3)). It only looks; nothing in a run depends on it.
+/// step (docs/theory/contacts-and-bodies.md, (E1), (E3)). It only looks; nothing in a run depends on it.
 class EnergyLedger {
  public:
   /// The ice moved by `passage` past the structure [m], [rad], under the loads `edge` of the sheet's edge and `floes`

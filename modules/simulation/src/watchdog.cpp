@@ -178,7 +178,7 @@ double Watchdog::impulses(const rigid_body::World& world) const {
   return sum * case_->time.step;
 }
 
-/// Contacts take energy, and so does water at rest (docs/theory/dynamics.md, (E4)).
+/// Contacts take energy, and so does water at rest (docs/theory/contacts-and-bodies.md, (E4)).
 void Watchdog::look_at_losses(const Watched& now) const {
   const double rounding = kRounding * (1.0 + now.row.kinetic_energy);
   const double given = rounding + kLeft * impulses(now.world);

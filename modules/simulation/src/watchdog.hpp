@@ -62,7 +62,7 @@ class Watchdog {
  private:
   /// Largest error that the integration in time may leave in the energy of floes of this weight [N], in J. The constant
   /// part of F gives dt F (u' - u) / 2 a step. These add up to no more than half the work of F along one step's travel
-  /// (docs/theory/dynamics.md, Energy). F is the weight, or the lift under water where the lift is more.
+  /// (docs/theory/contacts-and-bodies.md, Energy). F is the weight, or the lift under water where the lift is more.
   /// @param travel  longest travel of the floe in a step [m].
   double allowance(double weight, double travel) const { return 0.5 * most_lift_ * weight * std::max(travel, travel_); }
   /// Summed up until it is `enough` [J].

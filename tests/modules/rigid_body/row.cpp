@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A row of floes that is pushed against a wall: the load of each contact is known. The messages are the table of
-// docs/theory/contact-solver.md: test_rigid_body_row --log_level=message.
+// docs/theory/contacts-and-bodies.md: test_rigid_body_row --log_level=message.
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A floe in the water: World and hydrodynamics, coupled as in the step, against closed forms; equations of
-// docs/theory/dynamics.md, (V1), (V2), (V3), (V4), (V5), (V6).
+// docs/theory/contacts-and-bodies.md, (V1), (V2), (V3), (V4), (V5), (V6).
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 

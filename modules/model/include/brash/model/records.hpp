@@ -10,7 +10,8 @@
 namespace brash::model {
 
 /// Where the structure's work has gone since the start, besides into the floes' energies [J]. Positive: taken from the
-/// structure and the floes. Each is forces times velocities, none is a remainder (docs/theory/dynamics.md, (E1)).
+/// structure and the floes. Each is forces times velocities, none is a remainder (docs/theory/contacts-and-bodies.md,
+/// (E1)).
 struct EnergyLosses {
   double edge = 0.0;                ///< the structure's work against the sheet's edge: crushing and its friction
   double bending = 0.0;             ///< the structure's work that bends the sheet's edge, where it moves

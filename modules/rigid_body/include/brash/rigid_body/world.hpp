@@ -37,8 +37,8 @@ enum class Engine {
 struct WorldSettings {
   ContactLaw ice_structure{};
   ContactLaw ice_ice{};
-  /// e of Eq. 5 [-], 0 to 1: one for all contacts, so that they never gain energy (docs/theory/dynamics.md, (C6)).
-  /// Engine::kBullet knows 0 alone.
+  /// e of Eq. 5 [-], 0 to 1: one for all contacts, so that they never gain energy (docs/theory/contacts-and-bodies.md,
+  /// (C6)). Engine::kBullet knows 0 alone.
   double restitution = 0.0;
   int iterations = 30;  ///< sweeps of sequential impulses a step, at most
   /// [m], > 0; convex parts thinner than twice this have no contact. Bullet's hulls are inset by it and rounded.
@@ -60,7 +60,7 @@ struct MassProperties {
   double added_across = 0.0;
 };
 
-/// Momentum of a body in `pose` that moves at `velocity`, world frame [N s] (docs/theory/dynamics.md, (M1)).
+/// Momentum of a body in `pose` that moves at `velocity`, world frame [N s] (docs/theory/contacts-and-bodies.md, (M1)).
 constexpr Vec3 momentum(const MassProperties& mass, const Pose& pose, Vec3 velocity) {
   const Vec3 n = rotate(pose.rotation, {0.0, 0.0, 1.0});
   return mass.mass * velocity + mass.added_across * dot(n, velocity) * n;
@@ -104,11 +104,13 @@ struct ContactLoad {
   double depth = 0.0;                     ///< extent of the overlap along the normal [m]
   bool at_bound = false;                  ///< the crushing bound was reached
   /// Velocities of the two bodies at the point, each the mean of those at the start and the end of the step [m/s]. A
-  /// force of the step times such a mean is its share of the change of kinetic energy, exactly (dynamics.md, E2).
+  /// force of the step times such a mean is its share of the change of kinetic energy, exactly (contacts-and-bodies.md,
+  /// E2).
   Vec3 body_velocity{};
   Vec3 other_velocity{};
   /// Kinetic energy that the point takes from the energy after the loads alone, P . (u* + u') / 2 with the relative
-  /// velocities before and after the contacts' impulses [J]. All points together give none (dynamics.md, E4).
+  /// velocities before and after the contacts' impulses [J]. All points together give none (contacts-and-bodies.md,
+  /// E4).
   double loss = 0.0;
 };
 
@@ -187,7 +189,7 @@ constexpr double power(const LinkLoad& l) { return dot(l.force, l.relative_veloc
 /// contracts.
 ///
 /// Contacts of breakable ice act while the parts overlap: nothing at first touch, then up to the crushing pressure
-/// times the area of the overlap (docs/theory/dynamics.md, (C1)).
+/// times the area of the overlap (docs/theory/contacts-and-bodies.md, (C1)).
 class World {
  public:
   explicit World(const WorldSettings& settings);
