@@ -25,7 +25,7 @@ import water
 
 FIGURES = {"contacts": contacts.draw, "water": water.draw, "cuts": cuts.draw, "crack-patterns": cracks.draw,
            "histories": histories.draw, "plate": plate.draw, "closed-forms": closed_forms.draw,
-           "edge": edge.draw, "moving-edge": moving_edge.draw, "solver": measured.solver, "drag": measured.drag,
+           "edge": edge.draw, "moving-edge": moving_edge.draw, "solver": measured.solver,
            "crushed": measured.crushed}
 
 

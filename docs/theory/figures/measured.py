@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""contacts-and-bodies.md, drag-accuracy.md and crushed-floes.md: their measurements."""
+"""contacts-and-bodies.md and crushed-floes.md: their measurements."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -26,24 +26,6 @@ def solver():
         axis.set_xticks(sweeps, [f"{n:g}" for n in sweeps])
         axis.minorticks_off()
         axis.legend()
-    return figure
-
-
-def intervals(axis, rows, name):
-    for i, (label, *cells) in enumerate(reversed(rows)):
-        mean, low, high = numbers(cells[0])[:3]
-        axis.errorbar(mean, i, xerr=[[mean - low], [high - mean]], fmt="o", ms=5, capsize=4, color=SERIES[0])
-    axis.set_yticks(range(len(rows)), [row[0].replace("`", "") for row in reversed(rows)])
-    axis.set(ylim=(-0.6, len(rows) - 0.4), ylabel=name)
-    axis.set_title("mean horizontal load [kN]", loc="left")
-
-
-def drag():
-    figure, axes = plt.subplots(1, 2, figsize=(8.5, 2.4), constrained_layout=True)
-    _, *laws = table("drag-accuracy.md", "| mean | crushing")
-    intervals(axes[0], laws, "drag")
-    _, *kept = table("drag-accuracy.md", "drag_travel")
-    intervals(axes[1], kept, "drag_travel")
     return figure
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""hydrodynamics.md: a tilted floe with its drag, the shade of a neighbour, a decay in large steps."""
+"""water.md: a tilted floe with its drag, the shade of a neighbour, a decay in large steps."""
 import math
 
 import matplotlib.pyplot as plt

@@ -10,7 +10,7 @@
 namespace brash::hydrodynamics {
 
 /// Share of the free stream that reaches a floe's surface where probes of the length of the gap end
-/// (docs/theory/hydrodynamics.md, (H8)).
+/// (docs/theory/water.md, (H8)).
 ///
 /// @param probes  their ends, body frame; at least one.
 /// @param pose  of the floe.

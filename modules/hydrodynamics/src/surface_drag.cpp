@@ -52,7 +52,7 @@ void where_negative(std::span<const Vec2> polygon, const Linear& value, Polygon&
 }
 
 /// Gauss's rule of two points for the mean of f(x) from -1 to 1 with the weight 1 + k x; k from -1 to 1
-/// (docs/theory/hydrodynamics.md, (H11)).
+/// (docs/theory/water.md, (H11)).
 struct LinearGauss {
   explicit LinearGauss(double k) {
     // The points are the zeros of x^2 + b x + c, whose products with 1 and x have the mean 0.

@@ -16,7 +16,7 @@ namespace {
 /// By how much a floe is thicker than twice the collision margin, so that its shape outlasts round-off [m].
 constexpr double kThinnest = 1e-6;
 
-/// Weight and buoyancy (docs/theory/hydrodynamics.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0
+/// Weight and buoyancy (docs/theory/water.md, (H4)): m g z - rho_w g V z_B, zero for a massless point at z = 0
 /// [J].
 double potential(const Floe& floe, const Pose& pose, double water_density) {
   const hydrodynamics::Displacement& wet = displaced(floe, pose);

@@ -9,7 +9,7 @@
 
 namespace brash::simulation {
 
-/// The drag on a floe, kept until the floe has moved on (docs/theory/hydrodynamics.md, (H13), (H14)).
+/// The drag on a floe, kept until the floe has moved on (docs/theory/water.md, (H13), (H14)).
 struct KeptDrag {
   hydrodynamics::Drag drag;
   Twist velocity{};   ///< against the water at which it was taken, body frame

@@ -13,7 +13,7 @@ struct AddedMass {
   Vec3 inertia{};       ///< about the body's axes [kg m2]
 };
 
-/// Added mass of a thin plate deep in water at rest, without walls (docs/theory/hydrodynamics.md, (H16), (H17), (H18)).
+/// Added mass of a thin plate deep in water at rest, without walls (docs/theory/water.md, (H16), (H17), (H18)).
 ///
 /// A rectangle with the plan's area and the ratio of its principal second moments stands for the plan. It errs by 2 %
 /// for trapezoids, by 5 % for a disc and by 9 % for an equilateral triangle.

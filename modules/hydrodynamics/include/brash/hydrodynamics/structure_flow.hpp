@@ -10,7 +10,7 @@ namespace brash::hydrodynamics {
 ///
 /// Valid where waves are low, U / sqrt(g L) well below 1 (0.1 for the paper's cone), and off the wake: the water behind
 /// the structure is taken to close like that ahead of it parts.
-/// @see H. Lamb, Hydrodynamics, 6th ed., 1932, art. 114; docs/theory/hydrodynamics.md, (H10).
+/// @see H. Lamb, Hydrodynamics, 6th ed., 1932, art. 114; docs/theory/water.md, (H10).
 class StructureFlow {
  public:
   /// @param semi_axes  of the ellipsoid along x, y and downwards [m], > 0.
@@ -20,7 +20,7 @@ class StructureFlow {
   /// it moves at `velocity` along the surface. Inside the ellipsoid it is the ellipsoid's.
   Vec3 at(Vec3 point, Vec2 velocity) const;
 
-  /// Acceleration of the water there, Du/Dt [m/s2], while `velocity` stays (docs/theory/hydrodynamics.md, (H22)). 0
+  /// Acceleration of the water there, Du/Dt [m/s2], while `velocity` stays (docs/theory/water.md, (H22)). 0
   /// inside.
   Vec3 acceleration(Vec3 point, Vec2 velocity) const;
 

@@ -17,12 +17,12 @@ struct SunkTop {
   bool looks_down = false;  ///< the face holds no air
 };
 
-/// The sunk part of the upper face of a floe in `pose` (docs/theory/hydrodynamics.md, (H20)).
+/// The sunk part of the upper face of a floe in `pose` (docs/theory/water.md, (H20)).
 /// @param density  of the water [kg/m3], > 0.
 SunkTop sunk_top(const Prism& prism, const Pose& pose, double density);
 
 /// How far water has run in over the top after another `dt` [s]: a dam-break front [m]
-/// (docs/theory/hydrodynamics.md, (H21), (H23)). A face that looks down into the water is covered at once.
+/// (docs/theory/water.md, (H21), (H23)). A face that looks down into the water is covered at once.
 /// @param ran  how far it has run in so far [m].
 /// @see Ritter, 1892; Lu, Loset and Lubbad, Int. Conf. Port Ocean Eng. Arctic Cond., 2012.
 double ran_in_after(double ran, const SunkTop& top, double dt);

@@ -37,7 +37,7 @@ struct Displacement {
   Vec3 centre_in_body{};  ///< likewise, body frame
 };
 
-/// Volume below the waterplane and its centroid, exact to rounding (docs/theory/hydrodynamics.md, (H1), (H2), (H3),
+/// Volume below the waterplane and its centroid, exact to rounding (docs/theory/water.md, (H1), (H2), (H3),
 /// (H12)).
 ///
 /// A floe that the waterplane cuts in its sides alone has it in closed form, (H12); of others the wetted faces are
@@ -51,7 +51,7 @@ Twist against_water(const Pose& pose, const Twist& twist, const Water& water);
 /// The water's resistance to a floe's motion; body frame.
 ///
 /// Both parts are dampers at the velocity V0 relative to the water at which they were taken, and in proportion to it:
-/// at r V0 they are r times as strong (docs/theory/hydrodynamics.md, (H13)).
+/// at r V0 they are r times as strong (docs/theory/water.md, (H13)).
 struct Drag {
   Damping form;              ///< of the whole velocity
   Wrench skin_friction;      ///< w0 at V0 about the centre of mass; at V it is w0 (w0 . V) / (w0 . V0)
@@ -84,7 +84,7 @@ struct Drag {
 ///
 /// @param neighbours  convex bodies near the floe that may shade it, world frame.
 /// @param wet  displacement(prism, pose).
-/// @see paper, Sec. 2.1.4; docs/theory/hydrodynamics.md, (H5), (H6), (H7), (H8), (H15).
+/// @see paper, Sec. 2.1.4; docs/theory/water.md, (H5), (H6), (H7), (H8), (H15).
 Drag drag(const Prism& prism, const Pose& pose, const Twist& twist, const Water& water,
           std::span<const Solid> neighbours, const Displacement& wet);
 
@@ -101,7 +101,7 @@ struct WaterLoad {
 /// @param wet  displacement of the floe in `pose`.
 /// @param drag  at the velocity of the start of the step.
 /// @param besides  other loads of the step that the drag's velocity is to heed; not part of the result. World axes.
-/// @see docs/theory/hydrodynamics.md, (H9).
+/// @see docs/theory/water.md, (H9).
 WaterLoad water_load(const Pose& pose, const Twist& twist, const Water& water, const StepInertia& step,
                      const Displacement& wet, const Drag& drag, const Wrench& besides = {});
 
