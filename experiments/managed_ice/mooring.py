@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tension and energy of the lines of a moored structure over a run, from its motion: docs/theory/motion.md, (B11)."""
+"""Tension and energy of the lines of a moored structure over a run, from its motion: docs/theory/structures.md, (B11)."""
 import numpy as np
 from scipy import optimize
 

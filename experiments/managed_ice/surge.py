@@ -8,7 +8,7 @@ from scipy import signal, stats
 
 
 def natural_period(brash, case):
-    """The period [s] that `brash check` calls surge; docs/theory/motion.md, (B12)."""
+    """The period [s] that `brash check` calls surge; docs/theory/structures.md, (B12)."""
     text = subprocess.run([str(brash), "check", str(case)], check=True, capture_output=True, text=True).stdout
     return float(re.search(r"natural period\s+([\d.]+) s, mostly surge", text)[1])
 

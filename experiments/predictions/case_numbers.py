@@ -147,7 +147,7 @@ def closed_forms(brash, case_file, case):
     if case["structure.kind"] == "ship":
         hull = {name: case[f"hull.{name}"] for name in ("breadth", "draught")}
         ice = {"thickness": case["ice.thickness"], "speed": speed_of(case)}
-        parabola = case["hull.breadth"] / math.tan(case["hull.waterline_angle"])  # docs/theory/hulls.md, the default
+        parabola = case["hull.breadth"] / math.tan(case["hull.waterline_angle"])  # docs/theory/structures.md, the default
         bow = case.get("hull.bow_length", parabola)
         midbody = case.get("hull.midbody", 0.5 * (case["hull.length"] - bow))
         found["riska"] = riska(**hull, **ice, length=case["hull.length"], midbody=midbody, bow_length=bow,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/theory/motion.md, (B2), (B3), (B4), (B5), (B6), (B12), (B13).
+// docs/theory/structures.md, (B2), (B3), (B4), (B5), (B6), (B12), (B13).
 #include "body_motion.hpp"
 
 #include <fmt/format.h>

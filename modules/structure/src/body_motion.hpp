@@ -12,7 +12,7 @@
 namespace brash::structure {
 
 /// A rigid body afloat under weight, buoyancy, damping, thrust, ice and, if it has one, a mooring: the leapfrog of
-/// docs/theory/motion.md, (B2) to (B6). The ice's load of one step acts, evenly, in the next one. Within a step the
+/// docs/theory/structures.md, (B2) to (B6). The ice's load of one step acts, evenly, in the next one. Within a step the
 /// body goes straight and turns evenly.
 class BodyMotion final : public Motion {
  public:

@@ -20,7 +20,7 @@ struct LinePull {
 /// The pull of a line from an anchor on a flat bed. Where the line is long it lies on the bed without friction.
 /// @param span  horizontal distance of the ends [m], >= 0.
 /// @param rise  of the upper end above the anchor [m], > 0.
-/// @see docs/theory/motion.md, (B11)
+/// @see docs/theory/structures.md, (B11)
 LinePull pull_of(const Line& line, double span, double rise);
 
 }  // namespace brash::structure

@@ -134,7 +134,7 @@ struct Piece {
 };
 
 /// Volume of the shell in the box up to the box's end along y [m3]. The flux of (y - y_end) through the closed part is
-/// its volume, and there is none through the planes of the box. docs/theory/hulls.md, (K3)
+/// its volume, and there is none through the planes of the box. docs/theory/structures.md, (K3)
 double volume_up_to(const TriangleMesh& shell, const std::vector<std::size_t>& triangles, const Box& box,
                     double y_end) {
   Box open = box;

@@ -37,7 +37,7 @@ class Frustum : public Hull {
 };
 
 /// Cotangent of 89.9 degrees. A vertical face crushes ice over a strip of its plan; the vertical part of its force is
-/// this share of the horizontal one. docs/theory/hulls.md, (K2)
+/// this share of the horizontal one. docs/theory/structures.md, (K2)
 inline constexpr double kLean = 1.745331e-3;
 
 /// Whether a side with this outward normal is vertical, so that it has to lean.

@@ -15,7 +15,7 @@ namespace {
 
 /// Outlines leave out vertices that lie nearer to them than this, over the hull's extent: a millimetre of a ship.
 constexpr double kOutlineError = 1e-5;
-/// Sections between the lowest and the highest one, where the mesh bends between them. docs/theory/hulls.md, (K1)
+/// Sections between the lowest and the highest one, where the mesh bends between them. docs/theory/structures.md, (K1)
 constexpr int kMiddleSections = 3;
 /// Faces flatter than this are deck or keel: sine of half a degree.
 constexpr double kFlat = 8.7e-3;

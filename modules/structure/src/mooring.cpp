@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/theory/motion.md, (B10).
+// docs/theory/structures.md, (B10).
 #include "mooring.hpp"
 
 #include <fmt/format.h>

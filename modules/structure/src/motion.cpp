@@ -80,7 +80,7 @@ class OnPath final : public Motion {
 
 /// A mass on a spring and a dashpot in plan. The ice's load of one step acts, evenly, in the next one; the motion under
 /// that load is exact. Within a step the structure goes at the step's mean velocity.
-/// @see docs/theory/simulation.md, (S6)
+/// @see docs/theory/structures.md, (S6)
 class Compliant final : public Motion {
  public:
   Compliant(const model::Compliant& compliant, const State& start, double time_step)

@@ -14,7 +14,7 @@ namespace {
 /// Chords of each of the four curves of a waterline. Their area is short of the curves' by 1 / (4 n^2).
 constexpr int kChords = 24;
 
-/// Half of the waterline at the height z, on the port side from the stem to the stern. docs/theory/hulls.md, (K4)
+/// Half of the waterline at the height z, on the port side from the stem to the stern. docs/theory/structures.md, (K4)
 std::vector<Vec2> port_side(const Particulars& ship, double z) {
   const double b = half_breadth_at(ship, z), widened = b / half_breadth_at(ship, 0.0);
   const double stem = 0.5 * ship.length + z / std::tan(ship.stem_angle);
@@ -52,7 +52,7 @@ Particulars particulars_of(const model::HullSection& hull) {
   ship.flare = hull.flare.value_or(0.0);
   const double wedge = 0.5 * ship.breadth / std::tan(hull.waterline_angle.value());
   ship.bow = hull.bow_length.value_or(2.0 * wedge);
-  ship.fullness = ship.bow / wedge;  // docs/theory/hulls.md, (K5)
+  ship.fullness = ship.bow / wedge;  // docs/theory/structures.md, (K5)
   ship.midbody = hull.midbody.value_or(0.5 * (ship.length - ship.bow));
   ship.run = ship.length - ship.bow - ship.midbody;
   return ship;

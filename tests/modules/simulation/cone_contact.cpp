@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(unbreakable_ice_resists_a_plane_and_a_wedge_by_the_pressure
   BOOST_TEST(bow.x == whole, boost::test_tools::tolerance(1e-6));
   BOOST_TEST(bow.z == whole / (std::tan(kAngle) * std::sin(entrance)), boost::test_tools::tolerance(1e-6));
   BOOST_TEST(std::abs(bow.y) < 1e-6 * bow.x);
-  // A vertical wall leans over the ice by a tenth of a degree: docs/theory/hulls.md, (K2).
+  // A vertical wall leans over the ice by a tenth of a degree: docs/theory/structures.md, (K2).
   const Vec3 wall = force_of({"structure.kind=plane", "structure.length=8", "structure.angle=90 deg"});
   BOOST_TEST(wall.x == whole, boost::test_tools::tolerance(1e-5));
   BOOST_TEST(wall.z == whole * std::tan(radians(0.1)), boost::test_tools::tolerance(1e-5));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structures of several legs: docs/theory/hulls.md, (K8).
+// Structures of several legs: docs/theory/structures.md, (K8).
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The regions of a hull that has them: docs/theory/hulls.md, (K7).
+// The regions of a hull that has them: docs/theory/structures.md, (K7).
 #include "brash/structure/regions.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(a_plane_leans_over_the_ice_ahead_and_has_vertical_sides) {
   BOOST_TEST(structure::foremost(*hull, {}, -0.3, 0.1, {0.0, 1.0}).reach == 4.0, kExact);
   BOOST_TEST(structure::foremost(*hull, {}, -0.3, 0.1, {0.0, 1.0}).surface.slope == 0.5 * kPi, kExact);
   BOOST_TEST(hull->displaced({}).volume == 8.0 * 4.0 * (20.0 - 0.5 * 4.0 * kCot), kExact);
-  // Sides and back are vertical, and lean by a tenth of a degree over the ice that they crush: docs/theory/hulls.md
-  // (K2).
+  // Sides and back are vertical, and lean by a tenth of a degree over the ice that they crush:
+  // docs/theory/structures.md (K2).
   const structure::Footprint f = hull->footprint({}, -0.3, 0.1);
   const double strip = 0.4 * std::tan(radians(0.1)), length = 20.0 - 0.3 * kCot;
   BOOST_TEST(area(f.trailing.at(0)) == (length - strip) * (8.0 - 2.0 * strip), boost::test_tools::tolerance(1e-8));

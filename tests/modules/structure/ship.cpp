@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(its_displacement_is_the_integral_of_its_waterlines) {
   const auto hull = make_hull(model::Ship{icebreaker()});
   const double draught = 7.0, entrance = 20.0 * cot(radians(35.0)), midbody = 0.5 * (90.0 - entrance);
   const double lean = cot(radians(25.0)) + 1.0;  // of stem and stern
-  // docs/theory/hulls.md, (K6): below the water bow and stern draw in, and the parallel part shortens.
+  // docs/theory/structures.md, (K6): below the water bow and stern draw in, and the parallel part shortens.
   const double volume = 20.0 * draught * (2.0 / 3.0 * (90.0 - midbody) + midbody - 0.5 * lean * draught);
   BOOST_TEST(hull->displaced({}).volume == volume, kChords);
 }

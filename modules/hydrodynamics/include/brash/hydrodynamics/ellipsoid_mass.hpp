@@ -18,7 +18,7 @@ struct EntrainedWater {
 /// the pressure at the surface stays constant. Waves lie between.
 ///
 /// @param semi_axes  along x, y and downwards [m], > 0.
-/// @see H. Lamb, Hydrodynamics, 6th ed., 1932, art. 114 and 115; docs/theory/motion.md, (B8).
+/// @see H. Lamb, Hydrodynamics, 6th ed., 1932, art. 114 and 115; docs/theory/structures.md, (B8).
 EntrainedWater entrained_by_half(Vec3 semi_axes);
 
 }  // namespace brash::hydrodynamics

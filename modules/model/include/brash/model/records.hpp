@@ -48,7 +48,7 @@ struct EnergyLosses {
 };
 
 /// Energies of a structure that is a body, seen from the water: velocities are against the water, which has no work
-/// then. Works and losses are since the start [J]. They satisfy (docs/theory/motion.md, (B9))
+/// then. Works and losses are since the start [J]. They satisfy (docs/theory/structures.md, (B9))
 ///
 ///   initial + ice_work + thrust_work + anchor_work = kinetic + hydrostatic + mooring + damping_loss + error.
 struct BodyEnergy {
@@ -77,7 +77,7 @@ struct BodyEnergy {
   friend bool operator==(const BodyEnergy&, const BodyEnergy&) = default;
 };
 
-/// Regions of a ship's hull, from the stem to the stern, then below: docs/theory/hulls.md, (K7).
+/// Regions of a ship's hull, from the stem to the stern, then below: docs/theory/structures.md, (K7).
 enum class HullRegion { kBow, kShoulders, kSides, kStern, kBottom };
 constexpr std::size_t kHullRegions = 5;
 /// Each leg of a structure with legs is a region.

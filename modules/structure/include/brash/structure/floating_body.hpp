@@ -20,7 +20,7 @@ struct Inertia {
 /// half ellipsoid. Legs and outlines of the waterline have one each, as if alone, and add up.
 /// @param density  of the water [kg/m3].
 /// @throws InputError when the hull displaces no water.
-/// @see docs/theory/motion.md, (B7) and (B8)
+/// @see docs/theory/structures.md, (B7) and (B8)
 Inertia inertia_of(const model::FloatingBody& body, const Hull& hull, double density);
 
 /// The displacement of the hull's mesh. A round cone is its facets here, upright too: buoyancy then changes steadily

@@ -73,10 +73,11 @@ class Motion {
   /// Energies after the last bear(), of a structure that is a body; all zero of another.
   virtual model::BodyEnergy energy() const { return {}; }
 
-  /// The modes that something restores, the slowest first; none of a prescribed motion. docs/theory/motion.md, (B12).
+  /// The modes that something restores, the slowest first; none of a prescribed motion. docs/theory/structures.md,
+  /// (B12).
   virtual std::vector<NaturalMode> natural_modes() const { return {}; }
 
-  /// Nothing of a motion without heave. docs/theory/motion.md, (B13).
+  /// Nothing of a motion without heave. docs/theory/structures.md, (B13).
   virtual Settling settling() const { return {}; }
 
   /// Saves in a table of its own all that the motion from now on depends on.

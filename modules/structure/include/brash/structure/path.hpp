@@ -12,7 +12,7 @@ namespace brash::structure {
 /// A path in plan with a heading, smooth to its first derivative in time: cubic Hermite polynomials of place and
 /// heading between rows, with the slopes of Akima. A part of three or more rows on a straight line at one speed stays
 /// straight, but for the row next to another straight part. The heading takes the shorter way from row to row.
-/// @see H. Akima, J. ACM 17, 1970; docs/theory/motion.md, (B1).
+/// @see H. Akima, J. ACM 17, 1970; docs/theory/structures.md, (B1).
 class Path {
  public:
   /// @param rows  two or more, times ascending.

@@ -12,7 +12,7 @@
 
 namespace brash::structure {
 
-/// The regions of a hull that goes ahead along its x: docs/theory/hulls.md, (K7).
+/// The regions of a hull that goes ahead along its x: docs/theory/structures.md, (K7).
 class HullRegions {
  public:
   /// @param hull  has a waterline.

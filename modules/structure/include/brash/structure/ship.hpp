@@ -14,7 +14,7 @@ struct Particulars {
   double fullness;                 ///< p of the bow's waterline: 1 a wedge, 2 a parabola, more a blunter bow
 };
 
-/// The particulars of [hull] with the defaults of the missing ones: docs/theory/hulls.md. The first five keys are
+/// The particulars of [hull] with the defaults of the missing ones: docs/theory/structures.md. The first five keys are
 /// there.
 Particulars particulars_of(const model::HullSection& hull);
 
@@ -24,7 +24,7 @@ double half_breadth_at(const Particulars& ship, double z);
 /// Length of the parallel part at the height z over the water [m]. It is positive from keel to deck.
 double midbody_at(const Particulars& ship, double z);
 
-/// The hull as a closed mesh. It is convex; its sides are plane. docs/theory/hulls.md, (K4)
+/// The hull as a closed mesh. It is convex; its sides are plane. docs/theory/structures.md, (K4)
 TriangleMesh ship_mesh(const Particulars& ship);
 
 }  // namespace brash::structure
