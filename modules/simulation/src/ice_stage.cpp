@@ -155,7 +155,7 @@ std::vector<EdgeContact> Simulation::Impl::contacts_at(const structure::State& s
 /// Moves the structure by the largest part of `share` of the step that keeps within two limits; `share` becomes that
 /// part. Contacts stay below the failure model's upper range (Sec. 2.2.2: "a shorter time step can avoid it"). It
 /// cannot where a contact is above already: the step is then left whole. And no ice is loaded far beyond its strength,
-/// as far as the verdicts before can tell: docs/theory/simulation.md, (S5). The trailing outlines then crush the ice
+/// as far as the verdicts before can tell: docs/theory/simulation.md, (S7). The trailing outlines then crush the ice
 /// that they cover. So the contacts belong to the state that is reached, however short or long the step.
 ///
 /// @param done  parts of the step before.

@@ -12,7 +12,7 @@ namespace brash::simulation {
 
 /// The answer of the last solution of each contact's sheet, and its load. Stresses grow with the loads, so it
 /// predicts the stress of the steps that follow. Contacts far from breaking are solved from time to time only.
-/// @see docs/theory/simulation.md, (S5) and (S6)
+/// @see docs/theory/simulation.md, (S7), (S6)
 class Verdicts {
  public:
   /// @param lateness  longest time between two solutions of a contact's sheet [s]; 0: none is kept.
