@@ -95,7 +95,8 @@ class Links(unittest.TestCase):
         lines = (SOURCE / "docs/redirects.txt").read_text(encoding="utf-8").splitlines()
         for old, new in (line.split() for line in lines if not line.startswith("#")):
             self.assertFalse((SOURCE / f"docs/{old}.md").exists(), f"{old} is a page, and no redirect may hide it")
-            self.assertTrue((SOURCE / f"docs/{new}.md").is_file(), f"{old} leads to {new}, which is not there")
+            place = SOURCE if new.startswith("experiments/") else SOURCE / "docs"
+            self.assertTrue((place / f"{new}.md").is_file(), f"{old} leads to {new}, which is not there")
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ class Regressions(unittest.TestCase):
 
 
 class Verdicts(unittest.TestCase):
-    # docs/theory/unknowns.md, (U2), (U3), (U4)
+    # experiments/sensitivity/README.md, (U2), (U3), (U4)
 
     def test_a_prediction_interval_holds_one_more_run_as_often_as_it_says(self):
         random = np.random.default_rng(7)
@@ -108,7 +108,7 @@ def outcome(rows, **claim):
 
 
 class Signs(unittest.TestCase):
-    # docs/theory/unknowns.md, (U5)
+    # experiments/sensitivity/README.md, (U5)
 
     def test_pairs_see_a_small_difference_under_a_large_spread_of_ice(self):
         rises = outcome(two_arms(1.1), kind="rises")

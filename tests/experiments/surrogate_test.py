@@ -24,7 +24,7 @@ ISHIGAMI_FIRST, ISHIGAMI_TOTAL = [0.3139, 0.4424, 0.0], [0.5576, 0.4424, 0.2437]
 
 
 class Indices(unittest.TestCase):
-    # docs/theory/unknowns.md, (U6), (U7), (U8)
+    # experiments/sensitivity/README.md, (U6), (U7), (U8)
 
     def test_saltelli_and_jansen_find_the_indices_of_ishigami(self):
         sample = brash.sobol(4096, 6, seed=1)

@@ -20,8 +20,8 @@ constexpr std::size_t kMostSobolPoints = std::size_t{1} << 24;
 /// @param dimension  1 to kMostSobolDimensions.
 /// @param seed       of the shift.
 /// @return shape=(n, dimension), row by row, in (0, 1).
-/// @see docs/theory/unknowns.md, (U1); P. Bratley, B. L. Fox, ACM Trans. Math. Softw. 14 (1988) 88, algorithm 659; A.
-/// B. Owen, J. Complexity 14 (1998) 466.
+/// @see experiments/sensitivity/README.md, (U1); P. Bratley, B. L. Fox, ACM Trans. Math. Softw. 14 (1988) 88, algorithm
+/// 659; A. B. Owen, J. Complexity 14 (1998) 466.
 std::vector<double> sobol(std::size_t n, std::size_t dimension, std::uint64_t seed);
 
 }  // namespace brash::statistics
