@@ -185,6 +185,8 @@ void add_export_command(CLI::App& app) {
       ->delimiter(',')
       ->expected(3)
       ->check(CLI::Range(-1e4, 1e4));
+  openfast->add_option("--openfast", options->openfast.version, "version of OpenFAST, 4 or 5 [5]")
+      ->check(CLI::IsMember({4, 5}));
   openfast->add_option("--from", options->openfast.from, "time of the run that becomes 0 s")
       ->check(CLI::Range(0.0, 1e9));
   openfast->footer("Example: brash export openfast results/cone/run.nc -o results/openfast --from 6");

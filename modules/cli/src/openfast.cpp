@@ -13,7 +13,7 @@ namespace {
 
 /// A line of an input file, its meaning after the name.
 std::string line(const std::string& value, const char* name, const char* meaning) {
-  return fmt::format("{:>12}  {:<22}- {}\n", value, name, meaning);
+  return fmt::format("{:>12}  {:<24} - {}\n", value, name, meaning);
 }
 
 std::string heading(const char* text) {
@@ -29,13 +29,20 @@ std::string unused(std::span<const char* const> names, const char* value = "0") 
 
 constexpr std::array kStart{"StC_X_DSP", "StC_Y_DSP", "StC_Z_DSP"};
 constexpr std::array kStops{"StC_X_PSP", "StC_X_NSP", "StC_Y_PSP", "StC_Y_NSP", "StC_Z_PSP", "StC_Z_NSP"};
-constexpr std::array kDevice{"StC_X_M",  "StC_Y_M",  "StC_Z_M",  "StC_XY_M", "StC_X_K",  "StC_Y_K",
-                             "StC_Z_K",  "StC_X_C",  "StC_Y_C",  "StC_Z_C",  "StC_X_KS", "StC_Y_KS",
-                             "StC_Z_KS", "StC_X_CS", "StC_Y_CS", "StC_Z_CS"};
+constexpr std::array kMasses{"StC_X_M", "StC_Y_M", "StC_Z_M"};
+constexpr std::array kDevice{"StC_X_K",  "StC_Y_K",  "StC_Z_K",  "StC_X_C",  "StC_Y_C",  "StC_Z_C",
+                             "StC_X_KS", "StC_Y_KS", "StC_Z_KS", "StC_X_CS", "StC_Y_CS", "StC_Z_CS"};
 constexpr std::array kDamping{"StC_X_C_HIGH", "StC_X_C_LOW",   "StC_Y_C_HIGH",  "StC_Y_C_LOW",  "StC_Z_C_HIGH",
                               "StC_Z_C_LOW",  "StC_X_C_BRAKE", "StC_Y_C_BRAKE", "StC_Z_C_BRAKE"};
 constexpr std::array kColumns{"L_X", "B_X", "area_X", "area_ratio_X", "headLossCoeff_X", "rho_X",
                               "L_Y", "B_Y", "area_Y", "area_ratio_Y", "headLossCoeff_Y", "rho_Y"};
+
+/// Names and numbers that differ between the versions.
+struct Dialect {
+  const char* prescribed;  ///< the mode of a prescribed force
+  const char* joint_mass;  ///< the name of the mass that several axes share
+};
+Dialect dialect_of(int version) { return version < 5 ? Dialect{"4", "StC_XY_M"} : Dialect{"6", "StC_Omni_M"}; }
 
 /// A vector in load axes, which turn with the structure's heading, in OpenFAST's axes, which do not.
 Vec3 without_heading(Vec3 v, double heading) {
@@ -62,19 +69,22 @@ std::string to_openfast_forces(std::span<const model::LoadRow> loads, const Open
 }
 
 std::string to_openfast_structural_control(const std::string& forces_file, const OpenFastOptions& options) {
+  const Dialect dialect = dialect_of(options.version);
   std::string text = "------- STRUCTURAL CONTROL (StC) INPUT FILE ----------------------------\n";
   text += "Ice load of a brash run, as a prescribed force and moment at one point\n";
   text += heading("SIMULATION CONTROL") + line("False", "Echo", "copy of this input in the output");
   text += heading("StC DEGREES OF FREEDOM");
-  text += line("4", "StC_DOF_MODE", "4: prescribed force and moment over time");
+  text += line(dialect.prescribed, "StC_DOF_MODE", "prescribed force and moment over time");
   text += unused(std::array{"StC_X_DOF", "StC_Y_DOF", "StC_Z_DOF"}, "False");
   text += heading("StC LOCATION");
   text += line(fmt::format("{}", options.point.x), "StC_P_X", "from the reference point of the component (m)");
-  text += line(fmt::format("{}", options.point.y), "StC_P_Y", "likewise (m)");
-  text += line(fmt::format("{}", options.point.z), "StC_P_Z", "likewise (m); 0 is the still water of the ice run");
+  text += line(fmt::format("{}", options.point.y), "StC_P_Y", "the same for y (m)");
+  text +=
+      line(fmt::format("{}", options.point.z), "StC_P_Z", "the same for z (m); 0 is the still water of the ice run");
   text += heading("StC INITIAL CONDITIONS") + unused(kStart) + line("\"none\"", "StC_Z_PreLd", "not used");
   text += heading("StC CONFIGURATION") + unused(kStops);
-  text += heading("StC MASS, STIFFNESS, & DAMPING") + unused(kDevice);
+  text += heading("StC MASS, STIFFNESS, & DAMPING") + unused(kMasses) + unused(std::array{dialect.joint_mass});
+  text += unused(kDevice);
   text += heading("StC USER-DEFINED SPRING FORCES") + line("False", "Use_F_TBL", "not used");
   text += line("2", "NKInpSt", "rows of the table below");
   text += heading("StC SPRING FORCES TABLE");
@@ -83,7 +93,7 @@ std::string to_openfast_structural_control(const std::string& forces_file, const
   text += line("1", "StC_SA_MODE", "not used") + unused(kDamping);
   text += heading("TLCD") + unused(kColumns);
   text += heading("PRESCRIBED TIME SERIES");
-  text += line("1", "PrescribedForcesCoord", "1: global coordinates");
+  text += line("1", "PrescribedForcesCoordSys", "1: global coordinates");
   text += fmt::format("\"{}\"  PrescribedForcesFile  - time, FX, FY, FZ, MX, MY, MZ\n", forces_file);
   return text + "-------------------------------------------------------------------------------\n";
 }

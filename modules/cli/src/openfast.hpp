@@ -10,6 +10,7 @@ namespace brash::cli {
 
 /// Where a load history acts in OpenFAST, and from when on.
 struct OpenFastOptions {
+  int version = 5;  ///< of OpenFAST: 4 or 5, which name a line and number the mode differently
   /// Point of application [m]: x as the ice drifts, z upwards, from the structure's origin in the waterplane.
   Vec3 point{};
   double from = 0.0;  ///< time of the run that becomes 0 [s]
@@ -19,7 +20,7 @@ struct OpenFastOptions {
 /// @param loads  about the structure's origin; at least one after options.from.
 std::string to_openfast_forces(std::span<const model::LoadRow> loads, const OpenFastOptions& options);
 
-/// The file of OpenFAST's structural control that applies them (StC_DOF_MODE = 4, global coordinates).
+/// The file of OpenFAST's structural control that applies them, in global coordinates.
 /// @param forces_file  its name.
 std::string to_openfast_structural_control(const std::string& forces_file, const OpenFastOptions& options);
 

@@ -11,26 +11,26 @@ import numpy as np
 
 BRASH, SOURCE = os.environ["BRASH"], pathlib.Path(os.environ["BRASH_SOURCE_DIR"])
 
-# The lines of a structural control's input, in order; None: a heading.
+# The lines of a structural control's input of OpenFAST 5, in order; None: a heading.
 LINES = (
     None, None, None, "Echo", None, "StC_DOF_MODE", "StC_X_DOF", "StC_Y_DOF", "StC_Z_DOF",
     None, "StC_P_X", "StC_P_Y", "StC_P_Z", None, "StC_X_DSP", "StC_Y_DSP", "StC_Z_DSP", "StC_Z_PreLd",
     None, "StC_X_PSP", "StC_X_NSP", "StC_Y_PSP", "StC_Y_NSP", "StC_Z_PSP", "StC_Z_NSP",
-    None, "StC_X_M", "StC_Y_M", "StC_Z_M", "StC_XY_M", "StC_X_K", "StC_Y_K", "StC_Z_K", "StC_X_C", "StC_Y_C", "StC_Z_C",
+    None, "StC_X_M", "StC_Y_M", "StC_Z_M", "StC_Omni_M", "StC_X_K", "StC_Y_K", "StC_Z_K", "StC_X_C", "StC_Y_C", "StC_Z_C",
     "StC_X_KS", "StC_Y_KS", "StC_Z_KS", "StC_X_CS", "StC_Y_CS", "StC_Z_CS",
     None, "Use_F_TBL", "NKInpSt", None, None, None, None, None,
     None, "StC_CMODE", "StC_CChan", "StC_SA_MODE", "StC_X_C_HIGH", "StC_X_C_LOW", "StC_Y_C_HIGH", "StC_Y_C_LOW",
     "StC_Z_C_HIGH", "StC_Z_C_LOW", "StC_X_C_BRAKE", "StC_Y_C_BRAKE", "StC_Z_C_BRAKE",
     None, "L_X", "B_X", "area_X", "area_ratio_X", "headLossCoeff_X", "rho_X",
     "L_Y", "B_Y", "area_Y", "area_ratio_Y", "headLossCoeff_Y", "rho_Y",
-    None, "PrescribedForcesCoord", "PrescribedForcesFile", None)
+    None, "PrescribedForcesCoordSys", "PrescribedForcesFile", None)
 
 
-def read_control(path):
+def read_control(path, names=LINES):
     lines = path.read_text(encoding="ascii").splitlines()
-    assert len(lines) == len(LINES), len(lines)
+    assert len(lines) == len(names), len(lines)
     values = {}
-    for text, name in zip(lines, LINES):
+    for text, name in zip(lines, names):
         if name is None:
             continue
         value, found = text.split()[:2]
@@ -87,10 +87,15 @@ class OpenFast(unittest.TestCase):
     def test_the_control_applies_that_file_in_global_coordinates(self):
         self.export("-o", self.folder / "plain")
         control = read_control(self.folder / "plain/ice_StC.dat")
-        self.assertEqual(control["StC_DOF_MODE"], "4")
-        self.assertEqual(control["PrescribedForcesCoord"], "1")
+        self.assertEqual(control["StC_DOF_MODE"], "6")
+        self.assertEqual(control["PrescribedForcesCoordSys"], "1")
         self.assertEqual(control["PrescribedForcesFile"], '"ice_forces.dat"')
         self.assertEqual(control["NKInpSt"], "2")
+
+    def test_an_older_version_numbers_the_mode_and_names_a_mass_differently(self):
+        self.export("-o", self.folder / "old", "--openfast", "4")
+        names = ["StC_XY_M" if name == "StC_Omni_M" else name for name in LINES]
+        self.assertEqual(read_control(self.folder / "old/ice_StC.dat", names)["StC_DOF_MODE"], "4")
 
     def test_a_start_after_the_end_is_refused(self):
         self.assertIn("less than the end of the run", self.export("--from", "7", code=2))
