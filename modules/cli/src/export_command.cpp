@@ -93,10 +93,15 @@ void export_openfast(const std::string& run_file, const std::string& directory, 
   if (!(options.from < end))
     throw InputError(Complaint{fmt::format("--from={}", options.from), "leaves nothing of the load history",
                                fmt::format("less than the end of the run, {} s", end), "lower it"});
+  const double duration = end - options.from;
+  if (!(options.ramp < duration))
+    throw InputError(Complaint{fmt::format("--ramp={}", options.ramp), "leaves no time of the full load",
+                               fmt::format("less than the {} s of load", duration), "lower it"});
   const std::string forces = "ice_forces.dat", control = "ice_StC.dat";
   write_file((fs::path(directory) / forces).string(), to_openfast_forces(results.loads, options));
   write_file((fs::path(directory) / control).string(), to_openfast_structural_control(forces, options));
-  print("{} s of load in {}\n", end - options.from, (fs::path(directory) / forces).string());
+  print("{:.9g} s of load in {}\n", duration, (fs::path(directory) / forces).string());
+  print("TMax of OpenFAST: at most {:.9g} s, since the load is zero after that\n", duration);
   print("structural control in {}\n", (fs::path(directory) / control).string());
 }
 
@@ -189,7 +194,9 @@ void add_export_command(CLI::App& app) {
       ->check(CLI::IsMember({4, 5}));
   openfast->add_option("--from", options->openfast.from, "time of the run that becomes 0 s")
       ->check(CLI::Range(0.0, 1e9));
-  openfast->footer("Example: brash export openfast results/cone/run.nc -o results/openfast --from 6");
+  openfast->add_option("--ramp", options->openfast.ramp, "time in which the load grows from zero at the start [s] [0]")
+      ->check(CLI::Range(0.0, 1e9));
+  openfast->footer("Example: brash export openfast results/cone -o results/openfast --from 6 --ramp 2");
   openfast->callback([options] {
     options->openfast.point = {options->point[0], options->point[1], options->point[2]};
     const std::string beside = (fs::path(options->run).parent_path() / "openfast").string();

@@ -50,6 +50,10 @@ Vec3 without_heading(Vec3 v, double heading) {
   return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
 }
 
+std::string force_row(double time, Vec3 f, Vec3 m) {
+  return fmt::format("{:.6f} {:.8e} {:.8e} {:.8e} {:.8e} {:.8e} {:.8e}\n", time, f.x, f.y, f.z, m.x, m.y, m.z);
+}
+
 }  // namespace
 
 std::string to_openfast_forces(std::span<const model::LoadRow> loads, const OpenFastOptions& options) {
@@ -58,14 +62,17 @@ std::string to_openfast_forces(std::span<const model::LoadRow> loads, const Open
   text += fmt::format("# point from the structure's origin in the waterplane: {} {} {} m\n", options.point.x,
                       options.point.y, options.point.z);
   text += "# time FX FY FZ MX MY MZ\n# (s) (N) (N) (N) (N-m) (N-m) (N-m)\n";
+  double time = 0.0, step = 0.0;
   for (const model::LoadRow& row : loads) {
-    const double time = row.time - options.from;
-    if (time < 0.0) continue;
-    const Vec3 f = without_heading(row.total.force, row.attitude.z);
-    const Vec3 m = without_heading(row.total.moment, row.attitude.z) - cross(options.point, f);
-    text += fmt::format("{:.6f} {:.8e} {:.8e} {:.8e} {:.8e} {:.8e} {:.8e}\n", time, f.x, f.y, f.z, m.x, m.y, m.z);
+    const double next = row.time - options.from;
+    if (next < 0.0) continue;
+    step = next - std::exchange(time, next);
+    const double share = time < options.ramp ? time / options.ramp : 1.0;
+    const Vec3 f = share * without_heading(row.total.force, row.attitude.z);
+    const Vec3 m = share * without_heading(row.total.moment, row.attitude.z) - cross(options.point, f);
+    text += force_row(time, f, m);
   }
-  return text;
+  return text + force_row(time + step, {}, {});
 }
 
 std::string to_openfast_structural_control(const std::string& forces_file, const OpenFastOptions& options) {

@@ -14,9 +14,11 @@ struct OpenFastOptions {
   /// Point of application [m]: x as the ice drifts, z upwards, from the structure's origin in the waterplane.
   Vec3 point{};
   double from = 0.0;  ///< time of the run that becomes 0 [s]
+  double ramp = 0.0;  ///< the load grows linearly from zero in this time after `from` [s]
 };
 
-/// The forces and moments of a run as OpenFAST reads them: time, FX, FY, FZ, MX, MY, MZ, about the point.
+/// The forces and moments of a run as OpenFAST reads them: time, FX, FY, FZ, MX, MY, MZ, about the point. The last row
+/// is one step after the run and has no load, since OpenFAST holds the last row for ever.
 /// @param loads  about the structure's origin; at least one after options.from.
 std::string to_openfast_forces(std::span<const model::LoadRow> loads, const OpenFastOptions& options);
 

@@ -62,20 +62,20 @@ class OpenFast(unittest.TestCase):
         done = subprocess.run([BRASH, "export", "openfast", self.folder / "run/run.nc", *options], check=False,
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, code, done.stderr)
-        return done.stderr
+        return done.stdout + done.stderr
 
     def test_the_forces_are_those_of_the_history(self):
         self.export()
         table = read_forces(self.folder / "run/openfast/ice_forces.dat")
         names = ("time", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
-        self.assertEqual(table.shape, (150, 7))
-        for column, name in zip(table.T, names):
+        self.assertEqual(table.shape, (151, 7))
+        for column, name in zip(table[:-1].T, names):
             np.testing.assert_allclose(column, self.history[name], rtol=1e-8, atol=1e-6)
         self.assertGreater(table[:, 1].max(), 1e4)  # pushes the structure back, as the ice drifts
 
     def test_moments_are_about_the_point_and_time_starts_where_it_is_told(self):
         self.export("-o", self.folder / "moved", "--point", "0,1.5,-4", "--from", "0.5")
-        table = read_forces(self.folder / "moved/ice_forces.dat")
+        table = read_forces(self.folder / "moved/ice_forces.dat")[:-1]
         late = self.history["time"] >= 0.5
         np.testing.assert_allclose(table[:, 0], self.history["time"][late] - 0.5, atol=1e-6)
         force = np.stack([self.history[name][late] for name in ("Fx", "Fy", "Fz")], axis=1)
@@ -91,6 +91,20 @@ class OpenFast(unittest.TestCase):
         self.assertEqual(control["PrescribedForcesCoordSys"], "1")
         self.assertEqual(control["PrescribedForcesFile"], '"ice_forces.dat"')
         self.assertEqual(control["NKInpSt"], "2")
+
+    def test_the_load_ends_with_the_run_and_the_output_states_the_time(self):
+        said = self.export("-o", self.folder / "end", "--from", "0.5")
+        table = read_forces(self.folder / "end/ice_forces.dat")
+        np.testing.assert_allclose(table[-1], [1.01] + 6 * [0.0], atol=1e-9)
+        self.assertIn("TMax of OpenFAST: at most 1 s", said)
+
+    def test_a_ramp_grows_from_zero_to_the_load(self):
+        self.export("-o", self.folder / "ramp", "--point", "0,1.5,-4", "--from", "0.5", "--ramp", "0.4")
+        self.export("-o", self.folder / "jump", "--point", "0,1.5,-4", "--from", "0.5")
+        ramp, jump = (read_forces(self.folder / name / "ice_forces.dat") for name in ("ramp", "jump"))
+        share = np.minimum(jump[:, 0] / 0.4, 1.0)
+        np.testing.assert_allclose(ramp[:, 1:], share[:, None] * jump[:, 1:], rtol=1e-7, atol=1e-6)
+        self.assertIn("less than the 1 s of load", self.export("--from", "0.5", "--ramp", "1", code=2))
 
     def test_an_older_version_numbers_the_mode_and_names_a_mass_differently(self):
         self.export("-o", self.folder / "old", "--openfast", "4")
