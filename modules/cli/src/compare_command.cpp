@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -33,8 +32,6 @@ struct CompareOptions {
   bool json = false;
 };
 
-constexpr std::array kHistories{"run.nc", "history.csv"};  // of a run
-
 /// The history of a run's folder, or a given one. The statistics of a run begin as its summary says.
 std::string run_history(const std::string& given, HistoryChoice& choice) {
   if (!fs::is_directory(given)) {
@@ -43,10 +40,7 @@ std::string run_history(const std::string& given, HistoryChoice& choice) {
   }
   if (const fs::path summary = fs::path(given) / "summary.json"; fs::exists(summary))
     begin_as_summary(choice, summary.string());
-  for (const char* name : kHistories)
-    if (const fs::path history = fs::path(given) / name; fs::exists(history)) return history.string();
-  throw InputError(Complaint{given, "neither run.nc nor history.csv is in it", "the folder of a run, or a history",
-                             "give the folder that `brash run` wrote"});
+  return history_file(given);
 }
 
 /// The replicates of the one setting of a campaign that `where` leaves.

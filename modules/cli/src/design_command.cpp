@@ -67,7 +67,8 @@ void add_design_command(CLI::App& app) {
   auto options = std::make_shared<DesignOptions>();
   options->choice.column = "Fx";
   CLI::App* command = app.add_subcommand("design", "From a campaign's replicates to design loads, with intervals");
-  command->add_option("campaign", options->campaign, "folder of a campaign that keeps histories")->required();
+  command->add_option("campaign", options->campaign, "folder of a campaign that keeps histories, or its campaign.csv")
+      ->required();
   command->add_option("--column", options->choice.column, "of the histories")->capture_default_str();
   command->add_flag("--negate", options->choice.negate, "turn the sign, for extremes of a load below zero");
   command->add_option("--from", options->choice.from, "leave out what is earlier [s] [as each run's summary]");
@@ -84,7 +85,7 @@ void add_design_command(CLI::App& app) {
     refuse_replacing_results(o.picture);
     if (!o.asked.scatter.empty()) refuse_overwriting(o.picture, {o.asked.scatter});
     check_picture_name(o.picture);
-    const auto settings = read_campaign_histories(o.campaign, o.choice, o.where);
+    const auto settings = read_campaign_histories(folder_of(o.campaign), o.choice, o.where);
     const Design design = design_of(settings, o.asked);
     if (!o.picture.empty()) write_picture(o.picture, design_picture(design, o.asked));
     print_data(o.json ? design.json.dump(2) + "\n" : escaped_lines(design_text(design.json)));

@@ -105,18 +105,25 @@ void export_openfast(const std::string& run_file, const std::string& directory, 
   print("structural control in {}\n", (fs::path(directory) / control).string());
 }
 
+std::string run_file(const std::string& given) { return file_in(given, {"run.nc"}); }
+
+/// What to write: `given`, or without it `name` beside the file of the run.
+std::string or_beside(const std::string& run_file, const std::string& given, const char* name) {
+  return given.empty() ? (fs::path(run_file).parent_path() / name).string() : given;
+}
+
 void add_gltf_command(CLI::App& command) {
   struct Options {
     std::string run, file;
   };
   auto options = std::make_shared<Options>();
   CLI::App* gltf = command.add_subcommand("gltf", "The replay for any 3-D viewer (glTF 2.0, .glb)");
-  gltf->add_option("run", options->run, "run.nc of a run")->required();
+  gltf->add_option("run", options->run, "folder of a run, or its run.nc")->required();
   gltf->add_option("-o,--output", options->file, "file of the replay [run.glb beside the run.nc]");
-  gltf->footer("Example: brash export gltf results/cone/run.nc -o cone.glb");
+  gltf->footer("Example: brash export gltf results/cone -o cone.glb");
   gltf->callback([options] {
-    const std::string beside = (fs::path(options->run).parent_path() / "run.glb").string();
-    export_gltf(options->run, options->file.empty() ? beside : options->file);
+    const std::string run = run_file(options->run);
+    export_gltf(run, or_beside(run, options->file, "run.glb"));
   });
 }
 
@@ -127,14 +134,14 @@ void add_map_command(CLI::App& command) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* map = command.add_subcommand("map", "The ice of a run as a map, in the coordinates of field.origin");
-  map->add_option("run", options->run, "run.nc of a run")->required();
+  map->add_option("run", options->run, "folder of a run, or its run.nc")->required();
   map->add_option("-o,--output", options->file, "file of the map, .geojson or .wkt [ice.geojson beside the run.nc]");
   map->add_option("--time", options->time, "the frame at this time, or the last before it [s] [the last one]")
       ->check(CLI::NonNegativeNumber);
-  map->footer("Example: brash export map results/cone/run.nc -o ice.geojson --time 10");
+  map->footer("Example: brash export map results/cone -o ice.geojson --time 10");
   map->callback([options] {
-    const std::string beside = (fs::path(options->run).parent_path() / "ice.geojson").string();
-    export_map(options->run, options->file.empty() ? beside : options->file, options->time);
+    const std::string run = run_file(options->run);
+    export_map(run, or_beside(run, options->file, "ice.geojson"), options->time);
   });
 }
 
@@ -172,17 +179,17 @@ void add_export_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a run for other programs");
   command->require_subcommand(1);
-  command->footer("Example: brash export vtk results/cone/run.nc");
+  command->footer("Example: brash export vtk results/cone");
   CLI::App* vtk = command->add_subcommand("vtk", "A time series for ParaView: run.pvd with .vtp files");
-  vtk->add_option("run", options->run, "run.nc of a run")->required();
+  vtk->add_option("run", options->run, "folder of a run, or its run.nc")->required();
   vtk->add_option("-o,--output", options->directory, "folder of the files [vtk beside the run.nc]");
-  vtk->footer("Example: brash export vtk results/cone/run.nc -o cone_vtk");
+  vtk->footer("Example: brash export vtk results/cone -o cone_vtk");
   vtk->callback([options] {
-    const std::string beside = (fs::path(options->run).parent_path() / "vtk").string();
-    export_vtk(options->run, options->directory.empty() ? beside : options->directory);
+    const std::string run = run_file(options->run);
+    export_vtk(run, or_beside(run, options->directory, "vtk"));
   });
   CLI::App* openfast = command->add_subcommand("openfast", "The ice load as a prescribed force for OpenFAST");
-  openfast->add_option("run", options->run, "run.nc of a run")->required();
+  openfast->add_option("run", options->run, "folder of a run, or its run.nc")->required();
   openfast->add_option("-o,--output", options->directory, "folder of the files [openfast beside the run.nc]");
   openfast
       ->add_option("--point", options->point,
@@ -199,8 +206,8 @@ void add_export_command(CLI::App& app) {
   openfast->footer("Example: brash export openfast results/cone -o results/openfast --from 6 --ramp 2");
   openfast->callback([options] {
     options->openfast.point = {options->point[0], options->point[1], options->point[2]};
-    const std::string beside = (fs::path(options->run).parent_path() / "openfast").string();
-    export_openfast(options->run, options->directory.empty() ? beside : options->directory, options->openfast);
+    const std::string run = run_file(options->run);
+    export_openfast(run, or_beside(run, options->directory, "openfast"), options->openfast);
   });
   add_gltf_command(*command);
   add_map_command(*command);

@@ -48,6 +48,24 @@ void refuse_replacing_results(const std::string& output) {
                                  "give another name for what is written"});
 }
 
+std::string file_in(const std::string& given, std::initializer_list<std::string_view> names) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::is_directory(given, ignored)) return given;
+  for (const std::string_view name : names)
+    if (const fs::path file = fs::path(given) / name; fs::exists(file, ignored)) return file.string();
+  throw InputError(Complaint{given, fmt::format("is a folder without {}", fmt::join(names, " or ")),
+                             "the folder of a run, or the file", "give the folder that `brash run` wrote"});
+}
+
+std::string folder_of(const std::string& given) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::is_regular_file(given, ignored)) return given;
+  const fs::path folder = fs::path(given).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
 void refuse_missing_folder(const std::string& path) {
   namespace fs = std::filesystem;
   if (!fs::is_directory(fs::absolute(path).parent_path()))

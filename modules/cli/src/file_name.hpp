@@ -22,6 +22,13 @@ void check_ending(const std::string& file, std::string_view kind, std::initializ
 /// @throws InputError naming the output.
 void refuse_replacing_results(const std::string& output);
 
+/// The file of a run or a campaign that a command reads: `given`, or the first of `names` in it if it is a folder.
+/// @throws InputError naming a folder that has none.
+std::string file_in(const std::string& given, std::initializer_list<std::string_view> names);
+
+/// The folder of a run or a campaign that is given by its folder or by a file in it.
+std::string folder_of(const std::string& given);
+
 /// Refuses a file to write whose folder is missing.
 /// @throws InputError naming the file.
 void refuse_missing_folder(const std::string& path);

@@ -15,6 +15,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/text.hpp"
 #include "brash/io/series.hpp"
+#include "file_name.hpp"
 #include "run_summary.hpp"
 
 namespace brash::cli {
@@ -85,14 +86,9 @@ void require_ordinary(const io::Series& series, std::size_t column) {
 void refuse_other_files(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr std::array<std::string_view, 5> kOthers{".toml", ".json", ".html", ".svg", ".wkt"};
-  const auto refuse = [&](const std::string& what, const std::string& remedy) {
-    throw InputError(Complaint{path, what, "a history: CSV or netCDF with a column of times and one of loads", remedy});
-  };
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    refuse("is a folder", "name the history in it, such as " + (fs::path(path) / "history.csv").string());
-  if (std::ranges::find(kOthers, fs::path(path).extension().string()) != kOthers.end())
-    refuse("is no history", "name a history, such as the history.csv of a run or the table of a logger");
+  if (std::ranges::find(kOthers, fs::path(path).extension().string()) == kOthers.end()) return;
+  throw InputError(Complaint{path, "is no history", "a history: CSV or netCDF with a column of times and one of loads",
+                             "name a history, such as the history.csv of a run or the table of a logger"});
 }
 
 /// With a time step the file is one without times, and all its columns are loads. The first of several columns without
@@ -180,6 +176,8 @@ LoadHistory history_of(io::Series& series, const std::string& path, const std::s
 }
 
 }  // namespace
+
+std::string history_file(const std::string& given) { return file_in(given, {"run.nc", "history.csv"}); }
 
 LoadHistory negated(LoadHistory load) {
   load.column = "-" + load.column;

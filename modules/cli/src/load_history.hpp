@@ -40,6 +40,10 @@ struct HistoryChoice {
   bool negate = false;            ///< turn the sign of the loads
 };
 
+/// The file of a history: `given`, or if it is the folder of a run, the run.nc or history.csv in it.
+/// @throws InputError naming a folder without them.
+std::string history_file(const std::string& given);
+
 /// Reads a column of a run.nc, named as in history.csv, or of any file that io::read_series reads.
 ///
 /// @throws InputError naming file, place and fault: no such column, not a number, times that do not rise, times beside

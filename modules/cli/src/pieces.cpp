@@ -16,6 +16,7 @@
 #include "brash/io/results.hpp"
 #include "brash/statistics/moments.hpp"
 #include "brash/statistics/quantile.hpp"
+#include "file_name.hpp"
 #include "map_file.hpp"
 #include "origin_text.hpp"
 #include "vtk_meshes.hpp"
@@ -121,7 +122,7 @@ PieceSizes piece_sizes_of(const std::vector<geometry::Polygon>& polygons, const 
 }
 
 PieceSizes read_piece_sizes(const std::string& path, bool born) {
-  const fs::path file = fs::is_directory(path) ? fs::path(path) / "run.nc" : fs::path(path);
+  const fs::path file = file_in(path, {"run.nc"});
   if (born && file.extension() != ".nc")
     throw InputError(Complaint{path, "is a map, which knows no floes that are gone", "--born for a run",
                                "leave --born out, or give the run.nc of the run"});

@@ -29,7 +29,9 @@ report::RunSource run_in(const std::string& directory) {
   return report_source(directory);
 }
 
-void write(const ReportOptions& options) {
+void write(ReportOptions& options) {
+  options.directory = folder_of(options.directory);
+  if (!options.other.empty()) options.other = folder_of(options.other);
   if (options.other.empty() && options.measured.empty()) return print("{}\n", write_report(options.directory));
   report::RunSource run = run_in(options.directory);
   if (!options.measured.empty()) run.measured = measured_history(options.measured, options.of_measured);
@@ -46,7 +48,7 @@ void add_report_command(CLI::App& app) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command =
       app.add_subcommand("report", "Write report.html of a run or a campaign: one file for any browser");
-  command->add_option("directory", options->directory, "folder of a run or a campaign")->required();
+  command->add_option("directory", options->directory, "folder of a run or a campaign, or a file in it")->required();
   CLI::Option* other = command->add_option("other", options->other, "folder of another run, to be shown beside it");
   command->add_option("-o,--output", options->output, "page of two runs [comparison.html]")->needs(other);
   CLI::Option* measured =

@@ -97,7 +97,7 @@ report::RunSource report_source(const std::string& directory) {
 }
 
 report::MeasuredHistory measured_history(const std::string& file, const HistoryChoice& choice) {
-  LoadHistory load = read_history(file, choice);
+  LoadHistory load = read_history(history_file(file), choice);
   if (!load.unit.empty() && load.unit != "N")
     throw InputError(Complaint{file,
                                fmt::format("column '{}' is in '{}'", printable(load.column), printable(load.unit)),

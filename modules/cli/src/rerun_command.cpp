@@ -20,6 +20,7 @@
 #include "brash/recording/inputs.hpp"
 #include "campaign_histories.hpp"
 #include "commands.hpp"
+#include "file_name.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "run_folder.hpp"
@@ -356,10 +357,6 @@ void rerun_campaign(const RerunOptions& options, const json& manifest) {
 
 void rerun(const RerunOptions& options) {
   constexpr const char* kAllowed = "the manifest.json of a run or a campaign";
-  if (fs::is_directory(options.manifest))
-    throw InputError(
-        Complaint{options.manifest, "is a folder", kAllowed,
-                  fmt::format("name the manifest in it: {}", (fs::path(options.manifest) / "manifest.json").string())});
   const json manifest = json::parse(read_json_text(options.manifest, kAllowed), nullptr, /*allow_exceptions=*/false);
   if (manifest.is_object() && manifest.contains("format") && manifest["format"] == campaign::kManifestFormat)
     rerun_campaign(options, manifest);
@@ -373,14 +370,17 @@ void add_rerun_command(CLI::App& app) {
   auto options = std::make_shared<RerunOptions>();
   CLI::App* command =
       app.add_subcommand("rerun", "Check every hash of a run or a campaign, repeat it and compare the results");
-  command->add_option("manifest", options->manifest, "manifest.json of the run")->required();
+  command->add_option("manifest", options->manifest, "folder of a run or a campaign, or its manifest.json")->required();
   command->add_option("-o,--output", options->output, "folder to keep the results in [they are not kept]");
   command->add_flag("--anyway", options->anyway,
                     "repeat it although an input, the model, the program or a result has changed");
   command->footer(
       "The case comes from the manifest. Exit code 2: something has changed; 1: the results differ.\n"
-      "Example: brash rerun results/cone/manifest.json");
-  command->callback([options] { rerun(*options); });
+      "Example: brash rerun results/cone");
+  command->callback([options] {
+    options->manifest = file_in(options->manifest, {"manifest.json"});
+    rerun(*options);
+  });
 }
 
 }  // namespace brash::cli

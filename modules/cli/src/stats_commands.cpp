@@ -102,7 +102,8 @@ std::vector<LoadHistory> histories_of(const StatsOptions& o) {
   return loads;
 }
 
-void run_stats(const StatsOptions& o) {
+void run_stats(StatsOptions& o) {
+  for (std::string& file : o.files) file = history_file(file);
   if (!std::isfinite(o.threshold))
     throw InputError(Complaint{o.files.front(), fmt::format("--threshold {} is no load", o.threshold),
                                "a finite number in the unit of the column", "give a number"});
@@ -131,8 +132,7 @@ void run_stats(const StatsOptions& o) {
 }
 
 void add_reading_options(CLI::App& command, StatsOptions& o) {
-  command.add_option("file", o.files, "CSV or netCDF files with times, such as the history.csv or run.nc of a run")
-      ->required();
+  command.add_option("file", o.files, "CSV or netCDF files with times, or folders of runs")->required();
   command.add_option("--column", o.columns, "columns [the first that is not the time]")
       ->take_all()
       ->allow_extra_args(false);
@@ -194,7 +194,7 @@ void add_stats_command(CLI::App& app) {
   add_reading_options(*command, *options);
   add_estimate_options(*command, *options);
   add_output_options(*command, *options);
-  command->footer("Example: brash stats results/cone/history.csv --column Fx");
+  command->footer("Example: brash stats results/cone --column Fx");
   command->callback([options, command] {
     StatsOptions& o = *options;
     o.choice.has_from = command->count("--from") > 0;

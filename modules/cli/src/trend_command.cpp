@@ -17,6 +17,7 @@
 #include "brash/core/text.hpp"
 #include "brash/statistics/hypothesis.hpp"
 #include "brash/statistics/intervals.hpp"
+#include "file_name.hpp"
 #include "messages.hpp"
 #include "origin_text.hpp"
 #include "stats_commands.hpp"
@@ -30,11 +31,6 @@ using nlohmann::ordered_json;
 using Groups = std::map<double, std::vector<double>>;
 /// The same for each combination of the other axes, by its name; of one axis alone, "".
 using Strata = std::map<std::string, Groups>;
-
-std::filesystem::path table_of(const std::string& given) {
-  const std::filesystem::path path(given);
-  return std::filesystem::is_directory(path) ? path / "campaign.csv" : path;
-}
 
 TextTable read_cases(const std::filesystem::path& table) {
   return read_text_table(table.string(), "the campaign.csv of a campaign that is done",
@@ -323,7 +319,7 @@ void add_trend_command(CLI::App& app) {
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: brash trend results/angle_velocity --along structure.angle --where '*_speed-2.0'");
   command->callback([options] {
-    const std::filesystem::path path = table_of(options->campaign);
+    const std::filesystem::path path = file_in(options->campaign, {"campaign.csv"});
     const TextTable table = read_cases(path);
     const std::vector<std::string> keys = varied_keys(path);
     // The intervals of all columns together hold with 95 %.

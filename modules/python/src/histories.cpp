@@ -141,7 +141,7 @@ py::object read(const py::object& path, const std::string& column, std::optional
   choice.to = end;
   choice.dt = dt;
   const std::string name = path_of(path);
-  const LoadHistory load = unlocked([&] { return cli::read_history(name, choice); });
+  const LoadHistory load = unlocked([&] { return cli::read_history(cli::history_file(name), choice); });
   const py::array times = to_array(load.history.times), values = to_array(load.history.values);
   if (as == "numpy") return py::make_tuple(times, values);
   if (as == "pandas") {

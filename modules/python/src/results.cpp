@@ -5,6 +5,7 @@
 
 #include "brash/io/results.hpp"
 #include "convert.hpp"
+#include "file_name.hpp"
 #include "rooms.hpp"
 #include "signals.hpp"
 
@@ -121,9 +122,9 @@ void add_results(py::module_& m) {
       [](const py::object& path) {
         const auto name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
         const Released release;
-        return io::read_results(name);
+        return io::read_results(cli::file_in(name, {"run.nc"}));
       },
-      py::arg("path"), "Reads a run.nc.");
+      py::arg("path"), "Reads the run.nc of a run, given by itself or by its folder.");
 }
 
 }  // namespace brash::python

@@ -54,6 +54,11 @@ class Design(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stderr)
         return done.stderr if code else done.stdout
 
+    def test_the_table_of_a_campaign_serves_as_its_folder(self):
+        done = subprocess.run([BRASH, "design", str(self.folder / "campaign.csv"), "--hours", "1", "--json"],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (0, self.design("--hours", 1, "--json")))
+
     def scatter(self, text):
         file = self.folder / "states.csv"
         file.write_text(text)

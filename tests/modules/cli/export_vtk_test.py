@@ -153,7 +153,7 @@ class Export(unittest.TestCase):
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_what_is_no_run_is_refused(self):
-        for name in ("history.csv", "none.nc", "."):
+        for name in ("history.csv", "none.nc", "vtk"):
             done = subprocess.run([BRASH, "export", "vtk", self.path / name], capture_output=True, text=True)
             self.assertEqual(done.returncode, 2, done.stderr)
 
