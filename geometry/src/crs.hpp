@@ -8,10 +8,6 @@
 
 namespace brash::geometry {
 
-/// True when the name of a coordinate reference system, such as "urn:ogc:def:crs:EPSG::4326", stands for longitudes and
-/// latitudes. Knows OGC's CRS84, CRS83 and CRS27 and the usual codes of EPSG; no registry is asked.
-bool is_geographic(std::string_view name);
-
 /// Why degrees are refused, with the remedy.
 std::string degrees_refused(std::string_view name);
 

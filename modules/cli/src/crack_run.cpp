@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "brash/geometry/lines.hpp"
@@ -42,6 +43,9 @@ CrackRun::CrackRun(IceSheet sheet, const std::vector<Feature>& features) : sheet
     ledger_.floes += geometry::area(f.polygon);
     next_id_ = std::max(next_id_, f.id + 1);
   }
+  std::set<std::int64_t> taken;  // the members of a multi-part feature share an id
+  for (Feature& floe : floes_)
+    if (!taken.insert(floe.id).second) floe.id = next_id_++;
   ledger_.initial = sheet_.area() + ledger_.floes;
 }
 
@@ -73,7 +77,7 @@ geometry::Ledger CrackRun::ledger() const {
 std::vector<Feature> CrackRun::features() const {
   std::vector<Feature> result;
   for (Polygon& part : sheet_.polygons())
-    result.push_back({std::move(part), "sheet", static_cast<std::int64_t>(result.size())});
+    result.push_back({std::move(part), "sheet", next_id_ + static_cast<std::int64_t>(result.size())});
   result.insert(result.end(), floes_.begin(), floes_.end());
   return result;
 }

@@ -31,8 +31,8 @@ class CrackRun {
   std::size_t n_floes() const { return floes_.size(); }
   bool has_sheet() const { return sheet_.n_vertices() > 0; }
   std::vector<geometry::Polygon> sheet() const { return sheet_.polygons(); }
-  /// Sheet parts with ids from 0, then the floes: those of the file or their parts in its order, and new ones in the
-  /// order of their birth.
+  /// Sheet parts, then the floes of the file or their parts in its order, and new ones in the order of their birth. No
+  /// two have one id; a sheet's is above every floe's.
   std::vector<geometry::Feature> features() const;
 
  private:

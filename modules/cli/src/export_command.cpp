@@ -78,13 +78,27 @@ void export_gltf(const std::string& run_file, const std::string& file) {
   print("{} frames in {}\n", run.results.frames.size(), file);
 }
 
-void export_map(const std::string& run_file, const std::string& file, double time) {
+/// Gives a map the coordinate reference system that the user names, if it has no other one.
+void take_crs(geometry::Map& map, const std::string& name) {
+  const std::string given = crs_member(name), own = geometry::name_of_crs(map.crs);
+  if (!own.empty() && !geometry::are_same_crs(own, geometry::name_of_crs(given)))
+    throw InputError(Complaint{fmt::format("--crs={}", name), fmt::format("the ice of the run has the crs {}", own),
+                               "the crs of field.file", "leave --crs out, and project the map afterwards"});
+  map.crs = given;
+}
+
+void export_map(const std::string& run_file, const std::string& file, double time, const std::string& crs) {
   check_map_name(file);
   refuse_overwriting(file, {run_file});
   refuse_replacing_results(file);
-  const geometry::Map map = ice_map(read_replay(run_file), time);
+  geometry::Map map = ice_map(read_replay(run_file), time);
+  if (!crs.empty()) take_crs(map, crs);
   write_map_file(file, map);
   print("{} polygons in {}\n", map.features.size(), file);
+  if (map.crs.empty())
+    say("note: {}: names no coordinate reference system, so programs for maps take its metres for degrees; --crs "
+        "EPSG:CODE names one\n",
+        file);
 }
 
 void export_openfast(const std::string& run_file, const std::string& directory, const OpenFastOptions& options) {
@@ -129,7 +143,7 @@ void add_gltf_command(CLI::App& command) {
 
 void add_map_command(CLI::App& command) {
   struct Options {
-    std::string run, file;
+    std::string run, file, crs;
     double time = std::numeric_limits<double>::infinity();
   };
   auto options = std::make_shared<Options>();
@@ -138,10 +152,12 @@ void add_map_command(CLI::App& command) {
   map->add_option("-o,--output", options->file, "file of the map, .geojson or .wkt [ice.geojson beside the run.nc]");
   map->add_option("--time", options->time, "the frame at this time, or the last before it [s] [the last one]")
       ->check(CLI::NonNegativeNumber);
+  map->add_option("--crs", options->crs,
+                  "coordinate reference system of field.origin, such as EPSG:32633 [the one of field.file]");
   map->footer("Example: brash export map results/cone -o ice.geojson --time 10");
   map->callback([options] {
     const std::string run = run_file(options->run);
-    export_map(run, or_beside(run, options->file, "ice.geojson"), options->time);
+    export_map(run, or_beside(run, options->file, "ice.geojson"), options->time, options->crs);
   });
 }
 

@@ -62,10 +62,10 @@ geometry::Map ice_map(const Replay& run, double time) {
   geometry::Map map;
   map.origin = geometry::origin_from_metres(run.resolved.field.origin);
   map.crs = crs_of(run.resolved.field.file);
-  for (geometry::Polygon& polygon : level_ice)
-    map.features.push_back({std::move(polygon), "sheet", static_cast<std::int64_t>(map.features.size())});
   std::map<std::int64_t, const model::FloeRecord*> records;
   for (const model::FloeRecord& floe : run.results.floes) records[floe.id] = &floe;
+  std::int64_t next_id = records.empty() ? 0 : records.rbegin()->first + 1;  // that no floe has in any frame
+  for (geometry::Polygon& polygon : level_ice) map.features.push_back({std::move(polygon), "sheet", next_id++});
   for (const model::FloePose& floe : run.results.frames[wanted].floes) {
     const model::FloeRecord& record = *records.at(floe.floe);
     if (auto polygon = laid_flat(record, floe.pose))

@@ -48,6 +48,19 @@ std::optional<Origin> origin_option(const std::string& command, const std::strin
   return origin;
 }
 
+std::string crs_member(const std::string& name) {
+  constexpr std::string_view kEpsg = "EPSG:";
+  const bool is_code = name.size() > kEpsg.size() && name.starts_with(kEpsg) &&
+                       name.find_first_not_of("0123456789", kEpsg.size()) == std::string::npos;
+  if (!is_code || geometry::is_geographic(name))
+    throw InputError(Complaint{
+        "--crs", fmt::format("'{}' is {}", printable(name), is_code ? "a system of degrees" : "no code of a system"),
+        "EPSG:CODE of a projected system in metres, such as EPSG:32633",
+        "name the system that field.origin belongs to"});
+  return fmt::format(R"({{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}})",
+                     name.substr(kEpsg.size()));
+}
+
 Map read_map_file(const std::string& path, const std::optional<Origin>& origin) {
   auto map = geometry::read_map(read_text_file(path, "a sheet (WKT or GeoJSON)", kMostMebibytes), origin);
   if (!map) refuse_polygons(path, map.error().what);

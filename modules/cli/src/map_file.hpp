@@ -13,6 +13,10 @@ namespace brash::cli {
 /// @throws InputError naming `command` for anything but X,Y.
 std::optional<geometry::Origin> origin_option(const std::string& command, const std::string& value);
 
+/// The GeoJSON member `crs` for a name such as EPSG:32633.
+/// @throws InputError for another name, and for a system of degrees.
+std::string crs_member(const std::string& name);
+
 /// A map of a WKT or GeoJSON file, at most 64 MiB.
 ///
 /// @param origin  as of geometry::read_map(): without one it is the file's own, zero, or the middle of the data.

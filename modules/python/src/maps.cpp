@@ -52,8 +52,8 @@ std::vector<Polygon> of_kind(const Map& map, const std::string& kind) {
 Map with_polygons(const Map& map, const py::object& sheet, const py::object& floes) {
   Map changed = map;
   changed.features.clear();
+  std::int64_t id = 0;
   const auto add = [&](const py::object& polygons, const char* kind, const char* name) {
-    std::int64_t id = 0;
     for (Polygon& p : to_polygons(polygons, name)) changed.features.push_back({std::move(p), kind, id++});
   };
   add(sheet, "sheet", "sheet");
@@ -103,7 +103,7 @@ void add_maps(py::module_& m) {
       .def_property_readonly(
           "floes", [](const Map& map) { return of_kind(map, "floe"); }, "The polygons of the kind 'floe'.")
       .def("with_polygons", &with_polygons, py::arg("sheet"), py::arg("floes"),
-           "A map at the same place with other polygons, their ids from 0 in each kind.")
+           "A map at the same place with other polygons, their ids from 0.")
       .def("to_geojson", &geometry::map_to_geojson, "read_map() gives back the same map.")
       .def("__repr__", [](const Map& map) {
         return fmt::format("<brash.Map of {} polygons, origin {}>", map.features.size(), to_string(map.origin));

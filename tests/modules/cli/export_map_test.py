@@ -92,6 +92,40 @@ frames_per_second = 2
         self.assertLessEqual({f["properties"]["id"] for f in features if f["properties"]["kind"] == "floe"}, known)
         self.assertEqual({f["properties"].get("thickness") for f in features if f["properties"]["kind"] == "floe"}, {0.33})
 
+    def test_no_two_polygons_of_a_map_have_one_id(self):
+        run = self.run_case("experiments/validation/cone.toml", "output.frames_per_second=2", "time.duration=2")
+        brash("export", "map", run)
+        features = json.loads((run / "ice.geojson").read_text())["features"]
+        ids = [feature["properties"]["id"] for feature in features]
+        self.assertEqual({feature["properties"]["kind"] for feature in features}, {"sheet", "floe"})
+        self.assertEqual(len(set(ids)), len(ids))
+        # The same of a map that is cracked, whose floes are parts of one feature.
+        ring = lambda x: [[[x, 0], [x + 4, 0], [x + 4, 4], [x, 4], [x, 0]]]
+        given = {"type": "FeatureCollection", "features": [
+            {"type": "Feature", "properties": {"kind": "floe", "id": 0},
+             "geometry": {"type": "MultiPolygon", "coordinates": [ring(0), ring(10)]}},
+            {"type": "Feature", "properties": {"id": 0}, "geometry": {"type": "Polygon", "coordinates": ring(20)}}]}
+        (self.folder / "given.geojson").write_text(json.dumps(given))
+        (self.folder / "away.wkt").write_text("POLYGON ((22 -1, 30 -1, 30 9, 22 9, 22 -1))")
+        brash("crack", "--sheet", self.folder / "given.geojson", "--cutters", self.folder / "away.wkt", "-o",
+              self.folder / "cut.geojson")
+        cut = json.loads((self.folder / "cut.geojson").read_text())["features"]
+        self.assertEqual(len({feature["properties"]["id"] for feature in cut}), 4)
+
+    def test_a_named_crs_is_written_and_read_back(self):
+        run = self.run_case("experiments/validation/cone.toml", "output.frames_per_second=0", "time.duration=0.5")
+        made = self.folder / "ice.geojson"
+        said = subprocess.run([BRASH, "export", "map", run, "-o", made], check=True, capture_output=True, text=True).stderr
+        self.assertIn("names no coordinate reference system", said)
+        self.assertNotIn("crs", json.loads(made.read_text()))
+        said = brash("export", "map", run, "-o", made, "--crs", "EPSG:32633").stderr
+        self.assertEqual((said, json.loads(made.read_text())["crs"]), ("", CRS))
+        self.assertIn("pieces", brash("pieces", made).stdout)
+        for name, part in (("EPSG:4326", "is a system of degrees"), ("32633", "is no code of a system")):
+            done = subprocess.run([BRASH, "export", "map", run, "--crs", name], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(part, done.stderr)
+
     def area_at(self, run, *time):
         made = self.folder / "ice.geojson"
         brash("export", "map", run / "run.nc", "-o", made, *time)

@@ -111,6 +111,7 @@ class Maps(unittest.TestCase):
         self.assertFalse(ice.looks_like_degrees)
         broken = ice.with_polygons(sheet=[], floes=ice.polygons)
         self.assertEqual((broken.kinds, broken.ids, broken.origin), (["floe", "floe"], [0, 1], ice.origin))
+        self.assertEqual(ice.with_polygons(sheet=ice.sheet, floes=ice.floes).ids, [0, 1])
         other = brash.read_map(FAR_MAP, origin=("499999.5", 9000000))
         self.assertEqual(other.sheet[0].outline[0].tolist(), [0.5, 0])
         for origin in (1, "ab", (1, 2, 3), ("x", 1), (float("nan"), 0)):

@@ -83,6 +83,10 @@ std::string name_of_crs(std::string_view crs);
 /// Whether two names stand for one coordinate reference system: they have the same code of EPSG, or are the same.
 bool are_same_crs(std::string_view a, std::string_view b);
 
+/// Whether the coordinates of a coordinate reference system, such as "urn:ogc:def:crs:EPSG::4326", are longitudes and
+/// latitudes. Knows OGC's CRS84, CRS83 and CRS27 and the usual codes of EPSG; no registry is asked.
+bool is_geographic(std::string_view name);
+
 /// Why a polygon is not simple by itself, such as "crosses itself at (5, 4.5)"; empty if it is.
 std::string fault_of(const Polygon& polygon);
 
