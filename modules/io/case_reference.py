@@ -24,6 +24,9 @@ A case file is [TOML](https://toml.io/en/v1.0.0): sections in brackets, and belo
   string, so `--set 'ice.thickness=40 cm'` needs no inner quotes.
 - **Templates.** `brash schema --template` prints a case with every key. `brash check CASE.toml` prints a case in SI with all
   defaults. `--ice` chooses [the ice of a site](#site-ice).
+- **Editors.** `brash schema > case.schema.json` writes a JSON Schema. The first line of a template names it,
+  `#:schema case.schema.json`. Editors that know this line, such as Taplo and Even Better TOML, check the keys and show their
+  meaning.
 
 In the sources, "paper" is the article whose model the program follows.
 """

@@ -42,11 +42,16 @@ class Streams(Hostile):
                 self.assertNotIn(b"warning:", file.read_bytes(), file)
 
     def test_what_cannot_be_printed_is_an_error(self):
-        for options in ({"stdout": None, "preexec_fn": lambda: os.close(1)}, {"stdout": open("/dev/full", "wb")},
-                        {"stdout": self.left_pipe()}):
+        for options in ({"stdout": None, "preexec_fn": lambda: os.close(1)}, {"stdout": open("/dev/full", "wb")}):
             for command in (("check", "case.toml"), ("schema",), ("--help",), ("stats", "history.csv", "--json")):
                 with self.subTest(command):
                     self.refused(*command, code=1, saying="cannot be written", **options)
+
+    def test_a_reader_that_has_left_is_no_reason_to_complain(self):
+        for command in (("check", "case.toml"), ("schema",), ("--help",), ("stats", "history.csv", "--json")):
+            with self.subTest(command):
+                done = self.call(*command, stdout=self.left_pipe())
+                self.assertEqual((done.returncode, done.stderr), (1, b""))
 
     def test_a_limit_on_the_size_of_files_is_an_error_and_no_signal(self):
         def limit():

@@ -134,8 +134,7 @@ void add_schema_command(CLI::App& app) {
   command->footer("Example: brash schema --template --ice baltic > mine.toml");
   command->callback([options] {
     print("{}", options->as_template ? io::case_template(options->ice)
-                : options->of_plan   ? io::plan_schema()
-                                     : io::case_schema());
+                                     : io::editor_schema(options->of_plan ? io::plan_schema() : io::case_schema()));
   });
 }
 

@@ -33,6 +33,7 @@ constexpr int kInterrupted = 3;
 /// written.
 int run(CLI::App& app, int argc, char** argv) {
   int code = 0;
+  std::error_code failure;
   if (argc < 2) {
     say("{}", app.help());
     return kBadInput;
@@ -45,12 +46,15 @@ int run(CLI::App& app, int argc, char** argv) {
     code = app.exit(error, out, err) == 0 ? 0 : kBadInput;
     brash::cli::say_text(err.str());
     brash::cli::print_text(out.str());
-  } catch (const std::system_error&) {
+  } catch (const std::system_error& error) {
     if (std::ferror(stdout) == 0) throw;
+    failure = error.code();
   }
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  throw brash::StorageError(fmt::format("the output cannot be written: {}\n  remedy:  check that there is space for it",
-                                        std::generic_category().message(errno)));
+  if (!failure) failure = {errno, std::generic_category()};
+  if (failure == std::errc::broken_pipe) return kFailed;  // the reader has read enough, such as `head`
+  throw brash::StorageError(
+      fmt::format("the output cannot be written: {}\n  remedy:  check that there is space for it", failure.message()));
 }
 
 /// An empty name is most often of a variable of the shell that is not set, and no wish for the default.

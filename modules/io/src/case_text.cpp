@@ -131,7 +131,8 @@ std::string first_kind(const OrderedJson& keys, const OrderedJson& key_schema) {
 
 std::string case_template(const std::string& ice) {
   const SiteIce site(ice);
-  std::string text = commented(
+  std::string text = kSchemaLine;
+  text += commented(
       "A brash case with every key. A bare number is SI; a string is a quantity with a unit, such as \"33 cm\". Keys "
       "without a default are required and have the values of the validation case here; other lines may be removed. "
       "Ice: " +

@@ -71,7 +71,8 @@ std::string new_case(const std::string& kind, const std::string& ice) {
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(
         Complaint{"--kind", fmt::format("{} is no kind of structure", kind), kinds.dump(), "name one of these kinds"});
-  std::string text = fmt::format(
+  std::string text = kSchemaLine;
+  text += fmt::format(
       "# A brash case. A bare number is SI; a string is a quantity with a unit.\n"
       "# `brash schema --template` lists every other key; `brash check` reads this file.\n"
       "# Ice: {}.\n",

@@ -9,6 +9,9 @@ namespace brash::io {
 
 using OrderedJson = nlohmann::ordered_json;
 
+/// The first line of a new case, by which editors find the schema beside it.
+inline constexpr const char* kSchemaLine = "#:schema case.schema.json\n";
+
 /// The allowed content of a strict TOML file: sections of keys. A section within a section is one more,
 /// "structure.motion".
 class Schema {

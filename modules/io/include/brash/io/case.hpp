@@ -50,6 +50,11 @@ std::vector<NumberKey> number_keys(const model::Case& resolved);
 /// The JSON Schema of a case file, with unit, default, range and meaning of every key.
 std::string case_schema();
 
+/// A schema with keywords of JSON Schema alone, as strict validators demand: units and kinds are in the descriptions,
+/// and each schema has one type.
+/// @param schema  case_schema() or plan_schema().
+std::string editor_schema(const std::string& schema);
+
 /// A commented template of a case: every key with its default, required keys with the validation case's values.
 /// @param ice  as for new_case().
 std::string case_template(const std::string& ice = "basin");
