@@ -16,6 +16,7 @@
 #include "brash/core/text.hpp"
 #include "brash/io/series.hpp"
 #include "file_name.hpp"
+#include "messages.hpp"
 #include "run_summary.hpp"
 
 namespace brash::cli {
@@ -198,6 +199,7 @@ std::vector<LoadHistory> read_histories(const std::string& path, const HistoryCh
     throw InputError(Complaint{path, fmt::format("--to {} is no time", *choice.to), "seconds", "give a number"});
   refuse_other_files(path);
   io::Series series = io::read_series(path);
+  for (const std::string& note : series.notes) say("note: {}: {}\n", path, note);
   const std::vector<std::string> wanted = columns.empty() ? std::vector{choice.column} : columns;
   if (choice.dt > 0.0) leave_times_to_step(series, path, wanted);
   if (choice.dt <= 0.0 && !series.time)

@@ -204,6 +204,17 @@ void find_times(Series& series, const std::string& path, bool named, const Dates
   }
 }
 
+/// Whether a line in the place of a row is a remark, such as the one with which HydroDyn closes its tables: words
+/// without a number.
+bool is_remark(const std::vector<std::string_view>& cells, Layout layout) {
+  if (cells.empty() || cells.front().empty() || std::isalpha(static_cast<unsigned char>(cells.front().front())) == 0)
+    return false;
+  double infinite = 0.0;
+  const char* const last = cells.front().data() + cells.front().size();
+  return std::from_chars(cells.front().data(), last, infinite).ptr != last &&
+         std::ranges::none_of(cells, [&](std::string_view cell) { return number(cell, layout).has_value(); });
+}
+
 /// Makes a series of the lines of a text.
 class TextSeries {
  public:
@@ -217,19 +228,7 @@ class TextSeries {
     if (content.empty() || content.starts_with('#')) return;
     preamble_ = preamble_ && !content.starts_with("Time");
     if (preamble_) return;
-    if (!layout_) layout_ = Layout{separator_of(content)};
-    std::vector<std::string_view> cells = cells_of(content, layout_->separator);
-    if (series_.names.empty() && layout_->separator == ' ') cells = with_units(cells);
-    if (cells.size() > kMostColumns)
-      throw InputError(Complaint{fmt::format("{}:{}", path_, line_number_), "has more columns than a history has",
-                                 fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});
-    if (series_.names.empty() && begin(series_, cells, *layout_)) {
-      named_ = true;
-      units_may_follow_ = true;
-      return;
-    }
-    if (!std::exchange(units_may_follow_, false) || !take_units(series_, cells))
-      add_row(series_, cells, line_number_, *layout_, dates_);
+    take_content(content, line_number_);
   }
 
   Series finished() && {
@@ -237,19 +236,66 @@ class TextSeries {
       throw InputError(Complaint{path_, fmt::format("{} rows of numbers", series_.rows.size()),
                                  "lines of numbers, 2 at least, after one of names",
                                  "check that it is the right file and whole"});
+    if (remark_)
+      series_.notes.push_back(
+          fmt::format("line {} is no row and was left out: {}", remark_->number, printable(remark_->text)));
     find_times(series_, path_, named_, dates_);
     convert_to_si(series_);
     return std::move(series_);
   }
 
  private:
+  struct Line {
+    std::string text;
+    std::size_t number;  ///< in the file
+  };
+
+  void take_content(std::string_view content, std::size_t number) {
+    if (!layout_) layout_ = Layout{separator_of(content)};
+    std::vector<std::string_view> cells = cells_of(content, layout_->separator);
+    if (series_.names.empty() && layout_->separator == ' ') cells = with_units(cells);
+    if (cells.size() > kMostColumns)
+      throw InputError(Complaint{fmt::format("{}:{}", path_, number), "has more columns than a history has",
+                                 fmt::format("at most {} columns", kMostColumns), "check that it is the right file"});
+    if (series_.names.empty() && begin(series_, cells, *layout_)) {
+      named_ = true;
+      units_may_follow_ = true;
+      return;
+    }
+    if (std::exchange(units_may_follow_, false) && take_units(series_, cells)) return;
+    if (series_.rows.size() >= 2 && is_remark(cells, *layout_)) {
+      if (!remark_) remark_ = Line{std::string(content), number};
+      return;
+    }
+    // Only the end of a table has remarks: within it the line is a broken row.
+    if (remark_) add_row(series_, cells_of(remark_->text, layout_->separator), remark_->number, *layout_, dates_);
+    add_row(series_, cells, number, *layout_, dates_);
+  }
+
   std::string path_;
   Series series_;
   std::optional<Layout> layout_;
   Dates dates_;
+  std::optional<Line> remark_;  ///< the first after the rows
   bool named_ = false, units_may_follow_ = false, preamble_ = false;
   std::size_t line_number_ = 0;
 };
+
+/// Formats that hold histories and are no text.
+void refuse_binary(const std::string& path) {
+  struct Format {
+    std::string_view ending;
+    const char *name, *remedy;
+  };
+  for (const auto& [ending, name, remedy] :
+       {Format{".outb", "OpenFAST's binary output", "let OpenFAST write text, with OutFileFmt = 1"},
+        Format{".xlsx", "a workbook of a spreadsheet", "save the sheet as CSV"},
+        Format{".xls", "a workbook of a spreadsheet", "save the sheet as CSV"},
+        Format{".mat", "a file of MATLAB", "write the columns as CSV, with writetable"},
+        Format{".tdms", "a binary log of LabVIEW", "export the channels as CSV"}})
+    if (path.ends_with(ending))
+      throw InputError(Complaint{path, fmt::format("is {}", name), "a history as text or netCDF", remedy});
+}
 
 Series read_text_series(const std::string& path) {
   TextSeries series(path);
@@ -305,6 +351,7 @@ double seconds_in(const std::string& unit, const std::string& place) {
 }
 
 Series read_series(const std::string& path) {
+  refuse_binary(path);
   return path.ends_with(".nc") ? read_netcdf_series(path) : read_text_series(path);
 }
 

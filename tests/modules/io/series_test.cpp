@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "brash/core/error.hpp"
 #include "scratch.hpp"
 
 namespace {
@@ -64,6 +65,33 @@ BOOST_AUTO_TEST_CASE(between_blanks_a_unit_in_brackets_belongs_to_the_name_befor
   const io::Series below = read("time Fx\n[s] [kN]\n0 1\n1 3\n");
   BOOST_TEST(below.names.size() == 2U);
   BOOST_TEST(below.columns.at(1).back() == 3e3);
+}
+
+BOOST_AUTO_TEST_CASE(a_closing_remark_is_left_out_with_a_note) {
+  const Scratch scratch;
+  const auto read = [&](const char* name, const std::string& text) {
+    return io::read_series(scratch.write(name, text));
+  };
+  const std::string table = "\nWritten by HydroDyn\n\n  Time  Fx\n (sec)  (kN)\n 0.0  1.0e+01\n 1.0  0.0e+01\n";
+  const std::string remark = "\nThis output file was closed on 19-Oct-2018 at 10:15:16.\n\n";
+  const io::Series series = read("tower.out", table + remark);
+  BOOST_TEST(series.columns.at(1).front() == 1e4);
+  BOOST_TEST(series.rows.size() == 2U);
+  BOOST_TEST_REQUIRE(series.notes.size() == 1U);
+  BOOST_TEST(series.notes.at(0) ==
+             "line 9 is no row and was left out: This output file was closed on 19-Oct-2018 at 10:15:16.");
+  BOOST_TEST(read("plain.csv", "time,Fx\n0,1\n1,2\nend of file\n").rows.size() == 2U);
+  // Within the table, and with numbers in it, the line is a broken row.
+  for (const char* const bad :
+       {"time,Fx\n0,1\n1,2\nrestart\n2,3\n", "time,Fx\n0,1\n1,2\nmean,3\n", "time,Fx\n0,1\n1,2\n2\n", "F\n1\n2\ninf\n"})
+    BOOST_CHECK_THROW(read("bad.csv", bad), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(binary_formats_are_named) {
+  const Scratch scratch;
+  BOOST_CHECK_EXCEPTION(io::read_series(scratch.write("tower.outb", "\x02")), InputError, [](const InputError& e) {
+    return std::string(e.what()).find("OpenFAST's binary output") != std::string::npos;
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_speed_in_the_first_column_is_no_time) {

@@ -32,8 +32,9 @@ struct Series {
   std::vector<std::vector<double>> columns;  ///< shape=(n_names, n_rows); not a number where a value is missing
   /// Which column holds the times, in seconds and finite; absent when there is none.
   std::optional<std::size_t> time;
-  std::string row_prefix;  ///< with the row's number the place of a row, for messages: "FILE:", "FILE, sample "
-  RowNumbers rows;         ///< lines of the file, or samples from 1 on
+  std::vector<std::string> notes;  ///< of lines that were left out; messages without the file
+  std::string row_prefix;          ///< with the row's number the place of a row, for messages: "FILE:", "FILE, sample "
+  RowNumbers rows;                 ///< lines of the file, or samples from 1 on
 
   std::string place(std::size_t row) const { return row_prefix + std::to_string(rows[row]); }
 };
@@ -48,7 +49,8 @@ struct Series {
 /// column named `time`, `t` or the like, capitals or not; else the first of several, when it has a unit of time or the
 /// table has no names. Dates such as 2024-02-01T12:00:00 count in seconds from the first row on.
 ///
-/// OpenFAST's text output (.out): as text, from the line on that begins with Time.
+/// OpenFAST's text output (.out): as text, from the line on that begins with Time. Remarks in words after the rows are
+/// left out with a note. Binary formats are refused by their names.
 ///
 /// netCDF: the dimension of the variable `time` or `t` (or, without those, of the first variable along one dimension
 /// whose unit is "... since ..."), and all numeric variables along it alone. Fill values are missing, packed values are
