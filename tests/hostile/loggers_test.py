@@ -44,13 +44,43 @@ class Loggers(Hostile):
             (self.path / "logger.csv").write_text("time,Fx\n" + f"{bad},1\n" * 3)
             self.refused("stats", "logger.csv", saying="is not a finite number")
 
-    def test_a_preamble_is_refused_with_the_remedy(self):
+    def test_a_preamble_is_left_out_with_a_note_if_names_follow(self):
         for preamble in ("Logger 4711\n", "Station,Adventdalen\n", "Logger 4711, firmware 2.0\nStart,2024-02-28T10:00:00\n",
-                         "Recorder A\nRate 20 Hz\n\n"):
-            for table in ("time,Fx\n" + self.rows(lambda i: 0.05 * i), self.rows(lambda i: 0.05 * i)):
-                (self.path / "logger.csv").write_text(preamble + table)
-                with self.subTest(preamble):
-                    self.assertIn("#", self.refused("stats", "logger.csv"))
+                         "Recorder A\nRate 20 Hz\n\n", "Rate [Hz],20\n"):
+            with self.subTest(preamble):
+                self.assert_read(preamble + "time,Fx_kN\n" + self.rows(lambda i: f"{0.05 * i:.2f}"))
+                self.assert_read(preamble + "time,Fx\ns,kN\n" + self.rows(lambda i: f"{0.05 * i:.2f}"))
+                said = self.succeeds("stats", "logger.csv").stderr.decode()
+                self.assertIn(f"above the names, such as '{preamble.splitlines()[0]}'", said)
+                (self.path / "logger.csv").write_text(preamble + self.rows(lambda i: 0.05 * i))
+                self.assertIn("#", self.refused("stats", "logger.csv"))
+
+    def test_a_text_in_utf_16_is_read_by_its_mark(self):
+        text = "Zeit [s]\tFx [kN]\tGröße 𝛿\n" + "".join(
+            f"{row}\t0\n" for row in self.rows(lambda i: f"{0.05 * i:.2f}", "\t").splitlines())
+        for code in ("utf-16-le", "utf-16-be"):
+            (self.path / "logger.txt").write_bytes(("\ufeff" + text.replace("\n", "\r\n")).encode(code))
+            out = json.loads(self.succeeds("stats", "logger.txt", "--json").stdout)
+            self.assertAlmostEqual(out["mean"], 1e3 * MEAN, delta=1)
+            self.succeeds("stats", "logger.txt", "--column", "Größe 𝛿")
+        sheet = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
+        (self.path / "sheet.wkt").write_bytes(sheet.encode("utf-16"))
+        self.succeeds("pieces", "sheet.wkt")
+
+    def test_a_title_is_told_from_rows_that_are_broken(self):
+        for text in ("time,Fx\nx,y\n" + self.rows(lambda i: i), "time,Fx\n0,abc\n" + self.rows(lambda i: i + 1)):
+            (self.path / "logger.csv").write_text(text)
+            self.refused("stats", "logger.csv", saying="logger.csv:2")
+
+    def test_lost_samples_do_not_change_the_step(self):
+        rows = self.rows(lambda i: f"{0.05 * i:.2f}").splitlines(keepends=True)
+        del rows[50], rows[100:102]
+        sampling = self.statistics("time,Fx_kN\n" + "".join(rows))["sampling"]
+        self.assertAlmostEqual(sampling["step"], 0.05, places=9)
+        self.assertEqual((sampling["lost_samples"], sampling["gaps"]), (3, []))
+        self.assertIn("every 0.05 s, 3 samples lost", self.succeeds("stats", "logger.csv").stdout.decode())
+
+    def test_a_marked_preamble_is_passed_over(self):
         self.assert_read("# Logger 4711\n# Rate 20 Hz\ntime,Fx_kN\n" + self.rows(lambda i: f"{0.05 * i:.2f}"))
 
     def test_a_first_column_that_nothing_calls_times_is_not_taken_for_seconds(self):

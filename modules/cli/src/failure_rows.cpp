@@ -124,7 +124,7 @@ meta_model::ProfileSample to_profile_sample(const database::Record& record) {
 
 std::vector<PredictedRow> read_predicted_rows(const std::string& path, std::string& header) {
   if (path.empty()) return read_rows(std::cin, "standard input", header);
-  std::istringstream file(read_text_file(path, "rows of inputs (CSV)", 64));
+  std::istringstream file(read_characters(path, "rows of inputs (CSV)", 64));
   return read_rows(file, path, header);
 }
 

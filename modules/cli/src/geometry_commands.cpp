@@ -70,7 +70,7 @@ void refuse_other_crs(const std::string& path, const std::string& crs, const She
 /// Polygons without holes, each valid by itself, whose overlap with the sheet is cut out.
 std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& sheet) {
   const auto map =
-      geometry::read_map(read_text_file(path, "cutters (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
+      geometry::read_map(read_characters(path, "cutters (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
   if (!map)
     throw InputError(Complaint{path, map.error().what,
                                "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON, in plan metres",
@@ -93,7 +93,7 @@ std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& shee
 }
 
 geometry::Lines read_lines(const std::string& path, const SheetFile& sheet) {
-  auto lines = geometry::read_lines(read_text_file(path, "lines (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
+  auto lines = geometry::read_lines(read_characters(path, "lines (WKT or GeoJSON)", kMostMebibytes), sheet.map.origin);
   if (!lines)
     throw InputError(Complaint{path, lines.error().what,
                                "LINESTRING or MULTILINESTRING (WKT) or their like in GeoJSON, in plan metres",
@@ -190,7 +190,7 @@ void apply_cuts(const CrackOptions& options, const SheetFile& sheet, CrackRun& r
     }
     return missed.say_of(options.cutters, "cutters");
   }
-  const std::string text = read_text_file(options.events, "crack events (CSV)", kMostMebibytes);
+  const std::string text = read_characters(options.events, "crack events (CSV)", kMostMebibytes);
   for (const CrackEvent& event : read_crack_events(options.events, text, sheet.map.origin)) {
     refuse_small_circle(options.events, event.radius, options.sides);
     missed.count(run.apply(event, options.sides), fmt::format("in line {}", event.line));

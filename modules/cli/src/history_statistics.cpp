@@ -67,6 +67,7 @@ ordered_json sampling_json(const LoadHistory& load) {
   }
   return {{"even", sampling.even},
           {"step", sampling.step},
+          {"lost_samples", sampling.n_lost},
           {"shortest_step", sampling.shortest},
           {"longest_step", sampling.longest},
           {"missing_values", load.n_missing},
@@ -76,11 +77,14 @@ ordered_json sampling_json(const LoadHistory& load) {
 
 std::string sampling_text(const ordered_json& s) {
   std::string text;
-  if (!s["even"].get<bool>()) {
+  if (const std::size_t n_lost = s["lost_samples"].get<std::size_t>(); !s["even"].get<bool>()) {
+    const std::string how = n_lost > 0 ? fmt::format("every {:.4g} s, {} samples lost", s["step"].get<double>(), n_lost)
+                                       : fmt::format("uneven, {:.4g} to {:.4g} s", s["shortest_step"].get<double>(),
+                                                     s["longest_step"].get<double>());
     text += fmt::format(
-        "  sampling             uneven, {:.4g} to {:.4g} s: statistics weigh each sample with its time; "
-        "spectrum and\n                       autocorrelation from values interpolated every {:.4g} s\n",
-        s["shortest_step"].get<double>(), s["longest_step"].get<double>(), s["step"].get<double>());
+        "  sampling             {}: statistics weigh each sample with its time; spectrum and\n"
+        "                       autocorrelation from values interpolated every {:.4g} s\n",
+        how, s["step"].get<double>());
   }
   const std::size_t n_missing = s["missing_values"].get<std::size_t>();
   if (n_missing > 0 || !s["gaps"].empty())

@@ -47,7 +47,7 @@ std::optional<geometry::Polygon> laid_flat(const model::FloeRecord& floe, const 
 /// The member `crs` of the map that the ice came from, where that file is still there.
 std::string crs_of(const std::string& file) {
   if (file.empty() || !std::filesystem::is_regular_file(file)) return {};
-  const auto map = geometry::read_map(read_text_file(file, "file of the ice", kMostMebibytes));
+  const auto map = geometry::read_map(read_characters(file, "file of the ice", kMostMebibytes));
   return map ? map->crs : std::string{};
 }
 

@@ -62,7 +62,7 @@ std::string crs_member(const std::string& name) {
 }
 
 Map read_map_file(const std::string& path, const std::optional<Origin>& origin) {
-  auto map = geometry::read_map(read_text_file(path, "a sheet (WKT or GeoJSON)", kMostMebibytes), origin);
+  auto map = geometry::read_map(read_characters(path, "a sheet (WKT or GeoJSON)", kMostMebibytes), origin);
   if (!map) refuse_polygons(path, map.error().what);
   return *std::move(map);
 }

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "brash/core/byte_order_mark.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
@@ -57,8 +56,8 @@ std::size_t TextTable::column(const std::string& name) const {
 TextTable read_text_table(const std::string& path, const std::string& allowed, const std::string& remedy) {
   TextTable table;
   table.path = path;
-  const std::string bytes = read_text_file(path, allowed);
-  std::string_view text = without_byte_order_mark(bytes);
+  const std::string characters = read_characters(path, allowed);
+  std::string_view text = characters;
   while (!text.empty()) {
     TextTable::Row cells = take_cells(text);
     if (table.names.empty()) {

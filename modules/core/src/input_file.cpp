@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
+#include "brash/core/byte_order_mark.hpp"
 #include "brash/core/error.hpp"
 
 namespace brash {
@@ -49,10 +51,14 @@ std::string read_text_file(const std::string& path, const std::string& kind, std
   return text;
 }
 
+std::string read_characters(const std::string& path, const std::string& kind, std::size_t most_mebibytes) {
+  return in_utf8(read_text_file(path, kind, most_mebibytes));
+}
+
 void for_each_line(const std::string& path, const std::string& kind, const std::function<void(std::string_view)>& take,
                    std::size_t most_mebibytes) {
   std::string begun;  // a line whose end is in a later block
-  for_each_block(path, kind, most_mebibytes, [&](std::string_view block) {
+  const auto take_lines = [&](std::string_view block) {
     for (std::size_t end = 0; (end = block.find('\n')) != std::string_view::npos; block.remove_prefix(end + 1)) {
       if (begun.empty()) {
         take(block.substr(0, end));
@@ -62,7 +68,17 @@ void for_each_line(const std::string& path, const std::string& kind, const std::
       }
     }
     begun += block;
+  };
+  bool is_first = true;
+  std::string wide;  // a text in UTF-16
+  for_each_block(path, kind, most_mebibytes, [&](std::string_view block) {
+    const bool begins = std::exchange(is_first, false);
+    if (!wide.empty() || (begins && is_utf16(block)))
+      wide += block;
+    else
+      take_lines(begins ? without_byte_order_mark(block) : block);
   });
+  if (!wide.empty()) take_lines(in_utf8(std::move(wide)));
   if (!begun.empty()) take(begun);
 }
 

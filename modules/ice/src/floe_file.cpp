@@ -155,13 +155,13 @@ void expect_in_field(const std::vector<GivenFloe>& floes, const model::FieldSect
 }  // namespace
 
 std::vector<geometry::Polygon> read_outlines(const std::string& path, Vec2 origin) {
-  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of outlines"), path, origin);
+  std::vector<geometry::Polygon> polygons = polygons_of(read_characters(path, "file of outlines"), path, origin);
   expect_no_overlap(polygons, path);
   return polygons;
 }
 
 std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSection& field) {
-  const std::string text = read_text_file(path, "file of floes");
+  const std::string text = read_characters(path, "file of floes");
   std::vector<geometry::Polygon> polygons = polygons_of(text, path, field.origin);
   expect_no_overlap(polygons, path);
   std::vector<GivenFloe> floes;
@@ -172,7 +172,7 @@ std::vector<GivenFloe> read_floes(const std::string& path, const model::FieldSec
 }
 
 std::vector<GivenIce> read_given_ice(const std::string& path) {
-  const std::string text = read_text_file(path, "file of floes");
+  const std::string text = read_characters(path, "file of floes");
   std::vector<GivenIce> all;
   if (!geometry::is_json(text)) return all;
   std::size_t number = 0;
@@ -183,7 +183,7 @@ std::vector<GivenIce> read_given_ice(const std::string& path) {
 }
 
 GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection& field) {
-  const std::string text = read_text_file(path, "file of level ice");
+  const std::string text = read_characters(path, "file of level ice");
   const std::vector<geometry::Feature> features = features_of(text, path, field.origin);
   std::vector<geometry::Polygon> polygons;
   std::vector<GivenFloe> all;
@@ -213,7 +213,7 @@ GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection&
 }
 
 std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origin) {
-  std::vector<geometry::Polygon> polygons = polygons_of(read_text_file(path, "file of openings"), path, origin);
+  std::vector<geometry::Polygon> polygons = polygons_of(read_characters(path, "file of openings"), path, origin);
   for (std::size_t i = 0; i < polygons.size(); ++i)
     if (const auto alone = geometry::IceSheet::from_polygons(std::span(&polygons[i], 1)); !alone)
       refuse(fmt::format("{}, polygon {} (counted from 0)", path, i), alone.error().what, "simple outlines",
@@ -222,7 +222,7 @@ std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origi
 }
 
 std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin) {
-  const std::string text = read_text_file(path, "file of cracks");
+  const std::string text = read_characters(path, "file of cracks");
   auto cracks = geometry::is_json(text) ? geometry::cracks_from_geojson(text, geometry::origin_from_metres(origin))
                                         : geometry::cracks_from_wkt(text, geometry::origin_from_metres(origin));
   if (!cracks)

@@ -11,7 +11,6 @@
 #include <limits>
 #include <utility>
 
-#include "brash/core/byte_order_mark.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/text.hpp"
@@ -25,6 +24,9 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// More columns than anyone measures, and few enough to make room for.
 constexpr std::size_t kMostColumns = 10'000;
+
+/// More lines than a logger writes above its table.
+constexpr std::size_t kMostLinesOfHead = 100;
 
 /// How the numbers of a text are written.
 struct Layout {
@@ -215,6 +217,49 @@ bool is_remark(const std::vector<std::string_view>& cells, Layout layout) {
          std::ranges::none_of(cells, [&](std::string_view cell) { return number(cell, layout).has_value(); });
 }
 
+/// A line of a text.
+struct Line {
+  std::string text;
+  std::size_t number;  ///< in the file
+};
+
+bool is_row(std::string_view line) {
+  Layout layout{separator_of(line)};
+  bool has_number = false;
+  for (const std::string_view cell : cells_of(line, layout.separator)) {
+    const auto value = number(cell, layout);
+    if (!value && !iso_time(cell)) return false;
+    has_number = has_number || !value || !std::isnan(*value);
+  }
+  return has_number;
+}
+
+bool names_times(const std::vector<std::string_view>& cells) {
+  return std::ranges::any_of(
+      cells, [](std::string_view cell) { return is_text_time_name(name_and_unit(std::string(cell)).first); });
+}
+
+/// Which of the lines up to the first row of numbers has the names. A title may stand above them, and units below: the
+/// names are as many as the numbers and contain none. The first such line that names times wins.
+std::size_t line_of_names(const std::vector<Line>& lines) {
+  if (lines.size() < 3 || !is_row(lines.back().text)) return 0;
+  Layout layout{separator_of(lines.back().text)};
+  const std::size_t n = cells_of(lines.back().text, layout.separator).size();
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    std::vector<std::string_view> cells = cells_of(lines[i].text, layout.separator);
+    if (layout.separator == ' ') cells = with_units(cells);
+    const auto is_number = [&](std::string_view cell) {
+      const auto value = number(cell, layout);
+      return value && !std::isnan(*value);
+    };
+    if (cells.size() != n || std::ranges::any_of(cells, is_number)) continue;
+    if (names_times(cells)) return i;
+    if (!first) first = i;
+  }
+  return first.value_or(0);
+}
+
 /// Makes a series of the lines of a text.
 class TextSeries {
  public:
@@ -224,14 +269,18 @@ class TextSeries {
   }
 
   void take(std::string_view line) {
-    const std::string_view content = without_blanks(++line_number_ == 1 ? without_byte_order_mark(line) : line);
+    const std::string_view content = without_blanks(line);
+    ++line_number_;
     if (content.empty() || content.starts_with('#')) return;
     preamble_ = preamble_ && !content.starts_with("Time");
     if (preamble_) return;
-    take_content(content, line_number_);
+    if (has_begun_) return take_content(content, line_number_);
+    head_.push_back({std::string(content), line_number_});
+    if (is_row(content) || head_.size() > kMostLinesOfHead) begin_table();
   }
 
   Series finished() && {
+    if (!has_begun_) begin_table();
     if (series_.rows.size() < 2)
       throw InputError(Complaint{path_, fmt::format("{} rows of numbers", series_.rows.size()),
                                  "lines of numbers, 2 at least, after one of names",
@@ -245,10 +294,19 @@ class TextSeries {
   }
 
  private:
-  struct Line {
-    std::string text;
-    std::size_t number;  ///< in the file
-  };
+  /// Takes the lines that were kept until the first row, from the names on.
+  void begin_table() {
+    has_begun_ = true;
+    const std::size_t names = line_of_names(head_);
+    if (names > 0) {
+      layout_ = Layout{separator_of(head_.back().text)};
+      series_.notes.push_back(fmt::format("{} above the names, such as '{}', {} left out",
+                                          names == 1 ? "a line" : fmt::format("{} lines", names),
+                                          printable(head_.front().text), names == 1 ? "was" : "were"));
+    }
+    for (std::size_t i = names; i < head_.size(); ++i) take_content(head_[i].text, head_[i].number);
+    head_.clear();
+  }
 
   void take_content(std::string_view content, std::size_t number) {
     if (!layout_) layout_ = Layout{separator_of(content)};
@@ -276,8 +334,9 @@ class TextSeries {
   Series series_;
   std::optional<Layout> layout_;
   Dates dates_;
+  std::vector<Line> head_;      ///< before the table has begun
   std::optional<Line> remark_;  ///< the first after the rows
-  bool named_ = false, units_may_follow_ = false, preamble_ = false;
+  bool has_begun_ = false, named_ = false, units_may_follow_ = false, preamble_ = false;
   std::size_t line_number_ = 0;
 };
 

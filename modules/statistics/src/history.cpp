@@ -61,6 +61,29 @@ double distance_from_grid(std::span<const double> times, double step) {
   return largest;
 }
 
+/// Keeps the step of a history that was sampled evenly but lost a few samples: each interval is a whole number of
+/// steps.
+void keep_nominal_step(const std::vector<double>& times, double median, EvenHistory& even) {
+  double covered = 0.0, steps = 0.0;
+  std::vector<double> grid(times.size(), 0.0);  // steps since the first time of the piece
+  std::size_t n_intervals = 0;
+  for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p)
+    for (std::size_t i = even.cuts[p] + 1; i < even.cuts[p + 1]; ++i) {
+      const double n = std::max(1.0, std::round((times[i] - times[i - 1]) / median));
+      grid[i] = grid[i - 1] + n;
+      covered += times[i] - times[i - 1];
+      steps += n;
+      ++n_intervals;
+    }
+  const double step = covered / steps, lost = steps - static_cast<double>(n_intervals);
+  if (lost > kMostInGaps * steps) return;
+  for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p)
+    for (std::size_t i = even.cuts[p]; i < even.cuts[p + 1]; ++i)
+      if (std::abs(times[i] - times[even.cuts[p]] - step * grid[i]) > kEvenTolerance * step) return;
+  even.sampling.n_lost = static_cast<std::size_t>(lost);
+  if (even.sampling.n_lost > 0) even.sampling.step = step;
+}
+
 /// Pieces of one sample, which tell nothing about a grid.
 std::size_t n_single(const EvenHistory& even) {
   std::size_t n = 0;
@@ -119,10 +142,12 @@ EvenHistory make_even(const History& history, double longest_interval) {
   BRASH_EXPECTS(longest_interval >= 0.0, longest_interval);
   EvenHistory even;
   even.sampling.shortest = shortest_interval(history.times);
-  if (longest_interval == 0.0) longest_interval = kGapInSteps * median_interval(history.times);
+  const double median = median_interval(history.times);
+  if (longest_interval == 0.0) longest_interval = kGapInSteps * median;
   // A shortest interval beyond the limit leaves nothing to take a step from.
   longest_interval = std::max(longest_interval, even.sampling.shortest);
   cut(history.times, longest_interval, even);
+  keep_nominal_step(history.times, median, even);
   const double step = even.sampling.step;
   even.sampling.even = !is_mostly_single(even);
   for (std::size_t p = 0; p + 1 < even.cuts.size(); ++p)

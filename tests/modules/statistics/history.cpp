@@ -2,6 +2,7 @@
 #include "brash/statistics/history.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -44,6 +45,28 @@ BOOST_AUTO_TEST_CASE(pieces_with_one_step_are_even_wherever_they_begin) {
   const EvenHistory even = make_even(history);
   BOOST_TEST(even.sampling.even);
   BOOST_TEST(summarise(history, even).mean == 2.5, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(lost_samples_leave_the_step_as_it_is) {
+  History history;
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 50 == 20 || i % 50 == 21 || i == 333) continue;
+    history.times.push_back(0.02 * i);
+    history.values.push_back(std::sin(0.1 * i));
+  }
+  const EvenHistory even = make_even(history);
+  BOOST_TEST(even.sampling.step == 0.02, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(even.sampling.n_lost == 41U);
+  BOOST_TEST(even.sampling.gaps.empty());
+  BOOST_TEST_REQUIRE(even.resampled.size() == 1U);
+  BOOST_TEST(even.resampled.front().size() == 1000U);
+  // A change of the sampling rate is no loss, and steps that vary have no grid.
+  History slower;
+  add(slower, 0.0, 0.05, 400, 1.0);
+  add(slower, 20.0, 0.1, 200, 1.0);
+  BOOST_TEST(make_even(slower).sampling.n_lost == 0U);
+  for (std::size_t i = 0; i < history.times.size(); ++i) history.times[i] += 0.004 * std::sin(double(i));
+  BOOST_TEST(make_even(history).sampling.n_lost == 0U);
 }
 
 BOOST_AUTO_TEST_CASE(a_change_of_the_sampling_rate_is_told_from_gaps) {

@@ -16,8 +16,11 @@ namespace brash {
 /// @throws InputError when it is a folder, cannot be read or is larger.
 std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mebibytes = 256);
 
-/// Calls `take` with each line of a text file, without its end. The file is read in blocks, so a long one needs no
-/// room.
+/// The characters of a text file, as in_utf8() has them. @throws InputError as above.
+std::string read_characters(const std::string& path, const std::string& kind, std::size_t most_mebibytes = 256);
+
+/// Calls `take` with each line of a text file, without its end, in UTF-8 without a byte order mark. The file is read in
+/// blocks, so a long one needs no room, but for one in UTF-16.
 /// @throws InputError as above.
 void for_each_line(const std::string& path, const std::string& kind, const std::function<void(std::string_view)>& take,
                    std::size_t most_mebibytes = 256);

@@ -42,12 +42,13 @@ struct Series {
 /// Reads a table of at least two rows: netCDF when the name ends in .nc, else text.
 ///
 /// Text: numbers separated by semicolons, tabs, commas or blanks, the first of these that the first line holds; an
-/// optional first line of names (without it the names are 1, 2, ...); lines that begin with # are skipped. Cells may
-/// stand in quotes. Between semicolons or tabs the decimal mark may be a comma; one mark in the whole file. An empty
-/// cell, `nan`, `NaN`, `NA` or `-` is missing. A name may have a unit in brackets, `time [ms]`, `Fx (kN)`, between
-/// blanks too, or at its end, `time_ms`, `Fx_kN`; or the units stand in a line of their own under the names. Times: the
-/// column named `time`, `t` or the like, capitals or not; else the first of several, when it has a unit of time or the
-/// table has no names. Dates such as 2024-02-01T12:00:00 count in seconds from the first row on.
+/// optional first line of names (without it the names are 1, 2, ...); lines that begin with # are skipped. A title
+/// above the names is left out with a note. Cells may stand in quotes. Between semicolons or tabs the decimal mark may
+/// be a comma; one mark in the whole file. An empty cell, `nan`, `NaN`, `NA` or `-` is missing. A name may have a unit
+/// in brackets, `time [ms]`, `Fx (kN)`, between blanks too, or at its end, `time_ms`, `Fx_kN`; or the units stand in a
+/// line of their own under the names. Times: the column named `time`, `t` or the like, capitals or not; else the first
+/// of several, when it has a unit of time or the table has no names. Dates such as 2024-02-01T12:00:00 count in seconds
+/// from the first row on.
 ///
 /// OpenFAST's text output (.out): as text, from the line on that begins with Time. Remarks in words after the rows are
 /// left out with a note. Binary formats are refused by their names.

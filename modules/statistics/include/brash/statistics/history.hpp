@@ -24,12 +24,15 @@ struct Gap {
 
 /// How a history was sampled.
 struct Sampling {
-  double step = 0.0;      ///< mean time between samples [s]; gaps do not count, here and below
+  /// Time between samples [s]: the mean, or if only single samples are lost, the step of the others. Gaps do not count,
+  /// here and below.
+  double step = 0.0;
   double shortest = 0.0;  ///< time between two samples [s]
   double longest = 0.0;   ///< time between two samples [s]
   /// In each piece between gaps no time is further than a tenth of a step from an even grid of `step`, which begins at
   /// the first time of the piece. A history most of whose pieces have one sample is not even.
   bool even = true;
+  std::size_t n_lost = 0;  ///< samples that lack on an even grid of `step`, apart from gaps; 0 if there is no such grid
   std::vector<Gap> gaps;
 };
 
