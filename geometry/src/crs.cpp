@@ -40,6 +40,10 @@ std::string degrees_refused(std::string_view name) {
       name);
 }
 
+std::string crs_of_code(std::string_view code) {
+  return fmt::format(R"({{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}})", code);
+}
+
 std::string name_of_crs(std::string_view crs) {
   const nlohmann::json json = nlohmann::json::parse(crs, nullptr, false);
   const nlohmann::json::json_pointer name("/properties/name");

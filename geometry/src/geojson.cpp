@@ -37,8 +37,11 @@ class Reader {
     wants_lines_ = true;
     read();
     if (error_) return tl::unexpected(*error_);
+    lines_.left_out = left_out();
     return std::move(lines_);
   }
+
+  std::string left_out() const { return left_out_.to_string(); }
 
   /// The member `origin`: two numbers.
   tl::expected<std::optional<Origin>, GeometryError> origin() {
@@ -131,8 +134,10 @@ class Reader {
     const JsonNode* properties = find(node, "properties");
     if (properties != nullptr && properties->kind != Kind::kNull) read_properties(*properties, feature);
     const JsonNode* geometry = find(node, "geometry");
-    if (geometry == nullptr || geometry->kind == Kind::kNull) return fail(node, "the feature has no geometry");
-    read_geometry(*geometry, feature);
+    if (geometry == nullptr || geometry->kind == Kind::kNull)
+      ++left_out_.n_features;
+    else
+      read_geometry(*geometry, feature);
   }
 
   void read_properties(const JsonNode& properties, Feature& feature) {
@@ -144,8 +149,8 @@ class Reader {
     }
     if (const JsonNode* id = given(properties, "id")) {
       const std::optional<std::int64_t> whole = whole_number(*id);
-      if (!whole) return fail(properties, "\"id\" is no whole number of 64 bits");
-      feature.id = *whole;
+      left_out_.n_ids += whole ? 0 : 1;
+      feature.id = whole.value_or(feature.id);
     }
     feature.thickness = positive(properties, "thickness", "metres");
     feature.flexural_strength = positive(properties, "flexural_strength", "pascals");
@@ -233,10 +238,9 @@ class Reader {
     return Decimal(*number.integer);
   }
   static std::optional<Position> position_of(const JsonNode& node) {
-    if (node.kind != Kind::kArray || node.items.size() != 2 || node.items[0].kind != Kind::kNumber ||
-        node.items[1].kind != Kind::kNumber) {
+    const auto is_number = [](const JsonNode& item) { return item.kind == Kind::kNumber; };
+    if (node.kind != Kind::kArray || node.items.size() < 2 || !std::ranges::all_of(node.items, is_number))
       return std::nullopt;
-    }
     return Position{
         coordinate_of(node.items[0]), coordinate_of(node.items[1]), {node.items[0].number, node.items[1].number}};
   }
@@ -250,6 +254,7 @@ class Reader {
         fail(item, "a position of two numbers is expected");
         return {};
       }
+      left_out_.n_heights += item.items.size() > 2 ? 1 : 0;
       positions.push_back(*position);
     }
     if (ground_.survey != nullptr) ground_.survey->add(positions);
@@ -270,6 +275,7 @@ class Reader {
   Ground ground_;
   bool wants_lines_ = false, checks_ice_ = false;
   std::int64_t n_features_ = 0;
+  LeftOut left_out_;
   Lines lines_;
   std::vector<Feature> features_;
   std::optional<GeometryError> error_;
@@ -305,9 +311,11 @@ tl::expected<Map, GeometryError> map_of(std::string_view text, const JsonNode& r
   map.origin = origin.value_or(own_counts ? **own : survey.origin());
   map.looks_like_degrees = crs->empty() && !origin && !*own && could_be_degrees(survey);
   map.crs = *std::move(crs);
-  auto features = Reader(text, root, {map.origin}).features_with_ice();
+  Reader reader(text, root, {map.origin});
+  auto features = reader.features_with_ice();
   if (!features) return tl::unexpected(std::move(features).error());
   map.features = *std::move(features);
+  map.left_out = reader.left_out();
   return map;
 }
 
@@ -366,22 +374,39 @@ bool is_json(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
+tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin) {
+  Map map;
+  if (is_json(text)) {
+    const tl::expected<JsonNode, GeometryError> root = parse_json(text);
+    if (!root) return tl::unexpected(root.error());
+    auto crs = Reader(text, *root, {}).crs();
+    if (!crs) return tl::unexpected(std::move(crs).error());
+    Reader reader(text, *root, {origin});
+    auto features = reader.features();
+    if (!features) return tl::unexpected(std::move(features).error());
+    map = {*std::move(features), {}, *std::move(crs), false, reader.left_out()};
+  } else {
+    auto read = map_of_wkt(text, {origin});
+    if (!read) return read;
+    map = *std::move(read);
+  }
+  map.origin = origin;
+  return map;
+}
+
 tl::expected<Map, GeometryError> read_map(std::string_view text, const std::optional<Origin>& origin) {
   if (is_json(text)) {
     const tl::expected<JsonNode, GeometryError> root = parse_json(text);
     if (!root) return tl::unexpected(root.error());
     return map_of(text, *root, origin);
   }
-  Map map;
   Survey survey;
-  if (const auto read = polygons_of_wkt(text, {{}, &survey}); !read) return tl::unexpected(read.error());
-  map.origin = origin.value_or(survey.origin());
-  map.looks_like_degrees = !origin && could_be_degrees(survey);
-  auto polygons = polygons_of_wkt(text, {map.origin});
-  if (!polygons) return tl::unexpected(std::move(polygons).error());
-  for (Polygon& p : *polygons) {
-    map.features.push_back({std::move(p), "sheet", static_cast<std::int64_t>(map.features.size())});
-  }
+  if (const auto read = map_of_wkt(text, {{}, &survey}); !read) return tl::unexpected(read.error());
+  const Origin place = origin.value_or(survey.origin());
+  auto map = map_of_wkt(text, {place});
+  if (!map) return map;
+  map->origin = place;
+  map->looks_like_degrees = map->crs.empty() && !origin && could_be_degrees(survey);
   return map;
 }
 

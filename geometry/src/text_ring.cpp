@@ -102,6 +102,17 @@ tl::expected<std::vector<Crack>, std::string> cracks_from_positions(std::span<co
   return cracks;
 }
 
+std::string LeftOut::to_string() const {
+  std::string text;
+  const auto add = [&](std::size_t n, const char* what) {
+    if (n > 0) text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", what, n);
+  };
+  add(n_heights, "heights");
+  add(n_features, "features without geometry");
+  add(n_ids, "ids that are no whole numbers");
+  return text;
+}
+
 std::string fault_of(const Polygon& polygon) {
   const auto alone = IceSheet::from_polygons(std::span(&polygon, 1));
   if (alone) return {};

@@ -45,6 +45,14 @@ class Survey {
   std::optional<Origin> low_, high_;
 };
 
+/// Content of a text that the plan cannot hold.
+struct LeftOut {
+  std::size_t n_heights = 0, n_features = 0, n_ids = 0;
+
+  /// "heights (12), features without geometry (1)"; empty: nothing.
+  std::string to_string() const;
+};
+
 /// Where the positions of a text go: onto the grid around `origin`, or into a survey alone.
 struct Ground {
   Origin origin;
@@ -69,7 +77,7 @@ std::string position_to_text(Point point, char separator, const Origin& origin);
 /// The lines of a WKT text.
 tl::expected<Lines, GeometryError> lines_of_wkt(std::string_view text, const Origin& origin);
 
-/// The polygons of a WKT text on `ground`.
-tl::expected<std::vector<Polygon>, GeometryError> polygons_of_wkt(std::string_view text, const Ground& ground);
+/// The polygons of a WKT text on `ground`, as sheet. The map has no origin.
+tl::expected<Map, GeometryError> map_of_wkt(std::string_view text, const Ground& ground);
 
 }  // namespace brash::geometry

@@ -5,22 +5,31 @@
 #include <charconv>
 #include <optional>
 
+#include "brash/core/byte_order_mark.hpp"
 #include "brash/geometry/text.hpp"
+#include "crs.hpp"
 #include "text_ring.hpp"
 
 namespace brash::geometry {
 namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// Reads down a fixed grammar: geometry, polygon, ring, position. Nothing recurs, so no input overflows the stack.
 class Reader {
  public:
-  Reader(std::string_view text, const Ground& ground) : text_(text), ground_(ground) {}
+  Reader(std::string_view text, const Ground& ground)
+      : text_(text), ground_(ground), at_(text.size() - without_byte_order_mark(text).size()) {}
 
-  tl::expected<std::vector<Polygon>, GeometryError> polygons() {
-    return all<Polygon>("POLYGON", [this](std::vector<Polygon>& polygons) { read_polygon(polygons); });
+  tl::expected<Map, GeometryError> map() {
+    auto polygons = all<Polygon>("POLYGON", [this](std::vector<Polygon>& read) { read_polygon(read); });
+    if (!polygons) return tl::unexpected(std::move(polygons).error());
+    Map map{{}, {}, crs(), false, left_out_.to_string()};
+    for (Polygon& polygon : *polygons)
+      map.features.push_back({std::move(polygon), "sheet", static_cast<std::int64_t>(map.features.size())});
+    return map;
   }
   tl::expected<Lines, GeometryError> lines() {
     Lines lines;
@@ -31,6 +40,8 @@ class Reader {
     });
     if (!cracks) return tl::unexpected(std::move(cracks).error());
     lines.cracks = *std::move(cracks);
+    lines.crs = crs();
+    lines.left_out = left_out_.to_string();
     return lines;
   }
 
@@ -82,24 +93,55 @@ class Reader {
     const std::size_t start = at_;
     const std::string w = word();
     if (w == "EMPTY") return true;
-    if (!w.empty()) fail_at(start, fmt::format("'(' or EMPTY is expected, not {}: plan coordinates only", w));
+    if (!w.empty()) fail_at(start, fmt::format("'(' or EMPTY is expected, not {}", w));
     return false;
   }
 
+  /// The kind of the geometry here, without the Z, M or ZM of one with heights or measures.
+  std::string kind() {
+    std::string result = word();
+    while (result.ends_with('Z') || result.ends_with('M')) result.pop_back();
+    const std::size_t after = at_;
+    if (const std::string suffix = word(); suffix != "Z" && suffix != "M" && suffix != "ZM") at_ = after;
+    return result;
+  }
+
+  /// Takes "SRID=32633;", which PostGIS writes before a geometry. 0 is no code.
+  void take_srid() {
+    skip_space();
+    const std::size_t start = at_;
+    if (word() != "SRID") return void(at_ = start);
+    expect('=');
+    skip_space();
+    std::string code;
+    for (; !is_at_end() && is_digit(text_[at_]); ++at_) code += text_[at_];
+    expect(';');
+    if (code == "0") return;
+    const std::string name = "EPSG:" + code;
+    if (code.empty()) fail_at(start, "SRID= is followed by no code of EPSG");
+    if (is_geographic(name)) fail_at(start, degrees_refused(name));
+    if (!code_.empty() && code_ != code) fail_at(start, fmt::format("SRID={} stands after SRID={}", code, code_));
+    code_ = code;
+  }
+  std::string crs() const { return code_.empty() ? "" : crs_of_code(code_); }
+
   template <typename ReadMember>
   void read_geometry(std::string_view kind, const ReadMember& read_member) {
+    take_srid();
+    skip_space();
     const std::size_t start = at_;
-    const std::string found_kind = word();
+    const std::string found_kind = this->kind();
     const bool is_multi = found_kind == fmt::format("MULTI{}", kind);
     if (found_kind != kind && !is_multi) {
       return fail_at(start, fmt::format("{} or MULTI{} is expected, not {}", kind, kind,
                                         found_kind.empty() ? found() : found_kind));
     }
+    n_ordinates_ = 0;
     if (accept_empty() || error_) return;
     if (!is_multi) return read_member();
     expect('(');
     do {
-      read_member();
+      if (!accept_empty()) read_member();
     } while (!error_ && accept(','));
     expect(')');
   }
@@ -109,19 +151,32 @@ class Reader {
     expect('(');
     if (error_) return;
     polygon.outline = read_ring(false);
-    while (!error_ && accept(',')) polygon.holes.push_back(read_ring(true));
+    while (!error_ && accept(','))
+      if (!accept_empty()) polygon.holes.push_back(read_ring(true));
     expect(')');
     polygons.push_back(std::move(polygon));
+  }
+
+  /// The first position of a geometry decides how many numbers each has: a missing comma is no height.
+  Position read_position() {
+    constexpr int kMostOrdinates = 4;
+    Position position;
+    Coordinate passed_over;
+    position.nearest.x = number(position.x);
+    position.nearest.y = number(position.y);
+    int n = 2;
+    for (; !error_ && (n_ordinates_ > 0 ? n < n_ordinates_ : n < kMostOrdinates && is_at_number()); ++n)
+      number(passed_over);
+    n_ordinates_ = n;
+    left_out_.n_heights += n > 2 ? 1 : 0;
+    return position;
   }
 
   std::vector<Position> read_positions() {
     std::vector<Position> positions;
     expect('(');
     do {
-      Position position;
-      position.nearest.x = number(position.x);
-      position.nearest.y = number(position.y);
-      positions.push_back(position);
+      positions.push_back(read_position());
     } while (!error_ && accept(','));
     expect(')');
     if (ground_.survey != nullptr) ground_.survey->add(positions);
@@ -149,6 +204,11 @@ class Reader {
     cracks.insert(cracks.end(), read->begin(), read->end());
   }
 
+  bool is_at_number() {
+    skip_space();
+    return !is_at_end() && std::string_view("0123456789+-.nN").find(text_[at_]) != std::string_view::npos;
+  }
+
   /// The number here, also as the decimals that write it.
   double number(Coordinate& decimal) {
     if (error_) return 0.0;
@@ -170,7 +230,10 @@ class Reader {
 
   std::string_view text_;
   Ground ground_;
-  std::size_t at_ = 0;
+  std::size_t at_;
+  int n_ordinates_ = 0;  ///< of a position of the geometry here; 0: none is read
+  std::string code_;     ///< of EPSG, of the geometries
+  LeftOut left_out_;
   std::optional<GeometryError> error_;
 };
 
@@ -203,12 +266,16 @@ std::string to_wkt(std::span<const Polygon> polygons, const Origin& origin) {
   return is_one ? text : text + ')';
 }
 
-tl::expected<std::vector<Polygon>, GeometryError> polygons_of_wkt(std::string_view text, const Ground& ground) {
-  return Reader(text, ground).polygons();
+tl::expected<Map, GeometryError> map_of_wkt(std::string_view text, const Ground& ground) {
+  return Reader(text, ground).map();
 }
 
 tl::expected<std::vector<Polygon>, GeometryError> from_wkt(std::string_view text, const Origin& origin) {
-  return polygons_of_wkt(text, {origin});
+  auto map = map_of_wkt(text, {origin});
+  if (!map) return tl::unexpected(std::move(map).error());
+  std::vector<Polygon> polygons;
+  for (Feature& feature : map->features) polygons.push_back(std::move(feature.polygon));
+  return polygons;
 }
 
 tl::expected<std::vector<Crack>, GeometryError> cracks_from_wkt(std::string_view text, const Origin& origin) {

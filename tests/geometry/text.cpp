@@ -76,8 +76,7 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
   BOOST_TEST(fault_of_wkt("") == "line 1, column 1: there is no geometry: POLYGON or MULTIPOLYGON is expected");
   BOOST_TEST(fault_of_wkt("\n  LINESTRING (0 0, 1 1)") ==
              "line 2, column 3: POLYGON or MULTIPOLYGON is expected, not LINESTRING");
-  BOOST_TEST(fault_of_wkt("POLYGON Z ((0 0 0))") ==
-             "line 1, column 9: '(' or EMPTY is expected, not Z: plan coordinates only");
+  BOOST_TEST(fault_of_wkt("POLYGON T ((0 0, 1 0, 1 1, 0 0))") == "line 1, column 9: '(' or EMPTY is expected, not T");
   BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0,\n 1 x, 0 0))") == "line 2, column 4: a number is expected, not 'x'");
   BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 1 1 5, 0 0))") == "line 1, column 25: ')' is expected, not '5'");
   BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 1 1") == "line 1, column 24: ')' is expected, not the end of the text");
@@ -93,6 +92,32 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
   BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1e999 0, 0 1, 0 0))") == "line 1, column 16: the number is out of range");
   BOOST_TEST(fault_of_wkt("POLYGON ((0 0, 1 0, 1 1, 0 0)) trailing") ==
              "line 1, column 32: POLYGON or MULTIPOLYGON is expected, not TRAILING");
+}
+
+BOOST_AUTO_TEST_CASE(what_the_plan_has_not_is_left_out_and_counted) {
+  const Polygon triangle{box(0, 0, 1, 1), {}};
+  for (const char* const text :
+       {"\xef\xbb\xbfPOLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))", "POLYGON Z ((0 0 5, 1 0 5, 1 1 5, 0 1 nan, 0 0 5))",
+        "POLYGONZM ((0 0 5 2, 1 0 5 2, 1 1 5 2, 0 1 5 2, 0 0 5 2))", "polygon m((0 0 5,1 0 5,1 1 -5,0 1 .5,0 0 5))",
+        "POLYGON ((0 0 5, 1 0 5, 1 1 5, 0 1 5, 0 0 5))", "MULTIPOLYGON (EMPTY, ((0 0, 1 0, 1 1, 0 1, 0 0), EMPTY))",
+        "SRID=0;POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))",
+        "SRID=32633; MULTIPOLYGON Z EMPTY\nSRID=32633;"
+        "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"})
+    BOOST_TEST((from_wkt(text).value() == std::vector<Polygon>{triangle}), text);
+  const Map map = read_map("SRID=32633;POLYGON Z ((0 0 5, 1 0 5, 1 1 5, 0 1 5, 0 0 5))").value();
+  BOOST_TEST(map.left_out == "heights (5)");
+  BOOST_TEST(map.crs == R"({"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32633"}})");
+  BOOST_TEST(read_map("POLYGON ((0 0, 1 0, 1 1, 0 0))").value().left_out == "");
+  const Lines lines = read_lines("SRID=32633;MULTILINESTRING Z ((0 0 1, 1 2 1), EMPTY)").value();
+  BOOST_TEST((lines.n_cracks == std::vector<std::size_t>{1}));
+  BOOST_TEST(lines.left_out == "heights (2)");
+  BOOST_TEST(name_of_crs(lines.crs) == "urn:ogc:def:crs:EPSG::32633");
+  // A missing comma is no height, and degrees are no metres.
+  BOOST_TEST(fault_of_wkt("POLYGON ((0 0 4 0, 4 4, 0 0))") == "line 1, column 23: a number is expected, not ','");
+  BOOST_TEST(fault_of_wkt("SRID=4326;POLYGON EMPTY").starts_with("line 1, column 1: the coordinates are degrees"));
+  BOOST_TEST(fault_of_wkt("SRID=32633;POLYGON EMPTY SRID=32634;POLYGON EMPTY") ==
+             "line 1, column 26: SRID=32634 stands after SRID=32633");
+  BOOST_TEST(fault_of_wkt("SRID=;POLYGON EMPTY") == "line 1, column 1: SRID= is followed by no code of EPSG");
 }
 
 BOOST_AUTO_TEST_CASE(lines_are_read_as_the_cracks_between_their_positions) {
@@ -200,7 +225,7 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
   BOOST_TEST(fault_of_geojson("[]") == "line 1, column 1: an object with \"type\" is expected");
   BOOST_TEST(
       fault_of_geojson(R"({"type":"Point","coordinates":[0,0]})").starts_with("line 1, column 1: Point is not read"));
-  BOOST_TEST(fault_of_geojson("{\"type\":\"Polygon\",\n \"coordinates\":[[[0,0],[1,0],[1,1,5],[0,0]]]}") ==
+  BOOST_TEST(fault_of_geojson("{\"type\":\"Polygon\",\n \"coordinates\":[[[0,0],[1,0],[1],[0,0]]]}") ==
              "line 2, column 30: a position of two numbers is expected");
   BOOST_TEST(fault_of_geojson("{\"type\":\"Polygon\",\n \"coordinates\":[[[0,0],[1,0],[1,1],[0,1]]]}") ==
              "line 2, column 17: the ring is not closed: its last position is not its first");
@@ -208,10 +233,6 @@ BOOST_AUTO_TEST_CASE(faults_are_named_with_line_and_column) {
   BOOST_TEST(fault_of_geojson(R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"kind":"berg"},"geometry":null}]})") ==
              "line 2, column 32: \"kind\" = \"berg\" is neither \"sheet\" nor \"floe\"");
-  BOOST_TEST(fault_of_geojson(R"({"type":"Feature","geometry":null})") ==
-             "line 1, column 1: the feature has no geometry");
-  BOOST_TEST(fault_of_geojson(R"({"type":"Feature","properties":{"id":1.5},"geometry":null})") ==
-             "line 1, column 32: \"id\" is no whole number of 64 bits");
   BOOST_TEST(fault_of_geojson(std::string(1000000, '[')) == "line 1, column 65: nested deeper than 64");
 }
 
@@ -229,9 +250,22 @@ BOOST_AUTO_TEST_CASE(a_whole_number_may_be_written_with_a_point) {
   BOOST_TEST(from_geojson(with_properties(R"({"id":3.0})")).value().at(0).id == 3);
   BOOST_TEST(from_geojson(with_properties(R"({"id":-2e3})")).value().at(0).id == -2000);
   for (const char* id : {"3.5", "1e300", "9007199254740993.0", "\"3\"", "true"}) {
-    BOOST_TEST(fault_of_geojson(with_properties(fmt::format("{{\"id\":{}}}", id))) ==
-               "line 1, column 32: \"id\" is no whole number of 64 bits");
+    const Map map = read_map(with_properties(fmt::format("{{\"id\":{}}}", id))).value();
+    BOOST_TEST(map.features.at(0).id == 0);
+    BOOST_TEST(map.left_out == "ids that are no whole numbers (1)");
   }
+}
+
+BOOST_AUTO_TEST_CASE(heights_and_features_without_geometry_are_left_out_and_counted) {
+  const std::string text = R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":null},)"
+                           R"({"type":"Feature","properties":{}},{"type":"Feature","properties":{"id":"A-17"},)"
+                           R"("geometry":{"type":"Polygon","coordinates":[[[0,0,2],[1,0,2],[1,1,2,7],[0,0,2]]]}}]})";
+  const Map map = read_map(text).value();
+  BOOST_REQUIRE(map.features.size() == 1u);
+  BOOST_TEST(map.features[0].id == 2);
+  BOOST_TEST(map.left_out == "heights (4), features without geometry (2), ids that are no whole numbers (1)");
+  BOOST_TEST((read_polygons(text).value() == map));
+  BOOST_TEST(read_lines(R"({"type":"LineString","coordinates":[[0,0,1],[1,0,1]]})").value().left_out == "heights (2)");
 }
 
 BOOST_AUTO_TEST_CASE(ice_that_a_floe_cannot_have_is_refused) {

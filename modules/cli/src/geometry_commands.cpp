@@ -75,6 +75,7 @@ std::vector<Polygon> read_cutters(const std::string& path, const SheetFile& shee
     throw InputError(Complaint{path, map.error().what,
                                "POLYGON or MULTIPOLYGON (WKT) or their like in GeoJSON, in plan metres",
                                "correct the polygon; lines that split the ice go to --along"});
+  say_left_out(path, map->left_out);
   refuse_other_crs(path, map->crs, sheet);
   std::vector<Polygon> polygons;
   for (const Feature& f : map->features) polygons.push_back(f.polygon);
@@ -98,6 +99,7 @@ geometry::Lines read_lines(const std::string& path, const SheetFile& sheet) {
     throw InputError(Complaint{path, lines.error().what,
                                "LINESTRING or MULTILINESTRING (WKT) or their like in GeoJSON, in plan metres",
                                "correct the line; areas to take out are polygons and go to --cutters"});
+  say_left_out(path, lines->left_out);
   refuse_other_crs(path, lines->crs, sheet);
   lines->cracks = geometry::beyond_free_ends(std::move(lines->cracks));
   return *std::move(lines);

@@ -57,14 +57,18 @@ std::string crs_member(const std::string& name) {
         "--crs", fmt::format("'{}' is {}", printable(name), is_code ? "a system of degrees" : "no code of a system"),
         "EPSG:CODE of a projected system in metres, such as EPSG:32633",
         "name the system that field.origin belongs to"});
-  return fmt::format(R"({{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}})",
-                     name.substr(kEpsg.size()));
+  return geometry::crs_of_code(std::string_view(name).substr(kEpsg.size()));
 }
 
 Map read_map_file(const std::string& path, const std::optional<Origin>& origin) {
   auto map = geometry::read_map(read_characters(path, "a sheet (WKT or GeoJSON)", kMostMebibytes), origin);
   if (!map) refuse_polygons(path, map.error().what);
+  say_left_out(path, map->left_out);
   return *std::move(map);
+}
+
+void say_left_out(const std::string& path, const std::string& left_out) {
+  if (!left_out.empty()) say("note: {}: left out: {}\n", path, left_out);
 }
 
 void say_place(const std::string& path, const Map& map, bool origin_is_given) {

@@ -23,6 +23,9 @@ std::string crs_member(const std::string& name);
 /// @throws InputError naming file, line and column.
 geometry::Map read_map_file(const std::string& path, const std::optional<geometry::Origin>& origin);
 
+/// Says on stderr which content of a file was left out, if any.
+void say_left_out(const std::string& path, const std::string& left_out);
+
 /// Says on stderr which origin a map got from its data, and whether its coordinates could be degrees.
 void say_place(const std::string& path, const geometry::Map& map, bool origin_is_given);
 

@@ -39,18 +39,10 @@ std::string remedy_of(const std::string& text) {
 
 /// The polygons of a text, in its order; WKT knows no kinds, and no floes.
 std::vector<geometry::Feature> features_of(const std::string& text, const std::string& path, Vec2 origin) {
-  std::vector<geometry::Feature> features;
-  if (geometry::is_json(text)) {
-    auto read = geometry::from_geojson(text, geometry::origin_from_metres(origin));
-    if (!read) refuse(path, read.error().what, kAllowed, remedy_of(text));
-    features = std::move(*read);
-  } else {
-    auto read = geometry::from_wkt(text, geometry::origin_from_metres(origin));
-    if (!read) refuse(path, read.error().what, kAllowed, remedy_of(text));
-    for (geometry::Polygon& polygon : *read) features.push_back({std::move(polygon), "sheet"});
-  }
-  if (features.empty()) refuse(path, "holds no polygon", kAllowed, "name another file");
-  return features;
+  auto read = geometry::read_polygons(text, geometry::origin_from_metres(origin));
+  if (!read) refuse(path, read.error().what, kAllowed, remedy_of(text));
+  if (read->features.empty()) refuse(path, "holds no polygon", kAllowed, "name another file");
+  return std::move(read->features);
 }
 
 /// The polygons of a text, in its order.
@@ -67,8 +59,9 @@ void expect_no_overlap(const std::vector<geometry::Polygon>& polygons, const std
            "move or cut one of them; outlines may touch");
 }
 
-/// How many polygons a geometry has.
+/// How many polygons a geometry has; null has none.
 std::size_t n_polygons(const Json& geometry) {
+  if (!geometry.is_object()) return 0;
   const std::string type = geometry.value("type", "");
   if (type == "MultiPolygon") return geometry.at("coordinates").size();
   if (type != "GeometryCollection") return 1;
@@ -131,7 +124,7 @@ void add_properties(const std::string& text, const std::string& path, std::vecto
   for (const Json& feature : features) {
     expect_known_letters(feature, number, path);
     const GivenIce ice = given_ice(feature, number, path);
-    for (std::size_t n = n_polygons(feature.at("geometry")); n > 0 && floe < floes.size(); --n, ++floe) {
+    for (std::size_t n = n_polygons(feature.value("geometry", Json())); n > 0 && floe < floes.size(); --n, ++floe) {
       floes[floe].thickness = ice.thickness;
       floes[floe].flexural_strength = ice.flexural_strength;
     }
@@ -221,15 +214,22 @@ std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origi
   return polygons;
 }
 
+std::string left_out_of(const std::string& path, Vec2 origin, bool of_lines) {
+  const std::string text = read_characters(path, "file of the ice");
+  const geometry::Origin place = geometry::origin_from_metres(origin);
+  if (of_lines) return geometry::read_lines(text, place).value_or(geometry::Lines{}).left_out;
+  return geometry::read_polygons(text, place).value_or(geometry::Map{}).left_out;
+}
+
 std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin) {
   const std::string text = read_characters(path, "file of cracks");
-  auto cracks = geometry::is_json(text) ? geometry::cracks_from_geojson(text, geometry::origin_from_metres(origin))
-                                        : geometry::cracks_from_wkt(text, geometry::origin_from_metres(origin));
-  if (!cracks)
-    refuse(path, cracks.error().what, "LINESTRING or MULTILINESTRING in WKT, or their like in GeoJSON, in metres",
+  auto lines = geometry::read_lines(text, geometry::origin_from_metres(origin));
+  if (!lines)
+    refuse(path, lines.error().what, "LINESTRING or MULTILINESTRING in WKT, or their like in GeoJSON, in metres",
            "correct the line; areas of open water go to field.openings; the coordinates of a map need field.origin");
-  if (cracks->empty()) refuse(path, "holds no line", "one line or more", "name another file, or remove field.cracks");
-  return *std::move(cracks);
+  if (lines->cracks.empty())
+    refuse(path, "holds no line", "one line or more", "name another file, or remove field.cracks");
+  return std::move(lines->cracks);
 }
 
 }  // namespace brash::ice

@@ -31,6 +31,7 @@ Map read(const std::string& text, const py::object& origin) {
   const auto given = origin.is_none() ? std::nullopt : std::optional(origin_from(origin));
   auto map = geometry::read_map(text, given);
   if (!map) throw InputError("text: " + map.error().what);
+  warn_of_left_out("text", map->left_out);
   for (std::size_t i = 0; i < map->features.size(); ++i)
     if (const std::string fault = geometry::fault_of(map->features[i].polygon); !fault.empty())
       throw InputError(fmt::format("text: polygon {}: {}", i, fault));

@@ -16,21 +16,17 @@ namespace {
 
 using geometry::Polygon;
 
-template <typename Read>
-auto read_or_refuse(Read read, const std::string& text, const char* name) {
-  auto result = read(text);
-  if (result) return *std::move(result);
-  const bool is_far = result.error().what.find("is beyond") != std::string::npos;
-  throw InputError(fmt::format("{}: {}{}", name, result.error().what,
-                               is_far ? "; read_map() reads projected maps from an origin" : ""));
-}
-
 /// Polygons of a text. Where a map names sheet and floes, the floes are no part of the sheet, and read_map() gives
 /// them.
 std::vector<Polygon> from_text(const std::string& text, const char* name) {
-  if (!geometry::is_json(text))
-    return read_or_refuse([](const std::string& wkt) { return geometry::from_wkt(wkt); }, text, name);
-  auto features = read_or_refuse([](const std::string& json) { return geometry::from_geojson(json); }, text, name);
+  auto map = geometry::read_polygons(text);
+  if (!map) {
+    const bool is_far = map.error().what.find("is beyond") != std::string::npos;
+    throw InputError(fmt::format("{}: {}{}", name, map.error().what,
+                                 is_far ? "; read_map() reads projected maps from an origin" : ""));
+  }
+  warn_of_left_out(name, map->left_out);
+  std::vector<geometry::Feature>& features = map->features;
   const bool is_mixed = std::ranges::any_of(features, [](const auto& f) { return f.kind == "floe"; }) &&
                         std::ranges::any_of(features, [](const auto& f) { return f.kind == "sheet"; });
   std::vector<Polygon> polygons;
@@ -63,6 +59,10 @@ std::optional<std::vector<Polygon>> polygons_of(py::handle value, const char* na
 }
 
 }  // namespace
+
+void warn_of_left_out(const std::string& name, const std::string& left_out) {
+  if (!left_out.empty()) py::module_::import("warnings").attr("warn")(fmt::format("{}: left out: {}", name, left_out));
+}
 
 std::vector<Polygon> to_polygons(py::handle value, const char* name) {
   if (auto known = polygons_of(value, name)) return *std::move(known);

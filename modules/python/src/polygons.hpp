@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
 #include <vector>
 
 #include "brash/geometry/polygon.hpp"
@@ -16,6 +17,9 @@ geometry::Polygon to_polygon(pybind11::handle value, const char* name);
 
 /// Several of them: a sequence of such values, or one value, which may then be a multi-polygon.
 std::vector<geometry::Polygon> to_polygons(pybind11::handle value, const char* name);
+
+/// Warns of content that was left out, such as "heights (12)".
+void warn_of_left_out(const std::string& name, const std::string& left_out);
 
 /// A polygon without holes.
 geometry::Ring to_ring(pybind11::handle value, const char* name);

@@ -344,6 +344,7 @@ Warnings case_warnings(const model::Case& c, const DerivedScales& scales, const 
   Warnings warnings;
   add_ice_warnings(c, warnings);
   add_idle_file_warnings(c, warnings);
+  add_left_out_warnings(c, warnings);
   add_floe_number_warning(c, warnings);
   add_variation_warnings(c, scales, warnings);
   add_field_warnings(c, scales, warnings);

@@ -21,6 +21,7 @@ void add_ice_warnings(const model::Case& resolved, Warnings& warnings);
 
 /// Files of openings, cracks and land that lie off the ice.
 void add_idle_file_warnings(const model::Case& resolved, Warnings& warnings);
+void add_left_out_warnings(const model::Case& resolved, Warnings& warnings);
 
 /// A field of more floes than have been run.
 void add_floe_number_warning(const model::Case& resolved, Warnings& warnings);

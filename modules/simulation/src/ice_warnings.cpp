@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "brash/core/error.hpp"
 #include "brash/ice/floe_field.hpp"
@@ -186,6 +187,18 @@ void add_idle_file_warnings(const model::Case& c, Warnings& warnings) {
                                     "unit and the order of its axes",
                                     file.key, does_nothing, box(file.reach), box(file.ice),
                                     c.field.origin == Vec2{} ? "write" : "correct")});
+  }
+}
+
+void add_left_out_warnings(const model::Case& c, Warnings& warnings) {
+  const model::FieldSection& field = c.field;
+  const std::pair<const char*, const std::string&> files[] = {
+      {"file", field.file}, {"openings", field.openings}, {"cracks", field.cracks}, {"shore", field.shore}};
+  for (const auto& [key, path] : files) {
+    if (path.empty()) continue;
+    const bool of_lines = &path == &field.cracks;
+    const std::string left_out = or_nothing([&] { return ice::left_out_of(path, field.origin, of_lines); });
+    if (!left_out.empty()) warnings.push_back({"left-out", fmt::format("field.{}: left out: {}", key, left_out)});
   }
 }
 

@@ -67,6 +67,17 @@ BOOST_AUTO_TEST_CASE(geojson_gives_each_floe_its_ice) {
   BOOST_TEST(floes[2].flexural_strength.value() == 4e5);
 }
 
+BOOST_AUTO_TEST_CASE(features_without_geometry_keep_the_ice_of_the_others_at_its_place) {
+  const std::string text =
+      collection(R"({"type":"Feature","properties":{"thickness":0.9},"geometry":null},)" +
+                 feature("Polygon", "[[[0,5,1],[4,5,1],[4,9,1],[0,5,1]]]", R"({"thickness":0.5})"));
+  const auto floes = read(text);
+  BOOST_REQUIRE(floes.size() == 1u);
+  BOOST_TEST(floes[0].thickness.value() == 0.5);
+  BOOST_TEST(left_out_of(write(text), {}, false) == "heights (4), features without geometry (1)");
+  BOOST_TEST(left_out_of(write("LINESTRING Z (0 0 1, 1 1 1)"), {}, true) == "heights (2)");
+}
+
 BOOST_AUTO_TEST_CASE(a_property_in_other_letters_beside_the_known_one_is_left_alone) {
   const auto floes = read(collection(feature("Polygon", kSquare, R"({"thickness":0.5,"THICKNESS":"50 cm"})")));
   BOOST_TEST(floes.front().thickness.value() == 0.5);

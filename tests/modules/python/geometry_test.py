@@ -100,6 +100,12 @@ FAR_MAP = """{"type":"FeatureCollection","crs":{"type":"name","properties":{"nam
 
 
 class Maps(unittest.TestCase):
+    def test_what_a_text_has_and_the_plan_has_not_is_warned_of(self):
+        text = "POLYGON Z ((0 0 1, 1 0 1, 1 1 1, 0 0 1))"
+        for read in (brash.Polygon.read, brash.IceSheet, brash.read_map):
+            with self.assertWarnsRegex(UserWarning, r"left out: heights \(4\)"):
+                read(text)
+
     def test_a_projected_map_is_read_from_its_origin_and_written_as_it_was(self):
         ice = brash.read_map(FAR_MAP)
         self.assertEqual((ice.origin, ice.kinds, ice.ids), ((500000, 9000000), ["sheet", "floe"], [0, 5]))

@@ -21,7 +21,8 @@ namespace brash::geometry {
 ///                digits, else the fewest decimals that read to the same grid point.
 std::string to_wkt(std::span<const Polygon> polygons, const Origin& origin = {});
 
-/// Reads POLYGON and MULTIPOLYGON geometries, one or several after one another; lower case and EMPTY too.
+/// Reads POLYGON and MULTIPOLYGON geometries, one or several after one another; lower case and EMPTY too. Heights and
+/// measures (Z, M, ZM) are passed over; `SRID=32633;` before a geometry is the code of its coordinate reference system.
 ///
 /// Coordinates are plan metres within +-kMaxCoordinate of `origin`. Their difference from it is exact in decimals and
 /// is then rounded to the grid. Rings must be closed (the last position equals the first) and keep an area on the grid;
@@ -45,6 +46,7 @@ struct Lines {
   std::vector<Crack> cracks;          ///< of all lines, in their order
   std::vector<std::size_t> n_cracks;  ///< of each line; 0 if all its positions fall on one grid point
   std::string crs;                    ///< as in Map
+  std::string left_out;               ///< as in Map
 };
 
 /// Reads lines of WKT or GeoJSON as cracks_from_wkt() and cracks_from_geojson() do, and keeps them apart.
@@ -74,12 +76,16 @@ struct Map {
   std::string crs;
   /// Nothing says what the coordinates are, and all could be longitudes and latitudes beyond 40 degrees.
   bool looks_like_degrees = false;
+  /// Content of the text that the plan cannot hold, such as "heights (12), features without geometry (1)".
+  std::string left_out{};
 
   friend bool operator==(const Map&, const Map&) = default;
 };
 
 /// The name in a member `crs`, such as "urn:ogc:def:crs:EPSG::32633"; empty if it has none.
 std::string name_of_crs(std::string_view crs);
+/// The member `crs` for a code of EPSG, such as 32633.
+std::string crs_of_code(std::string_view code);
 /// Whether two names stand for one coordinate reference system: they have the same code of EPSG, or are the same.
 bool are_same_crs(std::string_view a, std::string_view b);
 
@@ -99,10 +105,14 @@ std::string map_to_geojson(const Map& map);
 /// Reads a FeatureCollection, Feature, Polygon, MultiPolygon or GeometryCollection, nested up to 64 deep.
 ///
 /// Rings as in from_wkt(). A geographic `crs`, whose coordinates are degrees, is an error. Without `kind` a feature is
-/// `sheet`, without `id` it has its number in the file, from 0; null is as good as none. The members of a multi-part
-/// feature share both. Every other property and member is passed over; another geometry, a height in a position or a
-/// feature without geometry is an error, also with line and column.
+/// `sheet`; without `id`, or with one that is no whole number, it has its number in the file, from 0; null is as good
+/// as none. The members of a multi-part feature share both. Every other property and member is passed over, and so are
+/// heights and features without geometry; another geometry is an error, also with line and column.
 tl::expected<std::vector<Feature>, GeometryError> from_geojson(std::string_view text, const Origin& origin = {});
+
+/// Reads polygons of WKT or GeoJSON as from_wkt() and from_geojson() do, with their crs and left_out. It checks
+/// no ice of the features.
+tl::expected<Map, GeometryError> read_polygons(std::string_view text, const Origin& origin = {});
 
 /// Reads a WKT or GeoJSON text onto the grid around an origin.
 ///

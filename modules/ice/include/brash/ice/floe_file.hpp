@@ -53,6 +53,11 @@ GivenLevelIce read_level_ice(const std::string& path, const model::FieldSection&
 /// @throws InputError likewise.
 std::vector<geometry::Polygon> read_openings(const std::string& path, Vec2 origin);
 
+/// Content of a file that these functions pass over, such as "heights (12)"; empty: none, or it cannot be read.
+/// @param of_lines  whether it is a file of cracks.
+/// @throws InputError when the file cannot be opened.
+std::string left_out_of(const std::string& path, Vec2 origin, bool of_lines);
+
 /// Reads the straight pieces of lines from WKT or GeoJSON. @throws InputError naming file and place.
 std::vector<geometry::Crack> read_cracks(const std::string& path, Vec2 origin);
 
