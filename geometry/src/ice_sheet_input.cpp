@@ -73,6 +73,14 @@ std::string find_crossing(const Input& input) {
   return found;
 }
 
+/// The fault of the polygon with the number `i`, or nothing.
+std::string fault_alone(const Polygon& polygon, std::size_t i) {
+  const auto alone = IceSheet::from_polygons(std::span(&polygon, 1));
+  if (alone) return {};
+  const std::string &fault = alone.error().what, name = polygon_name(0);
+  return polygon_name(i) + (fault.starts_with(name) ? fault.substr(name.size()) : ": " + fault);
+}
+
 /// Leads an edge through the vertices in whose pixels it comes.
 void Input::route(int from, int to, std::vector<NodedEdge>& noded) const {
   const Point a = nodes[from];
@@ -105,6 +113,9 @@ void Input::route(int from, int to, std::vector<NodedEdge>& noded) const {
 tl::expected<IceSheet, GeometryError> IceSheet::from_polygons(std::span<const Polygon> polygons) {
   Input input;
   std::string fault;
+  // Each polygon with holes is checked alone: among others a hole may lie in one that is not its own.
+  for (std::size_t i = 0; i < polygons.size() && polygons.size() > 1 && fault.empty(); ++i)
+    if (!polygons[i].holes.empty()) fault = fault_alone(polygons[i], i);
   for (std::size_t i = 0; i < polygons.size() && fault.empty(); ++i) {
     fault = add_ring(input, polygons[i].outline, false, i);
     for (const Ring& hole : polygons[i].holes) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brash/core/contract.hpp"
+
 namespace brash::geometry {
 namespace {
 
@@ -121,6 +123,12 @@ std::string fault_of(const Polygon& polygon) {
     if (fault.starts_with(name)) fault.remove_prefix(name.size());
   }
   return std::string(fault);
+}
+
+IceSheet checked_sheet(std::span<const Polygon> polygons) {
+  auto sheet = IceSheet::from_polygons(polygons);
+  BRASH_EXPECTS(sheet.has_value(), sheet.has_value() ? "" : sheet.error().what);
+  return *std::move(sheet);
 }
 
 std::string position_to_text(Point point, char separator, const Origin& origin) {

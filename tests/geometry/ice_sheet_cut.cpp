@@ -69,12 +69,14 @@ BOOST_AUTO_TEST_CASE(polygons_that_cross_overlap_or_nest_are_refused_with_the_pl
       {{box(0, 0, 4, 4), {}}, {box(0, 0, 4, 4), {}}},
       {{box(0, 0, 4, 4), {box(5, 5, 6, 6)}}},
       {{ring(std::vector<Vec2>{{0, 0}, {2, 2}, {2, 0}, {0, 3}}), {}}},
+      {{box(0, 0, 10, 10), {}}, {box(20, 0, 30, 10), {box(2, 2, 4, 4)}}},
   };
   for (const auto& polygons : wrong) {
     const auto sheet = IceSheet::from_polygons(polygons);
     BOOST_TEST_REQUIRE(!sheet.has_value());
     BOOST_TEST(sheet.error().what.find('(') != std::string::npos, sheet.error().what);
   }
+  BOOST_TEST(IceSheet::from_polygons(wrong.back()).error().what == "polygon 1: there is no ice for a hole at (2, 2)");
   const std::vector<Polygon> thin = {{brash::geometry::shapes::units({{0, 0}, {1, 1}, {2, 2}}), {}}};
   BOOST_TEST(!IceSheet::from_polygons(thin).has_value());
 }

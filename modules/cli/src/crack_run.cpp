@@ -86,7 +86,7 @@ std::vector<Crack> CrackRun::seams() const {
   std::vector<Crack> edges;
   std::size_t n_parts = 0;
   for (const Polygon& polygon : given_) {
-    for (const Polygon& part : IceSheet::from_polygons(std::span(&polygon, 1))->polygons()) {
+    for (const Polygon& part : geometry::checked_sheet({&polygon, 1}).polygons()) {
       ++n_parts;
       geometry::visit_edges(part, [&](geometry::Point from, geometry::Point to) { edges.push_back({from, to}); });
     }
@@ -97,7 +97,7 @@ std::vector<Crack> CrackRun::seams() const {
 
 void CrackRun::split_floes(std::span<const Crack> cracks) {
   for (const Feature& floe : std::exchange(floes_, {})) {
-    auto ice = IceSheet::from_polygons(std::span(&floe.polygon, 1)).value();
+    IceSheet ice = geometry::checked_sheet({&floe.polygon, 1});
     const geometry::ExactArea laid_down = ice.area();
     const std::size_t n_parts = ice.n_parts(), n_holes = n_holes_of(ice.polygons());
     geometry::Cut cut = ice.cut(box_around(ice), cracks);
@@ -131,7 +131,7 @@ std::vector<bool> lines_inside(const geometry::Lines& lines, const std::vector<F
   each.reserve(features.size());
   for (const Feature& f : features) {
     boxes.push_back(geometry::extent(f.polygon));
-    each.push_back(IceSheet::from_polygons(std::span(&f.polygon, 1)).value());
+    each.push_back(geometry::checked_sheet({&f.polygon, 1}));
   }
   const auto is_in_ice = [&](const Crack& crack) {
     const Vec2 a = geometry::metres(crack.from), b = geometry::metres(crack.to);

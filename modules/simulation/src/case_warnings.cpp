@@ -9,7 +9,7 @@
 #include <string>
 
 #include "brash/failure/response_model.hpp"
-#include "brash/geometry/ice_sheet.hpp"
+#include "brash/geometry/text.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/ice/variation.hpp"
 #include "brash/simulation/run.hpp"
@@ -321,14 +321,14 @@ void add_model_warnings(const model::Case& c, const DerivedScales& scales, const
 void add_land_warning(const model::Case& c, Warnings& warnings) {
   if (c.field.shore.empty()) return;
   constexpr int kSamples = 400;
-  const auto land = geometry::IceSheet::from_polygons(ice::read_outlines(c.field.shore, c.field.origin));
+  const geometry::IceSheet land = geometry::checked_sheet(ice::read_outlines(c.field.shore, c.field.origin));
   const auto hull = structure::make_hull(c.structure);
   const Freeboard heights = freeboard(c);
   for (int i = 0; i <= kSamples; ++i) {
     const double time = c.time.duration * i / kSamples;
     const Pose pose = structure::unresisted(c.structure, time);
     for (const structure::Outline& section : hull->footprint(pose, heights.bottom, heights.top).leading) {
-      const std::vector<geometry::Polygon> under = land->within(geometry::ring(section));
+      const std::vector<geometry::Polygon> under = land.within(geometry::ring(section));
       if (under.empty()) continue;
       const Vec2 at = geometry::centroid(under.front());
       warnings.push_back({"over-land", fmt::format("the structure passes over the land of field.shore at ({:.4g}, "

@@ -10,6 +10,7 @@
 
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
+#include "brash/geometry/text.hpp"
 #include "brash/ice/floe_field.hpp"
 #include "brash/ice/floe_file.hpp"
 #include "brash/model/case_keys.hpp"
@@ -54,9 +55,9 @@ void expect_clear_start(const model::Case& resolved, const structure::Hull& hull
     if (!file.empty()) files += fmt::format("{}field.{} = {}", files.empty() ? "" : ", ", key, file);
   });
   for (const Polygon& outline : outlines) {
-    const auto ice = geometry::IceSheet::from_polygons(std::span(&outline, 1));
+    const geometry::IceSheet ice = geometry::checked_sheet({&outline, 1});
     for (const Ring& ring : structure_at_start(resolved, hull))
-      expect_clear(*ice, ring, files, "the structure starts inside the ice",
+      expect_clear(ice, ring, files, "the structure starts inside the ice",
                    "change structure.start_distance, or take the ice away there");
   }
 }
@@ -75,12 +76,12 @@ std::vector<ice::GivenFloe> floes_of_file(const model::Case& resolved, const std
   std::vector<ice::GivenFloe> floes = ice::read_floes(file, resolved.field);
   std::vector<Polygon> outlines;
   for (const ice::GivenFloe& floe : floes) outlines.push_back(floe.outline);
-  const auto all = geometry::IceSheet::from_polygons(outlines);
+  const geometry::IceSheet all = geometry::checked_sheet(outlines);
   for (const Ring& ring : structure)
-    expect_clear(*all, ring, file, "the structure starts inside a floe",
+    expect_clear(all, ring, file, "the structure starts inside a floe",
                  "change structure.start_distance, or remove the floe");
   for (const Ring& land : land_of(resolved))
-    expect_clear(*all, land, file, "a floe lies on the land of field.shore", "move or cut the floe, or the shore");
+    expect_clear(all, land, file, "a floe lies on the land of field.shore", "move or cut the floe, or the shore");
   return floes;
 }
 

@@ -347,6 +347,17 @@ BOOST_AUTO_TEST_CASE(a_cut_that_meets_no_ice_is_told) {
   BOOST_TEST(notes("--events", write("one.csv", "0,5,2,3\n")) == "");
 }
 
+BOOST_AUTO_TEST_CASE(a_hole_in_another_polygon_is_refused_whatever_cuts) {
+  const std::string sheet = write("sheet.wkt",
+                                  "MULTIPOLYGON (((0 0,10 0,10 10,0 10,0 0)),"
+                                  "((20 0,30 0,30 10,20 10,20 0),(2 2,4 2,4 4,2 4,2 2)))");
+  const std::string line = write("line.wkt", "LINESTRING (5 -1, 5 11)"), events = write("events.csv", "0,5,2,3\n"),
+                    cutter = write("cutter.wkt", "POLYGON ((4 4, 6 4, 6 6, 4 4))");
+  for (const auto& [option, file] : {std::pair{"--along", line}, {"--events", events}, {"--cutters", cutter}})
+    refused({"crack", "--sheet", sheet, option, file}, "polygon 1: there is no ice for a hole at (2, 2)");
+  refused({"pieces", sheet}, "there is no ice for a hole");
+}
+
 BOOST_AUTO_TEST_CASE(lines_split_floes_which_keep_what_is_theirs) {
   const auto square = [](const std::string& properties, int x) {
     return fmt::format(R"({{"type":"Feature","properties":{0},"geometry":{{"type":"Polygon","coordinates":)"

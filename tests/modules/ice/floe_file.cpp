@@ -112,6 +112,8 @@ BOOST_AUTO_TEST_CASE(faults_are_refused_with_their_place) {
   refuses(collection(feature("Polygon", kSquare, R"({"Thickness":0.5})")), "has the property Thickness");
   refuses(collection(feature("Polygon", kSquare, R"({"FLEXURAL_STRENGTH":4e5})")), "write flexural_strength");
   refuses("POLYGON EMPTY", "holds no polygon");
+  refuses("POLYGON((0 0, 8 0, 8 8, 0 8, 0 0)) POLYGON((9 0, 15 0, 15 8, 9 8, 9 0), (2 2, 4 2, 4 4, 2 4, 2 2))",
+          "polygon 1: there is no ice for a hole at (2, 2)");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -100,6 +100,12 @@ FAR_MAP = """{"type":"FeatureCollection","crs":{"type":"name","properties":{"nam
 
 
 class Maps(unittest.TestCase):
+    def test_a_hole_in_another_polygon_is_refused(self):
+        text = ("MULTIPOLYGON (((0 0,10 0,10 10,0 10,0 0)),((20 0,30 0,30 10,20 10,20 0),(2 2,4 2,4 4,2 4,2 2)))")
+        for read in (brash.IceSheet, brash.read_map):
+            with self.assertRaisesRegex(brash.InputError, r"polygon 1: there is no ice for a hole"):
+                read(text)
+
     def test_what_a_text_has_and_the_plan_has_not_is_warned_of(self):
         text = "POLYGON Z ((0 0 1, 1 0 1, 1 1 1, 0 0 1))"
         for read in (brash.Polygon.read, brash.IceSheet, brash.read_map):

@@ -96,6 +96,9 @@ bool is_geographic(std::string_view name);
 /// Why a polygon is not simple by itself, such as "crosses itself at (5, 4.5)"; empty if it is.
 std::string fault_of(const Polygon& polygon);
 
+/// The sheet of polygons that fault_of() or IceSheet::from_polygons() has checked: simple and disjoint ones.
+IceSheet checked_sheet(std::span<const Polygon> polygons);
+
 /// A FeatureCollection, one feature a line. Properties: `kind`, `id`, `area` [m2] and `area_exact`, every digit of the
 /// area as text.
 std::string to_geojson(std::span<const Feature> features);
