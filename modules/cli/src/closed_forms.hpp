@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -27,6 +28,16 @@ std::optional<tl::expected<standards::LindqvistLoad, standards::NotApplicable>> 
 /// Closed-form loads for a case, SI, each with components, inputs, source and where it applies: Croasdale, Ralston with
 /// both yield criteria, Nevel's wedges, Lindqvist for a hull.
 nlohmann::ordered_json closed_form_loads(const model::Case& resolved);
+
+/// A unit of a table's numbers.
+struct TableUnit {
+  double one;        ///< of SI
+  std::string name;  ///< such as kN
+};
+
+/// The unit in which the largest of `values` has a digit before the point: kilo-, or at the scale of a basin less.
+/// @param si  the unit of the values, such as N. Values that are not finite do not count.
+TableUnit unit_for(std::span<const double> values, const char* si);
 
 /// The same as text for a reader.
 std::string loads_text(const nlohmann::ordered_json& loads);

@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,6 @@ namespace brash::cli {
 using nlohmann::ordered_json;
 
 namespace {
-
-constexpr double kKilo = 1e3;
 
 /// The unit of an input, which has one in all formulas.
 std::string unit_of(const std::string& name) {
@@ -37,7 +37,7 @@ std::string unit_of(const std::string& name) {
 std::string quantity_text(double value, const std::string& unit) {
   if (unit == "Pa" && value >= 1e9) return fmt::format("{:.4g} GPa", value / 1e9);
   if (unit == "Pa" && value >= 1e6) return fmt::format("{:.4g} MPa", value / 1e6);
-  if (unit == "Pa") return fmt::format("{:.4g} kPa", value / kKilo);
+  if (unit == "Pa") return fmt::format("{:.4g} kPa", value / 1e3);
   if (unit == "rad") return fmt::format("{:.4g} deg", value / radians(1.0));
   const std::string shown = unit == "1" ? "" : unit == "kg m-3" ? " kg/m3" : unit == "m s-1" ? " m/s" : " " + unit;
   return fmt::format("{:.4g}{}", value, shown);
@@ -82,9 +82,22 @@ std::string inputs_text(const ordered_json& loads) {
 
 }  // namespace
 
+TableUnit unit_for(std::span<const double> values, const char* si) {
+  double largest = 0.0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  if (largest == 0.0 || largest >= 1e3) return {1e3, fmt::format("k{}", si)};
+  return largest >= 1.0 ? TableUnit{1.0, si} : TableUnit{1e-3, fmt::format("m{}", si)};
+}
+
 std::string loads_text(const ordered_json& loads) {
-  std::string text = fmt::format("{}: closed-form loads [kN], {}\n  horizontal  vertical  method\n",
-                                 loads["case"].get<std::string>(), loads["kind"].get<std::string>());
+  std::vector<double> all;
+  for (const ordered_json& load : loads["loads"])
+    for (const char* const direction : {"horizontal", "vertical"})
+      if (load.contains(direction)) all.push_back(load[direction].get<double>());
+  const TableUnit unit = unit_for(all, "N");
+  std::string text = fmt::format("{}: closed-form loads [{}], {}\n  horizontal  vertical  method\n",
+                                 loads["case"].get<std::string>(), unit.name, loads["kind"].get<std::string>());
   for (const ordered_json& load : loads["loads"]) {
     const auto method = load["method"].get<std::string>(), source = load["source"].get<std::string>();
     if (load.contains("not_applicable")) {
@@ -93,12 +106,12 @@ std::string loads_text(const ordered_json& loads) {
       continue;
     }
     const std::string vertical =
-        load.contains("vertical") ? fmt::format("{:.1f}", load["vertical"].get<double>() / kKilo) : "-";
-    text += fmt::format("  {:10.1f}{:>10}  {}; {}\n{:24}", load["horizontal"].get<double>() / kKilo, vertical, method,
-                        source, "");
+        load.contains("vertical") ? fmt::format("{:.1f}", load["vertical"].get<double>() / unit.one) : "-";
+    text += fmt::format("  {:10.1f}{:>10}  {}; {}\n{:24}", load["horizontal"].get<double>() / unit.one, vertical,
+                        method, source, "");
     std::string separator;
     for (const auto& [name, value] : load["components"].items()) {
-      text += fmt::format("{}{} {:.1f}", separator, name, value.get<double>() / kKilo);
+      text += fmt::format("{}{} {:.1f}", separator, name, value.get<double>() / unit.one);
       separator = ", ";
     }
     text += load.contains("in_range") && !load["in_range"].get<bool>() ? "; outside the formula's range\n" : "\n";

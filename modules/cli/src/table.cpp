@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "brash/io/origin.hpp"
@@ -14,35 +15,43 @@
 namespace brash::cli {
 namespace {
 
-constexpr double kKilo = 1e3;
+/// The unit of a run's loads.
+TableUnit load_unit(const simulation::RunSummary& s) {
+  const std::array loads{s.mean_horizontal_whole, s.mean_vertical_whole, s.maximum_horizontal_whole,
+                         s.maximum_vertical_whole};
+  return unit_for(loads, "N");
+}
 
 std::string load_row(const simulation::RunSummary& run, const char* name, const statistics::Summary& s,
-                     const simulation::LoadSplit& split) {
-  const std::string interval = !simulation::bears_interval(run, s)
-                                   ? "[no interval]"
-                                   : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / kKilo, s.mean_95.upper / kKilo);
-  return fmt::format("  {:<11}{:>8.1f}  {}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name, s.mean / kKilo,
-                     interval, s.standard_deviation / kKilo, s.quantile_99 / kKilo, s.maximum / kKilo,
-                     split.crushing / kKilo, split.floe_normal / kKilo, split.floe_friction / kKilo);
+                     const simulation::LoadSplit& split, const TableUnit& unit) {
+  const std::string interval =
+      !simulation::bears_interval(run, s)
+          ? "[no interval]"
+          : fmt::format("[{:.1f}, {:.1f}]", s.mean_95.lower / unit.one, s.mean_95.upper / unit.one);
+  return fmt::format("  {:<11}{:>8.1f}  {}{:>9.1f}{:>9.1f}{:>10.1f}  {:>9.1f}{:>9.1f}{:>10.1f}\n", name,
+                     s.mean / unit.one, interval, s.standard_deviation / unit.one, s.quantile_99 / unit.one,
+                     s.maximum / unit.one, split.crushing / unit.one, split.floe_normal / unit.one,
+                     split.floe_friction / unit.one);
 }
 
 std::string loads(const simulation::RunSummary& s) {
+  const TableUnit unit = load_unit(s);
   const std::string whole = fmt::format(
       "  over the whole run: mean {:.1f} horizontal, {:.1f} vertical; largest {:.1f} horizontal, {:.1f} vertical\n",
-      s.mean_horizontal_whole / kKilo, s.mean_vertical_whole / kKilo, s.maximum_horizontal_whole / kKilo,
-      s.maximum_vertical_whole / kKilo);
+      s.mean_horizontal_whole / unit.one, s.mean_vertical_whole / unit.one, s.maximum_horizontal_whole / unit.one,
+      s.maximum_vertical_whole / unit.one);
   if (std::isnan(s.horizontal.mean))
     return fmt::format(
-               "loads on the structure [kN]\n  none from t = {:.2f} s on: the run is over before its statistics begin "
+               "loads on the structure [{}]\n  none from t = {:.2f} s on: the run is over before its statistics begin "
                "(output.statistics_from)\n",
-               s.window.from) +
+               unit.name, s.window.from) +
            whole;
   std::string text = fmt::format(
-      "loads on the structure [kN], from t = {:.2f} s on, up to {:.2f} s\n  begins when {}\n  ends when {}\n",
-      s.window.from, s.window.until, s.window.begins, s.window.ends);
+      "loads on the structure [{}], from t = {:.2f} s on, up to {:.2f} s\n  begins when {}\n  ends when {}\n",
+      unit.name, s.window.from, s.window.until, s.window.begins, s.window.ends);
   text += "                 mean  95 % interval      dev.     99 %       max   crushing  contact  friction\n";
-  text += load_row(s, "horizontal", s.horizontal, s.horizontal_split);
-  text += load_row(s, "vertical", s.vertical, s.vertical_split);
+  text += load_row(s, "horizontal", s.horizontal, s.horizontal_split, unit);
+  text += load_row(s, "vertical", s.vertical, s.vertical_split, unit);
   if (!s.horizontal.long_enough && simulation::bears_interval(s, s.horizontal))
     text += fmt::format("  note: the history is {}\n", kTooShort);
   return text + whole;
@@ -51,34 +60,42 @@ std::string loads(const simulation::RunSummary& s) {
 /// Where a ship, a mesh or a structure with legs bears the load.
 std::string regions(const simulation::RunSummary& s) {
   if (s.regions.empty()) return "";
-  std::string text =
-      "mean load by region of the structure [kN]\n                 horizontal  vertical   crushing, horizontal\n";
+  const TableUnit unit = load_unit(s);
+  std::string text = fmt::format(
+      "mean load by region of the structure [{}]\n                 horizontal  vertical   crushing, horizontal\n",
+      unit.name);
   for (const auto& [region, load] : s.regions)
-    text += fmt::format("  {:<13}{:>12.1f}{:>10.1f}{:>12.1f}\n", region, load.total.x / kKilo, load.total.z / kKilo,
-                        load.crushing.x / kKilo);
+    text += fmt::format("  {:<13}{:>12.1f}{:>10.1f}{:>12.1f}\n", region, load.total.x / unit.one,
+                        load.total.z / unit.one, load.crushing.x / unit.one);
   return text;
 }
 
 /// The mean of the run beside the measured one [N].
-std::string difference(const simulation::RunSummary& s, double measured) {
+std::string difference(const simulation::RunSummary& s, double measured, const TableUnit& unit) {
   if (std::isnan(s.horizontal.mean) || measured <= 0.0) return "";
   const double percent = 100.0 * (s.horizontal.mean / measured - 1.0);
   return fmt::format("  {:<43}{:>7.1f}  {:.1f} % {} the measured mean\n",
                      fmt::format("this run, mean over {:.1f} s", s.window.until - s.window.from),
-                     s.horizontal.mean / kKilo, std::abs(percent), percent < 0.0 ? "below" : "above") +
+                     s.horizontal.mean / unit.one, std::abs(percent), percent < 0.0 ? "below" : "above") +
          "  note: the mean of one run is weak evidence, because each seed gives another mean\n";
 }
 
 /// Other people's numbers for the same structure and ice. Closed forms give peaks, a run gives means.
 std::string comparison(const model::Case& resolved, const simulation::RunSummary& s) {
-  std::string text = fmt::format("for comparison, horizontal{} [kN]\n",
-                                 resolved.structure.legs.size() < 2 ? "" : ", on one leg alone");
-  if (const auto load = croasdale_of(resolved))
-    text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", load->horizontal / kKilo);
-  if (const auto load = ralston_of(resolved, standards::Yield::kTresca))
-    text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", load->horizontal / kKilo);
+  const auto croasdale = croasdale_of(resolved);
+  const auto ralston = ralston_of(resolved, standards::Yield::kTresca);
+  const std::array largest{croasdale ? croasdale->horizontal : 0.0, ralston ? ralston->horizontal : 0.0,
+                           resolved.reference.mean_horizontal.value_or(0.0)};
+  const TableUnit unit = unit_for(largest, "N");
+  std::string text = fmt::format("for comparison, horizontal{} [{}]\n",
+                                 resolved.structure.legs.size() < 2 ? "" : ", on one leg alone", unit.name);
+  if (croasdale)
+    text += fmt::format("  Croasdale (ISO 19906, elastic beam), peak  {:>7.1f}\n", croasdale->horizontal / unit.one);
+  if (ralston)
+    text += fmt::format("  Ralston (plastic, Tresca), peak            {:>7.1f}\n", ralston->horizontal / unit.one);
   if (const auto measured = resolved.reference.mean_horizontal)
-    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / kKilo) + difference(s, *measured);
+    text += fmt::format("  {:<43}{:>7.1f}\n", resolved.reference.source, *measured / unit.one) +
+            difference(s, *measured, unit);
   return text;
 }
 
@@ -144,17 +161,20 @@ std::string ledger(const geometry::Ledger& l) {
 std::string energy(const simulation::EnergyBalance& e) {
   const model::EnergyLosses& l = e.losses;
   const double share = e.work != 0.0 ? 100.0 * e.error / e.work : 0.0;
+  const std::array energies{e.work,    e.kinetic_energy,    e.potential_energy, e.removed_energy, l.edge,
+                            l.bending, l.structure_contact, l.sheet_contact,    l.floe_contact,   l.drag};
+  const TableUnit unit = unit_for(energies, "J");
   std::string text = fmt::format(
-      "energy [kJ]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} "
+      "energy [{}]\n  {:.1f} work of the structure = {:.1f} in the floes' motion + {:.1f} in their height + {:.1f} "
       "crushing the\n    sheet's edge + {:.1f} bending it + contacts and water below + {:.1f} with ice that was "
       "deleted, broke or\n    fell asleep; error {:.2f} ({:.3f} %), births {:.2g}\n",
-      e.work / kKilo, e.kinetic_energy / kKilo, e.potential_energy / kKilo, l.edge / kKilo, l.bending / kKilo,
-      e.removed_energy / kKilo, e.error / kKilo, share, e.birth_energy / kKilo);
+      unit.name, e.work / unit.one, e.kinetic_energy / unit.one, e.potential_energy / unit.one, l.edge / unit.one,
+      l.bending / unit.one, e.removed_energy / unit.one, e.error / unit.one, share, e.birth_energy / unit.one);
   text += "  floes against          structure     sheet     floes     water\n";
-  text += fmt::format("  crushing, impact, drag {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_contact / kKilo,
-                      l.sheet_contact / kKilo, l.floe_contact / kKilo, l.drag / kKilo);
-  text += fmt::format("  friction               {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_friction / kKilo,
-                      l.sheet_friction / kKilo, l.floe_friction / kKilo, l.skin_friction / kKilo);
+  text += fmt::format("  crushing, impact, drag {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_contact / unit.one,
+                      l.sheet_contact / unit.one, l.floe_contact / unit.one, l.drag / unit.one);
+  text += fmt::format("  friction               {:>9.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", l.structure_friction / unit.one,
+                      l.sheet_friction / unit.one, l.floe_friction / unit.one, l.skin_friction / unit.one);
   return text;
 }
 

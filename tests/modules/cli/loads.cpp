@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "brash/core/error.hpp"
 #include "brash/io/case.hpp"
@@ -32,6 +34,20 @@ BOOST_AUTO_TEST_CASE(the_validation_cone_has_its_known_peaks) {
   BOOST_TEST(contains(text, "peaks of one breaking event; of crushing, once in many years"));
   for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U}) BOOST_TEST(loads[i]["kind"] == "peak of one breaking event");
   for (const std::size_t i : {6U, 7U}) BOOST_TEST(loads[i]["kind"] == "peak, once in many years");
+}
+
+BOOST_AUTO_TEST_CASE(small_loads_have_a_small_unit) {
+  const auto name = [](std::vector<double> values) { return unit_for(values, "N").name; };
+  BOOST_TEST(name({3.0, -1000.0}) == "kN");
+  BOOST_TEST(name({3.0, -52.0, std::nan("")}) == "N");
+  BOOST_TEST(name({0.02}) == "mN");
+  BOOST_TEST(name({}) == "kN");
+  nlohmann::ordered_json loads = closed_form_loads(validation_cone());
+  for (auto& load : loads["loads"])
+    for (const char* const direction : {"horizontal", "vertical"})
+      if (load.contains(direction)) load[direction] = 1e-4 * load[direction].get<double>();
+  BOOST_TEST(contains(loads_text(loads), "closed-form loads [N]"));
+  BOOST_TEST(contains(loads_text(loads), "      31.9  "));
 }
 
 BOOST_AUTO_TEST_CASE(a_hull_adds_lindqvist_with_its_parts) {
