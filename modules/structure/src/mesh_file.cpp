@@ -69,6 +69,27 @@ bool has_ply_header(const std::string& bytes) {
   return false;
 }
 
+/// An OBJ text as CGAL's reader (5.5) needs it: continued lines joined, corners between blanks, and no line elements,
+/// which have no area.
+std::string plain_obj(const std::string& bytes) {
+  std::string text, line;
+  const auto keep_line = [&] {
+    std::ranges::replace(line, '\t', ' ');
+    if (!line.starts_with("l ")) text += line + '\n';
+    line.clear();
+  };
+  std::istringstream lines(bytes);
+  for (std::string part; std::getline(lines, part);) {
+    if (part.ends_with('\r')) part.pop_back();
+    const bool is_continued = part.ends_with('\\') && !part.starts_with('#');
+    if (is_continued) part.back() = ' ';
+    line += part;
+    if (!is_continued) keep_line();
+  }
+  if (!line.empty()) keep_line();
+  return text;
+}
+
 bool read_soup(std::istream& stream, const std::string& kind, Soup& soup) {
   if (kind == "stl") return CGAL::IO::read_STL(stream, soup.points, soup.polygons);
   if (kind == "obj") return CGAL::IO::read_OBJ(stream, soup.points, soup.polygons);
@@ -80,7 +101,7 @@ bool read_soup(std::istream& stream, const std::string& kind, Soup& soup) {
 tl::expected<Soup, MeshError> soup_of(const std::string& bytes, const std::string& kind) {
   Soup soup;
   try {
-    std::istringstream stream(bytes);
+    std::istringstream stream(kind == "obj" ? plain_obj(bytes) : bytes);
     if (kind == "ply" && !has_ply_header(bytes)) return tl::unexpected(unreadable(kind, "its header is not whole"));
     if (!read_soup(stream, kind, soup)) return tl::unexpected(unreadable(kind, "its text does not follow the format"));
   } catch (const std::exception&) {

@@ -49,6 +49,16 @@ BOOST_AUTO_TEST_CASE(every_format_gives_the_same_closed_box) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_obj_file_may_continue_lines_and_have_lines_as_elements) {
+  const std::string cube =
+      "# C:\\ships\\\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\ng f Three\n"
+      "f 4 3 \\\n2 1\nf 5 6 \\\r\n 7\\\r\n 8\nf 1\t2\t6\t5\nf 2 3 7 6\nf 3 4 8 7\nl 1 2\nf 4 1 5 8\nl\t3 \\\n4";
+  const auto read = read_mesh(cube, "obj");
+  BOOST_REQUIRE(read.has_value());
+  BOOST_TEST(signed_volume(read->mesh) == 8.0, kExact);
+  BOOST_TEST(read->report.n_dropped == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_face_of_four_corners_is_two_triangles) {
   const std::string cube =
       "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
