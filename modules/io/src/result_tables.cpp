@@ -29,7 +29,7 @@ std::vector<model::CrackedSheet> read_cracked_sheets(const NetcdfReader& file) {
   return sheets;
 }
 
-/// Poses frame after frame: a contiguous ragged array of the CF conventions.
+/// Poses frame after frame. CF's `sample_dimension` would call the file one of a feature type, which it is not.
 void write_frames(NetcdfWriter& file, const std::vector<model::Frame>& frames) {
   std::vector<std::int32_t> counts;
   std::vector<model::FloePose> poses;
@@ -39,8 +39,7 @@ void write_frames(NetcdfWriter& file, const std::vector<model::Frame>& frames) {
   }
   file.expect_repeats("pose");
   write_rows(file, frames);
-  file.variable("frame_pose_count", "frame", {"1", "number of poses of each frame", {{"sample_dimension", "pose"}}},
-                counts);
+  file.variable("frame_pose_count", "frame", {"1", "number of poses of each frame, one frame after the other"}, counts);
   write_rows(file, poses);
 }
 
