@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -33,18 +34,24 @@ enum Part { kFloes, kSheet, kStructure };
 io::PolyData floes_at(const model::Case& resolved, const model::Frame& frame,
                       const std::map<std::int64_t, const model::FloeRecord*>& records) {
   io::PolyData data;
-  std::vector<double> id, age, area;
+  data.cell_data = {{"id", {}}, {"parent", {}}, {"age", {}}, {"area", {}}, {"thickness", {}}, {"contact_force", {}}};
   for (const model::FloePose& floe : frame.floes) {
     const model::FloeRecord& record = *records.at(floe.floe);
-    const double half = 0.5 * thickness_of(record, resolved);
+    const double thickness = thickness_of(record, resolved);
+    const std::array values{static_cast<double>(record.id),
+                            static_cast<double>(record.parent),
+                            frame.time - record.birth,
+                            record.area,
+                            thickness,
+                            floe.contact_force};
     for (const geometry::Polygon& polygon : polygons_of(record.rings)) {
-      const std::size_t n = add_prism(data, polygon, -half, half, floe.pose);
-      id.insert(id.end(), n, static_cast<double>(record.id));
-      age.insert(age.end(), n, frame.time - record.birth);
-      area.insert(area.end(), n, record.area);
+      const std::size_t n = add_prism(data, polygon, -0.5 * thickness, 0.5 * thickness, floe.pose);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        std::vector<double>& column = data.cell_data[i].second;
+        column.insert(column.end(), n, values[i]);
+      }
     }
   }
-  data.cell_data = {{"id", std::move(id)}, {"age", std::move(age)}, {"area", std::move(area)}};
   return data;
 }
 
@@ -55,8 +62,10 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
 
   SheetReplay replay(run);
   std::vector<io::VtkStep> steps;
+  std::size_t number = 0;  // of the frame
   const auto write = [&](double time, Part part, const std::string& name, const io::PolyData& data) {
-    const std::string file = fmt::format("{}_{:05}.vtp", name, steps.size() / 3);
+    if (data.faces.empty() && part == kSheet) return;  // a field of floes has no level ice
+    const std::string file = fmt::format("{}_{:05}.vtp", name, number);
     write_file((fs::path(directory) / file).string(), io::to_vtp(data));
     steps.push_back({time, part, file});
   };
@@ -64,6 +73,7 @@ void export_vtk(const std::string& run_file, const std::string& directory) {
     write(frame.time, kFloes, "floes", floes_at(run.resolved, frame, records));
     write(frame.time, kSheet, "sheet", sheet_surface(run.resolved, replay.at(frame)));
     write(frame.time, kStructure, "structure", mesh_surface(run.hull->mesh(), frame.structure));
+    ++number;
   }
   const std::string collection = (fs::path(directory) / "run.pvd").string();
   write_file(collection, io::to_pvd(steps));

@@ -75,10 +75,15 @@ class Export(unittest.TestCase):
         first = np.concatenate([[0], np.cumsum(self.run_.frame_pose_count)])
         area = dict(zip(self.run_.floe_id.values, self.run_.floe_area.values))
         birth = dict(zip(self.run_.floe_id.values, self.run_.floe_birth.values))
+        parent = dict(zip(self.run_.floe_id.values, self.run_.floe_parent.values))
         for frame, (time, path) in enumerate(self.steps[0]):
             arrays = read_vtp(path)
             ids = self.run_.pose_floe.values[first[frame]:first[frame + 1]]
             self.assertEqual(set(arrays["id"]), set(ids))
+            force = dict(zip(ids, self.run_.pose_contact_force.values[first[frame]:first[frame + 1]]))
+            np.testing.assert_array_equal(arrays["contact_force"], [force[i] for i in arrays["id"]])
+            np.testing.assert_array_equal(arrays["parent"], [parent[i] for i in arrays["id"]])
+            np.testing.assert_array_equal(arrays["thickness"], np.full(len(arrays["id"]), 0.33))
             np.testing.assert_allclose(arrays["age"], [time - birth[i] for i in arrays["id"]], atol=1e-12)
             edges = collections.Counter()
             for face in faces_of(arrays):
@@ -113,6 +118,18 @@ class Export(unittest.TestCase):
                         row = int(np.argmin(np.abs(run.time.values - time)))
                         shown = volume(read_vtp(path / f"{border}_vtk/sheet_{frame:05d}.vtp")) / 0.33
                         self.assertAlmostEqual(shown, run.area_sheet.values[row], delta=13.6 * 1.202 * 0.25)
+
+    def test_a_field_of_floes_has_no_files_of_a_sheet(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder)
+            subprocess.run([BRASH, "run", SOURCE / "experiments/fields/cone.toml", "-o", path, "--set", "time.duration=0.5",
+                            "--set", "output.statistics_from=0", "--set", "output.frames_per_second=4"], check=True,
+                           capture_output=True)
+            subprocess.run([BRASH, "export", "vtk", path], check=True, capture_output=True)
+            self.assertEqual(len(list((path / "vtk").glob("floes_*.vtp"))), len(list((path / "vtk").glob("structure_*.vtp"))))
+            self.assertEqual(list((path / "vtk").glob("sheet_*.vtp")), [])
+            files = {step.get("file") for step in ET.parse(path / "vtk/run.pvd").getroot().iter("DataSet")}
+            self.assertEqual(files, {file.name for file in (path / "vtk").glob("*.vtp")})
 
     def test_each_floe_has_its_own_thickness(self):
         with tempfile.TemporaryDirectory() as folder:
