@@ -11,6 +11,7 @@
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
 #include "brash/core/sha256.hpp"
+#include "brash/structure/inner_radius.hpp"
 #include "mesh_hull.hpp"
 
 namespace brash::structure {
@@ -20,6 +21,8 @@ namespace {
 constexpr std::size_t kMostMebibytes = 512;
 /// Length of the longest structure [m]; ships end at 458 m.
 constexpr double kLongest = 1000.0;
+/// Thickness of the thinnest structure [m]. Outlines have a grid of a micrometre, and a thinner one would have none.
+constexpr double kThinnest = 1e-3;
 
 using Placed = tl::expected<std::shared_ptr<const MeshBody>, MeshError>;
 
@@ -77,6 +80,20 @@ tl::expected<void, MeshError> place(const model::Mesh& how, TriangleMesh& mesh) 
   return {};
 }
 
+/// Refuses a structure that is thinner everywhere than its outlines are exact.
+tl::expected<void, MeshError> expect_thick(const MeshBody& body) {
+  const double least = std::max(kThinnest, 2.0 * body.tolerance);
+  double thickness = 0.0;
+  for (const ConvexPart& part : body.parts)
+    if (thickness < least) thickness = std::max(thickness, 2.0 * inner_radius(part, 0.5 * least));
+  if (thickness >= least) return {};
+  const Vec3 size = body.report.size;
+  return tl::unexpected(MeshError{fmt::format("is {:.3g} m x {:.3g} m x {:.3g} m large and at most {:.2g} m thick",
+                                              size.x, size.y, size.z, thickness),
+                                  fmt::format("at least {:.2g} m somewhere", least),
+                                  "give the structure its thickness, or correct structure.scale"});
+}
+
 Placed placed(const std::string& bytes, const model::Mesh& how) {
   std::string kind = std::filesystem::path(how.file).extension().string();
   std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -95,7 +112,9 @@ Placed placed(const std::string& bytes, const model::Mesh& how) {
     return tl::unexpected(MeshError{fmt::format("is {:.4g} km long", length / 1e3),
                                     fmt::format("at most {:g} m", kLongest), probable_unit(length)});
   if (auto lies = place(how, read->mesh); !lies) return tl::unexpected(lies.error());
-  return std::make_shared<const MeshBody>(std::move(read->mesh), read->report);
+  auto body = std::make_shared<const MeshBody>(std::move(read->mesh), read->report);
+  if (auto thick = expect_thick(*body); !thick) return tl::unexpected(thick.error());
+  return body;
 }
 
 /// A case makes its hull several times, and repairing a large mesh takes seconds: the newest one is kept.

@@ -222,6 +222,22 @@ BOOST_AUTO_TEST_CASE(a_draught_above_the_deck_is_refused) {
   BOOST_TEST(says(refused.error().what, "is 4 m high, and its draught 4.5 m"), refused.error().what);
 }
 
+BOOST_AUTO_TEST_CASE(a_mesh_that_is_thinner_than_its_outlines_is_refused_with_its_size) {
+  const Scratch scratch;
+  const auto plate = [&](double thickness) {
+    return scratch.write("plate.off", off(box({-2.0, -0.5 * thickness, 0.0}, {2.0, 0.5 * thickness, 3.0})));
+  };
+  for (const double heading : {0.0, 0.5}) {
+    const auto refused = examine(model::Mesh{.file = plate(4e-9), .draught = 1.0, .heading = heading});
+    BOOST_REQUIRE(!refused.has_value());
+    BOOST_TEST(says(refused.error().what, "m x 3 m large and at most 4e-09 m thick"), refused.error().what);
+  }
+  const auto small = examine(model::Mesh{.file = plate(1.0), .scale = 1e-6, .draught = 1e-6});
+  BOOST_REQUIRE(!small.has_value());
+  BOOST_TEST(says(small.error().what, "is 4e-06 m x 1e-06 m x 3e-06 m large"), small.error().what);
+  BOOST_TEST(examine(model::Mesh{.file = plate(0.01), .draught = 1.0}).has_value());
+}
+
 BOOST_AUTO_TEST_CASE(a_mesh_with_a_gap_at_the_waterline_is_refused) {
   const Scratch scratch;
   const TriangleMesh apart = joined(box({0.0, 0.0, 0.0}, {8.0, 4.0, 10.0}), box({0.0, 0.0, 12.0}, {8.0, 4.0, 20.0}));
