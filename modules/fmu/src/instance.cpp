@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "brash/core/constants.hpp"
 #include "brash/core/contract.hpp"
 #include "brash/core/error.hpp"
 #include "brash/core/input_file.hpp"
@@ -22,6 +23,8 @@ namespace {
 
 /// A host adds up its times, and may be off by this part of a time step [-].
 constexpr double kTimeTolerance = 1e-3;
+/// An angle of more turns than these is a mistake: a sine of 1e9 rad says nothing about where a structure is [rad].
+constexpr double kMostAngle = 1000.0 * 2.0 * kPi;
 
 const char* name_of(Phase phase) {
   switch (phase) {
@@ -190,6 +193,8 @@ void Instance::check(const Variable& v, Number value) const {
   if (v.causality == Causality::kInput) {
     expect("setting an input", {Phase::kInstantiated, Phase::kInitialization, Phase::kStepping});
     if (!std::isfinite(number)) throw Discarded(fmt::format("{} = {}: allowed is a finite number", v.name, number));
+    if (v.unit == "rad" && std::abs(number) > kMostAngle)
+      throw Discarded(fmt::format("{} = {}: allowed is at most {:.0f} rad, 1000 turns", v.name, number, kMostAngle));
   } else if (v.causality == Causality::kParameter) {
     expect("setting a parameter", {Phase::kInstantiated, Phase::kInitialization});
     if (!(number >= v.least && number <= v.most))

@@ -171,9 +171,8 @@ class Driven final : public Motion {
       throw InputError("a rotation that drives the structure is no unit quaternion: its norm is " +
                        std::to_string(size));
     const Twist way{goal.pose.position - now_.pose.position, turn_between(now_.pose.rotation, q)};
-    if (norm(way.linear) > kFastest * time_step_)
-      throw InputError("a pose that drives the structure lies " + std::to_string(norm(way.linear)) +
-                       " m away after a step: more than 50 m/s; give metres, and the pose at the end of the step");
+    expect_slow(way, time_step_, "a pose that drives the structure");
+    expect_slow(goal.twist, 1.0, "a twist that drives the structure");
     way_ = way;
     now_.twist = goal.twist;
   }
@@ -195,11 +194,21 @@ class Driven final : public Motion {
   }
 
  private:
+  /// @param time  in which the structure goes this way [s].
+  static void expect_slow(const Twist& way, double time, const std::string& what) {
+    if (norm(way.linear) > kFastest * time)
+      throw InputError(what + " moves it at " + std::to_string(norm(way.linear) / time) +
+                       " m/s: more than 50 m/s; give metres, and the pose at the end of the step");
+    if (norm(way.angular) > kFastestTurn * time)
+      throw InputError(what + " turns it at " + std::to_string(norm(way.angular) / time) +
+                       " rad/s: more than 10 rad/s; give radians, and the pose at the end of the step");
+  }
   void go_on() { way_ = {time_step_ * now_.twist.linear, time_step_ * now_.twist.angular}; }
 
   /// A quaternion that is farther than this from a unit one is a mistake; nearer ones are rounded [-].
   static constexpr double kUnit = 1e-6;
-  static constexpr double kFastest = 50.0;  // m/s, as the most of structure.speed
+  static constexpr double kFastest = 50.0;      // m/s, as the most of structure.speed
+  static constexpr double kFastestTurn = 10.0;  // rad/s; a small buoy rolls at 2 rad/s
 
   double time_step_;  ///< [s]
   Twist way_{};       ///< of the coming step [m], [rad]

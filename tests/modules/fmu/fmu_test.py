@@ -192,10 +192,13 @@ class Tests(Common):
 
         def loads_at(heading):
             """Along the sheet's axes, of the cone that goes ahead at this heading."""
-            instance, found = self.keep(started(unit)), []
+            instance, found, first = self.keep(started(unit)), [], 20
+            for i in range(1, first + 1):  # nothing turns to port in one step
+                instance.set({"structure_yaw": heading * i / first})
+                instance.step((i - 1) * STEP, STEP)
             for i in range(26):  # until two steps after the first break: floes let round-off grow
                 instance.set({"structure_x": -7.0 + 1.2 * i * STEP, "structure_yaw": heading, "structure_vx": 1.2})
-                instance.step(i * STEP, STEP)
+                instance.step((first + i) * STEP, STEP)
                 found.append([])
                 for kind in "FM":
                     x, y, z = instance.get([kind + axis for axis in "xyz"])

@@ -82,6 +82,12 @@ class Tests(Common):
         driven = self.keep(started(self.unit(**DRIVEN)))
         self.refuses(DISCARD, driven.set, {"structure_y": 1.0, "structure_vx": float("nan")})
         self.assertEqual(driven.get(["structure_y"]), [0.0])
+        self.refuses(DISCARD, driven.set, {"structure_yaw": 1e9})
+
+    def test_a_structure_that_turns_over_in_a_step_is_refused(self):
+        driven = self.keep(started(self.unit(**DRIVEN)))
+        driven.set({"structure_pitch": 3.1})
+        self.refuses(ERROR, driven.step, 0.0, STEP)
 
     def test_a_step_beyond_the_end_of_the_path_is_discarded(self):
         instance = self.keep(self.unit(case=self.path_case()).instantiate())

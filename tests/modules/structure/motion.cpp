@@ -126,21 +126,21 @@ std::unique_ptr<structure::Motion> driven() { return motion_of(model::Driven{1.5
 
 BOOST_AUTO_TEST_CASE(a_driven_structure_goes_straight_and_turns_evenly_to_its_goal_and_on_at_its_twist) {
   const auto motion = driven();
-  const Pose goal{{-6.98, 0.01, 0.002}, {std::cos(0.1), 0.0, 0.0, std::sin(0.1)}};  // turned by 0.2 rad
+  const Pose goal{{-6.98, 0.01, 0.002}, {std::cos(0.04), 0.0, 0.0, std::sin(0.04)}};  // turned by 0.08 rad
   const structure::State way = structure::way_to(goal, motion->now().pose, 0.01);
   BOOST_TEST(way.twist.linear.x == 2.0, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(way.twist.angular.z == 20.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(way.twist.angular.z == 8.0, boost::test_tools::tolerance(1e-12));
   motion->drive(way);
   motion->advance(0.25);
   BOOST_TEST(motion->now().pose.position.x == -6.995, boost::test_tools::tolerance(1e-15));
-  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.025), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.01), boost::test_tools::tolerance(1e-14));
   motion->advance(0.75);
   BOOST_TEST(norm(motion->now().pose.position - goal.position) < 1e-15);
-  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.1), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.04), boost::test_tools::tolerance(1e-14));
   motion->bear({{-1e9, 0.0, 0.0}, {}});
   motion->advance(1.0);
   BOOST_TEST(motion->now().pose.position.x == -6.96, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.2), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(motion->now().pose.rotation.z == std::sin(0.08), boost::test_tools::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(a_driven_structure_that_is_told_a_twist_goes_where_it_leads) {
@@ -160,9 +160,31 @@ BOOST_AUTO_TEST_CASE(a_drive_that_is_no_motion_and_a_drive_of_a_tow_are_refused)
   BOOST_CHECK_THROW(towed()->drive({}), InputError);
 }
 
+BOOST_AUTO_TEST_CASE(a_drive_that_jumps_or_turns_over_in_a_step_is_refused_with_its_speed) {
+  const auto motion = driven();
+  const Pose start = motion->now().pose;
+  const auto refusal = [&](const structure::State& goal) {
+    try {
+      motion->drive(goal);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const auto says = [](const std::string& text, const char* words) { return text.find(words) != std::string::npos; };
+  const std::string far = refusal({{start.position + Vec3{1.0, 0.0, 0.0}, {}}, {}});
+  BOOST_TEST(says(far, "more than 50 m/s"), far);
+  const std::string over = refusal({{start.position, {0.0, 0.0, 1.0, 0.0}}, {}});  // pitched by 180 degrees
+  BOOST_TEST(says(over, "turns it at 314.159265 rad/s: more than 10 rad/s"), over);
+  const std::string fast = refusal({start, {{51.0, 0.0, 0.0}, {}}}), spins = refusal({start, {{}, {0.0, 0.0, 11.0}}});
+  BOOST_TEST(says(fast, "moves it at 51.000000 m/s"), fast);
+  BOOST_TEST(says(spins, "turns it at 11.000000 rad/s"), spins);
+  BOOST_TEST(refusal({start, {{50.0, 0.0, 0.0}, {0.0, 0.0, 10.0}}}) == "accepted");
+}
+
 BOOST_AUTO_TEST_CASE(a_drive_goes_on_from_a_checkpoint_that_lies_before_its_step) {
   const auto motion = driven(), again = driven();
-  motion->drive({{{-6.9, 0.2, 0.0}, {std::cos(0.1), std::sin(0.1), 0.0, 0.0}}, {{9.0, 20.0, 0.0}, {20.0, 0.0, 0.0}}});
+  motion->drive({{{-6.9, 0.2, 0.0}, {std::cos(0.04), std::sin(0.04), 0.0, 0.0}}, {{9.0, 20.0, 0.0}, {8.0, 0.0, 0.0}}});
   model::Checkpoint saved;
   motion->save(saved);
   again->restore(saved);

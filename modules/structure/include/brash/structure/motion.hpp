@@ -63,7 +63,8 @@ class Motion {
 
   /// Where the structure goes in the coming step, if it is driven from outside: to `pose`, straight and with an even
   /// turn, while contacts see it move at `twist`. Without a call it goes on at its last twist.
-  /// @throws InputError when the case has another motion, or a value is not finite or no rotation.
+  /// @throws InputError when the case has another motion, or a value is not finite or no rotation, or the structure
+  /// would move faster than 50 m/s or turn faster than 10 rad/s.
   virtual void drive(const State& goal);
 
   /// The way ahead in plan, of any length: along the velocity through the ice where nothing resists. A structure that
