@@ -218,7 +218,7 @@ bool is_remark(const std::vector<std::string_view>& cells, Layout layout) {
 }
 
 /// A line of a text.
-struct Line {
+struct NumberedLine {
   std::string text;
   std::size_t number;  ///< in the file
 };
@@ -241,7 +241,7 @@ bool names_times(const std::vector<std::string_view>& cells) {
 
 /// Which of the lines up to the first row of numbers has the names. A title may stand above them, and units below: the
 /// names are as many as the numbers and contain none. The first such line that names times wins.
-std::size_t line_of_names(const std::vector<Line>& lines) {
+std::size_t line_of_names(const std::vector<NumberedLine>& lines) {
   if (lines.size() < 3 || !is_row(lines.back().text)) return 0;
   Layout layout{separator_of(lines.back().text)};
   const std::size_t n = cells_of(lines.back().text, layout.separator).size();
@@ -322,7 +322,7 @@ class TextSeries {
     }
     if (std::exchange(units_may_follow_, false) && take_units(series_, cells)) return;
     if (series_.rows.size() >= 2 && is_remark(cells, *layout_)) {
-      if (!remark_) remark_ = Line{std::string(content), number};
+      if (!remark_) remark_ = NumberedLine{std::string(content), number};
       return;
     }
     // Only the end of a table has remarks: within it the line is a broken row.
@@ -334,8 +334,8 @@ class TextSeries {
   Series series_;
   std::optional<Layout> layout_;
   Dates dates_;
-  std::vector<Line> head_;      ///< before the table has begun
-  std::optional<Line> remark_;  ///< the first after the rows
+  std::vector<NumberedLine> head_;      ///< before the table has begun
+  std::optional<NumberedLine> remark_;  ///< the first after the rows
   bool has_begun_ = false, named_ = false, units_may_follow_ = false, preamble_ = false;
   std::size_t line_number_ = 0;
 };
