@@ -127,11 +127,17 @@ std::optional<std::size_t> time_column(const std::vector<std::string>& names) {
   return names.size() > 1 ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
+/// Whether a unit is one of time. UDUNITS converts frequencies too, to their inverse.
+bool is_unit_of_time(const std::string& unit) {
+  const auto one = read_quantity("1 " + unit, "s"), two = read_quantity("2 " + unit, "s");
+  return one && two && *two > *one;
+}
+
 /// Whether a column with a name holds times: its name or its unit says so. A first line of anything else may be a
 /// preamble, or of places.
 bool holds_times(const Series& series, std::size_t column) {
   return is_text_time_name(series.names[column]) ||
-         (!series.units[column].empty() && read_quantity("1 " + series.units[column], "s"));
+         (!series.units[column].empty() && is_unit_of_time(series.units[column]));
 }
 
 /// Takes a line of units under the names, when the one of the times is a unit of time.
@@ -146,7 +152,7 @@ bool take_units(Series& series, const std::vector<std::string_view>& cells) {
     const auto [outside, bracketed] = name_and_unit(std::string(cell));
     units.push_back(outside.empty() ? bracketed : std::string(cell));
   }
-  if (!read_quantity("1 " + units[*times], "s")) return false;
+  if (!is_unit_of_time(units[*times])) return false;
   series.units = std::move(units);
   return true;
 }

@@ -66,7 +66,7 @@ class Mistakes(unittest.TestCase):
         self.assertIn("warning: no-statistics: the run is over", alone.stderr)
 
     def test_each_mistake_is_told_its_remedy(self):
-        self.assertEqual(len(rows()), 10)
+        self.assertEqual(len(rows()), 9)
         for mistake, words, remedy in rows():
             with self.subTest(mistake):
                 before = sorted(self.path.rglob("*"))
