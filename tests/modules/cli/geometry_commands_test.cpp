@@ -353,6 +353,9 @@ BOOST_AUTO_TEST_CASE(a_hole_in_another_polygon_is_refused_whatever_cuts) {
                                   "((20 0,30 0,30 10,20 10,20 0),(2 2,4 2,4 4,2 4,2 2)))");
   const std::string line = write("line.wkt", "LINESTRING (5 -1, 5 11)"), events = write("events.csv", "0,5,2,3\n"),
                     cutter = write("cutter.wkt", "POLYGON ((4 4, 6 4, 6 6, 4 4))");
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& what) {
+    BOOST_CHECK_EXCEPTION(run(arguments), InputError, [&](const InputError& e) { return names(e, what); });
+  };
   for (const auto& [option, file] : {std::pair{"--along", line}, {"--events", events}, {"--cutters", cutter}})
     refused({"crack", "--sheet", sheet, option, file}, "polygon 1: there is no ice for a hole at (2, 2)");
   refused({"pieces", sheet}, "there is no ice for a hole");
