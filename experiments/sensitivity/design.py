@@ -34,7 +34,7 @@ INPUTS = {
     "hydrodynamics.form_drag_along": ["velocity", "velocity", "normal", "normal"],
     "hydrodynamics.shading_gap": (0.25, 0.66),  # of the thickness: from next to nothing to all that can be seen
     "hydrodynamics.skin_friction": (0.002, 0.01),
-    # The laws of the water, docs/decisions/0024: half the floe's mass in every direction, or a plate's potential flow.
+    # The laws of the water, docs/decisions/0005: half the floe's mass in every direction, or a plate's potential flow.
     "hydrodynamics.added_mass_law": ["isotropic", "isotropic", "plate", "plate"],
     "hydrodynamics.ventilation": [False, False, True, True],
     "hydrodynamics.structure_flow": [False, False, True, True],
