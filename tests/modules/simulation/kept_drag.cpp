@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drag that is kept for a way, docs/theory/water.md, (H13) and (H14), against drag of every step; decision 12.
+// Drag that is kept for a way, docs/theory/water.md, (H13) and (H14), against drag of every step; decision 5.
 #include "kept_drag.hpp"
 
 #include <algorithm>
